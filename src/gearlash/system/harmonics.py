@@ -1,0 +1,60 @@
+"""Finite Fourier series of the mesh phase, stored as plain arrays.
+
+A series is a float64 array ``[mean, c1, s1, c2, s2, ...]`` (odd length) with
+``value(θ) = mean + Σ c_n cos nθ + s_n sin nθ``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Fourier = NDArray[np.float64]
+
+
+def constant(value: float) -> Fourier:
+    """The series of a constant."""
+    return np.array([value], dtype=np.float64)
+
+
+def cosines(mean: float, amplitudes: Sequence[float], phases: Sequence[float] | None = None) -> Fourier:
+    """``mean + Σ amplitude_n cos(nθ + phase_n)``, phases in rad (default 0)."""
+    phases = [0.0] * len(amplitudes) if phases is None else phases
+    if len(phases) != len(amplitudes):
+        raise ValueError(f"{len(amplitudes)} amplitudes but {len(phases)} phases")
+    series = [mean]
+    for amplitude, phase in zip(amplitudes, phases, strict=True):
+        series += [amplitude * np.cos(phase), -amplitude * np.sin(phase)]
+    return np.array(series, dtype=np.float64)
+
+
+def evaluate(series: Fourier, theta: ArrayLike) -> NDArray[np.float64]:
+    """Values of a series (last axis: coefficients) at phases ``theta`` in rad."""
+    angle = np.asarray(theta, dtype=np.float64)
+    order = np.arange(1, harmonics(series) + 1)
+    basis = np.ones((*angle.shape, 2 * len(order) + 1))
+    basis[..., 1::2] = np.cos(angle[..., None] * order)
+    basis[..., 2::2] = np.sin(angle[..., None] * order)
+    return np.einsum("...k,k->...", basis, series) if series.ndim == 1 else basis @ series.T
+
+
+def derivative(series: Fourier) -> Fourier:
+    """d/dθ of a series (last axis: coefficients)."""
+    out = np.zeros_like(series)
+    order = np.arange(1, harmonics(series) + 1)
+    out[..., 1::2] = order * series[..., 2::2]
+    out[..., 2::2] = -order * series[..., 1::2]
+    return out
+
+
+def padded(series: Fourier, count: int) -> Fourier:
+    """The same series with room for ``count`` harmonics (last axis)."""
+    missing = 2 * count + 1 - series.shape[-1]
+    return np.pad(series, [(0, 0)] * (series.ndim - 1) + [(0, missing)])
+
+
+def harmonics(series: Fourier) -> int:
+    """Number of harmonics a series has room for."""
+    return (series.shape[-1] - 1) // 2

@@ -1,0 +1,117 @@
+"""The systems that the engine knows: periodically forced, piecewise linear, with clearances.
+
+    z' = M z + b(θ) + Σ_j g_j Φ_j,                                θ = ω τ
+    Φ_j = η_j(θ) · deadzone(X_j; -D_j⁻, D_j⁺) + ζ_j X_j',         X_j = h_j·z - e_j(θ),  h_j·g_k = 0
+
+Nothing here knows about gears.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .harmonics import Fourier, constant
+from .status import GearlashError
+
+Vector = NDArray[np.float64]
+
+
+class ContactRule(StrEnum):
+    """When the contact damping acts: in the gap too, in contact only, or never pulling."""
+
+    ALWAYS = "always"
+    IN_CONTACT = "in-contact"
+    NO_TENSION = "no-tension"
+
+
+@dataclass(frozen=True, eq=False)
+class Clearance:
+    """One gap with its two sides.
+
+    ``h`` (n,) reads the gap coordinate X = h·z - offset(θ); ``g`` (n,) is how the contact force Φ enters the
+    state equations. Contact is X > ``gap_plus`` (side +) and X < -``gap_minus`` (side -). Stiffness and offset are
+    Fourier arrays; a side of stiffness zero is no stop at all.
+    """
+
+    h: Vector
+    g: Vector
+    gap_plus: float
+    gap_minus: float
+    stiffness_plus: Fourier
+    stiffness_minus: Fourier
+    damping: float = 0.0
+    offset: Fourier = field(default_factory=lambda: constant(0.0))
+    contact: ContactRule = ContactRule.ALWAYS
+    name: str = "mesh"
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """A member of the class with all numbers fixed.
+
+    ``omega`` is dθ/dτ, 2π of θ being one mesh cycle; ``matrix`` (n, n) is M without any Φ; ``forcing`` (n, 2H+1)
+    holds a Fourier series per state. Raises `GearlashError` when shapes disagree, a number is not finite,
+    ω ≤ 0, the gap has negative width, or h·g ≠ 0 (the contact force would act on the gap's velocity directly).
+    """
+
+    omega: float
+    matrix: NDArray[np.float64]
+    forcing: NDArray[np.float64]
+    clearances: tuple[Clearance, ...]
+    cycles: int = 1
+
+    def __post_init__(self) -> None:
+        problems = _problems(self)
+        if problems:
+            raise GearlashError("not a valid system: " + "; ".join(problems))
+
+    @property
+    def size(self) -> int:
+        return self.matrix.shape[0]
+
+    @property
+    def period(self) -> float:
+        """Duration of the base period in τ."""
+        return 2.0 * np.pi * self.cycles / self.omega
+
+
+def _problems(system: System) -> list[str]:
+    n = system.matrix.shape[0]
+    found = []
+    if system.matrix.shape != (n, n) or n == 0:
+        found.append(f"matrix has shape {system.matrix.shape}, expected (n, n)")
+    if system.forcing.ndim != 2 or system.forcing.shape[0] != n or system.forcing.shape[1] % 2 == 0:
+        found.append(f"forcing has shape {system.forcing.shape}, expected ({n}, odd)")
+    if not (np.isfinite(system.omega) and system.omega > 0):
+        found.append(f"omega is {system.omega}, expected a positive number")
+    if system.cycles < 1:
+        found.append(f"cycles is {system.cycles}, expected 1 or more")
+    if not (np.isfinite(system.matrix).all() and np.isfinite(system.forcing).all()):
+        found.append("matrix or forcing holds NaN or infinity")
+    for clearance in system.clearances:
+        found += [f"clearance {clearance.name!r}: {text}" for text in _clearance_problems(clearance, n)]
+    return found
+
+
+def _clearance_problems(clearance: Clearance, n: int) -> list[str]:
+    found = []
+    if clearance.h.shape != (n,) or clearance.g.shape != (n,):
+        return [f"h and g have shapes {clearance.h.shape}, {clearance.g.shape}, expected ({n},)"]
+    series = (clearance.stiffness_plus, clearance.stiffness_minus, clearance.offset)
+    if any(s.ndim != 1 or len(s) % 2 == 0 for s in series):
+        found.append("a Fourier series has even length, expected [mean, c1, s1, ...]")
+    numbers = [clearance.h, clearance.g, *series, [clearance.gap_plus, clearance.gap_minus, clearance.damping]]
+    if not all(np.isfinite(x).all() for x in numbers):
+        found.append("a number is NaN or infinite")
+    elif clearance.gap_plus + clearance.gap_minus < 0:
+        found.append(f"gap has width {clearance.gap_plus + clearance.gap_minus}, expected 0 or more")
+    if not clearance.h.any():
+        found.append("h is zero: the gap coordinate reads no state")
+    size = float(np.abs(clearance.h) @ np.abs(clearance.g))
+    if abs(float(clearance.h @ clearance.g)) > 1e-14 * size:
+        found.append("h·g is not zero: the contact force must act on accelerations, not on the gap's velocity")
+    return found
