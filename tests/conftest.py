@@ -1,0 +1,13 @@
+"""What every test process starts with."""
+
+from __future__ import annotations
+
+import os
+
+from hypothesis import settings
+
+os.environ.setdefault("MPLBACKEND", "Agg")
+
+# Examples are drawn the same way in every run, and no example fails for being slow: the first one compiles kernels.
+settings.register_profile("gearlash", deadline=None, derandomize=True)
+settings.load_profile("gearlash")
