@@ -8,6 +8,6 @@ from hypothesis import settings
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 
-# Examples are drawn the same way in every run, and no example fails for being slow: the first one compiles kernels.
+# Examples are drawn the same way in every run; none fails for being slow, as the first one compiles kernels.
 settings.register_profile("gearlash", deadline=None, derandomize=True)
 settings.load_profile("gearlash")
