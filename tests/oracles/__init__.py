@@ -1,0 +1,1 @@
+"""Independent ways to the same numbers. Nothing here shares code or method with ``gearlash.flow``."""
