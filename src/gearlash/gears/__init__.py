@@ -1,0 +1,24 @@
+"""The physics of gear pairs: geometry, inertia, mesh; helical and spur pairs as families of systems.
+
+Nothing here knows a case file or a unit: lengths in m, angles in rad, masses in kg, or dimensionless numbers.
+"""
+
+from . import helical, iso6336, spur
+from .geometry import LineOfAction, Projection, ToothGeometry, YAxis, line_of_action
+from .helical import HelicalPair
+from .inertia import disc_face_width, equivalent_mass, solid_disc
+
+__all__ = [
+    "HelicalPair",
+    "LineOfAction",
+    "Projection",
+    "ToothGeometry",
+    "YAxis",
+    "disc_face_width",
+    "equivalent_mass",
+    "helical",
+    "iso6336",
+    "line_of_action",
+    "solid_disc",
+    "spur",
+]

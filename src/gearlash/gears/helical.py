@@ -1,0 +1,153 @@
+"""The helical gear pair: torsion, lateral and axial motion of both gears, one backlash. Ten states.
+
+    Y_i″ + 2ξ κ Y_i′ + κ² Y_i = ∓c_y (m_e/m_i) Φ   (− pinion, + gear; Z likewise with c_z)
+    X″ = f_m − c_t² Φ + c_y (Y_p″ − Y_g″) + c_z (Z_p″ − Z_g″) − E″
+
+Lengths over D_c, time τ = ω_n t, ω_n = √(k_m/m_e), κ = √(k_i/m_i)/ω_n. Motion along the line of centres
+and tilt are absent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.system import ContactRule, Family, GearlashError, Parameter, System
+
+from .mesh import acceleration_forcing, harmonic_count, mesh_clearance, mesh_parameters, resting_displacement
+from .spur import reject_unknown
+
+STATES = ("Y_p", "Y_p'", "Z_p", "Z_p'", "Y_g", "Y_g'", "Z_g", "Z_g'", "X", "X'")
+BEARINGS = ("yp", "zp", "yg", "zg")
+"""The four bearing directions, in the order of the states."""
+SPEEDS = (1, 3, 5, 7)
+"""Indices of Y_p′, Z_p′, Y_g′, Z_g′."""
+
+
+@dataclass(frozen=True)
+class HelicalPair:
+    """The fixed numbers of a dimensionless helical pair.
+
+    ``rotation_factor`` is c_t², ``y_factor`` c_y, ``z_factor`` c_z; ``mass_ratios`` m_e/m_p and m_e/m_g;
+    ``bearing_frequencies`` κ in the order of `BEARINGS`.
+    """
+
+    rotation_factor: float
+    y_factor: float
+    z_factor: float
+    mass_ratios: tuple[float, float]
+    bearing_frequencies: tuple[float, float, float, float]
+    contact: ContactRule = ContactRule.ALWAYS
+
+    @property
+    def bearing_gains(self) -> NDArray[np.float64]:
+        """Acceleration of Y_p, Z_p, Y_g, Z_g per unit of Φ, shape (4,)."""
+        directions = np.array([-self.y_factor, -self.z_factor, self.y_factor, self.z_factor])
+        return directions * np.repeat(self.mass_ratios, 2)
+
+    @property
+    def bearing_directions(self) -> NDArray[np.float64]:
+        """How Y_p, Z_p, Y_g, Z_g enter X, shape (4,)."""
+        return np.array([self.y_factor, self.z_factor, -self.y_factor, -self.z_factor])
+
+
+def family(pair: HelicalPair, defaults: Mapping[str, float]) -> Family:
+    """The helical pair as a family, states `STATES`.
+
+    ``defaults`` gives parameter values by short name: those of `gears.spur.family`, and ``bearing_damping``
+    (all four ratios ξ) or ``bearing_damping_yp``, ``_zp``, ``_yg``, ``_zg``. When the four differ there is no
+    common ``bearing_damping`` to vary. ``rotation_factor`` defaults to the pair's. Raises `GearlashError` for
+    other names.
+    """
+    damping = _damping_parameters(defaults)
+    parameters = (
+        *mesh_parameters(defaults),
+        *damping,
+        Parameter("rotation_factor", defaults.get("rotation_factor", pair.rotation_factor), "c_t²", 1e-6),
+    )
+    reject_unknown(defaults, (*parameters, Parameter("bearing_damping", 0.0)))
+    orders = harmonic_count(defaults, "ripple"), harmonic_count(defaults, "error")
+    h = np.zeros(10)
+    h[8] = 1.0
+
+    def build(values: Mapping[str, float]) -> System:
+        forcing = np.zeros((10, 2 * orders[1] + 1))
+        forcing[9] = acceleration_forcing(values, orders[1])
+        g = _force_direction(pair, values["rotation_factor"])
+        clearance = mesh_clearance(values, h, g, orders[0], pair.contact)
+        matrix = _matrix(pair, _bearing_damping(values, damping))
+        return System(values["omega"], matrix, forcing, (clearance,))
+
+    def initial(values: Mapping[str, float]) -> NDArray[np.float64]:
+        start = np.zeros(10)
+        start[8] = resting_displacement(values, values["rotation_factor"])
+        return start
+
+    return Family(parameters, STATES, build, initial)
+
+
+def natural_frequencies(pair: HelicalPair, rotation_factor: float | None = None) -> NDArray[np.float64]:
+    """Undamped natural frequencies over ω_n with the mesh closed at mean stiffness, shape (5,), ascending.
+
+    From the symmetric problem in (Y_p, Z_p, Y_g, Z_g, u) with masses m_i/m_e and 1.
+    """
+    roots = np.append(np.sqrt(np.repeat(pair.mass_ratios, 2)), 1.0)  # 1/√mass: makes the problem ordinary
+    c_t = np.sqrt(pair.rotation_factor if rotation_factor is None else rotation_factor)
+    mesh = np.append(pair.bearing_directions, c_t) * roots
+    stiffness = np.diag(np.append(np.square(pair.bearing_frequencies), 0.0)) + np.outer(mesh, mesh)
+    return np.sqrt(np.linalg.eigvalsh(stiffness))
+
+
+def _matrix(pair: HelicalPair, damping: NDArray[np.float64]) -> NDArray[np.float64]:
+    """M without Φ; the row of X′ holds the bearing accelerations that X feels (shape (10, 10))."""
+    matrix = np.zeros((10, 10))
+    matrix[8, 9] = 1.0
+    kappa = np.array(pair.bearing_frequencies)
+    for i, row in enumerate(SPEEDS):
+        matrix[row - 1, row] = 1.0
+        matrix[row, row - 1] = -(kappa[i] ** 2)
+        matrix[row, row] = -2.0 * damping[i] * kappa[i]
+    matrix[9] = pair.bearing_directions @ matrix[list(SPEEDS)]
+    return matrix
+
+
+def _force_direction(pair: HelicalPair, rotation_factor: float) -> NDArray[np.float64]:
+    """g: what one unit of Φ adds to z′, shape (10,)."""
+    g = np.zeros(10)
+    g[list(SPEEDS)] = pair.bearing_gains
+    g[9] = pair.bearing_directions @ pair.bearing_gains - rotation_factor
+    return g
+
+
+def _damping_parameters(defaults: Mapping[str, float]) -> tuple[Parameter, ...]:
+    common = defaults.get("bearing_damping", 0.0)
+    ratios = [defaults.get(f"bearing_damping_{b}", common) for b in BEARINGS]
+    each = [
+        Parameter(f"bearing_damping_{b}", ratio, f"damping ratio ξ of bearing direction {b}", 0.0)
+        for b, ratio in zip(BEARINGS, ratios, strict=True)
+    ]
+    if len(set(ratios)) > 1:
+        return tuple(each)
+    common_one = Parameter(
+        "bearing_damping", ratios[0], "damping ratio ξ of all four bearing directions", 0.0
+    )
+    return (common_one, *each)
+
+
+def _bearing_damping(values: Mapping[str, float], parameters: tuple[Parameter, ...]) -> NDArray[np.float64]:
+    """ξ of the four directions. The common ratio and a single one may not both leave their defaults."""
+    default = {p.name: p.default for p in parameters}
+    each = {f"bearing_damping_{b}": values[f"bearing_damping_{b}"] for b in BEARINGS}
+    moved = [name for name, value in each.items() if value != default[name]]
+    common = values.get("bearing_damping", default.get("bearing_damping", 0.0))
+    if common == default.get("bearing_damping", 0.0):
+        return np.array(list(each.values()))
+    if moved:
+        raise GearlashError(
+            f"bearing damping is named twice: bearing_damping = {common:g} and {moved[0]} = "
+            f"{each[moved[0]]:g}; set the common ratio in the case, then vary one"
+        )
+    return np.full(4, common)

@@ -1,0 +1,66 @@
+"""The one-degree-of-freedom gear pair: torsion only, one backlash.
+
+    X″ = f_m − c_t² Φ − E″,   Φ = η(θ) f(X; D) + ζ X′
+
+Model of Kahraman & Singh, J. Sound Vib. 142 (1990) 49–75, doi:10.1016/0022-460X(90)90582-K, with periodic
+stiffness; there c_t = 1 (displacement measured along the line of action, `Projection.BASE`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.system import ContactRule, Family, GearlashError, Parameter, System
+
+from .mesh import acceleration_forcing, harmonic_count, mesh_clearance, mesh_parameters, resting_displacement
+
+STATES = ("X", "X'")
+H = np.array([1.0, 0.0])
+
+
+def family(
+    defaults: Mapping[str, float],
+    contact: ContactRule = ContactRule.ALWAYS,
+) -> Family:
+    """The spur pair as a family, states (X, X′).
+
+    ``defaults`` gives parameter values by short name: ``omega``, ``D``, ``load`` and whatever is not zero of
+    ``ripple``, ``ripple_phase``, ``error``, ``error_phase`` (each also ``_2``, ``_3`` …), ``mesh_damping``,
+    ``back_stiffness`` (1), ``back_gap`` (1), ``rotation_factor`` (c_t², 1). Raises `GearlashError` for other
+    names.
+    """
+    parameters = (
+        *mesh_parameters(defaults),
+        Parameter("rotation_factor", defaults.get("rotation_factor", 1.0), "c_t²", 1e-6),
+    )
+    reject_unknown(defaults, parameters)
+    orders = harmonic_count(defaults, "ripple"), harmonic_count(defaults, "error")
+
+    def build(values: Mapping[str, float]) -> System:
+        forcing = np.zeros((2, 2 * orders[1] + 1))
+        forcing[1] = acceleration_forcing(values, orders[1])
+        g = np.array([0.0, -values["rotation_factor"]])
+        clearance = mesh_clearance(values, H, g, orders[0], contact)
+        return System(values["omega"], np.array([[0.0, 1.0], [0.0, 0.0]]), forcing, (clearance,))
+
+    def initial(values: Mapping[str, float]) -> NDArray[np.float64]:
+        return np.array([resting_displacement(values, values["rotation_factor"]), 0.0])
+
+    return Family(parameters, STATES, build, initial)
+
+
+def natural_frequencies(rotation_factor: float = 1.0) -> NDArray[np.float64]:
+    """The one undamped natural frequency over ω_n with the mesh closed at mean stiffness, shape (1,): c_t."""
+    return np.sqrt(np.array([rotation_factor]))
+
+
+def reject_unknown(defaults: Mapping[str, float], parameters: tuple[Parameter, ...]) -> None:
+    """Raise `GearlashError` when a default is given for a name that is no parameter."""
+    names = {p.name for p in parameters}
+    unknown = sorted(set(defaults) - names)
+    if unknown:
+        known = ", ".join(sorted(names))
+        raise GearlashError(f"no parameter {', '.join(unknown)} in this model (it has {known})")
