@@ -1,0 +1,276 @@
+"""The march through cells: whole cells by their maps where no contact is possible, Taylor pieces where it is.
+
+A position is counted in cells from phase zero of the base period: an integer cell and a local time s in [0, 1].
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .._kernel import inner
+from ._roots import DEPTH, NONE, first_exit
+from ._series import advance_tangents, copy, expand_state, fill, horner
+from ._tables import CHECK, FREE, MINUS, ORDER, PLUS, Array, Tables
+
+OK, TOO_MANY, DIVERGED, WRONG_SIDE = 0, 1, 2, 3
+ENGAGE_PLUS, ENGAGE_MINUS, RELEASE_PLUS, RELEASE_MINUS, UNDECIDED = 0, 1, 2, 3, 4
+EVENTS_PER_CELL = 4096
+HUGE = 1e200
+ROUNDING = 32.0 * 2.0**-53
+
+
+class Scratch(NamedTuple):
+    """Work space of one walk; every array is written before it is read."""
+
+    zc: Array  # (ORDER+1, n) Taylor coefficients of the state
+    xc: Array  # (ORDER+1) of X - edge
+    eta: Array  # (ORDER+1) of the stiffness
+    series: Array  # (1 + rows, ORDER+1) of offset and forcing
+    distance: Array  # (ORDER+1) of the distance to a boundary
+    stack: Array  # (DEPTH+2, ORDER+1)
+    limits: Array  # (DEPTH+2, 2)
+    vc: Array  # (ORDER+1, n) of a tangent
+    z: Array  # (n)
+
+
+class Record(NamedTuple):
+    """What a trace keeps: every piece as a polynomial, every contact event."""
+
+    used: np.ndarray  # (2) int: pieces, events
+    piece: Array  # (pieces, 3): position of its start, length in cells, region
+    poly: Array  # (pieces, ORDER+1, n)
+    event: Array  # (events, 3): position, boundary ±1, engaging 1 or 0
+    state: Array  # (events, n)
+
+
+@inner
+def scratch(t: Tables):
+    n = len(t.gain)
+    return Scratch(
+        np.empty((ORDER + 1, n)),
+        np.empty(ORDER + 1),
+        np.empty(ORDER + 1),
+        np.empty((1 + len(t.rows), ORDER + 1)),
+        np.empty(ORDER + 1),
+        np.empty((DEPTH + 2, ORDER + 1)),
+        np.empty((DEPTH + 2, 2)),
+        np.empty((ORDER + 1, n)),
+        np.empty(n),
+    )
+
+
+@inner
+def region_of(t: Tables, w: Scratch, z, cell, s):
+    """Region of a state; on a boundary exactly, the first derivative of X that is not zero decides."""
+    h = t.scalars[1]
+    expand_state(t, FREE, (cell + s) * t.scalars[2], h, z, w.zc, w.xc, w.eta, w.series)
+    plus, minus = w.xc[0] - t.gaps[0], -w.xc[0] - t.gaps[1]
+    heading = w.xc[1] if w.xc[1] != 0.0 else w.xc[2]
+    if plus > 0.0 or (plus == 0.0 and heading > 0.0):
+        return PLUS
+    if minus > 0.0 or (minus == 0.0 and heading < 0.0):
+        return MINUS
+    return FREE
+
+
+@inner
+def cell_is_clear(t: Tables, region, cell, z, w: Scratch):
+    """Proves that no boundary of `region` is met in the whole cell that starts at z; False means "not proved"."""
+    n = len(z)
+    bend, slack = t.bend[region, cell, n], t.slack[region, cell, n]
+    x0, x1 = t.check[region, cell, n, 0], t.check[region, cell, n, CHECK]
+    for i in range(n):
+        size = abs(z[i])
+        bend += t.bend[region, cell, i] * size
+        slack += t.slack[region, cell, i] * size
+        x0 += t.check[region, cell, i, 0] * z[i]
+        x1 += t.check[region, cell, i, CHECK] * z[i]
+    lowest, highest = min(x0, x1) - bend - slack, max(x0, x1) + bend + slack
+    if _inside(t, region, lowest, highest):
+        return True
+    b = w.distance
+    for j in range(CHECK + 1):
+        b[j] = t.check[region, cell, n, j]
+    for i in range(n):
+        zi = z[i]
+        for j in range(CHECK + 1):
+            b[j] += t.check[region, cell, i, j] * zi
+    lowest, highest = b[0], b[0]
+    for j in range(1, CHECK + 1):
+        lowest, highest = min(lowest, b[j]), max(highest, b[j])
+    return _inside(t, region, lowest - slack, highest + slack)
+
+
+@inner
+def _inside(t: Tables, region, lowest, highest):
+    if region == PLUS:
+        return lowest > t.gaps[0]
+    if region == MINUS:
+        return highest < -t.gaps[1]
+    return highest < t.gaps[0] and lowest > -t.gaps[1]
+
+
+@inner
+def next_exit(t: Tables, region, on, held, z, w: Scratch):
+    """First exit of the expanded piece: (s or NONE, boundary ±1, undecided).
+
+    `on` is the boundary just crossed (0: none), `held` a boundary that is not to be crossed (0: none).
+    """
+    size, tail = 0.0, t.tail[region, len(z)]
+    for j in range(ORDER + 1):
+        size += abs(w.xc[j])
+    for i in range(len(z)):
+        tail += t.tail[region, i] * abs(z[i])
+    bound = ROUNDING * (size + t.gaps[0] + t.gaps[1]) + tail
+    best, through, undecided = NONE, 0, False
+    for boundary in (1, -1):
+        if boundary == held or (region == PLUS and boundary < 0) or (region == MINUS and boundary > 0):
+            continue
+        inward = 1.0 if (region == PLUS or (region == FREE and boundary < 0)) else -1.0
+        for j in range(ORDER + 1):
+            w.distance[j] = inward * w.xc[j]
+        if region == FREE:
+            w.distance[0] += t.gaps[0] if boundary > 0 else t.gaps[1]
+        s, open_case = first_exit(w.distance, on == boundary, bound, t.to_bernstein, w.stack, w.limits)
+        undecided = undecided or open_case
+        if s < best:
+            best, through = s, boundary
+    return best, through, undecided
+
+
+@inner
+def walk(t: Tables, w: Scratch, z, tangents, region, cell, s, stop_cell, stop_s, hold, counts, record):
+    """Carries z (and tangents (m, n)) in place from (cell, s) to (stop_cell, stop_s); returns (outcome, region).
+
+    `hold` (3): a boundary ±1 that is not crossed between two positions (0: none). `counts` (5) int is added to.
+    `record` with used[0] < 0 keeps nothing.
+    """
+    cells = t.maps.shape[1]
+    n, m = len(z), tangents.shape[0]
+    keep = record.used[0] >= 0
+    while cell < stop_cell or (cell == stop_cell and s < stop_s):
+        k = cell % cells
+        end = 1.0 if cell < stop_cell else stop_s
+        holding = hold[0] != 0.0 and hold[1] < cell + 1.0 and hold[2] > cell
+        if s == 0.0 and end == 1.0 and not keep and not holding:
+            if cell_is_clear(t, region, k, z, w):
+                _apply(t.maps[region, k], t.shift[region, k], z, w.z)
+                for v in range(m):
+                    _apply_linear(t.maps[region, k], tangents[v], w.z)
+                cell += 1
+                continue
+        outcome, region = _cell_by_pieces(t, w, z, tangents, region, cell, s, end, hold, counts, record)
+        if outcome != OK:
+            return outcome, region
+        s = 0.0
+        cell += 1
+        size = 0.0
+        for i in range(n):
+            size += abs(z[i])
+        if not size < HUGE:
+            return DIVERGED, region
+    return OK, region
+
+
+@inner
+def _cell_by_pieces(t: Tables, w: Scratch, z, tangents, region, cell, s, end, hold, counts, record):
+    """One cell, or the part of it from s to `end`, event by event."""
+    on = 0
+    events = 0
+    width, duration = t.scalars[2], t.scalars[1]
+    while s < end:
+        held, stop = 0, end
+        if hold[0] != 0.0:
+            if cell + s >= hold[1] and cell + s < hold[2]:
+                held = int(hold[0])
+                if hold[2] < cell + stop:
+                    stop = hold[2] - cell
+            elif hold[1] > cell + s and hold[1] < cell + stop:
+                stop = hold[1] - cell
+        length = stop - s
+        theta = (cell % t.maps.shape[1] + s) * width
+        expand_state(t, region, theta, length * duration, z, w.zc, w.xc, w.eta, w.series)
+        at, boundary, undecided = next_exit(t, region, on, held, z, w)
+        if undecided:
+            counts[UNDECIDED] += 1
+        part = 1.0 if at == NONE else at
+        if record.used[0] >= 0:
+            if not _keep_piece(record, cell + s, length * part, region, w.zc, length, part):
+                return TOO_MANY, region
+        horner(w.zc, part, z)
+        if tangents.shape[0] > 0 and part > 0.0:
+            advance_tangents(t, region, theta, length * part * duration, tangents, w.eta, w.vc, w.xc)
+        if at == NONE:
+            s = stop
+            on = 0
+            continue
+        s = s + length * part
+        on = boundary
+        engaging = region == FREE
+        if engaging:
+            region = PLUS if boundary > 0 else MINUS
+        else:
+            region = FREE
+        counts[(0 if engaging else 2) + (0 if boundary > 0 else 1)] += 1
+        if record.used[0] >= 0:
+            if not _keep_event(record, cell + s, boundary, engaging, z):
+                return TOO_MANY, region
+        events += 1
+        if events > EVENTS_PER_CELL:
+            return TOO_MANY, region
+    return OK, region
+
+
+@inner
+def _keep_piece(record: Record, position, length, region, zc, scale, part):
+    """Stores a piece with its polynomial in local time of its own (0 to 1 over the piece)."""
+    i = record.used[0]
+    if i >= len(record.piece):
+        return False
+    if length <= 0.0:
+        return True
+    record.piece[i, 0], record.piece[i, 1], record.piece[i, 2] = position, length, region
+    power = 1.0
+    for j in range(zc.shape[0]):
+        for v in range(zc.shape[1]):
+            record.poly[i, j, v] = zc[j, v] * power
+        power *= part
+    record.used[0] = i + 1
+    return True
+
+
+@inner
+def _keep_event(record: Record, position, boundary, engaging, z):
+    i = record.used[1]
+    if i >= len(record.event):
+        return False
+    record.event[i, 0] = position
+    record.event[i, 1] = boundary
+    record.event[i, 2] = 1.0 if engaging else 0.0
+    copy(z, record.state[i])
+    record.used[1] = i + 1
+    return True
+
+
+@inner
+def _apply(matrix, shift, z, out):
+    """z ← matrixᵀ z + shift, column by column."""
+    for i in range(len(z)):
+        out[i] = shift[i]
+    for j in range(len(z)):
+        zj = z[j]
+        for i in range(len(z)):
+            out[i] += matrix[j, i] * zj
+    copy(out, z)
+
+
+@inner
+def _apply_linear(matrix, z, out):
+    fill(out, 0.0)
+    for j in range(len(z)):
+        zj = z[j]
+        for i in range(len(z)):
+            out[i] += matrix[j, i] * zj
+    copy(out, z)

@@ -1,0 +1,197 @@
+"""Carrying states through a system, and reporting every contact."""
+
+from __future__ import annotations
+
+from collections import namedtuple
+from dataclasses import dataclass
+from math import floor
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..system import GearlashError, Status
+from . import _march
+from ._tables import ORDER, Array
+from ._walk import DIVERGED, OK, TOO_MANY, UNDECIDED, WRONG_SIDE
+from .events import Events, Trace
+from .propagators import Propagators
+
+_STATUS = {OK: Status.OK, TOO_MANY: Status.TOO_MANY_EVENTS, DIVERGED: Status.DIVERGED, WRONG_SIDE: Status.NOT_ADMISSIBLE}
+CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon
+MOST_PIECES = 2_000_000
+
+
+@dataclass(frozen=True, eq=False)
+class Strobes:
+    """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4): engagements at + and at -,
+    releases at + and at -; `undecided` counts places where touching lies within rounding."""
+
+    states: Array
+    contacts: Array
+    undecided: int
+    status: Status
+
+
+@dataclass(frozen=True, eq=False)
+class Carried:
+    """A state (n,) carried from one phase to another; `jacobian` (n, n) with respect to the start, or None."""
+
+    state: Array
+    jacobian: Array | None
+    contacts: Array
+    undecided: int
+    status: Status
+
+
+@dataclass(frozen=True)
+class Hold:
+    """A boundary (+1, -1) that is not treated as crossed between two phases (mesh cycles, absolute): the one-sided,
+    smooth system in which a grazing extremum may pass through it."""
+
+    boundary: int
+    start: float
+    stop: float
+
+
+def start_state(z: ArrayLike, size: int) -> Array:
+    """A fresh float64 copy of a state. Raises `GearlashError` for a wrong shape or a number that is not finite."""
+    state = np.array(z, dtype=np.float64)
+    if state.shape != (size,):
+        raise GearlashError(f"state has shape {state.shape}, expected ({size},)")
+    if not np.isfinite(state).all():
+        raise GearlashError("state holds NaN or infinity")
+    return state
+
+
+def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) -> Strobes:
+    """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times."""
+    state = start_state(z, props.system.size)
+    states, contacts = [state[None].copy()], [np.zeros((0, 5), dtype=np.int64)]
+    done, status = 0, Status.OK
+    while done < stretches and status.ok:
+        block = min(max(1, CALL // stretch), stretches - done)
+        status, strobes, counts = _run(props, state, 0.0, float(stretch * props.cells), block)
+        states.append(strobes[1:])
+        contacts.append(counts)
+        done += block
+    table = np.concatenate(contacts)
+    return Strobes(np.concatenate(states), table[:, :4], int(table[:, UNDECIDED].sum()), _with_doubt(status, table))
+
+
+def carry(
+    props: Propagators, z: ArrayLike, cycles: float, phase: float = 0.0, *, jacobian: bool = False, hold: Hold | None = None
+) -> Carried:
+    """Carries a state from ``phase`` over ``cycles`` mesh cycles; the Jacobian is exact where no contact is touched."""
+    state = start_state(z, props.system.size)
+    tangents = np.eye(state.size) if jacobian else None
+    start, length = positions(props, phase, cycles)
+    status, _, counts = _run(props, state, start, length, 1, tangents=tangents, hold=hold)
+    flow = None if tangents is None else np.ascontiguousarray(tangents.T)
+    return Carried(state, flow, counts[0, :4], int(counts[0, UNDECIDED]), _with_doubt(status, counts))
+
+
+def variational(props: Propagators, z: ArrayLike, cycles: float, phase: float = 0.0) -> Carried:
+    """`carry` with the Jacobian."""
+    return carry(props, z, cycles, phase, jacobian=True)
+
+
+def trace(
+    props: Propagators, z: ArrayLike, cycles: float, phase: float = 0.0, *, hold: Hold | None = None
+) -> Trace:
+    """The motion over ``cycles`` mesh cycles as exact pieces, with every contact event."""
+    state = start_state(z, props.system.size)
+    begin, n = state.copy(), state.size
+    start, length = positions(props, phase, cycles)
+    capacity = int(2 * length + 64)
+    while True:
+        state[:] = begin
+        record = _Record(
+            np.zeros(2, dtype=np.int64),
+            np.empty((capacity, 3)),
+            np.empty((capacity, ORDER + 1, n)),
+            np.empty((capacity, 3)),
+            np.empty((capacity, n)),
+        )
+        status, _, counts = _run(props, state, start, length, 1, hold=hold, record=record)
+        if status is not Status.TOO_MANY_EVENTS or capacity > MOST_PIECES:
+            break
+        capacity *= 4
+    used, piece, poly, event, states = record
+    pieces, events = int(used[0]), int(used[1])
+    per_cycle = props.cells_per_cycle
+    found = Events.build(props.system, event[:events, 0] / per_cycle, states[:events].copy(), event[:events, 1:])
+    return Trace(
+        propagators=props,
+        start=phase,
+        cycles=cycles,
+        positions=piece[:pieces, 0].copy(),
+        lengths=piece[:pieces, 1].copy(),
+        regions=piece[:pieces, 2].astype(np.int64),
+        polynomials=poly[:pieces].copy(),
+        events=found,
+        end=state,
+        undecided=int(counts[0, UNDECIDED]),
+        status=_with_doubt(status, counts),
+    )
+
+
+def exponents_sums(props: Propagators, z: Array, frame: Array, periods: int) -> tuple[Status, Array]:
+    """Carries z (n,) and the orthonormal rows of frame (m, n) in place over base periods; returns the sums (m,) of the
+    logarithms of the lengths."""
+    sums = np.zeros(len(frame))
+    status, _, _ = _run(props, z, 0.0, float(props.cells), periods, tangents=frame, sums=sums)
+    return status, sums
+
+
+def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float]:
+    """Start and length in cells. The start is brought into the first base period, so that it loses no digits."""
+    if not cycles >= 0.0:
+        raise GearlashError(f"cycles is {cycles}, expected 0 or more")
+    base = props.system.cycles * floor(phase / props.system.cycles)
+    return _snapped((phase - base) * props.cells_per_cycle), _snapped(cycles * props.cells_per_cycle)
+
+
+_Record = namedtuple("_Record", "used piece poly event state")
+_NOTHING = np.array([-1, 0], dtype=np.int64)
+
+
+def _run(
+    props: Propagators,
+    state: Array,
+    start: float,
+    length: float,
+    stretches: int,
+    *,
+    tangents: Array | None = None,
+    sums: Array | None = None,
+    hold: Hold | None = None,
+    record: _Record | None = None,
+) -> tuple[Status, Array, Array]:
+    """Calls the kernel: state (n,) and the rows of tangents (m, n) are carried in place."""
+    n = state.size
+    strobes, counts = np.empty((stretches + 1, n)), np.empty((stretches, 5), dtype=np.int64)
+    if tangents is None:
+        tangents = np.empty((0, n))
+    if record is None:
+        record = _Record(_NOTHING, np.empty((0, 3)), np.empty((0, ORDER + 1, n)), np.empty((0, 3)), np.empty((0, n)))
+    code = _march.run(
+        props.tables, state, tangents, start, length, _hold(props, hold), strobes, counts,
+        np.empty(0) if sums is None else sums, *record,
+    )  # fmt: skip
+    return _STATUS[code], strobes, counts
+
+
+def _snapped(position: float) -> float:
+    """A position that differs from a cell edge by rounding only is that edge."""
+    edge = round(position)
+    return float(edge) if abs(position - edge) <= 4e-16 * max(1.0, abs(position)) else position
+
+
+def _hold(props: Propagators, hold: Hold | None) -> Array:
+    if hold is None:
+        return np.zeros(3)
+    return np.array([hold.boundary, hold.start * props.cells_per_cycle, hold.stop * props.cells_per_cycle])
+
+
+def _with_doubt(status: Status, counts: Array) -> Status:
+    return Status.UNCERTAIN if status.ok and counts[..., UNDECIDED].any() else status
