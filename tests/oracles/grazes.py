@@ -7,7 +7,9 @@ having found it.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -15,7 +17,7 @@ import numpy as np
 from gearlash.system import System
 
 from .heyoka_oracle import Oracle, Run, angle, fourier, gap, gap_velocity, region_of
-from .pairs import KINDS, random_system
+from .pairs import KINDS, random_state, random_system
 
 
 @dataclass(frozen=True)
@@ -36,9 +38,9 @@ class Graze:
     truth: Run  # forward, over exactly [phase, phase + span]
 
 
-def random_graze(rng: np.random.Generator, oracle: Oracle, pair: str, kind: str) -> Graze | None:
+def random_graze(rng: np.random.Generator, oracle: Oracle, system: System) -> Graze | None:
     """One graze, or None where the draw allows none (curvature of the wrong sign, useless start)."""
-    system, state = random_system(rng, pair, kind)
+    state = random_state(rng, system)
     clearance = system.clearances[0]
     boundary = int(rng.choice([1, -1]))
     from_contact = bool(rng.integers(2))
@@ -61,17 +63,19 @@ def random_graze(rng: np.random.Generator, oracle: Oracle, pair: str, kind: str)
     )
 
 
-def grazes(seed: int, count: int, oracle_for, pairs=("spur", "helical")):
-    """``count`` grazes, cycling through the pairs and all kinds of parameters."""
+def grazes(seed: int, count: int, pair: str, oracle: Oracle, draws: int = 40) -> Iterator[Graze]:
+    """``count`` grazes, cycling through all kinds of parameters; ``draws`` attempts for each system."""
     rng = np.random.default_rng(seed)
-    made = tried = 0
-    while made < count:
-        pair, kind = pairs[tried % len(pairs)], KINDS[(tried // len(pairs)) % len(KINDS)]
-        tried += 1
-        graze = random_graze(rng, oracle_for(pair), pair, kind)
-        if graze is not None:
-            made += 1
-            yield graze
+    made = 0
+    for kind in cycle(KINDS):
+        system, _ = random_system(rng, pair, kind)
+        for _ in range(draws):
+            graze = random_graze(rng, oracle, system)
+            if graze is not None:
+                made += 1
+                yield graze
+            if made == count:
+                return
 
 
 def gap_acceleration(system: System, state, phase) -> Any:

@@ -27,6 +27,7 @@ class Run:
     """End state and, in order of occurrence, every crossing and (if asked for) every extremum of X."""
 
     state: np.ndarray
+    jacobian: np.ndarray  # (n, n) with respect to the start, or (0, n)
     end: np.longdouble  # phase of ``state``
     phase: np.ndarray
     boundary: np.ndarray  # +1 at X = D⁺, -1 at X = -D⁻
@@ -68,8 +69,8 @@ class _Slots:
 class _Record:
     """What the callbacks of one integration saw, and the region switch."""
 
-    def __init__(self, slots: _Slots):
-        self._slots = slots
+    def __init__(self, slots: _Slots, size: int):
+        self._slots, self.size = slots, size
         self.start(forward=True)
 
     def __deepcopy__(self, memo) -> _Record:
@@ -83,12 +84,14 @@ class _Record:
         outward = sign * boundary > 0
         start, _ = self._slots.blocks["plus" if boundary > 0 else "minus"]
         integrator.pars[start] = Real(outward == self.forward)
-        self.crossings.append((Real(integrator.time), boundary, outward, integrator.state.copy()))
+        self.crossings.append(
+            (Real(integrator.time), boundary, outward, integrator.state[: self.size].copy())
+        )
         return True
 
     def turned(self, integrator, time, sign: int) -> None:
         integrator.update_d_output(time)
-        self.turns.append((Real(time), sign, integrator.d_output.copy()))
+        self.turns.append((Real(time), sign, integrator.d_output[: self.size].copy()))
 
 
 @dataclass
@@ -115,12 +118,11 @@ def _sum(terms: list):
 class Oracle:
     """Integrator for every system whose nonzero coefficients are among those of the ``examples``.
 
-    ``harmonics`` bounds the order of all Fourier series. ``extrema`` also records where X′ = 0.
+    ``harmonics`` bounds the order of all Fourier series. ``variational`` adds the derivative with respect to
+    the start: with the rule ``always`` the field is continuous, so that runs through events unchanged.
     """
 
-    def __init__(
-        self, examples: list[System], harmonics: int = 3, extrema: bool = True, tolerance: float = 1e-20
-    ):
+    def __init__(self, examples: list[System], harmonics: int = 3, variational: bool = False):
         self.size = examples[0].size
         self.harmonics = harmonics
         mask = {
@@ -132,10 +134,11 @@ class Oracle:
         self._mask = mask
         self._has_offset = any(np.any(s.clearances[0].offset) for s in examples)
         self._slots = _Slots()
-        self._record = _Record(self._slots)
-        self._compile(extrema, tolerance)
+        self._record = _Record(self._slots, self.size)
+        self._variational = variational
+        self._compile()
 
-    def _compile(self, extrema: bool, tolerance: float) -> None:
+    def _compile(self) -> None:
         n, width, slots = self.size, 2 * self.harmonics + 1, self._slots
         states = np.array(hy.make_vars(*[f"z{i}" for i in range(n)]), dtype=object)
         scale, rate, turn = slots.block("scale"), slots.block("rate"), slots.block("turn")
@@ -181,12 +184,15 @@ class Oracle:
             hy.t_event(above, callback=_Crossing(self._record, 1), fp_type=Real),
             hy.t_event(below, callback=_Crossing(self._record, -1), fp_type=Real),
         ]
-        turning = [hy.nt_event(velocity, callback=_Turning(self._record), fp_type=Real)] if extrema else []
+        turning = [hy.nt_event(velocity, callback=_Turning(self._record), fp_type=Real)]
+        equations: Any = list(zip(states, rates, strict=True))
+        if self._variational:
+            equations = hy.var_ode_sys(equations, hy.var_args.vars, order=1)
         self._integrator = hy.taylor_adaptive(
-            list(zip(states, rates, strict=True)),
-            np.zeros(n, dtype=Real),
+            equations,
+            np.zeros(n + n * n * self._variational, dtype=Real),
             fp_type=Real,
-            tol=Real(tolerance),
+            tol=Real(1e-20),
             pars=np.zeros(slots.size, dtype=Real),
             t_events=events,
             nt_events=turning,
@@ -230,19 +236,20 @@ class Oracle:
         if self._has_offset:
             write(pars, "offset", clearance.offset)
 
-    def run(self, system: System, state, cycles: float, phase: float = 0.0, region: int | None = None) -> Run:
+    def run(self, system: System, state, cycles: float, phase: float = 0.0) -> Run:
         """Integrate ``cycles`` mesh cycles (negative: backwards) from phase θ/2π = ``phase``.
 
-        ``region`` +1, 0 or -1 overrides the region of the start, for starts on a boundary.
+        The gap must have some width: of two events at one instant heyoka reports one.
         """
         self.load(system)
         integrator = self._integrator
         self._record.start(forward=cycles >= 0)
-        region = region_of(system, state, phase) if region is None else region
+        region = region_of(system, state, phase)
         self._slots.write(integrator.pars, "plus", region > 0)
         self._slots.write(integrator.pars, "minus", region < 0)
         integrator.time = Real(phase)
-        integrator.state[:] = np.asarray(state, dtype=Real)
+        integrator.state[: self.size] = np.asarray(state, dtype=Real)
+        integrator.state[self.size :] = np.eye(self.size).ravel()[: integrator.state.size - self.size]
         integrator.reset_cooldowns()
         outcome = integrator.propagate_until(Real(phase) + Real(cycles), max_steps=1_000_000)[0]
         if outcome != hy.taylor_outcome.time_limit:
@@ -256,7 +263,8 @@ class Oracle:
         states = np.array([c[3] for c in crossings], dtype=Real).reshape(-1, n)
         phase = np.array([c[0] for c in crossings], dtype=Real)
         return Run(
-            state=self._integrator.state.copy(),
+            state=self._integrator.state[:n].copy(),
+            jacobian=self._integrator.state[n:].reshape(-1, n).copy(),
             end=Real(self._integrator.time),
             phase=phase,
             boundary=np.array([c[1] for c in crossings], dtype=int),

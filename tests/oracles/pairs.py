@@ -1,7 +1,7 @@
 """Gear pairs assembled a second time, from the equations of motion alone, and random members of them.
 
-The helical pair is written in the coordinates of its bodies (Y_p, Z_p, Y_g, Z_g, U) with their masses, then, by a
-linear change of coordinates, in those of the gap. `gearlash.gears` writes that form directly.
+The helical pair is written in the coordinates of its bodies (Y_p, Z_p, Y_g, Z_g, U) with their masses, then
+in those of the gap by a linear change of coordinates. `gearlash.gears` writes that form directly.
 """
 
 from __future__ import annotations
@@ -189,10 +189,16 @@ def random_bodies(rng: np.random.Generator) -> Bodies:
 
 
 def random_system(rng: np.random.Generator, pair: str, kind: str) -> tuple[System, np.ndarray]:
-    """A random member of ``pair`` ("helical" or "spur") and a random state, some of them in every region."""
+    """A random member of ``pair`` ("helical" or "spur") and a random state."""
     mesh = random_mesh(rng, kind)
     system = spur(mesh) if pair == "spur" else helical(mesh, random_bodies(rng))
+    return system, random_state(rng, system)
+
+
+def random_state(rng: np.random.Generator, system: System) -> np.ndarray:
+    """Velocities and deflections around 0.3, X in any of the three regions."""
+    clearance = system.clearances[0]
+    reach = 0.5 + 0.2 * (clearance.gap_plus + clearance.gap_minus)
     state = rng.normal(0.0, 0.3, system.size)
-    width = mesh.gap_plus + mesh.gap_minus
-    state[-2] = rng.uniform(-mesh.gap_minus - 0.5 - 0.2 * width, mesh.gap_plus + 0.5 + 0.2 * width)
-    return system, state
+    state[-2] = rng.uniform(-clearance.gap_minus - reach, clearance.gap_plus + reach)
+    return state
