@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 PLUS, FREE, MINUS = 0, 1, 2
-ORDER = 16  # degree of every Taylor polynomial
+ORDER = 18  # degree of every Taylor polynomial
 CHECK = 6  # degree of the Bernstein polynomials that prove "no event in this cell"
 
 

@@ -76,40 +76,34 @@ def region_of(t: Tables, w: Scratch, z, cell, s):
 
 
 @inner
-def cell_is_clear(t: Tables, region, cell, z, w: Scratch):
-    """Proves that no boundary of `region` is met in the whole cell that starts at z; False means "not proved"."""
+def cell_is_clear(check, slack, bend, region, cell, z, lower, upper, b):
+    """Proves that X stays strictly between `lower` and `upper` in the whole cell that starts at z; False means "not
+    proved". First by the chord and a bound on the bend, then by Bernstein coefficients (b is scratch for them).
+
+    Arrays are passed one by one: a tuple of them costs more than the work (each is counted in and out).
+    """
     n = len(z)
-    bend, slack = t.bend[region, cell, n], t.slack[region, cell, n]
-    x0, x1 = t.check[region, cell, n, 0], t.check[region, cell, n, CHECK]
+    bow, rest = bend[region, cell, n], slack[region, cell, n]
+    x0, x1 = check[region, cell, n, 0], check[region, cell, n, CHECK]
     for i in range(n):
-        size = abs(z[i])
-        bend += t.bend[region, cell, i] * size
-        slack += t.slack[region, cell, i] * size
-        x0 += t.check[region, cell, i, 0] * z[i]
-        x1 += t.check[region, cell, i, CHECK] * z[i]
-    lowest, highest = min(x0, x1) - bend - slack, max(x0, x1) + bend + slack
-    if _inside(t, region, lowest, highest):
+        zi = z[i]
+        size = abs(zi)
+        bow += bend[region, cell, i] * size
+        rest += slack[region, cell, i] * size
+        x0 += check[region, cell, i, 0] * zi
+        x1 += check[region, cell, i, CHECK] * zi
+    if min(x0, x1) - bow - rest > lower and max(x0, x1) + bow + rest < upper:
         return True
-    b = w.distance
     for j in range(CHECK + 1):
-        b[j] = t.check[region, cell, n, j]
+        b[j] = check[region, cell, n, j]
     for i in range(n):
         zi = z[i]
         for j in range(CHECK + 1):
-            b[j] += t.check[region, cell, i, j] * zi
+            b[j] += check[region, cell, i, j] * zi
     lowest, highest = b[0], b[0]
     for j in range(1, CHECK + 1):
         lowest, highest = min(lowest, b[j]), max(highest, b[j])
-    return _inside(t, region, lowest - slack, highest + slack)
-
-
-@inner
-def _inside(t: Tables, region, lowest, highest):
-    if region == PLUS:
-        return lowest > t.gaps[0]
-    if region == MINUS:
-        return highest < -t.gaps[1]
-    return highest < t.gaps[0] and lowest > -t.gaps[1]
+    return lowest - rest > lower and highest + rest < upper
 
 
 @inner
@@ -150,15 +144,20 @@ def walk(t: Tables, w: Scratch, z, tangents, region, cell, s, stop_cell, stop_s,
     cells = t.maps.shape[1]
     n, m = len(z), tangents.shape[0]
     keep = record.used[0] >= 0
+    maps, shift, check, slack, bend = t.maps, t.shift, t.check, t.slack, t.bend
+    moved, bernstein = w.z, w.distance
+    plus, minus = t.gaps[0], -t.gaps[1]
     while cell < stop_cell or (cell == stop_cell and s < stop_s):
         k = cell % cells
         end = 1.0 if cell < stop_cell else stop_s
         holding = hold[0] != 0.0 and hold[1] < cell + 1.0 and hold[2] > cell
         if s == 0.0 and end == 1.0 and not keep and not holding:
-            if cell_is_clear(t, region, k, z, w):
-                _apply(t.maps[region, k], t.shift[region, k], z, w.z)
+            lower = plus if region == PLUS else (minus if region == FREE else -np.inf)
+            upper = minus if region == MINUS else (plus if region == FREE else np.inf)
+            if cell_is_clear(check, slack, bend, region, k, z, lower, upper, bernstein):
+                _apply(maps, shift, region, k, z, moved)
                 for v in range(m):
-                    _apply_linear(t.maps[region, k], tangents[v], w.z)
+                    _apply_linear(maps, region, k, tangents, v, moved)
                 cell += 1
                 continue
         outcome, region = _cell_by_pieces(t, w, z, tangents, region, cell, s, end, hold, counts, record)
@@ -255,22 +254,25 @@ def _keep_event(record: Record, position, boundary, engaging, z):
 
 
 @inner
-def _apply(matrix, shift, z, out):
-    """z ← matrixᵀ z + shift, column by column."""
-    for i in range(len(z)):
-        out[i] = shift[i]
-    for j in range(len(z)):
+def _apply(maps, shift, region, k, z, out):
+    """z ← map · z + shift of one cell, column by column."""
+    n = len(z)
+    for i in range(n):
+        out[i] = shift[region, k, i]
+    for j in range(n):
         zj = z[j]
-        for i in range(len(z)):
-            out[i] += matrix[j, i] * zj
+        for i in range(n):
+            out[i] += maps[region, k, j, i] * zj
     copy(out, z)
 
 
 @inner
-def _apply_linear(matrix, z, out):
+def _apply_linear(maps, region, k, tangents, v, out):
+    n = tangents.shape[1]
     fill(out, 0.0)
-    for j in range(len(z)):
-        zj = z[j]
-        for i in range(len(z)):
-            out[i] += matrix[j, i] * zj
-    copy(out, z)
+    for j in range(n):
+        vj = tangents[v, j]
+        for i in range(n):
+            out[i] += maps[region, k, j, i] * vj
+    for i in range(n):
+        tangents[v, i] = out[i]
