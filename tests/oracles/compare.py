@@ -19,7 +19,8 @@ EPSILON = np.finfo(float).eps
 @dataclass(frozen=True)
 class Distance:
     """Largest differences over a trace. ``state`` is over max(1, ‖z‖); ``event_time`` over the bar
-    1e-12 + 8ε·scale/|X′|; ``on_boundary`` is |X ∓ D| over scale; ``extremum_phase`` in mesh cycles."""
+    1e-12 + 8ε·scale/|X′|; ``on_boundary`` is |X ∓ D| over scale; ``extremum_phase`` in mesh cycles.
+    scale is the largest ‖z‖ met on the way, at least 1."""
 
     same_crossings: bool
     same_extrema: bool
@@ -35,7 +36,8 @@ def distance(system: System, trace: Trace, truth: Run, shift: float = 0.0) -> Di
     events, extrema = trace.events, trace.extrema
     crossings = list(zip(events.boundary.tolist(), events.engaging.tolist(), strict=True))
     same = crossings == truth.crossings
-    scale = float(max(1.0, np.abs(truth.states).max(initial=0.0), np.abs(truth.state).max()))
+    met = np.concatenate([truth.states, truth.extremum_state, [truth.state, trace.polynomials[0, 0]]])
+    scale = max(1.0, float(np.linalg.norm(met.astype(float), axis=1).max()))
     time = on = 0.0
     if same and len(events):
         late = np.abs(events.phase + shift - truth.phase) * 2 * np.pi / system.omega

@@ -84,9 +84,11 @@ class _Record:
         outward = sign * boundary > 0
         start, _ = self._slots.blocks["plus" if boundary > 0 else "minus"]
         integrator.pars[start] = Real(outward == self.forward)
-        self.crossings.append(
-            (Real(integrator.time), boundary, outward, integrator.state[: self.size].copy())
-        )
+        time, last = Real(integrator.time), self.crossings[-1] if self.crossings else None
+        # heyoka's cooldown is a guess from the size of its Taylor terms; sometimes it reports a root twice.
+        again = last is not None and last[1:3] == (boundary, outward) and abs(time - last[0]) < 1e-14
+        if not again:
+            self.crossings.append((time, boundary, outward, integrator.state[: self.size].copy()))
         return True
 
     def turned(self, integrator, time, sign: int) -> None:
