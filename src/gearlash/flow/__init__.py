@@ -1,7 +1,7 @@
 """The exact flow: cell propagators, contact events, marching, variational flow."""
 
 from .events import Events, Extrema, Samples, Trace
-from .march import Carried, Hold, Strobes, carry, march, trace, variational
+from .march import Carried, Hold, Strobes, carry, march, orthonormal_growth, trace, variational
 from .propagators import Propagators, propagators
 
 __all__ = [
@@ -15,6 +15,7 @@ __all__ = [
     "Trace",
     "carry",
     "march",
+    "orthonormal_growth",
     "propagators",
     "trace",
     "variational",

@@ -74,10 +74,11 @@ class Samples:
 
 @dataclass(frozen=True, eq=False)
 class Trace:
-    """A motion as polynomials: piece i starts at `positions[i]` (cells), has length `lengths[i]` (cells), runs in
+    """A motion as polynomials: piece i starts at `positions[i]` (cells after phase `base`), has length `lengths[i]` (cells), runs in
     `regions[i]` and is `polynomials[i]` (degree+1, n) in its own local time from 0 to 1."""
 
     propagators: Propagators
+    base: float
     start: float
     cycles: float
     positions: Array
@@ -108,13 +109,13 @@ class Trace:
         local = (found[:, 0] - self.positions[index]) / self.lengths[index]
         duration = self.lengths[index] * self.propagators.tables.scalars[1]
         state = _values(self.polynomials[index], local)
-        phase = found[:, 0] / self.propagators.cells_per_cycle
+        phase = self.base + found[:, 0] / self.propagators.cells_per_cycle
         return Extrema(phase, found[:, 1], found[:, 2] / duration**2, state, self.regions[index])
 
     def at(self, phase: ArrayLike) -> Samples:
         """The motion at phases (mesh cycles, within the trace)."""
         system = self.propagators.system
-        cell = np.asarray(phase, dtype=np.float64) * self.propagators.cells_per_cycle
+        cell = (np.asarray(phase, dtype=np.float64) - self.base) * self.propagators.cells_per_cycle
         index = np.clip(np.searchsorted(self.positions, cell, side="right") - 1, 0, len(self.positions) - 1)
         local = (cell - self.positions[index]) / self.lengths[index]
         state, region = _values(self.polynomials[index], local), self.regions[index]
@@ -125,8 +126,7 @@ class Trace:
 
     def samples(self, points: int) -> Samples:
         """The motion at ``points`` equally spaced phases from start to end, both included."""
-        first = self.positions[0] / self.propagators.cells_per_cycle
-        return self.at(first + np.linspace(0.0, self.cycles, points))
+        return self.at(self.start + np.linspace(0.0, self.cycles, points))
 
 
 def gap_displacement(system: System, phase: ArrayLike, state: Array) -> Array:

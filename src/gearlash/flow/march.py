@@ -84,8 +84,8 @@ def carry(
     """Carries a state from ``phase`` over ``cycles`` mesh cycles; the Jacobian is exact where no contact is touched."""
     state = start_state(z, props.system.size)
     tangents = np.eye(state.size) if jacobian else None
-    start, length = positions(props, phase, cycles)
-    status, _, counts = _run(props, state, start, length, 1, tangents=tangents, hold=hold)
+    base, start, length = positions(props, phase, cycles)
+    status, _, counts = _run(props, state, start, length, 1, tangents=tangents, hold=hold, base=base)
     flow = None if tangents is None else np.ascontiguousarray(tangents.T)
     return Carried(state, flow, counts[0, :4], int(counts[0, UNDECIDED]), _with_doubt(status, counts))
 
@@ -101,7 +101,7 @@ def trace(
     """The motion over ``cycles`` mesh cycles as exact pieces, with every contact event."""
     state = start_state(z, props.system.size)
     begin, n = state.copy(), state.size
-    start, length = positions(props, phase, cycles)
+    base, start, length = positions(props, phase, cycles)
     capacity = int(2 * length + 64)
     while True:
         state[:] = begin
@@ -112,16 +112,17 @@ def trace(
             np.empty((capacity, 3)),
             np.empty((capacity, n)),
         )
-        status, _, counts = _run(props, state, start, length, 1, hold=hold, record=record)
+        status, _, counts = _run(props, state, start, length, 1, hold=hold, base=base, record=record)
         if status is not Status.TOO_MANY_EVENTS or capacity > MOST_PIECES:
             break
         capacity *= 4
     used, piece, poly, event, states = record
     pieces, events = int(used[0]), int(used[1])
     per_cycle = props.cells_per_cycle
-    found = Events.build(props.system, event[:events, 0] / per_cycle, states[:events].copy(), event[:events, 1:])
+    found = Events.build(props.system, base + event[:events, 0] / per_cycle, states[:events].copy(), event[:events, 1:])
     return Trace(
         propagators=props,
+        base=base,
         start=phase,
         cycles=cycles,
         positions=piece[:pieces, 0].copy(),
@@ -135,7 +136,7 @@ def trace(
     )
 
 
-def exponents_sums(props: Propagators, z: Array, frame: Array, periods: int) -> tuple[Status, Array]:
+def orthonormal_growth(props: Propagators, z: Array, frame: Array, periods: int) -> tuple[Status, Array]:
     """Carries z (n,) and the orthonormal rows of frame (m, n) in place over base periods; returns the sums (m,) of the
     logarithms of the lengths."""
     sums = np.zeros(len(frame))
@@ -143,12 +144,12 @@ def exponents_sums(props: Propagators, z: Array, frame: Array, periods: int) -> 
     return status, sums
 
 
-def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float]:
-    """Start and length in cells. The start is brought into the first base period, so that it loses no digits."""
+def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float, float]:
+    """Base phase (whole base periods before the start), start after it and length, both in cells."""
     if not cycles >= 0.0:
         raise GearlashError(f"cycles is {cycles}, expected 0 or more")
-    base = props.system.cycles * floor(phase / props.system.cycles)
-    return _snapped((phase - base) * props.cells_per_cycle), _snapped(cycles * props.cells_per_cycle)
+    base = float(props.system.cycles * floor(phase / props.system.cycles))
+    return base, _snapped((phase - base) * props.cells_per_cycle), _snapped(cycles * props.cells_per_cycle)
 
 
 _Record = namedtuple("_Record", "used piece poly event state")
@@ -165,6 +166,7 @@ def _run(
     tangents: Array | None = None,
     sums: Array | None = None,
     hold: Hold | None = None,
+    base: float = 0.0,
     record: _Record | None = None,
 ) -> tuple[Status, Array, Array]:
     """Calls the kernel: state (n,) and the rows of tangents (m, n) are carried in place."""
@@ -175,7 +177,7 @@ def _run(
     if record is None:
         record = _Record(_NOTHING, np.empty((0, 3)), np.empty((0, ORDER + 1, n)), np.empty((0, 3)), np.empty((0, n)))
     code = _march.run(
-        props.tables, state, tangents, start, length, _hold(props, hold), strobes, counts,
+        props.tables, state, tangents, start, length, _hold(props, hold, base), strobes, counts,
         np.empty(0) if sums is None else sums, *record,
     )  # fmt: skip
     return _STATUS[code], strobes, counts
@@ -187,10 +189,11 @@ def _snapped(position: float) -> float:
     return float(edge) if abs(position - edge) <= 4e-16 * max(1.0, abs(position)) else position
 
 
-def _hold(props: Propagators, hold: Hold | None) -> Array:
+def _hold(props: Propagators, hold: Hold | None, base: float) -> Array:
     if hold is None:
         return np.zeros(3)
-    return np.array([hold.boundary, hold.start * props.cells_per_cycle, hold.stop * props.cells_per_cycle])
+    window = (np.array([hold.start, hold.stop]) - base) * props.cells_per_cycle
+    return np.array([float(hold.boundary), *window])
 
 
 def _with_doubt(status: Status, counts: Array) -> Status:

@@ -1,0 +1,34 @@
+"""Attractors and what they are: sections, signature, periodic orbits, multipliers, exponents, grazing conditions."""
+
+from .attractor import Settings, attractor
+from .floquet import multipliers
+from .grazing import GrazingCheck, grazing_checks
+from .lyapunov import Exponents, lyapunov
+from .results import Aperiodic, Attractor, Orbit, Unresolved
+from .sections import Section, Sections, sections
+from .shooting import Shot, shoot
+from .signature import Signature
+from .statistics import ForceStatistics, MotionStatistics, motion_statistics
+
+__all__ = [
+    "Aperiodic",
+    "Attractor",
+    "Exponents",
+    "ForceStatistics",
+    "GrazingCheck",
+    "MotionStatistics",
+    "Orbit",
+    "Section",
+    "Sections",
+    "Settings",
+    "Shot",
+    "Signature",
+    "Unresolved",
+    "attractor",
+    "grazing_checks",
+    "lyapunov",
+    "motion_statistics",
+    "multipliers",
+    "sections",
+    "shoot",
+]

@@ -1,0 +1,204 @@
+"""From a start to the attractor it runs into: a transient only until Newton can take over."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import flow
+from ..flow import Propagators, Strobes
+from ..system import Status, System
+from .lyapunov import Exponents, lyapunov
+from .results import Aperiodic, Attractor, Orbit, Unresolved
+from .shooting import TOLERANCE, Shot, minimal, shoot
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """``max_period`` (base periods) up to which orbits are looked for; ``budget`` of base periods for the transient;
+    ``patience``: base periods after which a motion without a periodic orbit is asked for its exponent, which is then
+    averaged over ``exponent_periods``."""
+
+    max_period: int = 64
+    budget: int = 40_000
+    patience: int = 1_200
+    exponent_periods: int = 2_000
+
+
+DEFAULT = Settings()
+FIRST = 24  # base periods before the first attempt
+NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
+BRANCH = (1e-4, 1e-3, 1e-2, 3e-2, 0.1)  # steps along the critical direction, in units of the motion's size
+
+
+def attractor(
+    system: System | Propagators,
+    start: ArrayLike,
+    settings: Settings = DEFAULT,
+    trial: tuple[ArrayLike, int] | None = None,
+) -> Attractor:
+    """The attractor reached from ``start`` (n,) at phase zero.
+
+    ``trial`` (state, base periods) is a periodic orbit to try first: the neighbour's, where an attractor is followed.
+    Returns an `Orbit` (P proved least, residual ≤ 1e-11, stable), an `Aperiodic` motion, or `Unresolved` with its reason.
+    A periodic orbit is accepted only if it is stable and the motion is seen to approach it; a slow transient therefore
+    goes on, and is neither called periodic with a wrong P nor aperiodic.
+    """
+    props = flow.propagators(system) if isinstance(system, System) else system
+    search = _Search(props, settings, flow.march(props, start, 0).states[0])
+    if trial is not None:
+        found = search.attempt(np.asarray(trial[0], dtype=np.float64), trial[1])
+        if found is not None and found.stable:
+            return found
+    return search.run()
+
+
+class _Search:
+    """One search: the motion so far, and the attempts made on it."""
+
+    def __init__(self, props: Propagators, settings: Settings, start: Array):
+        self.props, self.settings, self.state = props, settings, start
+        self.used = 0
+        self.strobes = start[None]
+
+    def run(self) -> Attractor:
+        block, asked = FIRST, False
+        while True:
+            progress = self.march(block)
+            if progress.status not in (Status.OK, Status.UNCERTAIN):
+                return self.unresolved(progress.status, "the motion could not be carried on", np.nan, np.nan)
+            found = self.newton()
+            if found is not None:
+                return found
+            if not asked and self.used >= self.settings.patience:
+                asked = True
+                aperiodic = self.aperiodic(self.settings.exponent_periods)
+                if aperiodic is not None:
+                    return aperiodic
+            if self.used >= self.settings.budget:
+                return self.give_up()
+            block = min(2 * block, 2_000, max(1, self.settings.budget - self.used))
+
+    def march(self, periods: int) -> Strobes:
+        progress = flow.march(self.props, self.state, periods)
+        keep = 2 * self.settings.max_period + 2
+        self.strobes = np.concatenate([self.strobes[:-1], progress.states])[-keep:]
+        self.state = self.strobes[-1]
+        self.used += periods
+        return progress
+
+    @property
+    def size(self) -> float:
+        """Size of the motion on σ_t: the unit for "near"."""
+        return max(float(np.ptp(self.strobes, axis=0).max()), 1e-3 * max(1.0, float(np.abs(self.strobes).max())))
+
+    def newton(self) -> Orbit | None:
+        """Tries the most promising periods: the least that nearly returns, and the one that returns best."""
+        for period in self.candidates():
+            shot = shoot(self.props, self.state, period, iterations=8)
+            if shot.residual > TOLERANCE:
+                continue
+            found = self.accept(minimal(self.props, shot))
+            if found is not None:
+                return found
+        return None
+
+    def candidates(self) -> list[int]:
+        longest = min(self.settings.max_period, len(self.strobes) - 1)
+        returns = np.abs(self.strobes[-1 - np.arange(1, longest + 1)] - self.state).max(axis=1)
+        order = np.argsort(returns, kind="stable")
+        best = int(order[0]) + 1
+        near = np.flatnonzero(returns < NEAR * self.size)
+        chosen = ([int(near[0]) + 1] if len(near) else []) + ([best] if returns[best - 1] < 0.2 * self.size else [])
+        return list(dict.fromkeys(chosen))
+
+    def attempt(self, state: Array, period: int) -> Orbit | None:
+        """A neighbour's orbit as a first guess, without a transient. Also tries the doubled and the halved orbit where
+        the neighbour's own has lost its stability."""
+        shot = shoot(self.props, state, period, iterations=12)
+        if shot.residual > TOLERANCE:
+            return None
+        shot = minimal(self.props, shot)
+        orbit = self.orbit(shot)
+        return orbit if orbit.stable else None
+
+    def accept(self, shot: Shot) -> Orbit | None:
+        """The orbit, if it is stable and the motion approaches it; where it has just lost its stability to its double,
+        the doubled orbit, on the same terms."""
+        orbit = self.orbit(shot)
+        if orbit.stable:
+            return orbit if self.approached(orbit) else None
+        if abs(orbit.leading + 1.0) < 0.05 and 2 * shot.period <= self.settings.max_period:
+            return self.doubled(shot)
+        return None
+
+    def orbit(self, shot: Shot) -> Orbit:
+        doubt = "" if shot.status is Status.OK else " (a contact lies within rounding of touching)"
+        message = f"periodic, residual {shot.residual:.1e}, least period {shot.period}{doubt}"
+        return Orbit(self.props, shot, self.used, shot.status, message)
+
+    def doubled(self, shot: Shot) -> Orbit | None:
+        """Newton for twice the period from steps along the direction of the multiplier near -1."""
+        values, vectors = np.linalg.eig(shot.monodromy)
+        direction = np.real(vectors[:, np.argmin(np.abs(values + 1.0))])
+        direction /= np.abs(direction).max()
+        size = max(1.0, float(np.abs(shot.state).max()))
+        for step in BRANCH:
+            twice = shoot(self.props, shot.state + step * size * direction, 2 * shot.period, iterations=8)
+            if twice.residual > TOLERANCE:
+                continue
+            twice = minimal(self.props, twice)
+            orbit = self.orbit(twice)
+            if twice.period == 2 * shot.period and orbit.stable and self.approached(orbit):
+                return orbit
+        return None
+
+    def approached(self, orbit: Orbit) -> bool:
+        """Marches on, and asks whether the distance to the orbit shrinks as its multipliers promise."""
+        points = orbit.strobes
+        before = _distance(points, self.state)
+        if before <= 1e-9 * self.size:
+            return True
+        rate = max(abs(orbit.leading), 1e-3)
+        laps = int(np.clip(np.ceil(np.log(0.1) / np.log(rate)) if rate < 1.0 else 400, 1, max(1, 800 // len(points))))
+        progress = self.march(laps * len(points))
+        if progress.status not in (Status.OK, Status.UNCERTAIN):
+            return False
+        after = _distance(points, self.state)
+        return after <= before * max(0.5, min(0.999, 2.0 * rate**laps)) or after <= 1e-9 * self.size
+
+    def aperiodic(self, periods: int) -> Aperiodic | None:
+        """The motion as aperiodic, if its largest exponent is above zero by twice its error bar."""
+        found = self.exponent(periods)
+        if found is None or not found.values[0] > 2.0 * found.errors[0]:
+            return None
+        message = f"aperiodic: largest exponent {found.values[0]:.2e} ± {found.errors[0]:.0e} over {found.periods} periods"
+        value, error = float(found.values[0]), float(found.errors[0])
+        return Aperiodic(self.props, self.state, value, error, self.used, found.status, message)
+
+    def exponent(self, periods: int) -> Exponents | None:
+        found = lyapunov(self.props, self.state, periods, count=1)
+        self.used += found.periods
+        return found if found.status in (Status.OK, Status.UNCERTAIN) else None
+
+    def give_up(self) -> Attractor:
+        aperiodic = self.aperiodic(4 * self.settings.exponent_periods)
+        if aperiodic is not None:
+            return aperiodic
+        found = self.exponent(self.settings.exponent_periods)
+        value = float(found.values[0]) if found is not None else np.nan
+        error = float(found.errors[0]) if found is not None else np.nan
+        limit = self.settings.max_period
+        reason = f"no stable orbit up to period {limit} within {self.used} periods; largest exponent {value:.1e} ± {error:.0e}"
+        return self.unresolved(Status.UNRESOLVED, reason, value, error)
+
+    def unresolved(self, status: Status, reason: str, value: float, error: float) -> Unresolved:
+        return Unresolved(self.props, self.state, value, error, self.used, status, f"{reason}: {status.advice}")
+
+
+def _distance(points: Array, state: Array) -> float:
+    return float(np.abs(points - state).max(axis=1).min())

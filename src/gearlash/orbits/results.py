@@ -1,0 +1,155 @@
+"""What an attractor turns out to be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import flow
+from ..flow import Events, Extrema, Propagators, Trace
+from ..system import Status
+from . import floquet
+from .shooting import Shot
+from .signature import Signature
+
+SAMPLE = 200  # base periods of an aperiodic motion that are kept as its picture
+
+
+@dataclass(frozen=True, eq=False)
+class Orbit:
+    """A proved periodic orbit: residual ≤ 1e-11 and least period. ``state`` (n,) is at phase zero."""
+
+    propagators: Propagators
+    shot: Shot
+    periods_used: int
+    status: Status
+    message: str
+
+    @property
+    def state(self) -> NDArray[np.float64]:
+        return self.shot.state
+
+    @property
+    def final_state(self) -> NDArray[np.float64]:
+        return self.shot.state
+
+    @property
+    def period(self) -> int:
+        """Least period in mesh cycles."""
+        return self.shot.period * self.propagators.system.cycles
+
+    @property
+    def residual(self) -> float:
+        return self.shot.residual
+
+    @cached_property
+    def trace(self) -> Trace:
+        """The whole orbit as exact pieces."""
+        return flow.trace(self.propagators, self.state, float(self.period))
+
+    @property
+    def events(self) -> Events:
+        return self.trace.events
+
+    @property
+    def extrema(self) -> Extrema:
+        return self.trace.extrema
+
+    @cached_property
+    def signature(self) -> Signature:
+        events = self.events
+        drive = int((events.engaging & (events.boundary > 0)).sum())
+        back = int((events.engaging & (events.boundary < 0)).sum())
+        return Signature(self.period, drive, back)
+
+    @property
+    def label(self) -> str:
+        return str(self.signature)
+
+    @cached_property
+    def strobes(self) -> NDArray[np.float64]:
+        """σ_t: the states (P, n) at phase zero of every base period."""
+        return flow.march(self.propagators, self.state, self.shot.period).states[:-1]
+
+    @cached_property
+    def multipliers(self) -> NDArray[np.complex128]:
+        """All Floquet multipliers (n,), by modulus, descending."""
+        return floquet.multipliers(self.propagators, self.state, self.shot.period)
+
+    @cached_property
+    def leading(self) -> complex:
+        """The multiplier of largest modulus, from the monodromy of the shot."""
+        return complex(floquet.ordered(np.linalg.eigvals(self.shot.monodromy))[0])
+
+    @property
+    def stable(self) -> bool:
+        return abs(self.leading) < 1.0
+
+    @cached_property
+    def exponents(self) -> NDArray[np.float64]:
+        """Lyapunov exponents (n,) per unit of τ: ln|μ|/(P T), exact on a periodic orbit."""
+        with np.errstate(divide="ignore"):
+            return np.log(np.abs(self.multipliers)) / self.duration
+
+    @property
+    def largest_exponent(self) -> float:
+        return float(np.log(abs(self.leading)) / self.duration)
+
+    @property
+    def exponent_error(self) -> float:
+        return 0.0
+
+    @property
+    def duration(self) -> float:
+        """Of the whole orbit, in τ."""
+        return self.shot.period * self.propagators.system.period
+
+
+@dataclass(frozen=True, eq=False)
+class Aperiodic:
+    """A motion that does not repeat: its largest exponent is above zero by more than its error bar. It has no P."""
+
+    propagators: Propagators
+    final_state: NDArray[np.float64]
+    largest_exponent: float
+    exponent_error: float
+    periods_used: int
+    status: Status
+    message: str
+
+    @property
+    def label(self) -> str:
+        return "aperiodic"
+
+    @cached_property
+    def trace(self) -> Trace:
+        """A stretch of the motion."""
+        return flow.trace(self.propagators, self.final_state, float(SAMPLE * self.propagators.system.cycles))
+
+    @property
+    def events(self) -> Events:
+        return self.trace.events
+
+    @property
+    def extrema(self) -> Extrema:
+        return self.trace.extrema
+
+    @cached_property
+    def strobes(self) -> NDArray[np.float64]:
+        """σ_t: states (m, n) of the stretch."""
+        return flow.march(self.propagators, self.final_state, SAMPLE).states[:-1]
+
+
+@dataclass(frozen=True, eq=False)
+class Unresolved(Aperiodic):
+    """Neither proved periodic nor shown aperiodic within the budget; `message` says what is known."""
+
+    @property
+    def label(self) -> str:
+        return "unresolved"
+
+
+Attractor = Orbit | Aperiodic | Unresolved
