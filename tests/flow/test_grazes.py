@@ -27,24 +27,23 @@ def test_grazes_built_backwards_from_the_extremum(oracle, pair):
     worst_time, deepest = 0.0, 0.0
     for graze in grazes(20240501, GRAZES // 2, pair, oracle(pair)):
         trace = flow.trace(propagators(graze.system), graze.start, graze.span, graze.phase)
-        shift = np.floor(graze.phase)
-        far = distance(graze.system, trace, graze.truth, shift)
+        far = distance(graze.system, trace, graze.truth)
         where = f"depth {graze.depth:.3e}, curvature {graze.curvature:.3e}, phase {graze.extremum_phase!r}"
         assert trace.status is Status.OK, where
         assert far.same_crossings, where
         assert far.same_extrema, where
         assert far.event_time < 1.0, where
         assert far.state < 1e-12, where
-        assert abs(_depth(graze, trace.extrema, shift) - graze.depth) < 2e-13, where
+        assert abs(_depth(graze, trace.extrema) - graze.depth) < 2e-13, where
         worst_time, deepest = max(worst_time, far.event_time), max(deepest, -np.log10(abs(graze.depth)))
     assert deepest > 9.9
     assert worst_time > 0.0
 
 
-def _depth(graze, extrema, shift: float) -> float:
+def _depth(graze, extrema) -> float:
     """Depth of the built extremum as the trace has it."""
     clearance = graze.system.clearances[0]
     level = clearance.gap_plus if graze.boundary > 0 else -clearance.gap_minus
     beyond = -graze.boundary if graze.from_contact else graze.boundary
-    nearest = np.argmin(np.abs(extrema.phase + shift - graze.extremum_phase))
+    nearest = np.argmin(np.abs(extrema.phase - graze.extremum_phase))
     return beyond * (extrema.displacement[nearest] - level)

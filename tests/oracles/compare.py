@@ -31,8 +31,8 @@ class Distance:
     extremum_displacement: float
 
 
-def distance(system: System, trace: Trace, truth: Run, shift: float = 0.0) -> Distance:
-    """Compare; ``shift`` is added to the phases of the trace."""
+def distance(system: System, trace: Trace, truth: Run) -> Distance:
+    """How far a trace is from the truth, both from the same start and phase."""
     events, extrema = trace.events, trace.extrema
     crossings = list(zip(events.boundary.tolist(), events.engaging.tolist(), strict=True))
     same = crossings == truth.crossings
@@ -40,11 +40,11 @@ def distance(system: System, trace: Trace, truth: Run, shift: float = 0.0) -> Di
     scale = max(1.0, float(np.linalg.norm(met.astype(float), axis=1).max()))
     time = on = 0.0
     if same and len(events):
-        late = np.abs(events.phase + shift - truth.phase) * 2 * np.pi / system.omega
+        late = np.abs(events.phase - truth.phase) * 2 * np.pi / system.omega
         time = float(np.max(late / (1e-12 + 8 * EPSILON * scale / np.abs(truth.velocity))))
         on = float(np.max(np.abs(gap_error(system, events)))) / scale
     turns = len(extrema) == len(truth.extremum_phase)
-    at = np.abs(extrema.phase + shift - truth.extremum_phase) if turns else np.zeros(0)
+    at = np.abs(extrema.phase - truth.extremum_phase) if turns else np.zeros(0)
     size = max(1.0, float(np.linalg.norm(truth.state)))
     c = system.clearances[0]
     there = np.abs((extrema.state - truth.extremum_state) @ c.h) if turns else np.zeros(0)
