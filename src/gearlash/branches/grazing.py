@@ -1,0 +1,251 @@
+"""The parameter value at which an extremum of a periodic orbit touches a boundary.
+
+Unknowns: the state z0 at a phase half an orbit before the touch, the phase t of the touch, and one parameter μ.
+Equations: the orbit closes, X(t) = ±D, X'(t) = 0. The grazing extremum is held, that is not treated as a crossing
+(the one-sided, smooth system), so Newton's method is regular and quadratic whatever side it starts from. Whether the
+solution is one of the real system is checked afterwards, from orbits on both sides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import flow
+from ..flow import Hold, Propagators
+from ..flow.events import gap_displacement, gap_velocity
+from ..orbits import GrazingCheck, Orbit, Signature, shoot
+from ..orbits.floquet import ordered
+from ..orbits.grazing import KINDS
+from ..system import Family, Status
+from .kinds import distance_to_unit, table2_type
+
+Array = NDArray[np.float64]
+ITERATIONS = 40
+STEP = 1e-6  # of the parameter: for its derivative
+BESIDE = 1e-6  # relative distance at which the labels on both sides are read
+CLOSED = 1e-11  # residual of a solution
+
+
+@dataclass(frozen=True, eq=False)
+class GrazingPoint:
+    """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles) and state (n,)
+    of the touch, ``a0`` = X'', multipliers of the one-sided orbit, labels just below and above ``value``. ``state_zero``
+    is the orbit at phase zero, a start for either side."""
+
+    name: str
+    value: float
+    error: float
+    values: Mapping[str, float]
+    boundary: int
+    phase: float
+    a0: float
+    period: int
+    state: Array
+    state_zero: Array
+    multipliers: NDArray[np.complex128]
+    exponent: float
+    label_below: str
+    label_above: str
+    residual: float
+    status: Status
+
+    @property
+    def kind(self) -> str:
+        """Loss of contact or engagement, drive or back side."""
+        return KINDS[(self.boundary, 1 if self.a0 > 0 else -1)]
+
+    @property
+    def to_doubling(self) -> float:
+        """Least |λ + 1|."""
+        return distance_to_unit(self.multipliers)[0]
+
+    @property
+    def to_fold(self) -> float:
+        """Least |λ - 1|."""
+        return distance_to_unit(self.multipliers)[1]
+
+    @property
+    def type(self) -> str:
+        """As the article's Table 2 names it."""
+        return table2_type(self.multipliers)
+
+
+def locate_grazing(
+    family: Family, values: Mapping[str, float], name: str, orbit: Orbit, check: GrazingCheck
+) -> GrazingPoint:
+    """The value of parameter ``name`` at which the extremum ``check`` of ``orbit`` (found at ``values``) touches its
+    boundary. The value is good to about 1e-12 of itself where the status is ok; `not-converged` and `not-admissible`
+    (the labels beside it do not differ by one contact) say that it is no result."""
+    problem = _Problem.of(family, values, name, orbit, check)
+    unknown, residual, change = problem.solve()
+    mu = float(unknown[-1])
+    props = problem.system_at(mu)
+    touch = flow.carry(props, unknown[:-2], unknown[-2] - problem.origin, problem.origin, hold=problem.hold)
+    around = problem.around(props, unknown[:-2])
+    zero = _state_zero(props, problem, unknown[:-2])
+    below, above = (_label(problem, mu, zero, side) for side in (-1, 1))
+    converged = residual <= CLOSED
+    admissible = below is not None and above is not None and _one_contact_apart(below, above)
+    status = Status.NOT_CONVERGED if not converged else Status.OK if admissible else Status.NOT_ADMISSIBLE
+    multipliers = ordered(np.linalg.eigvals(around))
+    duration = orbit.period / props.system.cycles * props.system.period
+    return GrazingPoint(
+        name=name,
+        value=mu,
+        error=change,
+        values={**values, name: mu},
+        boundary=check.boundary,
+        phase=float(unknown[-2] % orbit.period),
+        a0=problem.curvature(props, unknown),
+        period=orbit.period,
+        state=touch.state,
+        state_zero=zero,
+        multipliers=multipliers,
+        exponent=float(np.log(abs(multipliers[0])) / duration),
+        label_below=str(below) if below else "none",
+        label_above=str(above) if above else "none",
+        residual=residual,
+        status=status,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Problem:
+    """The equations of one touch. ``origin``: phase of z0; ``cycles``: length of the orbit; ``hold``: where the boundary
+    is not crossed; ``first``: the starting point (z0, t, μ)."""
+
+    family: Family
+    values: Mapping[str, float]
+    name: str
+    boundary: int
+    origin: float
+    cycles: float
+    hold: Hold
+    first: Array
+
+    @staticmethod
+    def of(family, values, name, orbit: Orbit, check: GrazingCheck) -> _Problem:
+        cycles = float(orbit.period)
+        origin = (check.phase - 0.5 * cycles) % cycles
+        touch = origin + 0.5 * cycles
+        before, after = _neighbours(orbit.extrema.phase, check.phase, cycles)
+        window = Hold(check.boundary, touch - 0.9 * before, touch + 0.9 * after)
+        first = np.concatenate([orbit.trace.at([origin]).state[0], [touch, float(values[name])]])
+        return _Problem(family, values, name, check.boundary, origin, cycles, window, first)
+
+    def system_at(self, mu: float, reuse: Propagators | None = None) -> Propagators:
+        return flow.propagators(self.family.system({**self.values, self.name: mu}), reuse)
+
+    def around(self, props: Propagators, z0: Array) -> Array:
+        """Monodromy (n, n) of the held orbit."""
+        jacobian = flow.carry(props, z0, self.cycles, self.origin, jacobian=True, hold=self.hold).jacobian
+        assert jacobian is not None
+        return jacobian
+
+    def touch(self, props: Propagators, z0: Array, phase: float, jacobian: bool = False):
+        return flow.carry(props, z0, phase - self.origin, self.origin, jacobian=jacobian, hold=self.hold)
+
+    def residual(self, props: Propagators, unknown: Array) -> Array:
+        z0, phase = unknown[:-2], float(unknown[-2])
+        end = flow.carry(props, z0, self.cycles, self.origin, hold=self.hold)
+        return np.concatenate([end.state - z0, self.gap(props, self.touch(props, z0, phase).state, phase)])
+
+    def gap(self, props: Propagators, state: Array, phase: float) -> Array:
+        """(X ∓ D, X') at the touch."""
+        clearance = props.system.clearances[0]
+        edge = clearance.gap_plus if self.boundary > 0 else -clearance.gap_minus
+        x = gap_displacement(props.system, [phase], state[None])[0]
+        return np.array([x - edge, gap_velocity(props.system, [phase], state[None])[0]])
+
+    def curvature(self, props: Propagators, unknown: Array) -> float:
+        """X'' at the touch, from X' on both sides."""
+        step = 1e-5
+        speeds = [
+            self.gap(props, self.touch(props, unknown[:-2], unknown[-2] + d).state, unknown[-2] + d)[1]
+            for d in (-step, step)
+        ]
+        return float((speeds[1] - speeds[0]) / (2 * step * 2 * np.pi / props.system.omega))
+
+    def jacobian(self, props: Propagators, unknown: Array) -> Array:
+        z0, phase, mu = unknown[:-2], float(unknown[-2]), float(unknown[-1])
+        n = len(z0)
+        out = np.zeros((n + 2, n + 2))
+        end = flow.carry(props, z0, self.cycles, self.origin, jacobian=True, hold=self.hold)
+        there = self.touch(props, z0, phase, jacobian=True)
+        assert end.jacobian is not None and there.jacobian is not None
+        h = props.system.clearances[0].h
+        out[:n, :n] = end.jacobian - np.eye(n)
+        out[n, :n] = h @ there.jacobian
+        out[n + 1, :n] = h @ props.system.matrix @ there.jacobian
+        cycle = 2 * np.pi / props.system.omega
+        out[n, n] = self.gap(props, there.state, phase)[1] * cycle
+        out[n + 1, n] = self.curvature(props, unknown) * cycle
+        step = STEP * max(abs(mu), 1e-3)
+        up, down = (self.residual(self.system_at(mu + d, props), unknown) for d in (step, -step))
+        out[:, n + 1] = (up - down) / (2 * step)
+        return out
+
+    def solve(self) -> tuple[Array, float, float]:
+        """Newton's method with bounded steps; returns unknowns, residual and the last change of the parameter."""
+        unknown, change = self.first.copy(), np.inf
+        best, residual = unknown, np.inf
+        props: Propagators | None = None
+        for _ in range(ITERATIONS):
+            props = self.system_at(float(unknown[-1]), props)
+            value = self.residual(props, unknown)
+            size = float(np.abs(value).max())
+            if not np.isfinite(size):
+                break
+            if size < residual:
+                best, residual = unknown.copy(), size
+            elif residual <= 1e-13:
+                break
+            step = np.linalg.lstsq(self.jacobian(props, unknown), -value, rcond=None)[0]
+            limit = min(1.0, 0.05 * abs(unknown[-1]) / max(abs(step[-1]), 1e-300), 0.1 / max(abs(step[-2]), 1e-300))
+            unknown = unknown + limit * step
+            change = abs(float(limit * step[-1]))
+            if residual <= 1e-14 or (residual <= 1e-12 and change <= 1e-14 * abs(unknown[-1])):
+                break
+            if not self.family_takes(float(unknown[-1])):
+                break
+        return best, residual, change
+
+    def family_takes(self, mu: float) -> bool:
+        parameter = next(p for p in self.family.parameters if p.name == self.name)
+        return bool(np.isfinite(mu) and parameter.lower <= mu <= parameter.upper)
+
+
+def _neighbours(phases: Array, touch: float, cycles: float) -> tuple[float, float]:
+    """Distances (mesh cycles) from the touch to the extrema before and after it, at most 0.49 of the orbit."""
+    away = (phases - touch) % cycles
+    away = away[(away > 1e-9) & (away < cycles - 1e-9)]
+    most = 0.49 * cycles
+    if not len(away):
+        return most, most
+    return min(float(cycles - away.max()), most), min(float(away.min()), most)
+
+
+def _state_zero(props: Propagators, problem: _Problem, z0: Array) -> Array:
+    """The held orbit at the next phase that is a whole number of base periods."""
+    cycles = props.system.cycles
+    ahead = ceil(problem.origin / cycles - 1e-12) * cycles - problem.origin
+    return flow.carry(props, z0, max(0.0, ahead), problem.origin, hold=problem.hold).state
+
+
+def _label(problem: _Problem, mu: float, zero: Array, side: int) -> Signature | None:
+    """Signature of the orbit just beside the point, on one side."""
+    beside = mu + side * BESIDE * max(abs(mu), 1e-3)
+    props = problem.system_at(beside)
+    shot = shoot(props, zero, round(problem.cycles / props.system.cycles))
+    if shot.status not in (Status.OK, Status.UNCERTAIN):
+        return None
+    return Orbit(props, shot, 0, shot.status, "").signature
+
+
+def _one_contact_apart(below: Signature, above: Signature) -> bool:
+    return below.period == above.period and abs(below.drive - above.drive) + abs(below.back - above.back) == 1
