@@ -1,0 +1,156 @@
+"""A motion as plain numbers: what a figure or a file needs of an attractor, without the kernels behind it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash import flow
+from gearlash.branches import GrazingPoint
+from gearlash.flow import Trace
+from gearlash.flow.events import gap_displacement, gap_velocity
+from gearlash.orbits import Attractor, Orbit, shoot
+from gearlash.system import Family
+
+Array = NDArray[np.float64]
+
+PER_CYCLE = 400  # samples of one mesh cycle: a curve without visible corners at the width of a page
+MOST_CYCLES = 60  # of an aperiodic motion; more only blackens the picture
+TOUCHING = 1e-3  # mesh cycles around a touch within which a contact is that touch, split in two by rounding
+
+
+@dataclass(frozen=True)
+class Touch:
+    """Where a motion touches a boundary (+1: Σ1, -1: Σ2) without crossing it."""
+
+    phase: float
+    displacement: float
+    velocity: float
+    boundary: int
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """One period of an orbit, or a stretch of another motion, sampled.
+
+    ``phase`` (N,) in mesh cycles from 0; X, X', Φ and ``region`` (0: drive side, 1: free, 2: back side) at
+    these phases, contacts and extrema among them. ``hit_*`` (m,) are the contact events, ``strobe_*`` the
+    points on σ_t. ``period`` is 0 where nothing periodic was proved; ``value`` is that of the parameter under
+    study (nan if none). All dimensionless.
+    """
+
+    omega: float
+    gap_plus: float
+    gap_minus: float
+    label: str
+    status: str
+    message: str
+    period: int
+    largest_exponent: float
+    exponent_error: float
+    leading: complex
+    phase: Array
+    displacement: Array
+    velocity: Array
+    force: Array
+    region: NDArray[np.int64]
+    hit_phase: Array
+    hit_displacement: Array
+    hit_velocity: Array
+    hit_boundary: NDArray[np.int64]
+    hit_engaging: NDArray[np.bool_]
+    strobe_displacement: Array
+    strobe_velocity: Array
+    value: float = float("nan")
+    touch: Touch | None = None
+
+    @property
+    def cycles(self) -> float:
+        """Length of the stretch in mesh cycles."""
+        return float(self.phase[-1] - self.phase[0])
+
+    @property
+    def periodic(self) -> bool:
+        """Is this one whole period of a proved orbit?"""
+        return self.period > 0
+
+
+def motion(
+    attractor: Attractor,
+    *,
+    value: float = float("nan"),
+    touch: tuple[float, int] | None = None,
+    label: str | None = None,
+) -> Motion:
+    """The motion of an attractor; ``touch`` is (phase in mesh cycles, boundary ±1) of a grazing in it."""
+    trace = attractor.trace
+    system, clearance = trace.propagators.system, trace.propagators.system.clearances[0]
+    orbit = attractor if isinstance(attractor, Orbit) else None
+    cycles = trace.cycles if orbit else min(trace.cycles, float(MOST_CYCLES))
+    samples = trace.at(_phases(trace, cycles))
+    events, strobes = trace.events, attractor.strobes
+    hits = _hits(trace, cycles, touch)
+    at = np.arange(len(strobes), dtype=np.float64) * system.cycles
+    return Motion(
+        omega=system.omega,
+        gap_plus=clearance.gap_plus,
+        gap_minus=clearance.gap_minus,
+        label=attractor.label if label is None else label,
+        status=str(attractor.status),
+        message=attractor.message,
+        period=orbit.period if orbit else 0,
+        largest_exponent=float(attractor.largest_exponent),
+        exponent_error=float(attractor.exponent_error),
+        leading=orbit.leading if orbit else complex("nan"),
+        phase=samples.phase,
+        displacement=samples.displacement,
+        velocity=samples.velocity,
+        force=samples.force,
+        region=np.asarray(samples.region, dtype=np.int64),
+        hit_phase=events.phase[hits],
+        hit_displacement=gap_displacement(system, events.phase[hits], events.state[hits]),
+        hit_velocity=events.velocity[hits],
+        hit_boundary=np.asarray(events.boundary[hits], dtype=np.int64),
+        hit_engaging=np.asarray(events.engaging[hits], dtype=np.bool_),
+        strobe_displacement=gap_displacement(system, at, strobes),
+        strobe_velocity=gap_velocity(system, at, strobes),
+        value=float(value),
+        touch=None if touch is None else _touch(trace, *touch),
+    )
+
+
+def touching(family: Family, point: GrazingPoint) -> Motion:
+    """The motion at a grazing that was solved for."""
+    props = flow.propagators(family.system(point.values))
+    shot = shoot(props, point.state_zero, point.period // props.system.cycles)
+    orbit = Orbit(props, shot, 0, point.status, f"touches a boundary: {point.kind}")
+    clearance, extrema = props.system.clearances[0], orbit.extrema
+    edge = clearance.gap_plus if point.boundary > 0 else -clearance.gap_minus
+    nearest = int(np.argmin(np.abs(extrema.displacement - edge)))
+    return motion(
+        orbit, value=point.value, touch=(float(extrema.phase[nearest]), point.boundary), label="grazing"
+    )
+
+
+def _phases(trace: Trace, cycles: float) -> Array:
+    """Equally spaced phases, and those of every contact and extremum: no touch may fall between two."""
+    even = np.linspace(0.0, cycles, round(cycles * PER_CYCLE) + 1)
+    special = np.concatenate([trace.events.phase, trace.extrema.phase])
+    return np.unique(np.concatenate([even, special[(special >= 0.0) & (special <= cycles)]]))
+
+
+def _hits(trace: Trace, cycles: float, touch: tuple[float, int] | None) -> NDArray[np.int64]:
+    """Indices of the contact events of the stretch; a touch is none of them."""
+    phase = trace.events.phase
+    chosen = phase <= cycles
+    if touch is not None:
+        away = np.abs((phase - touch[0] + trace.cycles / 2.0) % trace.cycles - trace.cycles / 2.0)
+        chosen &= away > TOUCHING
+    return np.flatnonzero(chosen)
+
+
+def _touch(trace: Trace, phase: float, boundary: int) -> Touch:
+    point = trace.at([phase % trace.cycles])
+    return Touch(float(point.phase[0]), float(point.displacement[0]), float(point.velocity[0]), boundary)
