@@ -1,0 +1,44 @@
+"""What a stated value conflicts with. Notes are shown, never used in a computation."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from gearlash.gears import iso6336
+
+if TYPE_CHECKING:
+    from .case import Case
+
+_TOLERATED = 1.5
+
+
+@dataclass(frozen=True)
+class Note:
+    """A remark on one value: its path and a sentence."""
+
+    path: str
+    text: str
+
+
+def notes(case: Case) -> list[Note]:
+    """Every remark on a case."""
+    return list(_stiffness(case))
+
+
+def _stiffness(case: Case) -> Iterator[Note]:
+    body, stated = case.numbers.body, case.scales.mean_stiffness
+    if body.geometry is None or body.face_width is None or stated is None:
+        return
+    estimate = iso6336.mesh_stiffness(body.geometry, body.face_width)
+    ratio = estimate / stated
+    if 1.0 / _TOLERATED <= ratio <= _TOLERATED:
+        return
+    more, factor = ("stiffer", ratio) if ratio > 1.0 else ("softer", 1.0 / ratio)
+    yield Note(
+        "mesh.mean_stiffness",
+        f"stated {stated:.3g} N/m; {iso6336.REFERENCE}, gives {estimate:.3g} N/m for solid steel gears with "
+        f"{1e3 * body.face_width:g} mm of common face width, {factor:.1f} times {more}. "
+        "The stated value is used.",
+    )

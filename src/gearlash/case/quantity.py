@@ -1,0 +1,67 @@
+"""One place in a case file: a quantity with its dimension and range, or a named option."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf
+
+from .units import NAMES, Dimension, unit
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A place that takes a number.
+
+    ``unit`` is the unit it is shown in, ``example`` a value as one would type it. ``bare`` says that a number
+    without unit is taken too, in ``unit``: plain numbers, and angles in rad of dimensionless cases. The range
+    (SI) is closed at ``upper``, and at ``lower`` unless ``above``. ``key`` is shared by all the places that
+    name one quantity.
+    """
+
+    path: str
+    dimension: Dimension
+    unit: str
+    example: str
+    description: str
+    lower: float = -inf
+    upper: float = inf
+    above: bool = False
+    integer: bool = False
+    bare: bool = False
+    key: str = ""
+
+    def accepts(self, value: float) -> bool:
+        """Is the value (SI) in range?"""
+        return (self.lower < value if self.above else self.lower <= value) and value <= self.upper
+
+    @property
+    def expected(self) -> str:
+        """What to write here, in words."""
+        if self.integer:
+            return f"a whole number from {self.lower:g} to {self.upper:g}, such as {self.example}"
+        if self.bare:
+            return f"{NAMES[self.dimension]}, such as {self.example}"
+        return f'{NAMES[self.dimension]} with its unit, such as "{self.example}"'
+
+    @property
+    def expected_in_range(self) -> str:
+        """The same with the range, for a value outside it."""
+        if self.integer:
+            return self.expected
+        shown = unit(self.unit)
+        parts = [NAMES[self.dimension]]
+        if self.lower != -inf:
+            parts.append(f"{'above' if self.above else 'from'} {shown.express(self.lower):.6g} {self.unit}")
+        if self.upper != inf:
+            parts.append(f"up to {shown.express(self.upper):.6g} {self.unit}")
+        return " ".join(part.strip() for part in parts)
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A place that takes one of a few names."""
+
+    path: str
+    choices: tuple[str, ...]
+    default: str
+    description: str

@@ -1,0 +1,152 @@
+"""From dimensionless numbers to physical ones and back; all methods take scalars or arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.system import GearlashError
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+Values: TypeAlias = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Units of a case: ω_n (rad/s), k_m (N/m), m_e (kg), D_c (m), c_t, R_p and R_g (m), teeth, D⁻/D.
+
+    A case given in dimensionless numbers only has none of them: ``physical`` is False and every conversion
+    raises `GearlashError`. A pair given by its equivalent mass has no radius and so no torque.
+    """
+
+    omega_n: float | None = None
+    mean_stiffness: float | None = None
+    equivalent_mass: float | None = None
+    length: float | None = None
+    c_t: float = 1.0
+    radii: tuple[float, float] | None = None
+    teeth: tuple[int, int | None] | None = None
+    back_gap: float = 1.0
+
+    @property
+    def physical(self) -> bool:
+        """Does this case know physical units?"""
+        return self.omega_n is not None
+
+    def pinion_speed(self, omega: ArrayLike) -> Values:
+        """Pinion speed in rad/s of a dimensionless mesh frequency."""
+        return np.asarray(omega, float) * self._speed_unit
+
+    def omega_from_pinion_speed(self, speed: ArrayLike) -> Values:
+        """Dimensionless mesh frequency of a pinion speed in rad/s."""
+        return np.asarray(speed, float) / self._speed_unit
+
+    def pinion_rpm(self, omega: ArrayLike) -> Values:
+        """Pinion speed in rpm."""
+        return self.pinion_speed(omega) * (30.0 / pi)
+
+    def omega_from_rpm(self, rpm: ArrayLike) -> Values:
+        """Dimensionless mesh frequency of a pinion speed in rpm."""
+        return self.omega_from_pinion_speed(np.asarray(rpm, float) / (30.0 / pi))
+
+    def mesh_hz(self, omega: ArrayLike) -> Values:
+        """Mesh cycles per second."""
+        return np.asarray(omega, float) * (self._known("omega_n") / (2.0 * pi))
+
+    def omega_from_hz(self, hz: ArrayLike) -> Values:
+        """Dimensionless mesh frequency of mesh cycles per second."""
+        return np.asarray(hz, float) / (self._known("omega_n") / (2.0 * pi))
+
+    def time_s(self, tau: ArrayLike) -> Values:
+        """Time in s."""
+        return np.asarray(tau, float) / self._known("omega_n")
+
+    def tau_from_s(self, seconds: ArrayLike) -> Values:
+        """Dimensionless time of a time in s."""
+        return np.asarray(seconds, float) * self._known("omega_n")
+
+    def length_m(self, displacement: ArrayLike) -> Values:
+        """Any displacement or error amplitude in m."""
+        return np.asarray(displacement, float) * self._known("length")
+
+    def displacement_from_m(self, metres: ArrayLike) -> Values:
+        """Dimensionless displacement of a length in m."""
+        return np.asarray(metres, float) / self._known("length")
+
+    def length_um(self, displacement: ArrayLike) -> Values:
+        """Any displacement or error amplitude in µm."""
+        return self.length_m(displacement) * 1e6
+
+    def displacement_from_um(self, micrometres: ArrayLike) -> Values:
+        """Dimensionless displacement of a length in µm."""
+        return self.displacement_from_m(np.asarray(micrometres, float) / 1e6)
+
+    def backlash_m(self, half_backlash: ArrayLike) -> Values:
+        """Whole backlash b in m of D: both sides of the gap, D + D⁻."""
+        return self.length_m(half_backlash) * (1.0 + self.back_gap)
+
+    def half_backlash_from_m(self, backlash: ArrayLike) -> Values:
+        """D of a whole backlash b in m."""
+        return self.displacement_from_m(np.asarray(backlash, float) / (1.0 + self.back_gap))
+
+    def backlash_um(self, half_backlash: ArrayLike) -> Values:
+        """Whole backlash b in µm of D."""
+        return self.backlash_m(half_backlash) * 1e6
+
+    def half_backlash_from_um(self, backlash: ArrayLike) -> Values:
+        """D of a whole backlash b in µm."""
+        return self.half_backlash_from_m(np.asarray(backlash, float) / 1e6)
+
+    def velocity(self, velocity: ArrayLike) -> Values:
+        """Velocity in m/s of X′, Y′ or Z′."""
+        return np.asarray(velocity, float) * (self._known("length") * self._known("omega_n"))
+
+    def acceleration(self, acceleration: ArrayLike) -> Values:
+        """Acceleration in m/s² of X″, Y″ or Z″."""
+        return np.asarray(acceleration, float) * (self._known("length") * self._known("omega_n") ** 2)
+
+    def force_N(self, contact_force: ArrayLike) -> Values:
+        """Normal contact force F_n = k_m D_c Φ in N, positive in compression of the drive side."""
+        return np.asarray(contact_force, float) * self._force_unit
+
+    def contact_force_from_N(self, newtons: ArrayLike) -> Values:
+        """Φ of a normal contact force in N."""
+        return np.asarray(newtons, float) / self._force_unit
+
+    def torque(self, load: ArrayLike) -> Values:
+        """Pinion torque T_p = W R_p in N·m of f_m = c_t W/(k_m D_c)."""
+        return np.asarray(load, float) * self._torque_unit
+
+    def load_from_torque(self, torque: ArrayLike) -> Values:
+        """f_m of a pinion torque in N·m."""
+        return np.asarray(torque, float) / self._torque_unit
+
+    @property
+    def _speed_unit(self) -> float:
+        omega_n, teeth = self._known("omega_n"), self.teeth
+        if teeth is None:
+            raise GearlashError("no shaft speed: this case does not state the teeth of the pinion")
+        return omega_n / teeth[0]
+
+    @property
+    def _force_unit(self) -> float:
+        return self._known("mean_stiffness") * self._known("length")
+
+    @property
+    def _torque_unit(self) -> float:
+        unit = self._force_unit / self.c_t
+        if self.radii is None:
+            raise GearlashError("no torque: this case states an equivalent mass, but no radius")
+        return unit * self.radii[0]
+
+    def _known(self, name: str) -> float:
+        value = getattr(self, name)
+        if value is None:
+            raise GearlashError(f"no physical {name}: this case is given in dimensionless numbers only")
+        return value

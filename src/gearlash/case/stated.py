@@ -1,0 +1,124 @@
+"""Values as a case states them: a number in SI with the text it was written as, where it is from, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+from math import isfinite
+
+from .errors import nearest_name, shown
+from .quantity import Choice, Quantity
+from .units import NUMBER, UnitError, read
+
+
+class Provenance(StrEnum):
+    """Where a value is from. Unstated means ``given``."""
+
+    GIVEN = "given"
+    INFERRED = "inferred"
+    ASSUMED = "assumed"
+    CALIBRATED = "calibrated"
+
+
+@dataclass(frozen=True)
+class Stated:
+    """A value in SI (or the name of an option) with the text it was written as, its provenance and reason."""
+
+    value: float | str
+    text: str
+    provenance: Provenance = Provenance.GIVEN
+    reason: str = ""
+
+
+class ValueRefusedError(ValueError):
+    """A value that cannot be used; says what is expected and the nearest valid name if there is one."""
+
+    def __init__(self, expected: str, nearest: str | None = None):
+        self.expected, self.nearest = expected, nearest
+        super().__init__(expected)
+
+
+_KEYS = ("value", "provenance", "reason")
+
+
+def read_stated(raw: object, place: Quantity | Choice) -> Stated:
+    """A raw TOML value, plain or ``{value = …, provenance = …, reason = …}``. Raises `ValueRefusedError`."""
+    if not isinstance(raw, Mapping):
+        return Stated(_read(raw, place), raw if isinstance(raw, str) else str(raw))
+    for key in raw:
+        if key not in _KEYS:
+            raise ValueRefusedError(
+                f"a table of value, provenance and reason, without {key!r}", nearest_name(key, _KEYS)
+            )
+    if "value" not in raw:
+        raise ValueRefusedError(
+            'a table with a value, such as {value = …, provenance = "inferred", reason = "…"}'
+        )
+    provenance, reason = raw.get("provenance", "given"), raw.get("reason", "")
+    if provenance not in tuple(Provenance):
+        names = ", ".join(Provenance)
+        raise ValueRefusedError(
+            f"a provenance out of {names}, not {shown(provenance)}", _nearest(provenance, Provenance)
+        )
+    if not isinstance(reason, str):
+        raise ValueRefusedError(f"a reason in words, not {shown(reason)}")
+    value = raw["value"]
+    text = value if isinstance(value, str) else str(value)
+    return Stated(_read(value, place), text, Provenance(str(provenance)), reason)
+
+
+def _read(raw: object, place: Quantity | Choice) -> float | str:
+    return _choice(raw, place) if isinstance(place, Choice) else _number(raw, place)
+
+
+def _choice(raw: object, place: Choice) -> str:
+    if isinstance(raw, str) and raw in place.choices:
+        return str(raw)
+    raise ValueRefusedError(f"one of {', '.join(place.choices)}", _nearest(raw, place.choices))
+
+
+def _number(raw: object, place: Quantity) -> float:
+    if isinstance(raw, bool) or not isinstance(raw, int | float | str):
+        raise ValueRefusedError(place.expected)
+    value = _from_text(raw, place) if isinstance(raw, str) else _from_number(raw, place)
+    if place.integer and value != int(value):
+        raise ValueRefusedError(place.expected)
+    if not place.accepts(value):
+        raise ValueRefusedError(place.expected_in_range)
+    return value
+
+
+def _from_number(raw: float, place: Quantity) -> float:
+    if not place.bare:
+        raise ValueRefusedError(place.expected)
+    try:
+        value = float(raw)
+    except OverflowError:
+        raise ValueRefusedError(place.expected) from None
+    if not isfinite(value):
+        raise ValueRefusedError(f"{place.expected} (it is not finite)")
+    return value
+
+
+def _from_text(raw: str, place: Quantity) -> float:
+    try:
+        number, unit = read(raw)
+    except UnitError as error:
+        raise ValueRefusedError(f"{place.expected} ({error})") from None
+    if unit.dimension == place.dimension:
+        return _in_si(number, unit.convert(number))
+    if place.bare and unit.dimension == NUMBER and unit.ratio == 1:
+        return _in_si(number, float(number))
+    raise ValueRefusedError(place.expected)
+
+
+def _in_si(number: Fraction, value: float) -> float:
+    if not isfinite(value) or (value == 0.0) != (number == 0):
+        raise ValueRefusedError("a number that fits double precision")
+    return value
+
+
+def _nearest(raw: object, valid: Iterable[str]) -> str | None:
+    return nearest_name(raw, [str(name) for name in valid]) if isinstance(raw, str) else None
