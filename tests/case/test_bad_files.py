@@ -216,6 +216,11 @@ def test_a_missing_value_is_named_with_every_way_to_state_it(line, path, ways):
 def test_spur_bodies_may_be_stated_in_three_ways_and_are_asked_for_otherwise():
     bare = SPUR.replace('inertia = "0.00115 kg·m²"\n', "")
     assert [p.path for p in problems_of(bare)] == ["pinion.inertia", "gear.inertia"]
+    masses = bare.replace("[mesh]", 'mass = "1 kg"\n[mesh]').replace("[gear]", 'mass = "1 kg"\n[gear]')
+    assert [p.path for p in problems_of(masses)] == [
+        "pinion.inertia",
+        "gear.inertia",
+    ]  # discs of which radius?
     lumped = loads(bare.replace("[mesh]", '[mesh]\nequivalent_mass = "0.23 kg"'))
     assert lumped.family()[0].defaults == pytest.approx(loads(SPUR).family()[0].defaults)
     no_radii = SPUR.replace('base_radius = "50 mm"\n', "")

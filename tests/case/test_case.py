@@ -7,12 +7,11 @@ from math import pi
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gearlash.case import Case, CaseError, Scales, bundled, load, loads
-from gearlash.case.case import to_dimensionless
-from gearlash.case.numbers import to_physical
+from gearlash.case.numbers import to_dimensionless, to_physical
 from gearlash.case.quantities import two_way
 from gearlash.gears import helical
 from gearlash.system import GearlashError, UnknownNameError
@@ -310,6 +309,47 @@ def test_a_helical_case_in_numbers_only_is_the_article_pair(article):
     assert np.array_equal(one.matrix, other.matrix)
     assert np.array_equal(one.forcing, other.forcing)
     assert np.array_equal(one.clearances[0].g, other.clearances[0].g)
+
+
+def _text(value, unit):
+    return f"{value!r} {unit}"
+
+
+positive = st.floats(1e-15, 1e6)
+
+
+@settings(max_examples=60)
+@given(
+    stiffness=positive,
+    masses=st.tuples(positive, positive),
+    bearings=st.tuples(positive, positive, positive, positive),
+    angles=st.tuples(st.floats(0.1, 89), st.floats(-89, 89)),
+    backlash=st.floats(2e-15, 0.02),
+    projection=st.sampled_from(["pitch", "base", "article-literal"]),
+    torque=st.floats(-1e9, 1e9),
+)
+def test_any_pair_in_range_makes_a_system_values_and_json(
+    article, stiffness, masses, bearings, angles, backlash, projection, torque
+):
+    overrides = {
+        "mean_stiffness": _text(stiffness, "N/m"),
+        "pinion.mass": _text(masses[0], "kg"),
+        "gear.mass": _text(masses[1], "kg"),
+        "pinion.bearing_stiffness_y": _text(bearings[0], "N/m"),
+        "pinion.bearing_stiffness_z": _text(bearings[1], "N/m"),
+        "gear.bearing_stiffness_y": _text(bearings[2], "N/m"),
+        "gear.bearing_stiffness_z": _text(bearings[3], "N/m"),
+        "pressure_angle": _text(angles[0], "deg"),
+        "helix_angle": _text(angles[1], "deg"),
+        "backlash": _text(backlash, "m"),
+        "projection": projection,
+        "torque": _text(torque, "N m"),
+    }
+    case = article.with_overrides(overrides)
+    assert case.family()[0].system().size == 10
+    assert all(np.isfinite(v.value) for v in case.values() if isinstance(v.value, float))
+    assert Case.from_json(case.to_json()) == case
+    assert all(note.path == "mesh.mean_stiffness" for note in case.notes())
 
 
 def test_derived_numbers_say_which_assumption_they_rest_on(article):

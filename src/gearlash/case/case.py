@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 from gearlash.gears import helical, spur
 from gearlash.system import Family, GearlashError, UnknownNameError
 
+from .checks import contradictions, missing
 from .entries import Entries, Entry, collect, freeze_reference, override, place_of
 from .errors import CaseError, Problem
 from .notes import Note, notes
-from .numbers import Numbers, contradictions, missing, numbers, to_dimensionless, to_physical
+from .numbers import Numbers, numbers, to_dimensionless, to_physical
 from .quantities import Quantity, quantities, two_way
 from .read import parse, source_text
 from .scales import Scales

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cache
-from math import inf, pi
+from math import pi
 from typing import Any
 
 from gearlash.gears import Projection, YAxis
@@ -26,6 +26,8 @@ BODY = "model.body"
 REFERENCE = "model.reference_length"
 BEARINGS = ("yp", "zp", "yg", "zg")
 RIGHT_ANGLE = 0.999 * pi / 2.0
+LARGEST = 1e9
+"""Bound of dimensionless numbers without a bound of their own."""
 
 
 @cache
@@ -186,7 +188,7 @@ def _harmonic(name: str) -> str:
 
 
 def _number(
-    path: str, example: str, what: str, lower: float = -inf, upper: float = inf, **flags: Any
+    path: str, example: str, what: str, lower: float = -LARGEST, upper: float = LARGEST, **flags: Any
 ) -> Quantity:
     return Quantity(path, NUMBER, "", example, what, lower, upper, bare=True, **flags)
 

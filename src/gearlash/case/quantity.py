@@ -7,6 +7,8 @@ from math import inf
 
 from .units import NAMES, Dimension, unit
 
+_LEAST = 1e-15
+
 
 @dataclass(frozen=True)
 class Quantity:
@@ -14,8 +16,9 @@ class Quantity:
 
     ``unit`` is the unit it is shown in, ``example`` a value as one would type it. ``bare`` says that a number
     without unit is taken too, in ``unit``: plain numbers, and angles in rad of dimensionless cases. The range
-    (SI) is closed at ``upper``, and at ``lower`` unless ``above``. ``key`` is shared by all the places that
-    name one quantity.
+    (SI) is closed at ``upper``, and at ``lower`` unless ``above``: then values must exceed ``lower`` by at
+    least 1e-15, so that nothing computed from them overflows. ``key`` is shared by all the places that name
+    one quantity.
     """
 
     path: str
@@ -32,7 +35,7 @@ class Quantity:
 
     def accepts(self, value: float) -> bool:
         """Is the value (SI) in range?"""
-        return (self.lower < value if self.above else self.lower <= value) and value <= self.upper
+        return self.lower + (_LEAST if self.above else 0.0) <= value <= self.upper
 
     @property
     def expected(self) -> str:

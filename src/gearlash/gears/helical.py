@@ -98,7 +98,7 @@ def natural_frequencies(pair: HelicalPair, rotation_factor: float | None = None)
     c_t = np.sqrt(pair.rotation_factor if rotation_factor is None else rotation_factor)
     mesh = np.append(pair.bearing_directions, c_t) * roots
     stiffness = np.diag(np.append(np.square(pair.bearing_frequencies), 0.0)) + np.outer(mesh, mesh)
-    return np.sqrt(np.linalg.eigvalsh(stiffness))
+    return np.sqrt(np.maximum(np.linalg.eigvalsh(stiffness), 0.0))  # rounding may go below zero
 
 
 def _matrix(pair: HelicalPair, damping: NDArray[np.float64]) -> NDArray[np.float64]:
