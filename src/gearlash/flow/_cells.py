@@ -25,7 +25,7 @@ UNIT_ROUNDING = 2.0**-53
 
 
 @inner
-def _column(matrix, gain, read, eta, kind, source, duration, zc, xc):
+def _column(starts, columns, entries, gain, read, eta, kind, source, duration, zc, xc):
     """Taylor coefficients of one column. xc becomes X (without the edge), the force sees X - edge."""
     n = len(gain)
     for j in range(ORDER + 1):
@@ -42,26 +42,25 @@ def _column(matrix, gain, read, eta, kind, source, duration, zc, xc):
             push += eta[j - i] * xc[i]
         if kind == EDGE:
             push -= eta[j]
+        scale = duration / (j + 1)
         for i in range(n):
-            zc[j + 1, i] = gain[i] * push
+            rate = gain[i] * push
+            for e in range(starts[i], starts[i + 1]):
+                rate += entries[e] * zc[j, columns[e]]
+            zc[j + 1, i] = rate * scale
         if kind >= 0:
-            zc[j + 1, kind] += source[j]
-        for k in range(n):
-            for i in range(n):
-                zc[j + 1, i] += matrix[k, i] * zc[j, k]
-        for i in range(n):
-            zc[j + 1, i] *= duration / (j + 1)
+            zc[j + 1, kind] += source[j] * scale
 
 
 @inner
-def _growth(matrix, gain, read, stiffness, width):
+def _growth(starts, entries, gain, read, stiffness, width):
     """Norms for the majorant: [‖M‖∞, ‖g‖∞, ‖h‖₁, η̂_0, η̂_1, ...] with η̂_j ≥ |Taylor coefficient j of η|."""
     n = len(gain)
     out = np.zeros(3 + ORDER + TAIL + 1)
     for i in range(n):
         row = 0.0
-        for k in range(n):
-            row += abs(matrix[k, i])
+        for e in range(starts[i], starts[i + 1]):
+            row += abs(entries[e])
         out[0] = max(out[0], row)
         out[1] = max(out[1], abs(gain[i]))
         out[2] += abs(read[i])
@@ -114,14 +113,14 @@ def _remainder(growth, duration, read, zc, forced, kind, rate):
 
 @kernel(
     types.void(
-        MATRIX, FLOATS, FLOATS, FLOATS, _UNITS, float64, float64, _CUBE, _CUBE, _CUBE, MATRIX
+        INTS, INTS, FLOATS, FLOATS, FLOATS, FLOATS, _UNITS, float64, float64, _CUBE, _CUBE, _CUBE, MATRIX
     )
 )
-def unit_responses(matrix, gain, read, stiffness, units, omega, duration, maps, forced, gap, tails):
+def unit_responses(starts, columns, entries, gain, read, stiffness, units, omega, duration, maps, forced, gap, tails):
     """Fills maps (N, n, n: [cell, column, row]), forced (N, units, n), gap (N, n + units, ORDER+1: Taylor
     coefficients of X) and tails (2, n + units: remainder of the state, of X; largest over the cells).
 
-    `matrix` (n, n) is transposed; `units` (units, 2) holds (kind, slot of the Fourier series).
+    starts (n+1), columns and entries hold the matrix by rows, without its zeros; `units` (units, 2) holds (kind, slot of the Fourier series).
     """
     n, cells = len(gain), maps.shape[0]
     width = omega * duration
@@ -130,7 +129,7 @@ def unit_responses(matrix, gain, read, stiffness, units, omega, duration, maps, 
     for u in range(len(units)):
         slots = max(slots, units[u, 1])
     one = np.zeros(2 * (slots // 2 + 1) + 1)
-    growth = _growth(matrix, gain, read, stiffness, width)
+    growth = _growth(starts, entries, gain, read, stiffness, width)
     fill(tails[0], 0.0)
     fill(tails[1], 0.0)
     for cell in range(cells):
@@ -151,7 +150,7 @@ def unit_responses(matrix, gain, read, stiffness, units, omega, duration, maps, 
                     source[0] = 1.0
                 else:
                     fourier_taylor(one, theta, width, source)
-            _column(matrix, gain, read, eta, kind, source, duration, zc, xc)
+            _column(starts, columns, entries, gain, read, eta, kind, source, duration, zc, xc)
             for j in range(ORDER + 1):
                 gap[cell, c, j] = xc[j]
             out = maps[cell, c] if c < n else forced[cell, c - n]

@@ -55,12 +55,13 @@ def expand_state(t: Tables, region, theta, duration, z, zc, xc, eta, work):
     fourier_taylor(t.offset, theta, width, work[0])
     for f in range(len(t.rows)):
         fourier_taylor(t.forcing[f], theta, width, work[1 + f])
-    matrix = t.matrix[region]
+    starts, columns, entries, gain = t.starts, t.columns, t.entries, t.gain
+    reads, read = t.reads, t.read
     copy(z, zc[0])
     for j in range(ORDER + 1):
         x = -work[0, j]
-        for i in range(n):
-            x += t.read[i] * zc[j, i]
+        for m in range(len(reads)):
+            x += read[m] * zc[j, reads[m]]
         if j == 0:
             x -= t.edge[region]
         xc[j] = x
@@ -71,15 +72,12 @@ def expand_state(t: Tables, region, theta, duration, z, zc, xc, eta, work):
             push += eta[i] * xc[j - i]
         scale = duration / (j + 1)
         for i in range(n):
-            zc[j + 1, i] = t.gain[i] * push
+            rate = gain[i] * push
+            for e in range(starts[i], starts[i + 1]):
+                rate += entries[region, e] * zc[j, columns[e]]
+            zc[j + 1, i] = rate * scale
         for f in range(len(t.rows)):
-            zc[j + 1, t.rows[f]] += work[1 + f, j]
-        for k in range(n):
-            zk = zc[j, k]
-            for i in range(n):
-                zc[j + 1, i] += matrix[k, i] * zk
-        for i in range(n):
-            zc[j + 1, i] *= scale
+            zc[j + 1, t.rows[f]] += work[1 + f, j] * scale
 
 
 @inner
@@ -87,26 +85,23 @@ def advance_tangents(t: Tables, region, theta, duration, tangents, eta, vc, wc):
     """Carries tangent vectors (m, n) over `duration` from `theta` in one region, in place."""
     n = tangents.shape[1]
     fourier_taylor(t.stiffness[region], theta, t.scalars[0] * duration, eta)
-    matrix = t.matrix[region]
+    starts, columns, entries, gain = t.starts, t.columns, t.entries, t.gain
     for m in range(tangents.shape[0]):
         copy(tangents[m], vc[0])
         for j in range(ORDER):
             w = 0.0
-            for i in range(n):
-                w += t.read[i] * vc[j, i]
+            for i in range(len(t.reads)):
+                w += t.read[i] * vc[j, t.reads[i]]
             wc[j] = w
             push = 0.0
             for i in range(j + 1):
                 push += eta[i] * wc[j - i]
-            for i in range(n):
-                vc[j + 1, i] = t.gain[i] * push
-            for k in range(n):
-                vk = vc[j, k]
-                for i in range(n):
-                    vc[j + 1, i] += matrix[k, i] * vk
             scale = duration / (j + 1)
             for i in range(n):
-                vc[j + 1, i] *= scale
+                rate = gain[i] * push
+                for e in range(starts[i], starts[i + 1]):
+                    rate += entries[region, e] * vc[j, columns[e]]
+                vc[j + 1, i] = rate * scale
         horner(vc, 1.0, tangents[m])
 
 

@@ -22,9 +22,12 @@ class Tables(NamedTuple):
     """One system as the kernels see it: its equations, and its cell maps. All arrays are read-only."""
 
     scalars: Array  # (3): ω, cell duration in τ, cell width in θ
-    matrix: Array  # (3, n, n): M + damping, transposed: [region, column, row]
+    starts: NDArray[np.int64]  # (n+1): where each row begins among the entries of M + damping
+    columns: NDArray[np.int64]  # (entries): column of each
+    entries: Array  # (3, entries): M + damping, per region, what is zero in all regions left out
     gain: Array  # (n): g
-    read: Array  # (n): h
+    reads: NDArray[np.int64]  # (m): where h is not zero
+    read: Array  # (m): h there
     edge: Array  # (3): Φ = η (X - edge): +D⁺, 0, -D⁻
     gaps: Array  # (2): D⁺, D⁻
     stiffness: Array  # (3, 2K+1): η per region
@@ -40,6 +43,8 @@ class Tables(NamedTuple):
     tail: Array  # (3, n+1): bound on the Taylor remainder of X, per |z_j| and constant
 
 
+INTEGER = ("starts", "columns", "reads", "rows")
+
 if TYPE_CHECKING:
     TABLES: object
     FLOATS: object
@@ -49,13 +54,13 @@ else:
     import numba
     from numba import types
 
-    _DIMENSIONS = (1, 3, 1, 1, 1, 1, 2, 2, 1, 1, 3, 4, 3, 4, 3, 3, 2)
+    _DIMENSIONS = (1, 1, 1, 2, 1, 1, 1, 1, 1, 2, 2, 1, 1, 3, 4, 3, 4, 3, 3, 2)
 
     def _sample() -> Tables:
         """Empty tables: numba matches a NamedTuple reliably only by the type of an instance."""
         arrays = []
         for name, dimensions in zip(Tables._fields, _DIMENSIONS, strict=True):
-            array = np.zeros((1,) * dimensions, dtype=np.int64 if name == "rows" else np.float64)
+            array = np.zeros((1,) * dimensions, dtype=np.int64 if name in INTEGER else np.float64)
             array.setflags(write=False)
             arrays.append(array)
         return Tables(*arrays)

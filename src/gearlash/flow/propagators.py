@@ -37,6 +37,11 @@ class Propagators:
         return self.tables.maps.shape[1]
 
     @property
+    def trace(self) -> float:
+        """Trace of the field; stiffness does not enter it, because h·g = 0."""
+        return float(np.trace(_matrix(self.system, self.system.clearances[0])))
+
+    @property
     def cells_per_cycle(self) -> float:
         return self.cells / self.system.cycles
 
@@ -142,8 +147,10 @@ def _unit_responses(system: System, clearance: Clearance, matrix: Array, series:
     maps, forced = np.empty((cells, n, n)), np.empty((cells, count, n))
     gap, tails = np.empty((cells, n + count, ORDER + 1)), np.empty((2, n + count))
     rate = system.omega / system.cycles
-    floats = (np.ascontiguousarray(a, dtype=np.float64) for a in (matrix.T, clearance.g, clearance.h, series))
-    unit_responses(*floats, units, rate, system.period / cells, maps, forced, gap, tails)
+    starts, columns = _pattern(matrix)
+    entries = matrix[_rows_of(starts), columns]
+    floats = (np.ascontiguousarray(a, dtype=np.float64) for a in (entries, clearance.g, clearance.h, series))
+    unit_responses(starts, columns, *floats, units, rate, system.period / cells, maps, forced, gap, tails)
     return maps, forced, gap, tails
 
 
@@ -162,13 +169,18 @@ def _tables(system: System, clearance: Clearance, units: Array, responses: tuple
             amplitudes, forced, gap, tails, to_check,
             shift[region], check[region], slack[region], bend[region], tail[region],
         )  # fmt: skip
-    matrix = _matrix(system, clearance).T
+    matrix = _matrix(system, clearance)
+    starts, columns = _pattern(matrix)
+    reads = np.flatnonzero(clearance.h)
     rate = system.omega / system.cycles
     tables = Tables(
         scalars=np.array([rate, system.period / cells, 2 * pi / cells]),
-        matrix=np.stack([matrix] * 3),
+        starts=starts,
+        columns=columns,
+        entries=np.stack([matrix[_rows_of(starts), columns]] * 3),
         gain=clearance.g,
-        read=clearance.h,
+        reads=reads,
+        read=clearance.h[reads],
         edge=edge,
         gaps=np.array([clearance.gap_plus, clearance.gap_minus], dtype=np.float64),
         stiffness=_stacked(_stiffness(clearance)),
@@ -184,6 +196,17 @@ def _tables(system: System, clearance: Clearance, units: Array, responses: tuple
         tail=tail,
     )
     return Tables(*(_read_only(a) for a in tables))
+
+
+def _pattern(matrix: Array) -> tuple[Array, Array]:
+    """Where a matrix is not zero, by rows: starts (n+1) and columns (entries)."""
+    rows, columns = np.nonzero(matrix)
+    starts = np.searchsorted(rows, np.arange(len(matrix) + 1))
+    return starts.astype(np.int64), columns.astype(np.int64)
+
+
+def _rows_of(starts: Array) -> Array:
+    return np.repeat(np.arange(len(starts) - 1), np.diff(starts))
 
 
 def _amplitudes(units: Array, forcing: Array, offset: Array, edge: float) -> Array:

@@ -51,10 +51,5 @@ def lyapunov(props: Propagators, state: ArrayLike, periods: int, count: int | No
     values = table.mean(axis=0)
     errors = STUDENT * table.std(axis=0, ddof=1) / np.sqrt(len(table)) if len(table) > 1 else np.full(count, np.inf)
     order = np.argsort(-values, kind="stable")
-    defect = float(values.sum() - mean_trace(props)) if count == n else np.nan
+    defect = float(values.sum() - props.trace) if count == n else np.nan
     return Exponents(values[order], errors[order], each * BATCHES, defect, z, status)
-
-
-def mean_trace(props: Propagators) -> float:
-    """Trace of the field. Stiffness does not enter (h·g = 0), so under the rule `always` it is one number."""
-    return float(np.trace(props.tables.matrix[0]))

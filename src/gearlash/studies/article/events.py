@@ -1,0 +1,247 @@
+"""The article's events: the nearest computed transition with the same labels, or what is there instead."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearlash.branches import CODIMENSION_TWO, BifurcationPoint, GrazingPoint
+from gearlash.flow import propagators
+from gearlash.orbits import Orbit, Settings, attractor, shoot
+from gearlash.results import Direction
+from gearlash.system import Family
+
+from ..motion import Motion, motion, touching
+from ..transitions import DOUBLING, GRAZING, Transition
+from .claims import Claim
+from .judge import FAR, NOT_FOUND, deviation, same_label, verdict
+from .reproduction import NAN, Event
+
+Found = tuple[Transition, tuple[Direction, ...]]
+BESIDE = 0.008  # relative distance of the pictures before and after; halved until the labels are those of the event
+SETTINGS = Settings(budget=6_000)
+ZERO = 1e-3  # |λ ± 1|, |X ∓ D| and |X'| below which a condition counts as met
+
+
+def match(claim: Claim, found: Sequence[Found]) -> Found | None:
+    """The computed grazing with the claim's boundary and labels that lies nearest to its value, within 10 %; for a
+    co-dimension-2 claim it must be one."""
+    near = [pair for pair in found if _fits(claim, pair[0])]
+    return min(near, key=lambda pair: abs(pair[0].value - _value(claim)), default=None)
+
+
+def _value(claim: Claim) -> float:
+    assert claim.value is not None
+    return claim.value
+
+
+def _fits(claim: Claim, transition: Transition) -> bool:
+    point = transition.point
+    if not isinstance(point, GrazingPoint) or point.boundary != claim.boundary:
+        return False
+    if claim.kind == "codimension-2" and point.type != CODIMENSION_TWO:
+        return False
+    labels = (transition.label_below, transition.label_above)
+    orders = [labels, labels[::-1]] if claim.either_order else [labels]
+    equal = any(same_label(a, claim.below) and same_label(b, claim.above) for a, b in orders)
+    return equal and abs(deviation(transition.value, _value(claim))) <= FAR
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What an event is computed from."""
+
+    family: Family
+    values: dict[str, float]
+    found: Sequence[Found]
+
+    def event(self, claim: Claim) -> Event:
+        """The claim's event, found or not."""
+        pair = match(claim, self.found)
+        return self.solved(claim, *pair) if pair is not None else self.missing(claim)
+
+    def solved(self, claim: Claim, transition: Transition, directions: tuple[Direction, ...]) -> Event:
+        point = transition.point
+        assert isinstance(point, GrazingPoint)
+        apart = deviation(point.value, _value(claim))
+        before, after = (self.beside(claim, point, side) for side in (-1, 1))
+        at = touching(self.family, point)
+        return Event(
+            **_reported(claim),
+            found=True,
+            value=point.value,
+            deviation=apart,
+            label_below=transition.label_below,
+            label_above=transition.label_above,
+            kind=point.kind,
+            boundary=point.boundary,
+            a0=point.a0,
+            phase=point.phase,
+            type=point.type,
+            leading_below=before.leading,
+            leading_above=after.leading,
+            exponent=point.exponent,
+            distance_to_fold=point.to_fold,
+            distance_to_doubling=point.to_doubling,
+            conditions=_conditions(point, at),
+            residual=point.residual,
+            method="solved together with orbit and time of the touch (Newton, one-sided system)",
+            branch=_branch(directions),
+            verdict=verdict([apart], labels_equal=True),
+            note="",
+            motions=(before, at, after),
+        )
+
+    def beside(self, claim: Claim, point: GrazingPoint, side: int) -> Motion:
+        """The orbit at a distance from the grazing at which it still has the label of that side."""
+        wanted = point.label_below if side < 0 else point.label_above
+        distance = BESIDE
+        for _ in range(14):
+            value = point.value * (1.0 + side * distance)
+            orbit = self.orbit_at(claim.parameter, value, point.state_zero, point.period)
+            if orbit is not None and orbit.label == wanted and orbit.stable:
+                break
+            distance /= 2.0
+        else:
+            raise ValueError(f"no orbit {wanted} beside {claim.parameter} = {point.value}")
+        return motion(orbit, value=value)
+
+    def orbit_at(self, name: str, value: float, state, period: int) -> Orbit | None:
+        props = propagators(self.family.system({**self.values, name: value}))
+        shot = shoot(props, state, max(1, period // props.system.cycles))
+        return Orbit(props, shot, 0, shot.status, "") if shot.status.ok else None
+
+    def missing(self, claim: Claim) -> Event:
+        """The motions at and beside the reported value, and the nearest computed events."""
+        step = 0.01 * _value(claim)
+        motions = tuple(self.cold(claim.parameter, _value(claim) + d) for d in (-step, 0.0, step))
+        return Event(
+            **_reported(claim),
+            found=False,
+            value=NAN,
+            deviation=NAN,
+            label_below=motions[0].label,
+            label_above=motions[2].label,
+            kind="",
+            boundary=claim.boundary,
+            a0=NAN,
+            phase=NAN,
+            type="",
+            leading_below=complex(NAN, NAN),
+            leading_above=complex(NAN, NAN),
+            exponent=NAN,
+            distance_to_fold=NAN,
+            distance_to_doubling=NAN,
+            conditions=(),
+            residual=NAN,
+            method="searched among all transitions located along the up, down and cold sweeps",
+            branch="up, down and cold sweeps; pictures from the cold start at and 1 % beside the reported value",
+            verdict=NOT_FOUND,
+            note=instead(claim, self.found),
+            motions=motions,
+        )
+
+    def cold(self, name: str, value: float) -> Motion:
+        values = {**self.values, name: value}
+        found = attractor(self.family.system(values), self.family.start(values), SETTINGS)
+        return motion(found, value=value)
+
+
+def _reported(claim: Claim) -> dict:
+    return {
+        "name": f"{claim.parameter}-{claim.printed}",
+        "title": claim.title,
+        "claim": claim.id,
+        "parameter": claim.parameter,
+        "fixed": dict(claim.fixed),
+        "reported": _value(claim),
+        "digits": claim.printed,
+        "reported_before": claim.below,
+        "reported_after": claim.above,
+    }
+
+
+def _conditions(point: GrazingPoint, at: Motion) -> tuple[tuple[str, float, bool], ...]:
+    """The article's four conditions with their values at the computed point."""
+    assert at.touch is not None
+    gap = at.gap_plus if point.boundary > 0 else -at.gap_minus
+    distance = at.touch.displacement - gap
+    return (
+        ("H(X*) = X ∓ D = 0: the orbit meets the boundary", distance, abs(distance) <= 1e-9),
+        ("|∂H/∂X| ≠ 0: the boundary is smooth", 1.0, True),
+        ("∂H/∂X · F = X′ = 0: no normal velocity", at.touch.velocity, abs(at.touch.velocity) <= 1e-7),
+        ("a0 = X″ ≠ 0; its sign names the side", point.a0, abs(point.a0) > ZERO),
+    )
+
+
+def _branch(directions: tuple[Direction, ...]) -> str:
+    words = {
+        Direction.UP: "up sweep (follows the attractor, rising)",
+        Direction.DOWN: "down sweep (follows the attractor, falling)",
+        Direction.COLD: "cold start at every value",
+    }
+    return "met in: " + "; ".join(words[d] for d in directions)
+
+
+def instead(claim: Claim, found: Sequence[Found]) -> str:
+    """What was located instead: the nearest transitions that touch either reported label, and for a coincidence, how
+    far grazing and doubling lie apart."""
+    labels = [text for text in (claim.below, claim.above) if text]
+    related = [
+        t for t, _ in found
+        if any(same_label(side, text) for side in (t.label_below, t.label_above) for text in labels)
+    ]  # fmt: skip
+    if not related:
+        return f"No motion {' or '.join(labels)} changes into another one anywhere in the sweeps."
+    related.sort(key=lambda t: abs(t.value - _value(claim)))
+    parts = [describe(t) for t in related[:3]]
+    text = "Nearest located changes of the reported motions: " + "; ".join(parts) + "."
+    if claim.kind == "codimension-2":
+        text += _coincidence(found, related)
+    return text
+
+
+def _coincidence(found: Sequence[Found], related: Sequence[Transition]) -> str:
+    """The closest pair of a back-side grazing and a doubling that share a motion, one of them of a reported label."""
+    grazes = [t for t, _ in found if t.kind == GRAZING and isinstance(t.point, GrazingPoint) and t.point.boundary < 0]
+    doublings = [t for t, _ in found if t.kind == DOUBLING]
+    pairs = [
+        (abs(g.value - d.value), g, d)
+        for g in grazes
+        for d in doublings
+        if {g.label_below, g.label_above} & {d.label_below, d.label_above} and (g in related or d in related)
+    ]
+    if not pairs:
+        return ""
+    apart, graze, double = min(pairs, key=lambda pair: pair[0])
+    assert isinstance(graze.point, GrazingPoint)
+    return (
+        f" Grazing and doubling do not coincide here: the closest pair is {apart / graze.value:.2%} apart "
+        f"(grazing at {graze.value:.6f}, least |λ+1| = {graze.point.to_doubling:.3f} there; "
+        f"doubling at {double.value:.6f})."
+    )
+
+
+def describe(transition: Transition) -> str:
+    """One transition in words."""
+    symbol = {"omega": "ω"}.get(transition.name, transition.name)
+    return (
+        f"{transition.kind} at {symbol} = {transition.value:.6f} "
+        f"({_short(transition.label_below)} → {_short(transition.label_above)})"
+    )
+
+
+def _short(label: str) -> str:
+    return label[:-2] if label.endswith("-0") and label.count("-") == 2 else label
+
+
+def exponent_at(transition: Transition) -> float:
+    """Largest exponent of the orbit at a located point; at a doubling or fold it is zero but for rounding."""
+    point = transition.point
+    if isinstance(point, GrazingPoint):
+        return point.exponent
+    if isinstance(point, BifurcationPoint):
+        return float(np.log(np.abs(point.multipliers[0])))
+    return NAN

@@ -1,0 +1,30 @@
+"""Verdicts: a pure comparison of what the article reports with what was computed."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from gearlash.orbits import Signature
+
+REPRODUCED, SHIFTED, NOT_FOUND = "reproduced", "shifted", "not found"
+CLOSE, FAR = 0.005, 0.10  # relative deviations: reproduced up to the first, shifted up to the second
+
+
+def deviation(computed: float, reported: float) -> float:
+    """Relative deviation of the computed from the reported value."""
+    return (computed - reported) / reported
+
+
+def verdict(deviations: list[float], labels_equal: bool) -> str:
+    """``reproduced``: labels equal and every deviation within 0.5 %; ``shifted``: within 10 %; else ``not found``."""
+    if not labels_equal or not deviations or not all(isfinite(d) for d in deviations):
+        return NOT_FOUND
+    worst = max(abs(d) for d in deviations)
+    return REPRODUCED if worst <= CLOSE else SHIFTED if worst <= FAR else NOT_FOUND
+
+
+def same_label(computed: str, reported: str) -> bool:
+    """Whether two labels mean the same signature: "1-1-0" is "1-1"."""
+    if not computed or not reported or not computed[0].isdigit():
+        return False
+    return Signature.parse(computed) == Signature.parse(reported)

@@ -1,0 +1,68 @@
+"""The sweeps behind the study: every direction of a parameter, with what changes along it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from concurrent.futures import Executor
+from dataclasses import dataclass
+
+from gearlash.case import Case
+from gearlash.jobs import ProgressCallback
+from gearlash.orbits import Settings
+from gearlash.results import Axis, Direction, Sweep
+
+from ..sweep import sweeps
+from ..transitions import Transition, transitions
+
+SETTINGS = Settings(budget=6_000)  # base periods of one transient; what needs more is flagged, not guessed
+
+
+@dataclass(frozen=True, eq=False)
+class Row:
+    """One direction of one parameter: its sweep and the transitions along it."""
+
+    sweep: Sweep
+    transitions: tuple[Transition, ...]
+
+    @property
+    def direction(self) -> Direction:
+        return self.sweep.direction
+
+
+def rows(
+    case: Case, axis: Axis, fixed: Mapping[str, float], executor: Executor, progress: ProgressCallback | None = None
+) -> tuple[Row, ...]:
+    """Sweeps cold, up and down, and what changes along each, on the executor's workers."""
+    done = sweeps(case, axis, fixed=fixed, settings=SETTINGS, executor=executor, progress=progress)
+    found = [executor.submit(locate, case.to_json(), each) for each in done]
+    return tuple(Row(each, future.result()) for each, future in zip(done, found, strict=True))
+
+
+def locate(case_json: str, done: Sweep) -> tuple[Transition, ...]:
+    """The transitions along one sweep (a task for a worker)."""
+    family, _ = Case.from_json(case_json).family()
+    points = [point for point in done.points if point.computed]
+    return transitions(family, done.fixed, done.axis.name, points, rising=done.direction is not Direction.DOWN)
+
+
+def distinct(rows: tuple[Row, ...]) -> list[tuple[Transition, tuple[Direction, ...]]]:
+    """Solved transitions of all rows, each once, with the directions it was met in, by rising value."""
+    found: list[tuple[Transition, list[Direction]]] = []
+    for row in rows:
+        for transition in row.transitions:
+            if transition.point is None:
+                continue
+            for other, directions in found:
+                if _same(transition, other):
+                    if row.direction not in directions:
+                        directions.append(row.direction)
+                    break
+            else:
+                found.append((transition, [row.direction]))
+    found.sort(key=lambda pair: pair[0].value)
+    return [(transition, tuple(directions)) for transition, directions in found]
+
+
+def _same(one: Transition, two: Transition) -> bool:
+    close = abs(one.value - two.value) <= 1e-8 * abs(one.value)
+    return close and (one.kind, one.label_below, one.label_above) == (two.kind, two.label_below, two.label_above)
