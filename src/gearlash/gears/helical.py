@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,8 +24,9 @@ from .spur import reject_unknown
 STATES = ("Y_p", "Y_p'", "Z_p", "Z_p'", "Y_g", "Y_g'", "Z_g", "Z_g'", "X", "X'")
 BEARINGS = ("yp", "zp", "yg", "zg")
 """The four bearing directions, in the order of the states."""
-SPEEDS = (1, 3, 5, 7)
+SPEEDS = np.array([1, 3, 5, 7])
 """Indices of Y_p′, Z_p′, Y_g′, Z_g′."""
+_EACH_DAMPING = tuple(f"bearing_damping_{b}" for b in BEARINGS)
 
 
 @dataclass(frozen=True)
@@ -42,13 +44,13 @@ class HelicalPair:
     bearing_frequencies: tuple[float, float, float, float]
     contact: ContactRule = ContactRule.ALWAYS
 
-    @property
+    @cached_property
     def bearing_gains(self) -> NDArray[np.float64]:
         """Acceleration of Y_p, Z_p, Y_g, Z_g per unit of Φ, shape (4,)."""
         directions = np.array([-self.y_factor, -self.z_factor, self.y_factor, self.z_factor])
         return directions * np.repeat(self.mass_ratios, 2)
 
-    @property
+    @cached_property
     def bearing_directions(self) -> NDArray[np.float64]:
         """How Y_p, Z_p, Y_g, Z_g enter X, shape (4,)."""
         return np.array([self.y_factor, self.z_factor, -self.y_factor, -self.z_factor])
@@ -72,13 +74,15 @@ def family(pair: HelicalPair, defaults: Mapping[str, float]) -> Family:
     orders = harmonic_count(defaults, "ripple"), harmonic_count(defaults, "error")
     h = np.zeros(10)
     h[8] = 1.0
+    undamped = _undamped(pair)
 
     def build(values: Mapping[str, float]) -> System:
         forcing = np.zeros((10, 2 * orders[1] + 1))
         forcing[9] = acceleration_forcing(values, orders[1])
         g = _force_direction(pair, values["rotation_factor"])
         clearance = mesh_clearance(values, h, g, orders[0], pair.contact)
-        matrix = _matrix(pair, _bearing_damping(values, damping))
+        rates = -2.0 * _bearing_damping(values, damping) * pair.bearing_frequencies
+        matrix = _with_bearings(undamped, pair, SPEEDS, rates)
         return System(values["omega"], matrix, forcing, (clearance,))
 
     def initial(values: Mapping[str, float]) -> NDArray[np.float64]:
@@ -101,23 +105,28 @@ def natural_frequencies(pair: HelicalPair, rotation_factor: float | None = None)
     return np.sqrt(np.maximum(np.linalg.eigvalsh(stiffness), 0.0))  # rounding may go below zero
 
 
-def _matrix(pair: HelicalPair, damping: NDArray[np.float64]) -> NDArray[np.float64]:
-    """M without Φ; the row of X′ holds the bearing accelerations that X feels (shape (10, 10))."""
+def _undamped(pair: HelicalPair) -> NDArray[np.float64]:
+    """M without Φ and without bearing damping, shape (10, 10)."""
     matrix = np.zeros((10, 10))
     matrix[8, 9] = 1.0
-    kappa = np.array(pair.bearing_frequencies)
-    for i, row in enumerate(SPEEDS):
-        matrix[row - 1, row] = 1.0
-        matrix[row, row - 1] = -(kappa[i] ** 2)
-        matrix[row, row] = -2.0 * damping[i] * kappa[i]
-    matrix[9] = pair.bearing_directions @ matrix[list(SPEEDS)]
-    return matrix
+    matrix[SPEEDS - 1, SPEEDS] = 1.0
+    return _with_bearings(matrix, pair, SPEEDS - 1, -np.square(pair.bearing_frequencies))
+
+
+def _with_bearings(
+    matrix: NDArray[np.float64], pair: HelicalPair, columns: NDArray[np.intp], rates: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """A copy in which the bearing accelerations are these rates times these states; X feels them too."""
+    result = matrix.copy()
+    result[SPEEDS, columns] = rates
+    result[9, columns] = pair.bearing_directions * rates
+    return result
 
 
 def _force_direction(pair: HelicalPair, rotation_factor: float) -> NDArray[np.float64]:
     """g: what one unit of Φ adds to z′, shape (10,)."""
     g = np.zeros(10)
-    g[list(SPEEDS)] = pair.bearing_gains
+    g[SPEEDS] = pair.bearing_gains
     g[9] = pair.bearing_directions @ pair.bearing_gains - rotation_factor
     return g
 
@@ -140,7 +149,7 @@ def _damping_parameters(defaults: Mapping[str, float]) -> tuple[Parameter, ...]:
 def _bearing_damping(values: Mapping[str, float], parameters: tuple[Parameter, ...]) -> NDArray[np.float64]:
     """ξ of the four directions. The common ratio and a single one may not both leave their defaults."""
     default = {p.name: p.default for p in parameters}
-    each = {f"bearing_damping_{b}": values[f"bearing_damping_{b}"] for b in BEARINGS}
+    each = {name: values[name] for name in _EACH_DAMPING}
     moved = [name for name, value in each.items() if value != default[name]]
     common = values.get("bearing_damping", default.get("bearing_damping", 0.0))
     if common == default.get("bearing_damping", 0.0):
