@@ -1,0 +1,38 @@
+"""Whether two points show the same attractor."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .point import Point
+from .sweep import Sweep
+
+CLOSE = (
+    1e-6  # of the size of the motion: far above the error of a proved orbit, far below two orbits' distance
+)
+
+
+def same_motion(one: Point, other: Point) -> bool:
+    """The same attractor, as far as labels and σ_t show. Orbits are compared as sets (a shift by base periods
+    is no difference); two aperiodic motions count as one. A point without a motion differs from none.
+    """
+    if not (one.computed and other.computed):
+        return True
+    if one.label != other.label:
+        return False
+    if not one.periodic:
+        return True
+    size = max(one.maximum - one.minimum, other.maximum - other.minimum, 1e-3)
+    a, b = np.sort(one.strobes), np.sort(other.strobes)
+    return len(a) == len(b) and bool(np.abs(a - b).max(initial=0.0) <= CLOSE * size)
+
+
+def coexisting(sweeps: Sequence[Sweep]) -> NDArray[np.bool_]:
+    """(m,): at which values of the common axis the sweeps found different attractors."""
+    rows = zip(*(sweep.points for sweep in sweeps), strict=True)
+    return np.array(
+        [any(not same_motion(a, b) for i, a in enumerate(row) for b in row[:i]) for row in rows], dtype=bool
+    )

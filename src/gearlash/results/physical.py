@@ -1,0 +1,42 @@
+"""Physical counterparts of dimensionless numbers, where a case has scales."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.case import Case
+from gearlash.system import Family
+
+from .axis import Axis
+
+if TYPE_CHECKING:
+    from .variables import Variable
+
+
+def physical_axis(model: Case | Family, axis: Axis) -> list[tuple[str, NDArray[np.float64], str]]:
+    """What the values of an axis mean physically: (name, values, unit) for every way to name it."""
+    if isinstance(model, Family):
+        return []
+    found = model.physical(axis.name, axis.values)
+    return [(path.rpartition(".")[2], values, unit) for path, values, unit in found if _other(path, axis)]
+
+
+def _other(path: str, axis: Axis) -> bool:
+    return path.rpartition(".")[2] != axis.name
+
+
+def physical_unit(model: Case | Family, variable: Variable) -> dict[str, Any]:
+    """Attributes that turn a dimensionless variable into a physical one: its unit and the factor."""
+    if isinstance(model, Family) or not model.scales.physical:
+        return {}
+    scales = model.scales
+    if variable.quantity == "length":
+        return {"physical_units": "um", "physical_factor": float(scales.length_um(1.0))}
+    if variable.quantity == "force":
+        return {"physical_units": "N", "physical_factor": float(scales.force_N(1.0))}
+    if variable.quantity == "rate":
+        return {"physical_units": "1/s", "physical_factor": float(scales.tau_from_s(1.0))}
+    return {}

@@ -1,0 +1,92 @@
+"""What a study keeps of one attractor."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+NOT_COMPUTED = "not-computed"
+"""Status of a point that a study did not come to: it was cancelled or interrupted."""
+FAILED = "failed"
+"""Status of a point whose system could not be built or solved; its message says why."""
+
+NAN = float("nan")
+
+
+def _nothing() -> Array:
+    return np.zeros(0)
+
+
+@dataclass(frozen=True, eq=False)
+class Point:
+    """One attractor at one value of the parameter under study: plain numbers and small arrays, all
+    dimensionless.
+
+    ``label`` is P-Q-R of a proved orbit, else aperiodic, unresolved, or empty. ``period`` (mesh cycles),
+    ``drive`` and ``back`` (impacts on either side in it) are 0 where nothing periodic was proved; ``leading``
+    is the multiplier of largest modulus. ``state`` (n,) at phase zero starts other computations. Of one
+    period, or of 200 base periods of another motion: ``strobes`` X on σ_t; force F in the sign of the article
+    (F = -Φ) and phase (mesh cycles from zero) of the impacts on either side (S2 → S1, S2 → S3) and of the
+    releases of the back side (S3 → S2, the article's literal σ_b); extremes of X, of Φ and its rms, share of
+    time without contact (0 to 1).
+    """
+
+    value: float
+    status: str
+    message: str
+    label: str = ""
+    period: int = 0
+    drive: int = 0
+    back: int = 0
+    largest_exponent: float = NAN
+    exponent_error: float = NAN
+    leading: complex = complex(NAN, NAN)
+    residual: float = NAN
+    periods_used: int = 0
+    state: Array = field(default_factory=_nothing)
+    strobes: Array = field(default_factory=_nothing)
+    drive_force: Array = field(default_factory=_nothing)
+    drive_phase: Array = field(default_factory=_nothing)
+    back_force: Array = field(default_factory=_nothing)
+    back_phase: Array = field(default_factory=_nothing)
+    back_release_force: Array = field(default_factory=_nothing)
+    back_release_phase: Array = field(default_factory=_nothing)
+    minimum: float = NAN
+    maximum: float = NAN
+    force_min: float = NAN
+    force_max: float = NAN
+    force_rms: float = NAN
+    share_without_contact: float = NAN
+
+    @property
+    def periodic(self) -> bool:
+        """A proved periodic orbit?"""
+        return self.period > 0
+
+    @property
+    def computed(self) -> bool:
+        """Is there a motion here at all, periodic or not?"""
+        return self.status not in (FAILED, NOT_COMPUTED)
+
+    @property
+    def impact_free(self) -> bool:
+        """A proved orbit without any impact?"""
+        return self.periodic and self.drive == 0 and self.back == 0
+
+    @property
+    def drive_side_only(self) -> bool:
+        """A proved orbit without an impact on the back side?"""
+        return self.periodic and self.back == 0
+
+    def at(self, value: float) -> Point:
+        """The same, with the value of the parameter."""
+        return replace(self, value=float(value))
+
+
+def blank(value: float, status: str, message: str) -> Point:
+    """A point of which nothing is known but why."""
+    return Point(float(value), status, message)

@@ -1,0 +1,69 @@
+"""Datasets on disk: NetCDF through h5netcdf. A file is there whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from gearlash.system import GearlashError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+FORMAT = "gearlash_format"
+
+
+def save(dataset: xr.Dataset, path: str | Path) -> Path:
+    """Writes a dataset beside its place, then moves it there in one step. Folders are made; an older file is
+    replaced.
+    """
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
+    os.close(handle)
+    part = Path(name)
+    try:
+        dataset.to_netcdf(part, engine="h5netcdf", encoding=_encoding(dataset))
+        with part.open("rb+") as file:
+            os.fsync(file.fileno())
+        part.chmod(0o666 & ~_umask())
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+    return path
+
+
+def load(path: str | Path) -> xr.Dataset:
+    """The dataset of a file, in memory and closed. Raises `GearlashError` for a file that `save` did not
+    write.
+    """
+    import xarray as xr
+
+    path = Path(path)
+    if not path.is_file():
+        raise GearlashError(f"{path}: no such file")
+    try:
+        dataset = xr.load_dataset(path, engine="h5netcdf")
+    except (OSError, ValueError) as error:
+        raise GearlashError(f"{path}: not a NetCDF file of gearlash ({error})") from None
+    if FORMAT not in dataset.attrs:
+        raise GearlashError(f"{path}: a NetCDF file, but not one of gearlash")
+    return dataset
+
+
+def _encoding(dataset: xr.Dataset) -> dict[str, dict[str, object]]:
+    """Padded arrays are mostly NaN: packed without loss they take little room."""
+    packed = {"zlib": True, "complevel": 4, "shuffle": True}
+    large = (name for name, array in dataset.data_vars.items() if array.dtype.kind == "f" and array.ndim > 2)
+    return {str(name): dict(packed) for name in large if np.prod(dataset[name].shape)}
+
+
+def _umask() -> int:
+    """The mask that new files of this process get; it can only be read by setting it."""
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

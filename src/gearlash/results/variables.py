@@ -1,0 +1,66 @@
+"""The variables of a sweep's dataset: what each is and how it is read from a point."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from operator import attrgetter
+from typing import Any
+
+from .point import Point
+
+
+@dataclass(frozen=True)
+class Variable:
+    """``quantity`` (length, force, rate or nothing) decides the physical unit that goes with it."""
+
+    name: str
+    long_name: str
+    read: Callable[[Point], Any]
+    dtype: str = "f8"
+    units: str = "1"
+    quantity: str = ""
+
+
+def _plain(name: str, long_name: str, dtype: str = "f8", units: str = "1", quantity: str = "") -> Variable:
+    return Variable(name, long_name, attrgetter(name), dtype, units, quantity)
+
+
+SCALARS = (
+    _plain("status", "outcome of the computation", "U"),
+    _plain("message", "what is known about the motion", "U"),
+    _plain("label", "signature P-Q-R, or aperiodic, or unresolved", "U"),
+    _plain("period", "least period P, 0 where none was proved", "i4", "mesh cycles"),
+    _plain("drive", "impacts Q on the drive side per period", "i4"),
+    _plain("back", "impacts R on the back side per period", "i4"),
+    _plain("largest_exponent", "largest Lyapunov exponent", quantity="rate"),
+    _plain("exponent_error", "half-width of its 95 % interval, 0 on periodic orbits", quantity="rate"),
+    Variable("leading_real", "multiplier of largest modulus, real part", lambda point: point.leading.real),
+    Variable(
+        "leading_imag", "multiplier of largest modulus, imaginary part", lambda point: point.leading.imag
+    ),
+    Variable("leading_modulus", "multiplier of largest modulus, modulus", lambda point: abs(point.leading)),
+    _plain("residual", "of the closed orbit, relative to max(1, |z|)"),
+    _plain("periods_used", "base periods marched", "i4", "base periods"),
+    _plain("minimum", "least X", quantity="length"),
+    _plain("maximum", "largest X", quantity="length"),
+    _plain("force_min", "least contact force Φ (negative: back side, or damping)", quantity="force"),
+    _plain("force_max", "largest contact force Φ", quantity="force"),
+    _plain("force_rms", "rms of the contact force Φ", quantity="force"),
+    _plain("share_without_contact", "share of time without contact, 0 to 1"),
+)
+
+PADDED = (
+    (_plain("state", "state at phase zero"), "state_name"),
+    (_plain("strobes", "X on σ_t", quantity="length"), "strobe"),
+    (_plain("drive_force", "F = -Φ at impacts on the drive side, σ_d", quantity="force"), "drive_hit"),
+    (_plain("drive_phase", "phase of these impacts", units="mesh cycles"), "drive_hit"),
+    (_plain("back_force", "F = -Φ at impacts on the back side", quantity="force"), "back_hit"),
+    (_plain("back_phase", "phase of these impacts", units="mesh cycles"), "back_hit"),
+    (
+        _plain("back_release_force", "F = -Φ where the back side is left (σ_b as printed)", quantity="force"),
+        "back_release",
+    ),
+    (_plain("back_release_phase", "phase where the back side is left", units="mesh cycles"), "back_release"),
+)
+"""Variables of several numbers a point, with the dimension they run along."""

@@ -1,0 +1,25 @@
+"""Studies ask for many attractors at once: points, sweeps, stable zones."""
+
+from gearlash.orbits import Settings
+from gearlash.results import Axis, Direction, Point, Sweep, coexisting, same_motion
+
+from .model import Model, prepare
+from .point import point, summary
+from .sweep import open_workers, sweep, sweeps
+
+__all__ = [
+    "Axis",
+    "Direction",
+    "Model",
+    "Point",
+    "Settings",
+    "Sweep",
+    "coexisting",
+    "open_workers",
+    "point",
+    "prepare",
+    "same_motion",
+    "summary",
+    "sweep",
+    "sweeps",
+]

@@ -1,0 +1,103 @@
+"""One attractor, and what is kept of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.linalg import LinAlgError
+from numpy.typing import ArrayLike
+
+from gearlash import flow
+from gearlash.flow import Propagators
+from gearlash.flow.events import gap_displacement
+from gearlash.orbits import Attractor, Orbit, Settings, attractor
+from gearlash.results import FAILED, Point, blank
+from gearlash.system import Family, GearlashError, Status
+
+from .forces import force_figures
+
+TRACEABLE = (Status.OK, Status.UNCERTAIN, Status.UNRESOLVED)
+NOT_A_NUMBER = float("nan")
+
+
+def point(
+    family: Family,
+    values: Mapping[str, float] | None = None,
+    *,
+    name: str | None = None,
+    start: ArrayLike | None = None,
+    trial: tuple[ArrayLike, int] | None = None,
+    settings: Settings | None = None,
+) -> Point:
+    """The attractor of one member of a family: ``values`` over its defaults, from ``start`` (n,), by default
+    the cold one.
+
+    ``name`` is the parameter whose value the point carries (nan without); ``trial`` is an orbit to try first
+    (see `orbits.attractor`). What cannot be built or solved gives a point of status `failed` with the reason.
+    """
+    found, _ = evaluate(family, dict(values or {}), name, start, trial, settings or Settings(), None)
+    return found
+
+
+def evaluate(
+    family: Family,
+    values: dict[str, float],
+    name: str | None,
+    start: ArrayLike | None,
+    trial: tuple[ArrayLike, int] | None,
+    settings: Settings,
+    reuse: Propagators | None,
+) -> tuple[Point, Propagators | None]:
+    """`point`, with the propagators it was computed with, for the next point to reuse."""
+    value = NOT_A_NUMBER
+    try:
+        values = family.complete(values)
+        value = NOT_A_NUMBER if name is None else values[name]
+        props = flow.propagators(family.build(values), reuse)
+        begin = family.initial(values) if start is None else start
+        return summary(attractor(props, begin, settings, trial), value), props
+    except (GearlashError, LinAlgError) as error:
+        value = values.get(name, value) if name is not None else value
+        return blank(value, FAILED, str(error) or type(error).__name__), reuse
+
+
+def summary(found: Attractor, value: float = NOT_A_NUMBER) -> Point:
+    """What is kept of an attractor. A motion that ran away has no sections."""
+    orbit = found if isinstance(found, Orbit) else None
+    about = {
+        "value": float(value),
+        "status": str(found.status),
+        "message": found.message,
+        "label": found.label,
+        "largest_exponent": float(found.largest_exponent),
+        "exponent_error": float(found.exponent_error),
+        "periods_used": int(found.periods_used),
+        "state": np.array(found.final_state),
+    }
+    if orbit is not None:
+        signature = orbit.signature
+        about |= {"period": signature.period, "drive": signature.drive, "back": signature.back}
+        about |= {"leading": orbit.leading, "residual": float(orbit.residual)}
+    if found.status in TRACEABLE and np.isfinite(found.final_state).all():
+        about |= _sections(found) | force_figures(found.trace)
+    return Point(**about)
+
+
+def _sections(found: Attractor) -> dict[str, np.ndarray]:
+    """σ_t, σ_d and σ_b as a point keeps them. F = -Φ."""
+    system, events, strobes = found.propagators.system, found.events, found.strobes
+    phase = np.arange(len(strobes), dtype=np.float64) * system.cycles
+    engaging = np.asarray(events.engaging, dtype=np.bool_)
+    drive = engaging & (events.boundary > 0)
+    back = engaging & (events.boundary < 0)
+    release = ~engaging & (events.boundary < 0)
+    return {
+        "strobes": gap_displacement(system, phase, strobes),
+        "drive_force": -events.force[drive],
+        "drive_phase": events.phase[drive],
+        "back_force": -events.force[back],
+        "back_phase": events.phase[back],
+        "back_release_force": -events.force[release],
+        "back_release_phase": events.phase[release],
+    }

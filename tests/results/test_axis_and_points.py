@@ -1,0 +1,82 @@
+"""Axes, and whether two points show the same attractor."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from gearlash.results import FAILED, Axis, Direction, Point, Sweep, blank, coexisting, same_motion
+from gearlash.system import GearlashError
+
+
+@pytest.mark.parametrize(
+    ("values", "text"),
+    [
+        ([], "shape"),
+        ([[1.0]], "shape"),
+        ([1.0, np.nan], "NaN"),
+        ([1.0, 1.0], "ascend"),
+        ([2.0, 1.0], "ascend"),
+    ],
+)
+def test_an_axis_must_ascend(values, text):
+    with pytest.raises(GearlashError, match=text):
+        Axis("D", np.array(values))
+
+
+def test_an_axis_is_a_copy_that_cannot_be_changed():
+    values = np.array([1.0, 2.0, 4.0])
+    axis = Axis("D", values)
+    values[0] = 9.0
+    assert axis.values.tolist() == [1.0, 2.0, 4.0]
+    assert axis.step == 2.0
+    with pytest.raises(ValueError, match="read-only"):
+        axis.values[0] = 0.0
+
+
+def test_even_values_hold_both_ends_in_either_order():
+    np.testing.assert_array_equal(Axis.even("D", (2.0, 1.0), 5).values, [1.0, 1.25, 1.5, 1.75, 2.0])
+    for ends, count in (((1.0, 1.0), 2), ((1.0, 2.0), 1), ((1.0, 2.0), 0)):
+        with pytest.raises(GearlashError, match="two different ends"):
+            Axis.even("D", ends, count)
+
+
+def orbit(label: str, strobes, size: float = 1.0) -> Point:
+    period = int(label.split("-")[0])
+    return Point(1.0, "ok", "", label, period, strobes=np.array(strobes), minimum=0.0, maximum=size)
+
+
+def test_the_same_orbit_begun_elsewhere_is_the_same_motion():
+    assert same_motion(orbit("2-1-0", [0.1, 0.5]), orbit("2-1-0", [0.5, 0.1 + 1e-9]))
+    assert not same_motion(orbit("2-1-0", [0.1, 0.5]), orbit("2-1-0", [0.1, 0.501]))
+    assert not same_motion(orbit("2-1-0", [0.1, 0.5]), orbit("2-2-0", [0.1, 0.5]))
+
+
+def test_closeness_is_measured_by_the_size_of_the_motion():
+    a, b = 1e-9, 2e-9
+    assert same_motion(orbit("1-1-0", [a], 1.0), orbit("1-1-0", [b], 1.0))
+    assert not same_motion(orbit("1-1-0", [0.0], 0.01), orbit("1-1-0", [1e-7], 0.01))
+
+
+def test_what_was_not_computed_differs_from_nothing():
+    assert same_motion(blank(1.0, FAILED, "no"), orbit("1-1-0", [0.1]))
+    axis = Axis("D", np.array([1.0]))
+    rows = [
+        Sweep(axis, Direction.COLD, (blank(1.0, FAILED, "no"),)),
+        Sweep(axis, Direction.UP, (orbit("1-1-0", [0.1]),)),
+        Sweep(axis, Direction.DOWN, (orbit("1-0-0", [0.1]),)),
+    ]
+    assert coexisting(rows).tolist() == [True]
+    assert coexisting(rows[:2]).tolist() == [False]
+
+
+def test_runs_of_one_label():
+    axis = Axis("D", np.arange(5.0))
+    points = (
+        *(orbit(label, [0.0]) for label in ("1-0-0", "1-0-0", "1-1-0")),
+        blank(3.0, FAILED, ""),
+        orbit("1-1-0", [0.0]),
+    )
+    sweep = Sweep(axis, Direction.COLD, points)
+    assert sweep.runs() == [(0, 1, "1-0-0"), (2, 2, "1-1-0"), (3, 3, "failed"), (4, 4, "1-1-0")]
+    assert sweep.statuses == {"ok": 4, "failed": 1}
