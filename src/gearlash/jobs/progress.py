@@ -30,7 +30,7 @@ class Progress:
         return f"{self.done}/{self.total} after {seconds_as_text(self.elapsed)}{rest}"
 
 
-ProgressCallback = Callable[[Progress], None]
+ProgressCallback = Callable[[Progress], object]
 
 
 @dataclass
