@@ -9,6 +9,7 @@ compiled in memory; `GEARLASH_CACHE_DIR` names another folder.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import hashlib
 import os
@@ -36,7 +37,8 @@ else:
                 return function
             dispatcher = numba.jit(nogil=True, fastmath={"contract"}, error_model="numpy")(function)
             _enable_cache(dispatcher)
-            dispatcher.compile(signature)
+            with _slp_vectoriser():
+                dispatcher.compile(signature)
             dispatcher.disable_compile()
             return dispatcher
 
@@ -45,6 +47,17 @@ else:
     def inner(function):
         """A helper that only kernels call: compiled into its callers and cached with them."""
         return numba.jit(nogil=True, fastmath={"contract"}, error_model="numpy")(function)
+
+    @contextlib.contextmanager
+    def _slp_vectoriser():
+        """Lets the compiler join neighbouring scalar operations into vector ones (numba leaves that off): the blocks of
+        eight rows in `flow._blocks` are written for it."""
+        before = numba.config.SLP_VECTORIZE
+        numba.config.SLP_VECTORIZE = 1
+        try:
+            yield
+        finally:
+            numba.config.SLP_VECTORIZE = before
 
     class _Locator:
         """Puts compiled kernels of this version of all kernel sources into one folder of their own."""

@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from .._kernel import inner, kernel
-from ._series import copy, fill, fourier_taylor
+from ._blocks import next_coefficient
+from ._series import copy, fill, fourier_taylor, product
 from ._tables import CHECK, FLOATS, INTS, MATRIX, ORDER
 
 if True:  # numba types exist at run time only; the type checker never needs them
@@ -25,44 +26,39 @@ UNIT_ROUNDING = 2.0**-53
 
 
 @inner
-def _column(starts, columns, entries, gain, read, eta, kind, source, duration, zc, xc):
+def _column(matrix, gain, reads, read, eta, kind, source, duration, zc, xc):
     """Taylor coefficients of one column. xc becomes X (without the edge), the force sees X - edge."""
-    n = len(gain)
+    n = matrix.shape[1]
     for j in range(ORDER + 1):
         x = 0.0
-        for i in range(n):
-            x += read[i] * zc[j, i]
+        for i in range(len(reads)):
+            x += read[i] * zc[j, reads[i]]
         if kind == OFFSET:
             x -= source[j]
         xc[j] = x
         if j == ORDER:
             break
-        push = 0.0
-        for i in range(j + 1):
-            push += eta[j - i] * xc[i]
+        push = product(eta, xc, j)
         if kind == EDGE:
             push -= eta[j]
         scale = duration / (j + 1)
-        for i in range(n):
-            rate = gain[i] * push
-            for e in range(starts[i], starts[i + 1]):
-                rate += entries[e] * zc[j, columns[e]]
-            zc[j + 1, i] = rate * scale
+        next_coefficient(matrix, 0, gain, push, scale, zc, j, n)
         if kind >= 0:
             zc[j + 1, kind] += source[j] * scale
 
 
 @inner
-def _growth(starts, entries, gain, read, stiffness, width):
+def _growth(matrix, gain, read, stiffness, width):
     """Norms for the majorant: [‖M‖∞, ‖g‖∞, ‖h‖₁, η̂_0, η̂_1, ...] with η̂_j ≥ |Taylor coefficient j of η|."""
-    n = len(gain)
+    n = matrix.shape[1]
     out = np.zeros(3 + ORDER + TAIL + 1)
     for i in range(n):
         row = 0.0
-        for e in range(starts[i], starts[i + 1]):
-            row += abs(entries[e])
+        for k in range(n):
+            row += abs(matrix[0, k, i])
         out[0] = max(out[0], row)
         out[1] = max(out[1], abs(gain[i]))
+    for i in range(len(read)):
         out[2] += abs(read[i])
     out[3] = abs(stiffness[0])
     for h in range(1, (len(stiffness) + 1) // 2):
@@ -113,23 +109,23 @@ def _remainder(growth, duration, read, zc, forced, kind, rate):
 
 @kernel(
     types.void(
-        INTS, INTS, FLOATS, FLOATS, FLOATS, FLOATS, _UNITS, float64, float64, _CUBE, _CUBE, _CUBE, MATRIX
+        _CUBE, FLOATS, INTS, FLOATS, FLOATS, _UNITS, float64, float64, _CUBE, _CUBE, _CUBE, MATRIX
     )
 )
-def unit_responses(starts, columns, entries, gain, read, stiffness, units, omega, duration, maps, forced, gap, tails):
-    """Fills maps (N, n, n: [cell, column, row]), forced (N, units, n), gap (N, n + units, ORDER+1: Taylor
+def unit_responses(matrix, gain, reads, read, stiffness, units, omega, duration, maps, forced, gap, tails):
+    """Fills maps (N, n, p: [cell, column, row]), forced (N, units, p), gap (N, n + units, ORDER+1: Taylor
     coefficients of X) and tails (2, n + units: remainder of the state, of X; largest over the cells).
 
-    starts (n+1), columns and entries hold the matrix by rows, without its zeros; `units` (units, 2) holds (kind, slot of the Fourier series).
+    matrix (1, n, p) and gain (p) are padded to whole blocks; reads and read (m) hold h without its zeros; `units` (units, 2) holds (kind, slot of the Fourier series).
     """
-    n, cells = len(gain), maps.shape[0]
+    n, cells = matrix.shape[1], maps.shape[0]
     width = omega * duration
-    eta, source, zc, xc = np.empty(ORDER + 1), np.empty(ORDER + 1), np.empty((ORDER + 1, n)), np.empty(ORDER + 1)
+    eta, source, zc, xc = np.empty(ORDER + 1), np.empty(ORDER + 1), np.zeros((ORDER + 1, len(gain))), np.empty(ORDER + 1)
     slots = 0
     for u in range(len(units)):
         slots = max(slots, units[u, 1])
     one = np.zeros(2 * (slots // 2 + 1) + 1)
-    growth = _growth(starts, entries, gain, read, stiffness, width)
+    growth = _growth(matrix, gain, read, stiffness, width)
     fill(tails[0], 0.0)
     fill(tails[1], 0.0)
     for cell in range(cells):
@@ -150,15 +146,14 @@ def unit_responses(starts, columns, entries, gain, read, stiffness, units, omega
                     source[0] = 1.0
                 else:
                     fourier_taylor(one, theta, width, source)
-            _column(starts, columns, entries, gain, read, eta, kind, source, duration, zc, xc)
+            _column(matrix, gain, reads, read, eta, kind, source, duration, zc, xc)
             for j in range(ORDER + 1):
                 gap[cell, c, j] = xc[j]
             out = maps[cell, c] if c < n else forced[cell, c - n]
-            for i in range(n):
-                value = 0.0
-                for j in range(ORDER, -1, -1):
-                    value += zc[j, i]
-                out[i] = value
+            fill(out, 0.0)
+            for j in range(ORDER, -1, -1):
+                for i in range(len(out)):
+                    out[i] += zc[j, i]
             state, x = _remainder(growth, duration, read, zc, c >= n, kind, harmonic * width)
             tails[0, c], tails[1, c] = max(tails[0, c], state), max(tails[1, c], x)
 
@@ -186,11 +181,11 @@ def _bounds(x, tail, to_check, check, slack, bend, c):
 def combine(amplitudes, forced, gap, tails, to_check, shift, check, slack, bend, tail):
     """Sums unit inputs to the forced part of one region's maps, and writes the bounds that prove cells clear.
 
-    amplitudes (units); to_check (CHECK+1, CHECK+1) Taylor to Bernstein; shift (N, n); check (N, n+1, CHECK+1);
+    amplitudes (units); to_check (CHECK+1, CHECK+1) Taylor to Bernstein; shift (N, p); check (N, n+1, CHECK+1);
     slack, bend (N, n+1); tail (n+1). The last column holds the constant part.
     """
     cells, units = forced.shape[0], forced.shape[1]
-    n = forced.shape[2]
+    n, p = check.shape[1] - 1, forced.shape[2]
     x = np.empty(ORDER + 1)
     for c in range(n):
         tail[c] = tails[1, c]
@@ -198,10 +193,10 @@ def combine(amplitudes, forced, gap, tails, to_check, shift, check, slack, bend,
     for u in range(units):
         tail[n] += abs(amplitudes[u]) * tails[1, n + u]
     for cell in range(cells):
-        for i in range(n):
+        for i in range(p):
             shift[cell, i] = 0.0
         for u in range(units):
-            for i in range(n):
+            for i in range(p):
                 shift[cell, i] += amplitudes[u] * forced[cell, u, i]
         for c in range(n + 1):
             fill(x, 0.0)

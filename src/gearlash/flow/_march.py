@@ -6,7 +6,7 @@ import numpy as np
 
 from .._kernel import inner, kernel
 from ._roots import DEPTH, all_roots
-from ._series import copy, polynomial
+from ._series import copy, copy_first, polynomial
 from ._tables import FLOATS, INTS, MATRIX, ORDER, TABLES, Tables
 from ._walk import OK, Record, region_of, scratch, walk
 
@@ -43,8 +43,8 @@ def _orthonormalise(tangents, sums):
         TABLES, FLOATS, MATRIX, float64, float64, FLOATS, MATRIX, _COUNTS, FLOATS, INTS, MATRIX, _CUBE, MATRIX, MATRIX
     )
 )
-def run(t: Tables, z, tangents, start, length, hold, strobes, counts, sums, used, piece, poly, event, state):
-    """The one march: carries z and tangents (m, n) in place over len(counts) stretches of `length` cells.
+def run(t: Tables, state_in, tangents_in, start, length, hold, strobes, counts, sums, used, piece, poly, event, state):
+    """The one march: carries state and tangents (m, n) in place over len(counts) stretches of `length` cells.
 
     strobes (stretches+1, n) receives the state at every start and at the end, counts (stretches, 5) what happened in
     each stretch. With sums (m) the tangents are orthonormalised after each stretch. used[0] = -1 records nothing, else
@@ -52,11 +52,16 @@ def run(t: Tables, z, tangents, start, length, hold, strobes, counts, sums, used
     march apart would cost a new user half a minute. Returns an outcome code.
     """
     w = scratch(t)
+    n, m = len(state_in), tangents_in.shape[0]
+    z, tangents = np.zeros(len(t.gain)), np.zeros((m, len(t.gain)))
+    copy(state_in, z)
+    for v in range(m):
+        copy(tangents_in[v], tangents[v])
     record = Record(used, piece, poly, event, state)
     cell = int(np.floor(start))
     s = start - cell
     region = region_of(t, w, z, cell, s)
-    copy(z, strobes[0])
+    copy(state_in, strobes[0])
     for i in range(len(counts)):
         for j in range(counts.shape[1]):
             counts[i, j] = 0
@@ -64,7 +69,8 @@ def run(t: Tables, z, tangents, start, length, hold, strobes, counts, sums, used
         stop_cell = int(np.floor(cell + s + length))
         stop_s = (s + length) - (stop_cell - cell)
         outcome, region = walk(t, w, z, tangents, region, cell, s, stop_cell, stop_s, hold, counts[stretch], record)
-        copy(z, strobes[stretch + 1])
+        copy_first(z, n, state_in)
+        copy(state_in, strobes[stretch + 1])
         if outcome != OK:
             return outcome
         if len(sums) > 0:
@@ -72,6 +78,8 @@ def run(t: Tables, z, tangents, start, length, hold, strobes, counts, sums, used
         cell, s = stop_cell % t.maps.shape[1], stop_s
         if used[0] >= 0:
             cell = stop_cell
+    for v in range(m):
+        copy_first(tangents[v], n, tangents_in[v])
     return OK
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .._kernel import inner
+from ._blocks import next_coefficient
 from ._tables import ORDER, Tables
 
 
@@ -12,6 +13,12 @@ from ._tables import ORDER, Tables
 def copy(source, target):
     """target ← source, element by element (array slices would drag numpy's error texts through the compiler)."""
     for i in range(len(source)):
+        target[i] = source[i]
+
+
+@inner
+def copy_first(source, n, target):
+    for i in range(n):
         target[i] = source[i]
 
 
@@ -43,20 +50,36 @@ def fourier_taylor(series, theta, width, out):
 
 
 @inner
+def product(a, b, j):
+    """Coefficient j of the product of two series, in four independent sums."""
+    s0 = s1 = s2 = s3 = 0.0
+    i = 0
+    while i + 3 <= j:
+        s0 += a[i] * b[j - i]
+        s1 += a[i + 1] * b[j - i - 1]
+        s2 += a[i + 2] * b[j - i - 2]
+        s3 += a[i + 3] * b[j - i - 3]
+        i += 4
+    while i <= j:
+        s0 += a[i] * b[j - i]
+        i += 1
+    return (s0 + s1) + (s2 + s3)
+
+
+@inner
 def expand_state(t: Tables, region, theta, duration, z, zc, xc, eta, work):
-    """Taylor coefficients zc (ORDER+1, n) of the state and xc (ORDER+1) of X - edge, over `duration` from `theta`.
+    """Taylor coefficients zc (ORDER+1, p) of the state and xc (ORDER+1) of X - edge, over `duration` from `theta`.
 
     `work` (2 + rows, ORDER+1) receives offset and forcing series. One step of the recurrence is
     z_{j+1} = duration/(j+1) · (M z_j + g Σ η_i x_{j-i} + b_j).
     """
-    n = len(z)
+    n = t.maps.shape[2]
     width = t.scalars[0] * duration
     fourier_taylor(t.stiffness[region], theta, width, eta)
     fourier_taylor(t.offset, theta, width, work[0])
     for f in range(len(t.rows)):
         fourier_taylor(t.forcing[f], theta, width, work[1 + f])
-    starts, columns, entries, gain = t.starts, t.columns, t.entries, t.gain
-    reads, read = t.reads, t.read
+    matrix, gain, reads, read = t.matrix, t.gain, t.reads, t.read
     copy(z, zc[0])
     for j in range(ORDER + 1):
         x = -work[0, j]
@@ -67,15 +90,8 @@ def expand_state(t: Tables, region, theta, duration, z, zc, xc, eta, work):
         xc[j] = x
         if j == ORDER:
             break
-        push = 0.0
-        for i in range(j + 1):
-            push += eta[i] * xc[j - i]
         scale = duration / (j + 1)
-        for i in range(n):
-            rate = gain[i] * push
-            for e in range(starts[i], starts[i + 1]):
-                rate += entries[region, e] * zc[j, columns[e]]
-            zc[j + 1, i] = rate * scale
+        next_coefficient(matrix, region, gain, product(eta, xc, j), scale, zc, j, n)
         for f in range(len(t.rows)):
             zc[j + 1, t.rows[f]] += work[1 + f, j] * scale
 
@@ -83,9 +99,9 @@ def expand_state(t: Tables, region, theta, duration, z, zc, xc, eta, work):
 @inner
 def advance_tangents(t: Tables, region, theta, duration, tangents, eta, vc, wc):
     """Carries tangent vectors (m, n) over `duration` from `theta` in one region, in place."""
-    n = tangents.shape[1]
+    n = t.maps.shape[2]
     fourier_taylor(t.stiffness[region], theta, t.scalars[0] * duration, eta)
-    starts, columns, entries, gain = t.starts, t.columns, t.entries, t.gain
+    matrix, gain = t.matrix, t.gain
     for m in range(tangents.shape[0]):
         copy(tangents[m], vc[0])
         for j in range(ORDER):
@@ -93,15 +109,7 @@ def advance_tangents(t: Tables, region, theta, duration, tangents, eta, vc, wc):
             for i in range(len(t.reads)):
                 w += t.read[i] * vc[j, t.reads[i]]
             wc[j] = w
-            push = 0.0
-            for i in range(j + 1):
-                push += eta[i] * wc[j - i]
-            scale = duration / (j + 1)
-            for i in range(n):
-                rate = gain[i] * push
-                for e in range(starts[i], starts[i + 1]):
-                    rate += entries[region, e] * vc[j, columns[e]]
-                vc[j + 1, i] = rate * scale
+            next_coefficient(matrix, region, gain, product(eta, wc, j), duration / (j + 1), vc, j, n)
         horner(vc, 1.0, tangents[m])
 
 

@@ -15,17 +15,15 @@ Array = NDArray[np.float64]
 
 PLUS, FREE, MINUS = 0, 1, 2
 ORDER = 18  # degree of every Taylor polynomial
-CHECK = 6  # degree of the Bernstein polynomials that prove "no event in this cell"
+CHECK = 7  # degree of the Bernstein polynomials that prove "no event in this cell"
 
 
 class Tables(NamedTuple):
     """One system as the kernels see it: its equations, and its cell maps. All arrays are read-only."""
 
     scalars: Array  # (3): ω, cell duration in τ, cell width in θ
-    starts: NDArray[np.int64]  # (n+1): where each row begins among the entries of M + damping
-    columns: NDArray[np.int64]  # (entries): column of each
-    entries: Array  # (3, entries): M + damping, per region, what is zero in all regions left out
-    gain: Array  # (n): g
+    matrix: Array  # (3, n, p): M + damping: [region, column, row]; rows padded to p = whole blocks (`_blocks`)
+    gain: Array  # (p): g
     reads: NDArray[np.int64]  # (m): where h is not zero
     read: Array  # (m): h there
     edge: Array  # (3): Φ = η (X - edge): +D⁺, 0, -D⁻
@@ -35,15 +33,15 @@ class Tables(NamedTuple):
     rows: NDArray[np.int64]  # (rows): which states they force
     offset: Array  # (2E+1): e(θ)
     to_bernstein: Array  # (2, ORDER+1, ORDER+1): Taylor to Bernstein, of degree ORDER and ORDER-1
-    maps: Array  # (3, N, n, n): cell propagators, transposed: [region, cell, column, row]
-    shift: Array  # (3, N, n): their forced part
+    maps: Array  # (3, N, n, p): cell propagators: [region, cell, column, row]
+    shift: Array  # (3, N, p): their forced part
     check: Array  # (3, N, n+1, CHECK+1): Bernstein coefficients of X as functions of (z, 1)
     slack: Array  # (3, N, n+1): bound on what `check` leaves out, per |z_j| and constant
     bend: Array  # (3, N, n+1): bound on max|X''|/8 in the cell, per |z_j| and constant
     tail: Array  # (3, n+1): bound on the Taylor remainder of X, per |z_j| and constant
 
 
-INTEGER = ("starts", "columns", "reads", "rows")
+INTEGER = ("reads", "rows")
 
 if TYPE_CHECKING:
     TABLES: object
@@ -54,7 +52,7 @@ else:
     import numba
     from numba import types
 
-    _DIMENSIONS = (1, 1, 1, 2, 1, 1, 1, 1, 1, 2, 2, 1, 1, 3, 4, 3, 4, 3, 3, 2)
+    _DIMENSIONS = (1, 3, 1, 1, 1, 1, 1, 2, 2, 1, 1, 3, 4, 3, 4, 3, 3, 2)
 
     def _sample() -> Tables:
         """Empty tables: numba matches a NamedTuple reliably only by the type of an instance."""

@@ -10,8 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from .._kernel import inner
+from ._blocks import bernstein_range, map_cell, map_tangent
 from ._roots import DEPTH, NONE, first_exit
-from ._series import advance_tangents, copy, expand_state, fill, horner
+from ._series import advance_tangents, copy, expand_state, horner
 from ._tables import CHECK, FREE, MINUS, ORDER, PLUS, Array, Tables
 
 OK, TOO_MANY, DIVERGED, WRONG_SIDE = 0, 1, 2, 3
@@ -24,15 +25,15 @@ ROUNDING = 32.0 * 2.0**-53
 class Scratch(NamedTuple):
     """Work space of one walk; every array is written before it is read."""
 
-    zc: Array  # (ORDER+1, n) Taylor coefficients of the state
+    zc: Array  # (ORDER+1, p) Taylor coefficients of the state
     xc: Array  # (ORDER+1) of X - edge
     eta: Array  # (ORDER+1) of the stiffness
     series: Array  # (1 + rows, ORDER+1) of offset and forcing
     distance: Array  # (ORDER+1) of the distance to a boundary
     stack: Array  # (DEPTH+2, ORDER+1)
     limits: Array  # (DEPTH+2, 2)
-    vc: Array  # (ORDER+1, n) of a tangent
-    z: Array  # (n)
+    vc: Array  # (ORDER+1, p) of a tangent
+    z: Array  # (p)
 
 
 class Record(NamedTuple):
@@ -47,17 +48,17 @@ class Record(NamedTuple):
 
 @inner
 def scratch(t: Tables):
-    n = len(t.gain)
+    p = len(t.gain)
     return Scratch(
-        np.empty((ORDER + 1, n)),
+        np.zeros((ORDER + 1, p)),
         np.empty(ORDER + 1),
         np.empty(ORDER + 1),
         np.empty((1 + len(t.rows), ORDER + 1)),
         np.empty(ORDER + 1),
         np.empty((DEPTH + 2, ORDER + 1)),
         np.empty((DEPTH + 2, 2)),
-        np.empty((ORDER + 1, n)),
-        np.empty(n),
+        np.zeros((ORDER + 1, p)),
+        np.empty(p),
     )
 
 
@@ -76,13 +77,12 @@ def region_of(t: Tables, w: Scratch, z, cell, s):
 
 
 @inner
-def cell_is_clear(check, slack, bend, region, cell, z, lower, upper, b):
+def cell_is_clear(check, slack, bend, region, cell, z, n, lower, upper):
     """Proves that X stays strictly between `lower` and `upper` in the whole cell that starts at z; False means "not
-    proved". First by the chord and a bound on the bend, then by Bernstein coefficients (b is scratch for them).
+    proved". First by the chord and a bound on the bend, then by Bernstein coefficients.
 
     Arrays are passed one by one: a tuple of them costs more than the work (each is counted in and out).
     """
-    n = len(z)
     bow, rest = bend[region, cell, n], slack[region, cell, n]
     x0, x1 = check[region, cell, n, 0], check[region, cell, n, CHECK]
     for i in range(n):
@@ -94,15 +94,7 @@ def cell_is_clear(check, slack, bend, region, cell, z, lower, upper, b):
         x1 += check[region, cell, i, CHECK] * zi
     if min(x0, x1) - bow - rest > lower and max(x0, x1) + bow + rest < upper:
         return True
-    for j in range(CHECK + 1):
-        b[j] = check[region, cell, n, j]
-    for i in range(n):
-        zi = z[i]
-        for j in range(CHECK + 1):
-            b[j] += check[region, cell, i, j] * zi
-    lowest, highest = b[0], b[0]
-    for j in range(1, CHECK + 1):
-        lowest, highest = min(lowest, b[j]), max(highest, b[j])
+    lowest, highest = bernstein_range(check, region, cell, z, n)
     return lowest - rest > lower and highest + rest < upper
 
 
@@ -112,10 +104,11 @@ def next_exit(t: Tables, region, on, held, z, w: Scratch):
 
     `on` is the boundary just crossed (0: none), `held` a boundary that is not to be crossed (0: none).
     """
-    size, tail = 0.0, t.tail[region, len(z)]
+    n = t.maps.shape[2]
+    size, tail = 0.0, t.tail[region, n]
     for j in range(ORDER + 1):
         size += abs(w.xc[j])
-    for i in range(len(z)):
+    for i in range(n):
         tail += t.tail[region, i] * abs(z[i])
     bound = ROUNDING * (size + t.gaps[0] + t.gaps[1]) + tail
     best, through, undecided = NONE, 0, False
@@ -142,10 +135,10 @@ def walk(t: Tables, w: Scratch, z, tangents, region, cell, s, stop_cell, stop_s,
     `record` with used[0] < 0 keeps nothing.
     """
     cells = t.maps.shape[1]
-    n, m = len(z), tangents.shape[0]
+    n, m = t.maps.shape[2], tangents.shape[0]
     keep = record.used[0] >= 0
     maps, shift, check, slack, bend = t.maps, t.shift, t.check, t.slack, t.bend
-    moved, bernstein = w.z, w.distance
+    moved = w.z
     plus, minus = t.gaps[0], -t.gaps[1]
     while cell < stop_cell or (cell == stop_cell and s < stop_s):
         k = cell % cells
@@ -154,10 +147,12 @@ def walk(t: Tables, w: Scratch, z, tangents, region, cell, s, stop_cell, stop_s,
         if s == 0.0 and end == 1.0 and not keep and not holding:
             lower = plus if region == PLUS else (minus if region == FREE else -np.inf)
             upper = minus if region == MINUS else (plus if region == FREE else np.inf)
-            if cell_is_clear(check, slack, bend, region, k, z, lower, upper, bernstein):
-                _apply(maps, shift, region, k, z, moved)
+            if cell_is_clear(check, slack, bend, region, k, z, n, lower, upper):
+                map_cell(maps, shift, region, k, z, n, moved)
+                copy(moved, z)
                 for v in range(m):
-                    _apply_linear(maps, region, k, tangents, v, moved)
+                    map_tangent(maps, region, k, tangents, v, n, moved)
+                    copy(moved, tangents[v])
                 cell += 1
                 continue
         outcome, region = _cell_by_pieces(t, w, z, tangents, region, cell, s, end, hold, counts, record)
@@ -233,7 +228,7 @@ def _keep_piece(record: Record, position, length, region, zc, scale, part):
     record.piece[i, 0], record.piece[i, 1], record.piece[i, 2] = position, length, region
     power = 1.0
     for j in range(zc.shape[0]):
-        for v in range(zc.shape[1]):
+        for v in range(record.poly.shape[2]):
             record.poly[i, j, v] = zc[j, v] * power
         power *= part
     record.used[0] = i + 1
@@ -248,31 +243,7 @@ def _keep_event(record: Record, position, boundary, engaging, z):
     record.event[i, 0] = position
     record.event[i, 1] = boundary
     record.event[i, 2] = 1.0 if engaging else 0.0
-    copy(z, record.state[i])
+    for v in range(record.state.shape[1]):
+        record.state[i, v] = z[v]
     record.used[1] = i + 1
     return True
-
-
-@inner
-def _apply(maps, shift, region, k, z, out):
-    """z ← map · z + shift of one cell, column by column."""
-    n = len(z)
-    for i in range(n):
-        out[i] = shift[region, k, i]
-    for j in range(n):
-        zj = z[j]
-        for i in range(n):
-            out[i] += maps[region, k, j, i] * zj
-    copy(out, z)
-
-
-@inner
-def _apply_linear(maps, region, k, tangents, v, out):
-    n = tangents.shape[1]
-    fill(out, 0.0)
-    for j in range(n):
-        vj = tangents[v, j]
-        for i in range(n):
-            out[i] += maps[region, k, j, i] * vj
-    for i in range(n):
-        tangents[v, i] = out[i]

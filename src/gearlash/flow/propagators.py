@@ -10,6 +10,7 @@ import numpy as np
 
 from ..system import Clearance, ContactRule, GearlashError, System, derivative
 from ..system.harmonics import harmonics
+from ._blocks import padded
 from ._cells import EDGE, OFFSET, combine, spectral_radius, unit_responses
 from ._roots import taylor_to_bernstein
 from ._tables import CHECK, FREE, MINUS, ORDER, PLUS, Array, Tables
@@ -144,13 +145,13 @@ def _first_guess(system: System, clearance: Clearance, matrix: Array) -> int:
 
 def _unit_responses(system: System, clearance: Clearance, matrix: Array, series: Array, units: Array, cells: int) -> tuple:
     n, count = system.size, len(units)
-    maps, forced = np.empty((cells, n, n)), np.empty((cells, count, n))
+    p = padded(n)
+    maps, forced = np.empty((cells, n, p)), np.empty((cells, count, p))
     gap, tails = np.empty((cells, n + count, ORDER + 1)), np.empty((2, n + count))
     rate = system.omega / system.cycles
-    starts, columns = _pattern(matrix)
-    entries = matrix[_rows_of(starts), columns]
-    floats = (np.ascontiguousarray(a, dtype=np.float64) for a in (entries, clearance.g, clearance.h, series))
-    unit_responses(starts, columns, *floats, units, rate, system.period / cells, maps, forced, gap, tails)
+    reads = np.flatnonzero(clearance.h)
+    arguments = (_padded(matrix.T)[None], _padded(clearance.g), reads, clearance.h[reads], series)
+    unit_responses(*_contiguous(arguments), units, rate, system.period / cells, maps, forced, gap, tails)
     return maps, forced, gap, tails
 
 
@@ -159,7 +160,7 @@ def _tables(system: System, clearance: Clearance, units: Array, responses: tuple
     forcing = _folded_forcing(system, clearance)
     rows = np.flatnonzero(forcing.any(axis=1)).astype(np.int64)
     edge = np.array([clearance.gap_plus, 0.0, -clearance.gap_minus], dtype=np.float64)
-    shift, check = np.empty((3, cells, n)), np.empty((3, cells, n + 1, CHECK + 1))
+    shift, check = np.empty((3, cells, padded(n))), np.empty((3, cells, n + 1, CHECK + 1))
     slack, bend, tail = np.empty((3, cells, n + 1)), np.empty((3, cells, n + 1)), np.empty((3, n + 1))
     to_check = taylor_to_bernstein(CHECK, CHECK + 1)
     for region in (PLUS, FREE, MINUS):
@@ -170,15 +171,12 @@ def _tables(system: System, clearance: Clearance, units: Array, responses: tuple
             shift[region], check[region], slack[region], bend[region], tail[region],
         )  # fmt: skip
     matrix = _matrix(system, clearance)
-    starts, columns = _pattern(matrix)
     reads = np.flatnonzero(clearance.h)
     rate = system.omega / system.cycles
     tables = Tables(
         scalars=np.array([rate, system.period / cells, 2 * pi / cells]),
-        starts=starts,
-        columns=columns,
-        entries=np.stack([matrix[_rows_of(starts), columns]] * 3),
-        gain=clearance.g,
+        matrix=np.stack([_padded(matrix.T)] * 3),
+        gain=_padded(clearance.g),
         reads=reads,
         read=clearance.h[reads],
         edge=edge,
@@ -198,15 +196,14 @@ def _tables(system: System, clearance: Clearance, units: Array, responses: tuple
     return Tables(*(_read_only(a) for a in tables))
 
 
-def _pattern(matrix: Array) -> tuple[Array, Array]:
-    """Where a matrix is not zero, by rows: starts (n+1) and columns (entries)."""
-    rows, columns = np.nonzero(matrix)
-    starts = np.searchsorted(rows, np.arange(len(matrix) + 1))
-    return starts.astype(np.int64), columns.astype(np.int64)
+def _padded(array: Array) -> Array:
+    """Zeros behind the last axis up to whole blocks."""
+    missing = padded(array.shape[-1]) - array.shape[-1]
+    return np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, missing)])
 
 
-def _rows_of(starts: Array) -> Array:
-    return np.repeat(np.arange(len(starts) - 1), np.diff(starts))
+def _contiguous(arrays: tuple[Array, ...]) -> list[Array]:
+    return [np.ascontiguousarray(a, dtype=np.int64 if a.dtype.kind == "i" else np.float64) for a in arrays]
 
 
 def _amplitudes(units: Array, forcing: Array, offset: Array, edge: float) -> Array:

@@ -20,13 +20,14 @@ Array = NDArray[np.float64]
 @dataclass(frozen=True)
 class Settings:
     """``max_period`` (base periods) up to which orbits are looked for; ``budget`` of base periods for the transient;
-    ``patience``: base periods after which a motion without a periodic orbit is asked for its exponent, which is then
-    averaged over ``exponent_periods``."""
+    ``patience``: base periods after which a motion without a periodic orbit is asked for its exponent, averaged over
+    ``exponent_periods``; where that does not settle it, it is asked again after three times as long, and over as many
+    more."""
 
     max_period: int = 64
-    budget: int = 40_000
-    patience: int = 1_200
-    exponent_periods: int = 2_000
+    budget: int = 20_000
+    patience: int = 1_000
+    exponent_periods: int = 1_500
 
 
 DEFAULT = Settings()
@@ -66,7 +67,7 @@ class _Search:
         self.strobes = start[None]
 
     def run(self) -> Attractor:
-        block, asked = FIRST, False
+        block, ask, average = FIRST, self.settings.patience, self.settings.exponent_periods
         while True:
             progress = self.march(block)
             if progress.status not in (Status.OK, Status.UNCERTAIN):
@@ -74,11 +75,11 @@ class _Search:
             found = self.newton()
             if found is not None:
                 return found
-            if not asked and self.used >= self.settings.patience:
-                asked = True
-                aperiodic = self.aperiodic(self.settings.exponent_periods)
+            if self.used >= ask:
+                aperiodic = self.aperiodic(average)
                 if aperiodic is not None:
                     return aperiodic
+                ask, average = 3 * self.used, 3 * average
             if self.used >= self.settings.budget:
                 return self.give_up()
             block = min(2 * block, 2_000, max(1, self.settings.budget - self.used))
@@ -186,10 +187,7 @@ class _Search:
         return found if found.status in (Status.OK, Status.UNCERTAIN) else None
 
     def give_up(self) -> Attractor:
-        aperiodic = self.aperiodic(4 * self.settings.exponent_periods)
-        if aperiodic is not None:
-            return aperiodic
-        found = self.exponent(self.settings.exponent_periods)
+        found = self.exponent(2 * self.settings.exponent_periods)
         value = float(found.values[0]) if found is not None else np.nan
         error = float(found.errors[0]) if found is not None else np.nan
         limit = self.settings.max_period
