@@ -64,6 +64,27 @@ def _counts(truth) -> list[int]:
     return [truth.crossings.count(kind) for kind in kinds]
 
 
+@pytest.mark.parametrize("pair", ["spur", "helical"])
+def test_stable_orbits_after_many_cycles(oracle, pair):
+    """An orbit that the march has settled on is where heyoka, started from there, settles too."""
+    rng, kinds, compared = np.random.default_rng(12), ("plain", "unequal", "negative-load", "large-ripple"), 0
+    for index in range(24):
+        system, start = random_system(rng, pair, kinds[index % 4])
+        props = flow.propagators(system)
+        orbit = flow.march(props, start, 1500).states[-1]
+        # 24 cycles are a multiple of the periods 1, 2, 3, 4, 6, 8 and 12.
+        return_map = flow.variational(props, orbit, 24.0)
+        assert return_map.jacobian is not None
+        attracts = np.abs(np.linalg.eigvals(return_map.jacobian)).max() < 0.95**24
+        speeds = np.abs(flow.trace(props, orbit, 24.0).events.velocity)
+        if np.abs(return_map.state - orbit).max() > 1e-12 or not attracts or speeds.min(initial=1.0) < 1e-3:
+            continue
+        compared += 1
+        truth = oracle(pair).run(system, orbit, 72.0)
+        assert np.abs(orbit - truth.state).max() < 1e-11 * max(1.0, float(np.linalg.norm(orbit)))
+    assert compared > 8
+
+
 @pytest.mark.parametrize("size", [2, 3, 5, 8])
 def test_dense_systems(oracle, size):
     """Nothing of a gear: dense matrices, forced gap velocity, offset, base period of one to three cycles."""

@@ -40,6 +40,20 @@ def test_grazes_built_backwards_from_the_extremum(oracle, pair):
     assert worst_time > 0.0
 
 
+def test_depths_near_rounding_are_decided_rightly_or_not_at_all(oracle):
+    """Between 1e-15 and 1e-13 some cannot be decided: their status says so, and no sure answer is wrong."""
+    from oracles.grazes import grazes
+
+    uncertain = 0
+    for graze in grazes(3, 300, "helical", oracle("helical"), depths=(1e-15, 1e-13)):
+        trace = flow.trace(flow.propagators(graze.system), graze.start, graze.span, graze.phase)
+        far = distance(graze.system, trace, graze.truth)
+        uncertain += trace.status is Status.UNCERTAIN
+        assert trace.status is Status.UNCERTAIN or far.same_crossings
+        assert far.state < 1e-12
+    assert 0 < uncertain < 200
+
+
 def _depth(graze, extrema) -> float:
     """Depth of the built extremum as the trace has it."""
     clearance = graze.system.clearances[0]

@@ -38,13 +38,15 @@ class Graze:
     truth: Run  # forward, over exactly [phase, phase + span]
 
 
-def random_graze(rng: np.random.Generator, oracle: Oracle, system: System) -> Graze | None:
+def random_graze(
+    rng: np.random.Generator, oracle: Oracle, system: System, depths: tuple[float, float] = (1e-10, 1e-3)
+) -> Graze | None:
     """One graze, or None where the draw allows none (curvature of the wrong sign, useless start)."""
     state = random_state(rng, system)
     clearance = system.clearances[0]
     boundary = int(rng.choice([1, -1]))
     from_contact = bool(rng.integers(2))
-    depth = float(rng.choice([-1, 1])) * 10 ** rng.uniform(-10, -3)
+    depth = float(rng.choice([-1, 1])) * 10 ** rng.uniform(*np.log10(depths))
     phase = float(rng.uniform(0, 1))
     level = clearance.gap_plus if boundary > 0 else -clearance.gap_minus
     outward = -boundary if from_contact else boundary
@@ -63,14 +65,16 @@ def random_graze(rng: np.random.Generator, oracle: Oracle, system: System) -> Gr
     )
 
 
-def grazes(seed: int, count: int, pair: str, oracle: Oracle, draws: int = 40) -> Iterator[Graze]:
-    """``count`` grazes, cycling through all kinds of parameters; ``draws`` attempts for each system."""
+def grazes(
+    seed: int, count: int, pair: str, oracle: Oracle, depths: tuple[float, float] = (1e-10, 1e-3)
+) -> Iterator[Graze]:
+    """``count`` grazes with depths of either sign in that range, through all kinds of parameters."""
     rng = np.random.default_rng(seed)
     made = 0
     for kind in cycle(KINDS):
         system, _ = random_system(rng, pair, kind)
-        for _ in range(draws):
-            graze = random_graze(rng, oracle, system)
+        for _ in range(40):
+            graze = random_graze(rng, oracle, system, depths)
             if graze is not None:
                 made += 1
                 yield graze
