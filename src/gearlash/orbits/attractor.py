@@ -21,8 +21,8 @@ Array = NDArray[np.float64]
 class Settings:
     """``max_period`` (base periods) up to which orbits are looked for; ``budget`` of base periods for the transient;
     ``patience``: base periods after which a motion without a periodic orbit is asked for its exponent, averaged over
-    ``exponent_periods``; where that does not settle it, it is asked again after three times as long, and over as many
-    more."""
+    ``exponent_periods``; where that does not settle it, it is asked again after twice as long, and over twice as
+    many."""
 
     max_period: int = 64
     budget: int = 20_000
@@ -33,6 +33,7 @@ class Settings:
 DEFAULT = Settings()
 FIRST = 24  # base periods before the first attempt
 NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
+WINDOW = 1_024  # base periods of each window that a persistent motion is compared in
 BRANCH = (1e-4, 1e-3, 1e-2, 3e-2, 0.1)  # steps along the critical direction, in units of the motion's size
 
 
@@ -76,10 +77,10 @@ class _Search:
             if found is not None:
                 return found
             if self.used >= ask:
-                aperiodic = self.aperiodic(average)
+                aperiodic = self.aperiodic(average, again=average > self.settings.exponent_periods)
                 if aperiodic is not None:
                     return aperiodic
-                ask, average = 3 * self.used, 3 * average
+                ask, average = 2 * self.used, 2 * average
             if self.used >= self.settings.budget:
                 return self.give_up()
             block = min(2 * block, 2_000, max(1, self.settings.budget - self.used))
@@ -172,14 +173,36 @@ class _Search:
         after = _distance(points, self.state)
         return after <= before * max(0.5, min(0.999, 2.0 * rate**laps)) or after <= 1e-9 * self.size
 
-    def aperiodic(self, periods: int) -> Aperiodic | None:
-        """The motion as aperiodic, if its largest exponent is above zero by twice its error bar."""
+    def aperiodic(self, periods: int, again: bool) -> Aperiodic | None:
+        """The motion as aperiodic: if its largest exponent is above zero by twice its error bar, or, asked `again`, if it
+        is zero within it and the motion is seen to persist without closing (quasi-periodic)."""
         found = self.exponent(periods)
-        if found is None or not found.values[0] > 2.0 * found.errors[0]:
+        if found is None:
             return None
-        message = f"aperiodic: largest exponent {found.values[0]:.2e} ± {found.errors[0]:.0e} over {found.periods} periods"
         value, error = float(found.values[0]), float(found.errors[0])
+        text = f"largest exponent {value:.2e} ± {error:.0e} over {found.periods} periods"
+        if value > 2.0 * error:
+            message = f"aperiodic: {text}"
+        elif again and abs(value) <= 2.0 * error and self.persists():
+            message = f"aperiodic, quasi-periodic as far as can be seen: {text}, and it persists without closing"
+        else:
+            return None
         return Aperiodic(self.props, self.state, value, error, self.used, found.status, message)
+
+    def persists(self) -> bool:
+        """Whether size and returns of the motion are the same in two windows: a slow transient shrinks in one of them."""
+        longest = self.settings.max_period
+        sizes, returns = [], []
+        for _ in range(2):
+            states = flow.march(self.props, self.state, WINDOW).states
+            self.used += WINDOW
+            self.state = states[-1]
+            self.strobes = states[-(2 * longest + 2) :]
+            sizes.append(float(np.ptp(states, axis=0).max()))
+            gaps = [np.abs(states[p:] - states[:-p]).max(axis=1).mean() for p in range(1, longest + 1)]
+            returns.append(min(gaps))
+        steady = abs(sizes[1] / sizes[0] - 1.0) < 0.02 and abs(returns[1] / returns[0] - 1.0) < 0.1
+        return steady and returns[1] > 1e-3 * sizes[1]
 
     def exponent(self, periods: int) -> Exponents | None:
         found = lyapunov(self.props, self.state, periods, count=1)

@@ -23,7 +23,7 @@ GRAZING, DOUBLING, FOLD, JUMP, APERIODIC = "grazing", "doubling", "fold", "jump"
 NARROW = 1e-6  # relative width at which halving ends
 DEEPEST = 14  # halvings of one interval
 TRIES = 4  # extrema tried for one grazing
-SETTINGS = Settings(budget=6_000)
+SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)
 
 
 class Sampled(Protocol):

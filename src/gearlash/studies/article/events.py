@@ -21,7 +21,7 @@ from .reproduction import NAN, Event
 
 Found = tuple[Transition, tuple[Direction, ...]]
 BESIDE = 0.008  # relative distance of the pictures before and after; halved until the labels are those of the event
-SETTINGS = Settings(budget=6_000)
+SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)
 ZERO = 1e-3  # |λ ± 1|, |X ∓ D| and |X'| below which a condition counts as met
 
 

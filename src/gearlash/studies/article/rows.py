@@ -14,7 +14,7 @@ from gearlash.results import Axis, Direction, Sweep
 from ..sweep import sweeps
 from ..transitions import Transition, transitions
 
-SETTINGS = Settings(budget=6_000)  # base periods of one transient; what needs more is flagged, not guessed
+SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)  # base periods of one transient; what needs more is flagged, not guessed
 
 
 @dataclass(frozen=True, eq=False)
