@@ -1,0 +1,32 @@
+"""Figures, fit for a paper: vector, labelled with units, legible in grey print, the same bytes from the
+same data.
+
+Each returns a matplotlib `Figure`; `save` writes it as SVG and PDF.
+"""
+
+from .bifurcation import diagram
+from .histories import history
+from .histories import triple as history_triple
+from .intervals import Bar, Panel, zones
+from .marks import Mark
+from .poincare import sections
+from .portraits import portrait
+from .portraits import triple as portrait_triple
+from .style import save, to_bytes
+from .units import Units
+
+__all__ = [
+    "Bar",
+    "Mark",
+    "Panel",
+    "Units",
+    "diagram",
+    "history",
+    "history_triple",
+    "portrait",
+    "portrait_triple",
+    "save",
+    "sections",
+    "to_bytes",
+    "zones",
+]

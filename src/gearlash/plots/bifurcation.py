@@ -1,0 +1,172 @@
+"""The bifurcation diagram of a sweep: labels, X on σ_t, F on σ_d and σ_b, largest exponent."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import AutoMinorLocator
+from numpy.typing import NDArray
+
+from . import style
+from .branch import Branch, axis_name, branches, differs
+from .marks import LINES, OTHER_LINE, OTHER_TICK, TICKS, Mark, height, lines, texts
+from .strip import key, strip
+from .units import ARTICLE_FORCE, EXPONENT, Units, name, second
+
+# How the directions look: colour, marker, size of a point (pt²), order of drawing.
+LOOKS = {
+    "cold": (style.INK, "o", 0.55, 2.0),
+    "up": (style.BLUE, "^", 3.2, 3.0),
+    "down": (style.VERMILION, "v", 3.2, 3.0),
+}
+WIDTH = 146.0  # mm of the panels of a figure of page width: what is left beside the labels
+AGREEING = " (also up and down, where not drawn)"
+
+
+@style.styled
+def diagram(dataset: xr.Dataset, marks: Sequence[Mark] = (), units: Units | None = None) -> Figure:
+    """The whole diagram of a sweep dataset over one axis with a dimension ``direction``."""
+    rows = branches(dataset)
+    axis = axis_name(dataset)
+    shown = _new_points(rows)
+    back = any(np.isfinite(b.back_force).any() for b in rows)
+    heights = [height(marks), 4.6 * len(rows), 50.0, 34.0, 34.0 if back else 5.0, 30.0]
+    figure = style.figure(style.PAGE, sum(heights) + 38.0)
+    panels: list[Axes] = list(figure.subplots(6, 1, sharex=True, height_ratios=heights))
+    band, bars, *rest = panels
+    panels[0].set_xlim(float(rows[0].values[0]), float(rows[0].values[-1]))
+    texts(band, marks, WIDTH)
+    seen = strip(bars, rows, WIDTH)
+    for panel, (array, label) in zip(rest, _PANELS.items(), strict=False):
+        _points(panel, rows, shown, array, label)
+    _exponents(rest[3], rows, shown)
+    lines(panels[1:], marks)
+    for panel in rest:
+        panel.xaxis.set_minor_locator(AutoMinorLocator())
+        panel.tick_params(which="both", top=True, right=True)
+    bars.tick_params(which="both", bottom=False, top=False)
+    rest[3].set_xlabel(name(axis))
+    second(rest[3], (units or Units()).of_parameter(axis), below=9.5)
+    figure.align_ylabels(rest)
+    handles = [*_directions(rows, shown), *_mark_kinds(marks), *key(seen)]
+    figure.legend(handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4)
+    return figure
+
+
+_PANELS = {
+    "strobes": r"$X_n$  on  $\sigma_t$",
+    "drive_force": ARTICLE_FORCE + r"  on  $\sigma_d$",
+    "back_force": ARTICLE_FORCE + r"  on  $\sigma_b$",
+}
+
+
+def _new_points(rows: list[Branch]) -> list[NDArray[np.bool_]]:
+    """Per branch, the axis values at which it shows another attractor than the first branch."""
+    return [np.ones(len(rows[0].values), dtype=bool), *(differs(b, rows[0]) for b in rows[1:])]
+
+
+def _points(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]], array: str, label: str) -> None:
+    drawn = 0
+    for branch, keep in zip(rows, shown, strict=True):
+        names = [array, "back_release_force"] if array == "back_force" else [array]
+        for one in names:
+            x, y = branch.points(one, keep)
+            drawn += len(x)
+            scatter(panel, branch.direction, x, y, hollow=one == "back_release_force")
+    if not drawn:
+        panel.set_yticks([])
+        panel.text(
+            0.5,
+            0.45,
+            f"{label}:  no impact in any of these sweeps",
+            transform=panel.transAxes,
+            ha="center",
+            va="center_baseline",
+            color=style.GREY,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
+        )
+        return
+    panel.set_ylabel(label)
+    panel.yaxis.set_minor_locator(AutoMinorLocator())
+    panel.margins(y=0.06)
+    if array == "back_force":
+        panel.axhline(0.0, color=style.GREY, lw=0.5)
+        for y, text in ((0.96, "impacts, S2 → S3"), (0.04, "releases, S3 → S2 (the article's $\\sigma_b$)")):
+            panel.text(
+                0.99,
+                y,
+                text,
+                transform=panel.transAxes,
+                ha="right",
+                va="top" if y > 0.5 else "bottom",
+                fontsize=7,
+                color=style.GREY,
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
+                zorder=4,
+            )
+
+
+def scatter(
+    panel: Axes, direction: str, x: NDArray[np.float64], y: NDArray[np.float64], hollow: bool = False
+) -> None:
+    """Points of one direction in its look, as a picture of print resolution inside the vector file."""
+    colour, marker, size, order = LOOKS.get(direction, LOOKS["cold"])
+    panel.scatter(
+        x,
+        y,
+        s=size,
+        marker=marker,
+        facecolors=colour,
+        edgecolors="none",
+        linewidths=0.0,
+        zorder=order,
+        rasterized=True,
+        alpha=0.6 if hollow else 1.0,
+    )
+
+
+def _exponents(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]]) -> None:
+    panel.axhline(0.0, color=style.INK, lw=0.6)
+    panel.set_ylabel(EXPONENT)
+    lowest = []
+    for branch, keep in zip(rows, shown, strict=True):
+        colour, marker, size, order = LOOKS.get(branch.direction, LOOKS["cold"])
+        keep = keep & np.isfinite(branch.exponent)
+        x, y, bar = branch.values[keep], branch.exponent[keep], branch.exponent_error[keep]
+        lowest.append(y)
+        panel.scatter(x, y, s=max(size, 1.2), marker=marker, facecolors=colour, linewidths=0.0, zorder=order)
+        with_bar = bar > 0.0
+        panel.errorbar(
+            x[with_bar], y[with_bar], bar[with_bar], fmt="none", ecolor=colour, elinewidth=0.5, capsize=0.0
+        )
+    values = np.concatenate(lowest)
+    low, high = float(np.quantile(values, 0.01)), float(values.max())
+    panel.set_ylim(low - 0.08 * (high - low), high + 0.12 * (high - low))
+    panel.yaxis.set_minor_locator(AutoMinorLocator())
+
+
+def _directions(rows: list[Branch], shown: list[NDArray[np.bool_]]) -> list[Line2D]:
+    handles = []
+    for i, (branch, keep) in enumerate(zip(rows, shown, strict=True)):
+        colour, marker, _, _ = LOOKS.get(branch.direction, LOOKS["cold"])
+        words = "cold start" if branch.direction == "cold" else f"swept {branch.direction}"
+        text = words + AGREEING if i == 0 and len(rows) > 1 else words
+        if i > 0 and not keep.any():
+            text = f"{words}: nowhere different"
+        size = 2.2 if branch.direction == "cold" else 3.6
+        handles.append(Line2D([], [], ls="none", marker=marker, color=colour, ms=size, mew=0.0, label=text))
+    return handles
+
+
+def _mark_kinds(marks: Sequence[Mark]) -> list[Line2D]:
+    kinds = dict.fromkeys(m.kind for m in marks)
+    look = {"color": style.INK, "lw": 0.7, "ms": 2.8, "mew": 0.0}
+    return [
+        Line2D([], [], ls=LINES.get(k, OTHER_LINE), marker=TICKS.get(k, OTHER_TICK), label=k, **look)
+        for k in kinds
+    ]

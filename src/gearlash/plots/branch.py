@@ -1,0 +1,108 @@
+"""One direction of a sweep as plain arrays, and where two directions reach the same attractor."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from gearlash.system import UnknownNameError
+
+Array = NDArray[np.float64]
+SAME = 1e-6  # strobes of one attractor found twice agree to this, relative to their size
+
+
+@dataclass(frozen=True, eq=False)
+class Branch:
+    """Attractors along an axis: values (m,) ascending, labels (m,), exponents with error bars (m,), and
+    padded with nan: X on σ_t (m, k), F at impacts on σ_d, F at impacts and at releases on σ_b."""
+
+    direction: str
+    values: Array
+    labels: tuple[str, ...]
+    exponent: Array
+    exponent_error: Array
+    strobes: Array
+    drive_force: Array
+    back_force: Array
+    back_release_force: Array
+
+    def points(self, name: str, keep: NDArray[np.bool_] | None = None) -> tuple[Array, Array]:
+        """All finite points (value, y) of one of the padded arrays, of the kept axis values."""
+        table = getattr(self, name)
+        chosen = np.isfinite(table) if keep is None else np.isfinite(table) & keep[:, None]
+        return np.broadcast_to(self.values[:, None], table.shape)[chosen], table[chosen]
+
+    def runs(self) -> list[tuple[int, int, str]]:
+        """Maximal stretches of one label: first index, index after the last, label."""
+        edges = [0, *(i for i in range(1, len(self.labels)) if self.labels[i] != self.labels[i - 1])]
+        stops = [*edges[1:], len(self.labels)]
+        return [(a, b, self.labels[a]) for a, b in zip(edges, stops, strict=True) if b > a]
+
+    def edges(self) -> Array:
+        """Limits (m+1,) of the cells around the values."""
+        middle = (self.values[1:] + self.values[:-1]) / 2.0
+        return np.concatenate([self.values[:1], middle, self.values[-1:]])
+
+
+def branches(dataset: xr.Dataset) -> list[Branch]:
+    """Every direction of a sweep dataset, in its order. Raises `UnknownNameError` for one without
+    directions.
+    """
+    if "direction" not in dataset.dims:
+        raise UnknownNameError("dimension", "direction", [str(d) for d in dataset.dims])
+    return [_branch(dataset, str(d)) for d in dataset["direction"].values]
+
+
+def axis_name(dataset: xr.Dataset) -> str:
+    """Short name of the swept parameter."""
+    return next(str(d) for d in dataset["label"].dims if d != "direction")
+
+
+def _branch(dataset: xr.Dataset, direction: str) -> Branch:
+    axis = axis_name(dataset)
+    one = dataset.sel(direction=direction)
+    computed = np.array([bool(str(label)) for label in one["label"].values], dtype=bool)
+    one = one.isel({axis: np.flatnonzero(computed)})
+
+    def padded(name: str) -> Array:
+        if name not in one:
+            return np.full((len(one[axis]), 1), np.nan)
+        table = one[name]
+        return np.asarray(table.transpose(axis, ...).values, dtype=np.float64).reshape(len(one[axis]), -1)
+
+    return Branch(
+        direction=direction,
+        values=np.asarray(one[axis].values, dtype=np.float64),
+        labels=tuple(str(label) for label in one["label"].values),
+        exponent=np.asarray(one["largest_exponent"].values, dtype=np.float64),
+        exponent_error=np.asarray(one["exponent_error"].values, dtype=np.float64),
+        strobes=padded("strobes"),
+        drive_force=padded("drive_force"),
+        back_force=padded("back_force"),
+        back_release_force=padded("back_release_force"),
+    )
+
+
+def differs(branch: Branch, other: Branch) -> NDArray[np.bool_]:
+    """(m,) where ``branch`` reaches another attractor than ``other`` at the same value, or the other has
+    no such value.
+
+    Two aperiodic motions count as the same: points of one never repeat, so they cannot be compared one by
+    one.
+    """
+    index = {value: i for i, value in enumerate(other.values)}
+    return np.array([_other(branch, i, other, index.get(v)) for i, v in enumerate(branch.values)], dtype=bool)
+
+
+def _other(branch: Branch, i: int, other: Branch, j: int | None) -> bool:
+    if j is None or branch.labels[i] != other.labels[j]:
+        return True
+    if not branch.labels[i][:1].isdigit():
+        return False
+    mine, theirs = (np.sort(row[np.isfinite(row)]) for row in (branch.strobes[i], other.strobes[j]))
+    return len(mine) != len(theirs) or bool(
+        np.abs(mine - theirs).max(initial=0.0) > SAME * max(1.0, float(np.abs(mine).max(initial=0.0)))
+    )

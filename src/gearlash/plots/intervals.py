@@ -1,0 +1,108 @@
+"""Where a motion stays: intervals of a parameter, computed beside reported, with what coexists inside
+them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from matplotlib.ticker import AutoMinorLocator
+
+from . import style
+from .regimes import regime, short
+from .units import Units, name, second
+
+REPORTED = "reported"
+HEIGHT = 0.56  # of a bar, of the distance between two
+ROW = 8.5  # mm
+
+
+@dataclass(frozen=True)
+class Bar:
+    """One interval: ``title`` at the left, ``label`` (P-Q-R, or words) on it, what is said at its two ends.
+
+    ``kind`` is ``reported``, ``computed`` or ``coexisting``; only computed and coexisting ones are coloured.
+    """
+
+    title: str
+    lower: float
+    upper: float
+    kind: str
+    label: str = ""
+    lower_text: str = ""
+    upper_text: str = ""
+
+
+@dataclass(frozen=True)
+class Panel:
+    """The intervals of one parameter under one heading."""
+
+    parameter: str
+    title: str
+    bars: tuple[Bar, ...]
+
+
+@style.styled
+def zones(panels: Sequence[Panel], units: Units | None = None) -> Figure:
+    """One panel a zone, one bar an interval, physical scale on top."""
+    rows = [len(p.bars) for p in panels]
+    figure = style.figure(style.PAGE, sum(ROW * n + 27.0 for n in rows))
+    axes = figure.subplots(len(panels), 1, squeeze=False, height_ratios=[n + 0.4 for n in rows])[:, 0]
+    for panel, place in zip(panels, axes, strict=True):
+        _panel(place, panel)
+        second(place, (units or Units()).of_parameter(panel.parameter))
+    return figure
+
+
+def _panel(axes: Axes, panel: Panel) -> None:
+    low, high = min(b.lower for b in panel.bars), max(b.upper for b in panel.bars)
+    wide = high - low
+    axes.set_xlim(low - 0.42 * wide, high + 0.42 * wide)
+    axes.set_ylim(len(panel.bars) - 0.3, -0.7)
+    axes.set_yticks(range(len(panel.bars)), [b.title for b in panel.bars])
+    axes.tick_params(axis="y", length=0)
+    axes.set_title(panel.title, pad=6.0)
+    axes.set_xlabel(name(panel.parameter))
+    axes.xaxis.set_minor_locator(AutoMinorLocator())
+    for row, bar in enumerate(panel.bars):
+        _bar(axes, row, bar, wide)
+    computed = [b for b in panel.bars if b.kind != "coexisting"]
+    for edge in sorted({e for b in computed for e in (b.lower, b.upper)}):
+        axes.axvline(edge, color=style.PALE, lw=0.5, zorder=0.2)
+
+
+def _bar(axes: Axes, row: int, bar: Bar, wide: float) -> None:
+    plain = bar.kind == REPORTED
+    kind = regime(bar.label)
+    fill = "white" if plain else kind.colour
+    axes.add_patch(
+        Rectangle(
+            (bar.lower, row - HEIGHT / 2),
+            bar.upper - bar.lower,
+            HEIGHT,
+            facecolor=fill,
+            edgecolor=style.INK,
+            linewidth=0.6,
+            hatch="" if not plain else "///",
+        )
+    )
+    middle = (bar.lower + bar.upper) / 2.0
+    box = {"facecolor": "white", "edgecolor": "none", "pad": 1.2} if plain else None
+    if bar.upper - bar.lower > 0.012 * len(bar.label) * wide:
+        axes.text(
+            middle,
+            row,
+            bar.label if plain else short(bar.label),
+            ha="center",
+            va="center",
+            fontsize=7.5,
+            bbox=box,
+            color=style.INK if plain else kind.ink,
+        )
+    gap = 0.012 * wide
+    axes.text(bar.lower - gap, row, bar.lower_text, ha="right", va="center", fontsize=7)
+    axes.text(bar.upper + gap, row, bar.upper_text, ha="left", va="center", fontsize=7)

@@ -1,0 +1,208 @@
+"""The picture of the README: the impact-free window of the article's pair, and a motion before, at and
+after grazing.
+
+`python -m gearlash.plots.overview docs/images/overview.png` computes and writes it.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import AutoMinorLocator, MaxNLocator
+
+from gearlash.branches import GrazingPoint, locate_grazing
+from gearlash.case import Case, load
+from gearlash.orbits import Orbit, Settings, attractor, grazing_checks
+from gearlash.results import Axis, sweep_dataset
+from gearlash.studies.motion import Motion, motion, touching
+from gearlash.studies.sweep import sweeps
+from gearlash.system import Family, GearlashError
+
+from . import portraits, style
+from .bifurcation import scatter
+from .branch import Branch, branches, differs
+from .framing import frame
+from .regimes import FREE, short
+from .units import VELOCITY, Units, X, name, second
+
+PIXELS = 1600
+SPAN = (0.90, 1.20)  # of ω around the window
+POINTS = 451
+BUDGET = Settings(budget=4_000)  # of base periods a point: enough for a picture
+INSIDE = 1.05  # a speed in the middle of the window
+BESIDE = 0.006  # relative distance of the portraits from the grazing
+WORDS = ("before: teeth stay in contact", "at: the motion touches Σ₁", "after: teeth part and hit")
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What the picture shows: sweeps, both ends of the window, motions around the upper one."""
+
+    dataset: xr.Dataset
+    ends: tuple[float, float]
+    motions: tuple[Motion, ...]
+
+
+def compute(case: Case, points: int = POINTS) -> Scene:
+    """Everything in the picture, computed."""
+    family, _ = case.family()
+    axis = Axis("omega", np.linspace(*SPAN, points))
+    dataset = sweep_dataset(case, sweeps(case, axis, ("cold", "up", "down"), settings=BUDGET))
+    lower, upper = _ends(family)
+    motions = (
+        motion(_orbit(family, upper, 1.0 - BESIDE), value=upper.value * (1.0 - BESIDE)),
+        touching(family, upper),
+        motion(_orbit(family, upper, 1.0 + BESIDE), value=upper.value * (1.0 + BESIDE)),
+    )
+    return Scene(dataset, (lower.value, upper.value), motions)
+
+
+def _ends(family: Family) -> tuple[GrazingPoint, GrazingPoint]:
+    """The grazings in which the window without impacts ends, each from an orbit inside it near to it."""
+    found = []
+    for step in (-0.002, 0.002):
+        omega, last = INSIDE, _inside(family, INSIDE, None)
+        if last is None:
+            raise GearlashError(f"no motion without impacts at omega = {INSIDE}: there is no window to draw")
+        while SPAN[0] < omega < SPAN[1]:
+            beyond = _inside(family, omega + step, last)
+            if beyond is None:
+                break
+            omega, last = omega + step, beyond
+        values = family.complete({"omega": omega})
+        check = grazing_checks(last)[0]
+        found.append(locate_grazing(family, values, "omega", last, check))
+    return found[0], found[1]
+
+
+def _inside(family: Family, omega: float, last: Orbit | None) -> Orbit | None:
+    start = family.start({"omega": omega}) if last is None else last.state
+    trial = None if last is None else (last.state, 1)
+    found = attractor(family.system({"omega": omega}), start, trial=trial)
+    return found if isinstance(found, Orbit) and found.label == "1-0-0" else None
+
+
+def _orbit(family: Family, point: GrazingPoint, factor: float) -> Orbit:
+    system = family.system({**point.values, "omega": point.value * factor})
+    found = attractor(system, point.state_zero, trial=(point.state_zero, point.period))
+    if not isinstance(found, Orbit):
+        raise GearlashError(f"no periodic motion beside the grazing: {found.message}")
+    return found
+
+
+@style.styled
+def overview(scene: Scene, units: Units) -> Figure:
+    """The picture: the diagram above, three portraits below."""
+    figure = style.figure(style.PAGE, 118.0)
+    grid = figure.add_gridspec(2, 3, height_ratios=[1.0, 0.92])
+    _diagram(figure.add_subplot(grid[0, :]), scene, units)
+    _portraits([figure.add_subplot(grid[1, i]) for i in range(3)], scene.motions)
+    return figure
+
+
+def _diagram(axes: Axes, scene: Scene, units: Units) -> None:
+    rows = branches(scene.dataset)
+    low, high = scene.ends
+    axes.axvspan(low, high, facecolor=FREE.colour, alpha=0.55, edgecolor="none", zorder=0.1)
+    for branch in rows:
+        keep = differs(branch, rows[0]) if branch is not rows[0] else np.ones(len(branch.values), dtype=bool)
+        scatter(axes, branch.direction, *branch.points("strobes", keep))
+    axes.set_xlim(*SPAN)
+    axes.margins(y=0.1)
+    axes.set(xlabel=name("omega"), ylabel=r"$X_n$  on  $\sigma_t$")
+    axes.xaxis.set_minor_locator(AutoMinorLocator())
+    axes.yaxis.set_minor_locator(AutoMinorLocator())
+    second(axes, units.speed)
+    for edge in scene.ends:
+        axes.axvline(edge, color=style.BOUNDARY, lw=0.9, zorder=0.5)
+    _names(axes, rows, scene.ends)
+    speeds = "" if units.speed is None else "\n{:.0f} to {:.0f} rpm".format(*units.speed(scene.ends))
+    axes.text(
+        (low + high) / 2,
+        0.06,
+        f"1-0: no impacts{speeds}",
+        transform=axes.get_xaxis_transform(),
+        ha="center",
+        va="bottom",
+    )
+    for edge, side in ((low, "left"), (high, "right")):
+        axes.annotate(
+            f"grazing\nω = {edge:.4f}",
+            (edge, 0.06),
+            (-4 if side == "left" else 4, 0),
+            ha="right" if side == "left" else "left",
+            va="bottom",
+            xycoords=axes.get_xaxis_transform(),
+            textcoords="offset points",
+            color=style.BOUNDARY,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.85},
+        )
+
+
+def _names(axes: Axes, rows: list[Branch], ends: tuple[float, float]) -> None:
+    """Labels on the branches where they are long enough, and on what coexists with the motion without
+    impacts.
+    """
+    low, high = ends
+    for first, last, label in rows[0].runs():
+        left, right = rows[0].values[first], rows[0].values[last - 1]
+        middle = (max(left, high) + right) / 2 if right > high and left < high else (left + right) / 2
+        if label[0].isdigit() and right - left > 0.03:
+            top = float(np.nanmax(rows[0].strobes[int(np.argmin(np.abs(rows[0].values - middle)))]))
+            axes.annotate(
+                short(label), (middle, top), (0, 5), textcoords="offset points", ha="center", va="bottom"
+            )
+    inside = [
+        (b.values[i], float(np.nanmin(b.strobes[i])), label)
+        for b in rows
+        for i, label in enumerate(b.labels)
+        if low < b.values[i] < high and label != "1-0-0"
+    ]
+    if inside:
+        value, bottom, label = min(inside)
+        axes.annotate(
+            f"{short(label)} coexists",
+            (value, bottom),
+            (-14, -6),
+            textcoords="offset points",
+            ha="right",
+            va="center",
+            arrowprops={"arrowstyle": "-", "lw": 0.5, "color": style.GREY},
+        )
+
+
+def _portraits(panels: list[Axes], motions: Sequence[Motion]) -> None:
+    box = frame(motions)
+    for panel, item, words in zip(panels, motions, WORDS, strict=True):
+        portraits.draw(panel, item)
+        panel.set(xlim=box[:2], ylim=box[2:], xlabel=X)
+        panel.set_title(f"{words}\nω = {item.value:.4f}   {short(item.label)}")
+        panel.xaxis.set_major_locator(MaxNLocator(4))
+    for panel in panels[1:]:
+        panel.tick_params(labelleft=False)
+    panels[0].set_ylabel(VELOCITY)
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Writes the picture to the path given."""
+    if len(arguments) != 1:
+        print("usage: python -m gearlash.plots.overview FILE.png", file=sys.stderr)
+        return 2
+    target = Path(arguments[0])
+    target.parent.mkdir(parents=True, exist_ok=True)
+    case = load("article")
+    made = overview(compute(case), Units.of(case))
+    target.write_bytes(style.to_bytes(made, "png", dpi=PIXELS / (style.PAGE * style.MM)))
+    print(target)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

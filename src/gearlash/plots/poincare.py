@@ -1,0 +1,94 @@
+"""The three Poincaré sections of several motions, side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import AutoMinorLocator, MaxNLocator
+from numpy.typing import NDArray
+
+from gearlash.studies.motion import Motion
+
+from . import style
+from .portraits import heading
+from .units import ARTICLE_FORCE, VELOCITY
+
+# One look a motion: colour and marker, so that two are told apart in grey too.
+LOOKS = ((style.BLUE, "o"), (style.VERMILION, "^"), (style.GREEN, "s"), (style.PURPLE, "D"), (style.INK, "v"))
+IN_CYCLE = r"phase in the mesh cycle  $\theta/2\pi$"
+
+
+@style.styled
+def sections(motions: Sequence[Motion], parameter: str = "omega") -> Figure:
+    """σ_t in (X, X'); F at every crossing of Σ1 (σ_d) and of Σ2 (σ_b) over its phase in the mesh cycle:
+    filled where contact begins, hollow where it ends. F is in the sign of the article, F = -Φ."""
+    back = any((m.hit_boundary < 0).any() for m in motions)
+    figure = style.figure(style.PAGE if back else 132.0, 70.0)
+    panels: list[Axes] = list(figure.subplots(1, 3 if back else 2, squeeze=False)[0])
+    titles = (
+        "(a)  $\\sigma_t$: once a mesh cycle",
+        "(b)  $\\sigma_d$: crossings of $\\Sigma_1$",
+        "(c)  $\\sigma_b$: crossings of $\\Sigma_2$",
+    )
+    for panel, title in zip(panels, titles, strict=False):
+        panel.set_title(title)
+        panel.xaxis.set_minor_locator(AutoMinorLocator())
+        panel.yaxis.set_minor_locator(AutoMinorLocator())
+        panel.tick_params(which="both", top=True, right=True)
+    for i, motion in enumerate(motions):
+        look = LOOKS[i % len(LOOKS)]
+        _points(panels[0], motion.strobe_displacement, motion.strobe_velocity, look, True, motion.periodic)
+        for panel, side in zip(panels[1:], (1, -1), strict=False):
+            for engaging in (True, False):
+                chosen = (motion.hit_boundary == side) & (motion.hit_engaging == engaging)
+                force = -np.interp(motion.hit_phase[chosen], motion.phase, motion.force)
+                _points(panel, motion.hit_phase[chosen] % 1.0, force, look, engaging, motion.periodic)
+    panels[0].set(xlabel=r"$X_n$  on  $\sigma_t$", ylabel=VELOCITY)
+    panels[0].xaxis.set_major_locator(MaxNLocator(5))
+    for panel, symbol in zip(panels[1:], ("d", "b"), strict=False):
+        panel.axhline(0.0, color=style.GREY, lw=0.5, zorder=0.5)
+        panel.set(xlabel=IN_CYCLE, xlim=(0.0, 1.0), ylabel=f"{ARTICLE_FORCE}  on  $\\sigma_{symbol}$")
+    figure.legend(handles=_key(motions, parameter), loc="outside lower center", ncols=3)
+    return figure
+
+
+def _points(
+    axes: Axes,
+    x: NDArray[np.float64],
+    y: NDArray[np.float64],
+    look: tuple[str, str],
+    filled: bool,
+    periodic: bool,
+) -> None:
+    colour, marker = look
+    axes.plot(
+        x,
+        y,
+        ls="none",
+        marker=marker,
+        ms=4.2 if periodic else 2.4,
+        mec=colour,
+        mew=0.8,
+        mfc=colour if filled else "none",
+        rasterized=not periodic,
+        clip_on=False,
+        zorder=3,
+    )
+
+
+def _key(motions: Sequence[Motion], parameter: str) -> list[Line2D]:
+    handles = [
+        Line2D([], [], ls="none", marker=m, color=c, ms=4.2, label=heading(motion, parameter))
+        for (c, m), motion in zip(LOOKS, motions, strict=False)
+    ]
+    if any(len(m.hit_phase) for m in motions):
+        for filled, words in ((True, "impact (into contact)"), (False, "release (out of contact)")):
+            face = style.GREY if filled else "none"
+            handles.append(
+                Line2D([], [], ls="none", marker="o", ms=4.2, mec=style.GREY, mfc=face, label=words)
+            )
+    return handles

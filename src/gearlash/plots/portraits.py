@@ -1,0 +1,211 @@
+"""Phase portraits (X, X') with the boundaries of the gap, contacts, and the touch of a grazing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import AutoMinorLocator, MaxNLocator
+
+from gearlash.studies.motion import Motion
+
+from . import style
+from .framing import Box, frame, zoom_frame
+from .regimes import short
+from .units import SYMBOLS, VELOCITY, Units, X, second
+
+# Colour, line style and width of a stretch: drive side, free, back side.
+STRETCHES = {
+    0: (style.BLUE, "-", 1.0, "contact, drive side"),
+    1: (style.INK, (0, (3.5, 1.2)), 0.8, "no contact"),
+    2: (style.GREEN, (0, (5, 1, 1, 1)), 1.0, "contact, back side"),
+}
+# A ring, so that the tangency inside it stays visible.
+TOUCH: dict[str, Any] = {
+    "ls": "none",
+    "marker": "o",
+    "ms": 8.0,
+    "mfc": "none",
+    "mec": style.PURPLE,
+    "mew": 1.6,
+}
+
+
+@style.styled
+def portrait(motion: Motion, units: Units | None = None, parameter: str = "omega") -> Figure:
+    """One motion in the width of a column."""
+    figure = style.figure(style.COLUMN, 84.0)
+    axes = figure.subplots()
+    draw(axes, motion)
+    axes.set_title(heading(motion, parameter))
+    axes.set(xlabel=X, ylabel=VELOCITY)
+    second(axes, (units or Units()).length)
+    figure.legend(handles=key([motion]), loc="outside lower center", ncols=2)
+    return figure
+
+
+@style.styled
+def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str = "omega") -> Figure:
+    """Before, at and after an event: whole portraits above, the same places beside the touched boundary
+    below.
+    """
+    figure = style.figure(style.PAGE, 132.0)
+    whole, close = figure.subplots(2, len(motions), height_ratios=[1.15, 1.0], squeeze=False)
+    full, zoom = frame(motions), zoom_frame(motions)
+    for i, (above, below, motion) in enumerate(zip(whole, close, motions, strict=True)):
+        draw(above, motion)
+        draw(below, motion, names=False)
+        _limits(above, full)
+        _limits(below, zoom)
+        above.set_title(f"({'abc'[i % 3]})  {heading(motion, parameter)}")
+        _window(above, zoom)
+        below.set_xlabel(X)
+        second(above, (units or Units()).length)
+        above.xaxis.set_major_locator(MaxNLocator(4))
+        below.xaxis.set_major_locator(MaxNLocator(3))
+        for panel in (above, below):
+            if i == 0:
+                panel.set_ylabel(VELOCITY)
+            else:
+                panel.tick_params(labelleft=False)
+    figure.legend(handles=key(motions), loc="outside lower center", ncols=4, columnspacing=1.4)
+    return figure
+
+
+def heading(motion: Motion, parameter: str) -> str:
+    """Value and label: what a reader looks for first."""
+    symbol = SYMBOLS.get(parameter, parameter)
+    text = short(motion.label)
+    return text if not np.isfinite(motion.value) else f"{symbol} = {motion.value:.6g}:  {text}"
+
+
+def draw(axes: Axes, motion: Motion, names: bool = True, strobes: bool = True) -> None:
+    """The motion into existing axes."""
+    boundaries(axes, motion, names)
+    thin = 1.0 if 0 < motion.period <= 4 else 0.7 if motion.periodic else 0.45
+    for first, last, region in stretches(motion):
+        colour, ls, width, _ = STRETCHES[region]
+        part = slice(first, last)
+        axes.plot(motion.displacement[part], motion.velocity[part], color=colour, ls=ls, lw=thin * width)
+    small = thin * 3.2
+    for side in (1, -1):
+        for engaging in (True, False):
+            chosen = (motion.hit_boundary == side) & (motion.hit_engaging == engaging)
+            axes.plot(
+                motion.hit_displacement[chosen],
+                motion.hit_velocity[chosen],
+                ls="none",
+                marker="o",
+                ms=small,
+                zorder=4,
+                mfc=style.BOUNDARY if engaging else "white",
+                mec=style.BOUNDARY,
+                mew=0.7,
+            )
+    if strobes:
+        axes.plot(
+            motion.strobe_displacement,
+            motion.strobe_velocity,
+            ls="none",
+            marker="D",
+            ms=thin * 2.9,
+            zorder=5,
+            mfc=style.YELLOW,
+            mec=style.INK,
+            mew=0.5,
+        )
+    if motion.touch:
+        axes.plot(
+            [motion.touch.displacement],
+            [motion.touch.velocity],
+            zorder=6,
+            **TOUCH,
+        )
+    axes.xaxis.set_minor_locator(AutoMinorLocator())
+    axes.yaxis.set_minor_locator(AutoMinorLocator())
+    axes.xaxis.set_major_locator(MaxNLocator(5))
+    axes.tick_params(which="both", right=True)
+
+
+def boundaries(axes: Axes, motion: Motion, names: bool = True) -> None:
+    """Σ1 and Σ2 as lines, the gap between them shaded; names at the top, inside."""
+    axes.axvspan(-motion.gap_minus, motion.gap_plus, facecolor=style.FREE_SHADE, edgecolor="none", zorder=0.1)
+    axes.axhline(0.0, color=style.PALE, lw=0.5, zorder=0.2)
+    for place, text in ((motion.gap_plus, r"$\Sigma_1$"), (-motion.gap_minus, r"$\Sigma_2$")):
+        axes.axvline(place, color=style.BOUNDARY, lw=0.8, zorder=0.3)
+        if names:
+            axes.annotate(
+                text,
+                (place, 1.0),
+                (2.0, -3.0),
+                xycoords=("data", "axes fraction"),
+                textcoords="offset points",
+                va="top",
+                ha="left",
+                color=style.BOUNDARY,
+                fontsize=8,
+                annotation_clip=True,
+                clip_on=True,
+            )
+
+
+def stretches(motion: Motion) -> list[tuple[int, int, int]]:
+    """Maximal stretches of one region: first index, index after the last (sharing its end with the next),
+    region.
+    """
+    change = np.flatnonzero(np.diff(motion.region)) + 1
+    starts = [0, *change.tolist()]
+    stops = [*change.tolist(), len(motion.region) - 1]
+    return [(a, b + 1, int(motion.region[a])) for a, b in zip(starts, stops, strict=True) if b + 1 > a]
+
+
+def _limits(axes: Axes, box: Box) -> None:
+    axes.set(xlim=box[:2], ylim=box[2:])
+
+
+def _window(axes: Axes, box: Box) -> None:
+    """The outline of the zoom in the whole portrait."""
+    left, right, bottom, top = box
+    axes.plot(
+        [left, right, right, left, left],
+        [bottom, bottom, top, top, bottom],
+        color=style.GREY,
+        lw=0.5,
+        zorder=3.5,
+    )
+
+
+def key(motions: Sequence[Motion]) -> list[Line2D | Patch]:
+    """Legend entries of what occurs in these motions."""
+    present = {int(r) for m in motions for r in np.unique(m.region)}
+    handles: list[Line2D | Patch] = [
+        Line2D([], [], color=c, ls=ls, lw=1.1, label=words)
+        for r, (c, ls, _, words) in STRETCHES.items()
+        if r in present
+    ]
+    if any(len(m.hit_phase) for m in motions):
+        marker: dict[str, Any] = {"ls": "none", "marker": "o", "ms": 3.6, "mec": style.BOUNDARY, "mew": 0.7}
+        handles.append(Line2D([], [], mfc=style.BOUNDARY, label="impact (into contact)", **marker))
+        handles.append(Line2D([], [], mfc="white", label="release (out of contact)", **marker))
+    handles.append(
+        Line2D(
+            [],
+            [],
+            ls="none",
+            marker="D",
+            ms=3.2,
+            mfc=style.YELLOW,
+            mec=style.INK,
+            mew=0.5,
+            label=r"on $\sigma_t$",
+        )
+    )
+    if any(m.touch for m in motions):
+        handles.append(Line2D([], [], label="touch: $X_n'=0$", **TOUCH))
+    handles.append(Patch(facecolor=style.FREE_SHADE, label=r"gap,  $-D \leq X_n \leq D$"))
+    return handles

@@ -1,0 +1,43 @@
+"""What kind of motion a label names, with the colour and the hatch it has in every figure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from . import style
+
+
+@dataclass(frozen=True)
+class Regime:
+    """A kind of motion: words, fill colour, hatch, colour of text on the fill."""
+
+    words: str
+    colour: str
+    hatch: str = ""
+    ink: str = style.INK
+
+
+FREE = Regime("no impacts", "#b7e0d2")
+DRIVE = Regime("drive-side impacts", style.SKY)
+BACK = Regime("drive- and back-side impacts", style.ORANGE)
+APERIODIC = Regime("aperiodic", style.GREY, ink="white")
+UNRESOLVED = Regime("unresolved", "white", "xxxx")
+ALL = (FREE, DRIVE, BACK, APERIODIC, UNRESOLVED)
+
+
+def regime(label: str) -> Regime:
+    """The regime of a label: P-Q-R, ``aperiodic``, or anything else: unresolved."""
+    if label == "aperiodic":
+        return APERIODIC
+    counts = label.split("-")
+    if len(counts) not in (2, 3) or not all(c.isdigit() for c in counts):
+        return UNRESOLVED
+    drive, back = int(counts[1]), int(counts[2]) if len(counts) == 3 else 0
+    if back:
+        return BACK
+    return DRIVE if drive else FREE
+
+
+def short(label: str) -> str:
+    """A label as the article prints it: 1-1-0 is 1-1."""
+    return label[:-2] if label.count("-") == 2 and label.endswith("-0") else label

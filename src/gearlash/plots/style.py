@@ -1,0 +1,129 @@
+"""The one look of all figures: sizes of a paper, a palette safe for colour-blind readers, files without
+dates.
+
+Palette: M. Okabe and K. Ito, Color Universal Design, 2008. Nothing is told by colour alone: markers, line
+styles, hatches or words say the same, so that a grey print can be read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from io import BytesIO
+from pathlib import Path
+from typing import Any, ParamSpec
+
+import matplotlib as mpl
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+P = ParamSpec("P")
+
+COLUMN, PAGE = 88.0, 180.0  # mm: one column and the whole width of a journal page
+MM = 1.0 / 25.4
+RASTER_DPI = 400  # of the dense point layers inside vector files
+
+INK, GREY, PALE = "#1a1a1a", "#6e6e6e", "#c9c9c9"
+BLUE, SKY, GREEN = "#0072b2", "#56b4e9", "#009e73"
+VERMILION, ORANGE, YELLOW, PURPLE = "#d55e00", "#e69f00", "#f0e442", "#cc79a7"
+
+FREE_SHADE = "#e9e9e9"  # contact is lost
+BOUNDARY = VERMILION
+
+RC: Any = {  # matplotlib types these names as literals only in newer versions
+    "font.family": "sans-serif",
+    "font.sans-serif": ["DejaVu Sans"],  # comes with matplotlib, so every machine draws the same
+    "mathtext.fontset": "dejavusans",
+    "font.size": 8.0,
+    "axes.titlesize": 8.0,
+    "axes.labelsize": 8.0,
+    "xtick.labelsize": 7.5,
+    "ytick.labelsize": 7.5,
+    "legend.fontsize": 7.5,
+    "axes.linewidth": 0.6,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "axes.titlelocation": "left",
+    "axes.titlepad": 4.0,
+    "axes.labelpad": 2.5,
+    "axes.formatter.useoffset": False,
+    "axes.formatter.limits": (-4, 5),
+    "axes.axisbelow": True,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "xtick.minor.width": 0.4,
+    "ytick.minor.width": 0.4,
+    "xtick.major.size": 3.0,
+    "ytick.major.size": 3.0,
+    "xtick.minor.size": 1.8,
+    "ytick.minor.size": 1.8,
+    "lines.linewidth": 0.9,
+    "lines.solid_capstyle": "round",
+    "hatch.linewidth": 0.6,
+    "legend.frameon": False,
+    "legend.handlelength": 1.6,
+    "legend.borderaxespad": 0.3,
+    "figure.facecolor": "white",
+    "savefig.facecolor": "white",
+    "svg.fonttype": "path",  # text as outlines: the file needs no font of the reader's machine
+    "svg.hashsalt": "gearlash",
+    "pdf.fonttype": 42,
+    "path.simplify": True,
+    "path.simplify_threshold": 0.05,
+}
+
+
+def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
+    """Draws under this style whatever the caller's settings are, and leaves those alone."""
+
+    @wraps(draw)
+    def under_style(*args: P.args, **kwargs: P.kwargs) -> Figure:
+        with mpl.rc_context():
+            mpl.rcdefaults()
+            mpl.rcParams.update(RC)
+            return draw(*args, **kwargs)
+
+    return under_style
+
+
+def figure(width: float, height: float) -> Figure:
+    """An empty figure of a size in mm, with a layout that leaves no label outside."""
+    made = Figure(figsize=(width * MM, height * MM), layout="constrained")
+    FigureCanvasAgg(made)
+    pads = {"w_pad": 1.0 * MM, "h_pad": 0.8 * MM, "wspace": 0.02, "hspace": 0.02}
+    engine = made.get_layout_engine()
+    assert engine is not None
+    engine.set(**pads)
+    return made
+
+
+def to_bytes(made: Figure, form: str, dpi: float = RASTER_DPI) -> bytes:
+    """The figure as a file of format ``svg``, ``pdf`` or ``png``. The same figure gives the same bytes."""
+    empty: dict[str, dict[str, None]] = {
+        "svg": dict.fromkeys(("Date", "Creator", "Format", "Type")),
+        "pdf": dict.fromkeys(("CreationDate", "Creator", "Producer")),
+        "png": {"Software": None},
+    }
+    out = BytesIO()
+    with mpl.rc_context():
+        mpl.rcdefaults()
+        mpl.rcParams.update(RC)
+        made.savefig(out, format=form, dpi=dpi, metadata=empty[form])
+    return out.getvalue()
+
+
+def save(
+    made: Figure, stem: Path, forms: tuple[str, ...] = ("svg", "pdf"), dpi: float = RASTER_DPI
+) -> list[Path]:
+    """Writes ``stem``.svg, ``stem``.pdf, ...; returns their paths."""
+    written = []
+    for form in forms:
+        path = stem.with_name(f"{stem.name}.{form}")
+        path.write_bytes(to_bytes(made, form, dpi))
+        written.append(path)
+    return written

@@ -1,0 +1,124 @@
+"""Axis labels with symbols and units, and second axes in rpm, µm, ms and N where a case has scales."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.ticker import AutoMinorLocator
+from numpy.typing import ArrayLike, NDArray
+
+from gearlash.case import Case, Scales
+
+Array = NDArray[np.float64]
+
+MARK = "†"  # beside a unit whose scale rests on an assumed value
+
+X = r"displacement  $X_n$"
+VELOCITY = r"velocity  $X_n'$"
+FORCE = r"mesh force  $\Phi$"
+ARTICLE_FORCE = r"$F$"
+PHASE = r"time  $\theta/2\pi$  [mesh cycles]"
+EXPONENT = r"$\lambda_1$  [per $\tau$]"
+
+NAMES = {
+    "omega": r"mesh frequency  $\omega$",
+    "D": r"half-backlash  $D$",
+    "load": r"load  $f_m$",
+    "ripple": r"stiffness ripple  $\varepsilon_1$",
+    "ripple_phase": r"ripple phase  $\varphi_1$  [rad]",
+    "error": r"transmission error  $E_1$",
+    "error_phase": r"error phase  $\psi_1$  [rad]",
+    "mesh_damping": r"mesh damping  $\xi_m$",
+    "bearing_damping": r"bearing damping  $\xi_i$",
+}
+SYMBOLS = {"omega": "ω", "D": "D", "load": "f_m", "ripple": "ε₁", "error": "E₁", "error_phase": "ψ₁"}
+
+
+def name(parameter: str) -> str:
+    """Axis label of a parameter: words and symbol; all are numbers of one unless the label says rad."""
+    return NAMES.get(parameter, parameter.replace("_", " "))
+
+
+@dataclass(frozen=True)
+class Twin:
+    """A second scale of an axis: dimensionless → physical by one factor, label with unit."""
+
+    factor: float
+    label: str
+
+    def __call__(self, values: ArrayLike) -> Array:
+        return np.asarray(values, dtype=np.float64) * self.factor
+
+    def back(self, values: ArrayLike) -> Array:
+        return np.asarray(values, dtype=np.float64) / self.factor
+
+
+@dataclass(frozen=True)
+class Units:
+    """The second axes a case can have: None where its scales do not reach. `Units()` has none at all."""
+
+    speed: Twin | None = None
+    backlash: Twin | None = None
+    length: Twin | None = None
+    force: Twin | None = None
+    milliseconds: Twin | None = None  # of one unit of τ
+    assumed: bool = False  # does any of them carry the mark?
+
+    @staticmethod
+    def of(case: Case) -> Units:
+        """All that the case's scales give; a scale that rests on an assumed value carries †."""
+        scales = case.scales
+        if not scales.physical:
+            return Units()
+        doubtful = {v.path for v in case.values() if v.uncertain}
+        length = f" {MARK}" if "model.reference_length" in doubtful else ""
+        force = f" {MARK}" if "derived.force_unit" in doubtful else ""
+        speed = f" {MARK}" if "derived.omega_n" in doubtful else ""
+        turns = Twin(float(scales.pinion_rpm(1.0)), f"pinion speed  [rpm]{speed}") if scales.teeth else None
+        return Units(
+            speed=turns,
+            backlash=Twin(float(scales.backlash_um(1.0)), f"backlash  $b$  [µm]{length}"),
+            length=Twin(float(scales.length_um(1.0)), f"$x_n$  [µm]{length}"),
+            force=Twin(float(scales.force_N(1.0)), f"$F_n$  [N]{force}"),
+            milliseconds=Twin(1e3 * float(scales.time_s(1.0)), f"$t$  [ms]{speed}"),
+            assumed=bool(length or force or speed),
+        )
+
+    def of_parameter(self, parameter: str) -> Twin | None:
+        """The physical scale of a swept parameter."""
+        return {"omega": self.speed, "D": self.backlash}.get(parameter)
+
+
+def scales_of(case: Case | Scales | None) -> Units:
+    """Second axes of a case, or none."""
+    return Units.of(case) if isinstance(case, Case) else Units()
+
+
+def second(axes: Axes, twin: Twin | None, which: str = "x", below: float = 0.0) -> None:
+    """Gives the axes a second scale at the top (``x``), on the right (``y``), or ``below`` (mm) their own
+    x axis.
+    """
+    if twin is None:
+        return
+    pair: tuple[Callable[[ArrayLike], Array], Callable[[ArrayLike], Array]] = (twin, twin.back)
+    if which == "x" and below:
+        made = axes.secondary_xaxis(0.0, functions=pair)
+        made.spines["bottom"].set_position(("outward", below / 25.4 * 72.0))
+        made.tick_params(which="both", top=False, bottom=True)
+        made.set_xlabel(twin.label)
+        side: Axis = made.xaxis
+    elif which == "x":
+        axes.tick_params(which="both", top=False)
+        made = axes.secondary_xaxis("top", functions=pair)
+        made.set_xlabel(twin.label)
+        side = made.xaxis
+    else:
+        axes.tick_params(which="both", right=False)
+        made = axes.secondary_yaxis("right", functions=pair)
+        made.set_ylabel(twin.label)
+        side = made.yaxis
+    side.set_minor_locator(AutoMinorLocator())
