@@ -1,7 +1,7 @@
 """Print the worst errors of the flow: ``cd tests && python -m oracles.measure [SETS] [GRAZES]``.
 
-The tests assert bounds; this shows how far below them the flow is. Spans are short enough that motions hardly
-part: 2 mesh cycles, a fifth of one where it is slow (ω < 0.1), else one would measure the chaos of the motion.
+The tests assert bounds; this shows how far below them the flow is. Spans are short, so that motions hardly
+part: 2 mesh cycles, a fifth of one where it is slow (ω < 0.1). Longer ones would measure chaos instead.
 """
 
 from __future__ import annotations
