@@ -34,6 +34,7 @@ DEFAULT = Settings()
 FIRST = 24  # base periods before the first attempt
 NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
 WINDOW = 1_024  # base periods of each window that a persistent motion is compared in
+FAR = 0.1  # the best return is worth one up to here
 BRANCH = (1e-4, 1e-3, 1e-2, 3e-2, 0.1)  # steps along the critical direction, in units of the motion's size
 
 
@@ -101,7 +102,7 @@ class _Search:
     def newton(self) -> Orbit | None:
         """Tries the most promising periods: the least that nearly returns, and the one that returns best."""
         for period in self.candidates():
-            shot = shoot(self.props, self.state, period, iterations=8)
+            shot = shoot(self.props, self.state, period, iterations=8, patient=False)
             if shot.residual > TOLERANCE:
                 continue
             found = self.accept(minimal(self.props, shot))
@@ -115,7 +116,7 @@ class _Search:
         order = np.argsort(returns, kind="stable")
         best = int(order[0]) + 1
         near = np.flatnonzero(returns < NEAR * self.size)
-        chosen = ([int(near[0]) + 1] if len(near) else []) + ([best] if returns[best - 1] < 0.2 * self.size else [])
+        chosen = ([int(near[0]) + 1] if len(near) else []) + ([best] if returns[best - 1] < FAR * self.size else [])
         return list(dict.fromkeys(chosen))
 
     def attempt(self, state: Array, period: int) -> Orbit | None:

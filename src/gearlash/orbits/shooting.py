@@ -30,12 +30,16 @@ class Shot:
     status: Status
 
 
-def shoot(props: Propagators, guess: ArrayLike, period: int, iterations: int = ITERATIONS) -> Shot:
+def shoot(
+    props: Propagators, guess: ArrayLike, period: int, iterations: int = ITERATIONS, patient: bool = True
+) -> Shot:
     """Newton's method from ``guess`` (n,) for a fixed point of the ``period``-fold map. Steps that make the residual
-    grow tenfold end the search with status `not-converged`."""
+    grow tenfold end the search with status `not-converged`; without patience, so does a residual that two steps have
+    not halved."""
     z = np.array(guess, dtype=np.float64)
     cycles = float(period * props.system.cycles)
     best: Shot | None = None
+    residuals: list[float] = []
     for iteration in range(iterations):
         end = flow.variational(props, z, cycles)
         if end.jacobian is None or not end.status in (Status.OK, Status.UNCERTAIN):
@@ -47,7 +51,9 @@ def shoot(props: Propagators, guess: ArrayLike, period: int, iterations: int = I
             best = _shot(z, period, residual, end.jacobian, iteration, end.status)
         elif residual > 10.0 * best.residual or best.residual <= TOLERANCE:
             break
-        if residual <= GOAL:
+        residuals.append(residual)
+        hopeless = not patient and iteration >= 2 and residual > 0.5 * residuals[-3]
+        if residual <= GOAL or hopeless:
             break
         try:
             z = z - np.linalg.solve(end.jacobian - np.eye(len(z)), defect)

@@ -1,0 +1,215 @@
+"""The article's whole study, from a case to data."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from gearlash.case import Case
+from gearlash.flow import propagators
+from gearlash.jobs import Progress
+from gearlash.orbits import Orbit, shoot
+from gearlash.results import Axis, Direction, Point, provenance, sweep_dataset
+
+from ..motion import Motion, motion
+from ..point import point
+from ..sweep import open_workers
+from ..transitions import Transition
+from .claims import Claim, load
+from .events import Found, Scene
+from .reproduction import Check, Diagram, Event, Mark, Reproduction, Run, Zone
+from .rows import SETTINGS, Row, distinct, rows
+from .table2 import fill
+from .verdicts import Evidence, judge
+from .zoning import article_zones
+
+STAGES = ("sweeps over ω", "sweeps over D", "zones", "events", "verdicts")
+StageProgress = Callable[[str, Progress | None], object]
+
+
+@dataclass(frozen=True)
+class Scope:
+    """What is swept: ends and number of points on each axis, and what is fixed."""
+
+    omega: tuple[float, float, int] = (0.5, 1.4, 451)
+    backlash: tuple[float, float, int] = (0.1, 1.0, 361)
+    fixed_backlash: float = 1.0
+    fixed_omega: float = 0.78
+
+
+@dataclass
+class _Clock:
+    """Seconds per stage."""
+
+    began: float = field(default_factory=time.perf_counter)
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    def lap(self, stage: str) -> None:
+        self.seconds[stage] = time.perf_counter() - self.began - sum(self.seconds.values())
+
+
+def reproduce(
+    case: Case,
+    scope: Scope | None = None,
+    *,
+    workers: int | None = None,
+    claims: Sequence[Claim] | None = None,
+    progress: StageProgress | None = None,
+) -> Reproduction:
+    """Everything but the article's multibody section. ``claims`` (default: those of the package) are paired with what is
+    computed, and centre pictures; no computation reads a claimed value. ``progress`` is told the stage and how far."""
+    scope, claims = scope or Scope(), load() if claims is None else tuple(claims)
+    tell = progress or (lambda stage, state: None)
+    clock = _Clock()
+    with open_workers(case, workers) as executor:
+        omega, frequency = _axis_rows(case, "omega", scope, executor, tell, clock)
+        gap, backlash = _axis_rows(case, "D", scope, executor, tell, clock)
+        found = {"omega": distinct(frequency), "D": distinct(backlash)}
+        by_axis = {"omega": (omega, frequency), "D": (gap, backlash)}
+        tell(STAGES[2], None)
+        zones = tuple(
+            zone
+            for claim in claims
+            if claim.kind == "zone"
+            for zone in article_zones(case, claim, *by_axis[claim.parameter], executor)
+        )
+        clock.lap(STAGES[2])
+    tell(STAGES[3], None)
+    family, _ = case.family()
+    values = family.complete()
+    events = tuple(
+        Scene(family, {**values, **claim.fixed}, found[claim.parameter]).event(claim) for claim in claims if claim.portrait
+    )
+    window = _window(case, frequency, zones, {**values, "D": scope.fixed_backlash})
+    clock.lap(STAGES[3])
+    tell(STAGES[4], None)
+    evidence = Evidence(
+        case, events, zones, {"omega": frequency, "D": backlash}, _motions(case, claims, {"omega": frequency, "D": backlash})
+    )
+    judged = judge(claims, evidence)
+    table = fill([*found["omega"], *found["D"]], events)
+    clock.lap(STAGES[4])
+    all_rows = (*frequency, *backlash)
+    return Reproduction(
+        case=case,
+        frequency=_diagram(case, "omega", {"D": scope.fixed_backlash}, frequency, found["omega"], events),
+        backlash=_diagram(case, "D", {"omega": scope.fixed_omega}, backlash, found["D"], events),
+        events=events,
+        zones=zones,
+        window=window,
+        table2=table,
+        claims=judged,
+        checks=_checks(case, all_rows, found),
+        run=_run(case, clock, workers, all_rows),
+    )
+
+
+def _axis_rows(
+    case: Case, name: str, scope: Scope, executor: Executor, tell: StageProgress, clock: _Clock
+) -> tuple[Axis, tuple[Row, ...]]:
+    omega = name == "omega"
+    low, high, count = scope.omega if omega else scope.backlash
+    fixed = {"D": scope.fixed_backlash} if omega else {"omega": scope.fixed_omega}
+    stage = STAGES[0] if omega else STAGES[1]
+    axis = Axis.even(name, [low, high], count)
+    tell(stage, None)
+    done = rows(case, axis, fixed, executor, lambda state: tell(stage, state))
+    clock.lap(stage)
+    return axis, done
+
+
+def _diagram(
+    case: Case, name: str, fixed: Mapping[str, float], done: Sequence[Row], found: Sequence[Found], events: Sequence[Event]
+) -> Diagram:
+    special = {event.value for event in events if event.found}
+    marks = tuple(_mark(t, directions, t.value in special) for t, directions in found)
+    return Diagram(name, dict(fixed), sweep_dataset(case, [row.sweep for row in done]), marks)
+
+
+def _mark(transition: Transition, directions: Sequence[Direction], article: bool) -> Mark:
+    boundary = getattr(transition.point, "boundary", 0)
+    where = "all" if len(directions) == 3 else ",".join(str(d) for d in directions)
+    return Mark(
+        transition.value, transition.kind, boundary, transition.label_below, transition.label_above, where, article
+    )
+
+
+def _window(case: Case, done: Sequence[Row], zones: Sequence[Zone], values: Mapping[str, float]) -> tuple[Motion, ...]:
+    """Every motion found at one ω of the impact-free zone: where most of them coexist, else in its middle."""
+    zone = next((z for z in zones if z.kind == "impact-free" and np.isfinite(z.lower.value)), None)
+    if zone is None:
+        return ()
+    inside = [i for i, p in enumerate(done[0].sweep.points) if zone.lower.value < p.value < zone.upper.value]
+    if not inside:
+        return ()
+
+    def labels(i: int) -> set[str]:
+        return {row.sweep.points[i].label for row in done}
+
+    most = max(len(labels(i)) for i in inside)
+    crowded = [i for i in inside if len(labels(i)) == most]
+    chosen = crowded[len(crowded) // 2]
+    family, _ = case.family()
+    seen, motions = set(), []
+    for row in done:
+        sampled = row.sweep.points[chosen]
+        if sampled.label in seen or not sampled.periodic:
+            continue
+        seen.add(sampled.label)
+        props = propagators(family.system({**values, "omega": sampled.value}))
+        shot = shoot(props, sampled.state, sampled.period // props.system.cycles)
+        orbit = Orbit(props, shot, 0, shot.status, f"{row.direction} sweep")
+        motions.append(motion(orbit, value=sampled.value))
+    return tuple(motions)
+
+
+def _motions(
+    case: Case, claims: Sequence[Claim], done: Mapping[str, Sequence[Row]]
+) -> dict[str, list[tuple[str, Point]]]:
+    """For claims about one place: the motion from the cold start there, and the followed ones at the nearest points."""
+    family, _ = case.family()
+    found = {}
+    for claim in claims:
+        if claim.kind != "label" or claim.at is None:
+            continue
+        cold = point(family, {**claim.fixed, claim.parameter: claim.at}, settings=SETTINGS)
+        near = [("cold start", cold)]
+        for row in done[claim.parameter]:
+            if row.direction is not Direction.COLD:
+                near.append((f"{row.direction} sweep", min(row.sweep.points, key=lambda p: abs(p.value - claim.at))))
+        found[claim.id] = near
+    return found
+
+
+def _checks(case: Case, done: Sequence[Row], found: Mapping[str, Sequence[Found]]) -> tuple[Check, ...]:
+    """Bounds that this run can measure on itself."""
+    points = [p for row in done for p in row.sweep.points if p.periodic]
+    worst = max((p.residual for p in points), default=float("nan"))
+    solved = [t for pairs in found.values() for t, _ in pairs]
+    graze = max((t.point.residual for t in solved if t.point is not None), default=float("nan"))
+    error = max((t.point.error / abs(t.value) for t in solved if t.point is not None), default=float("nan"))
+    leading = max((abs(p.leading) for p in points), default=float("nan"))
+    unresolved = sum(p.label == "unresolved" for row in done for p in row.sweep.points)
+    total = sum(len(row.sweep.points) for row in done)
+    return (
+        Check(f"largest residual of {len(points)} periodic orbits", f"{worst:.1e}", "≤ 1e-11", worst <= 1e-11),
+        Check("largest |multiplier| of an orbit reported as attractor", f"{leading:.6f}", "< 1", leading < 1.0),
+        Check(f"largest residual of {len(solved)} located points", f"{graze:.1e}", "≤ 1e-10", graze <= 1e-10),
+        Check("largest relative error estimate of a located value", f"{error:.1e}", "≤ 1e-10", error <= 1e-10),
+        Check("points neither proved periodic nor shown aperiodic", f"{unresolved} of {total}", "reported", None),
+    )
+
+
+def _run(case: Case, clock: _Clock, workers: int | None, done: Sequence[Row]) -> Run:
+    statuses = Counter(p.status for row in done for p in row.sweep.points)
+    cores = os.cpu_count() or 1
+    seconds = {**clock.seconds, "total": sum(clock.seconds.values())}
+    about = provenance(case)
+    versions = {name: text for name, text in about.items() if "version" in name}
+    return Run(seconds, workers or cores, cores, versions, dict(statuses), all(row.sweep.complete for row in done))
