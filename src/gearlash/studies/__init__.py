@@ -6,14 +6,22 @@ from gearlash.results import Axis, Direction, Point, Sweep, coexisting, same_mot
 from .model import Model, prepare
 from .point import point, summary
 from .sweep import open_workers, sweep, sweeps
+from .zone import End, Interval, Quiet, Tenant, Zone, Zones
+from .zones import zones
 
 __all__ = [
     "Axis",
     "Direction",
+    "End",
+    "Interval",
     "Model",
     "Point",
+    "Quiet",
     "Settings",
     "Sweep",
+    "Tenant",
+    "Zone",
+    "Zones",
     "coexisting",
     "open_workers",
     "point",
@@ -22,4 +30,5 @@ __all__ = [
     "summary",
     "sweep",
     "sweeps",
+    "zones",
 ]

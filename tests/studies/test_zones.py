@@ -1,0 +1,230 @@
+"""Stable zones: ends against closed forms, hysteresis, ranges that end first, and interval algebra."""
+
+from __future__ import annotations
+
+import math
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gearlash import case, studies
+from gearlash.branches import GrazingPoint
+from gearlash.studies import Axis, End, Interval, Quiet
+from gearlash.studies.zone import BASIN, RANGE, UNKNOWN, Tenant, Zone, intersection, union
+from gearlash.system import GearlashError, UnknownNameError
+
+ARTICLE = case.load("article")
+CLASSICAL = case.load("kahraman-singh")
+SPEEDS = Axis.even("omega", (0.3, 1.6), 53)
+
+
+def loss_of_contact() -> tuple[float, float]:
+    """Frequencies at which x'' + 0.1 x' + x = 0.1 + 0.05 ω² cos ωτ just reaches x = 0: amplitude 0.1, that is
+    (1 − w)² + 0.01 w = w²/4 in w = ω²."""
+    a, b, c = 0.75, -1.99, 1.0
+    root = math.sqrt(b * b - 4.0 * a * c)
+    return math.sqrt((-b - root) / (2.0 * a)), math.sqrt((-b + root) / (2.0 * a))
+
+
+@pytest.fixture(scope="module")
+def classical():
+    return studies.zones(CLASSICAL, SPEEDS)
+
+
+def test_grazing_ends_are_those_of_the_closed_form(classical):
+    low, high = loss_of_contact()
+    (wide,) = classical.wider
+    last = classical.zones[-1]
+    assert wide.upper.value == pytest.approx(low, abs=1e-10)
+    assert last.lower.value == pytest.approx(high, abs=1e-10)
+    for end in (wide.upper, last.lower):
+        assert end.kind == "grazing"
+        assert isinstance(end.point, GrazingPoint)
+        assert (end.inside, end.outside) == ("1-0-0", "1-1-0")
+        assert end.uncertainty < 1e-12
+
+
+def test_zones_at_the_ends_of_the_range_say_that_nothing_bounds_them(classical):
+    first, last = classical.zones
+    assert (first.lower.value, first.lower.kind) == (0.3, RANGE)
+    assert (last.upper.value, last.upper.kind) == (1.6, RANGE)
+    assert "not bounded within the range" in str(first)
+    assert not last.upper.bounded
+    assert last.margin(1.5) == pytest.approx(1.5 - last.lower.value, abs=1e-9)
+
+
+def test_where_another_attractor_coexists_only_the_wider_interval_holds(classical):
+    first, wide = classical.zones[0], classical.wider[0]
+    assert first.every
+    assert not wide.every
+    assert (first.upper.kind, first.upper.direction) == ("fold", "down")
+    assert first.upper.value < wide.upper.value
+    assert {t.label for t in wide.coexisting} == {"1-0-0", "1-1-0"}
+    beside = next(t for t in wide.tenants if not t.quiet)
+    assert (beside.label, beside.directions) == ("1-1-0", ("down",))
+    assert first.upper.value < beside.lower <= beside.upper < wide.upper.value
+    assert first.coexisting == ()
+
+
+def test_the_fold_is_where_the_impacting_motion_really_ends(classical):
+    """Followed down by hand in ever smaller steps, it lives just above and is gone just below."""
+    fold = classical.zones[0].upper.value
+    above = Axis("omega", np.append(fold + np.geomspace(1e-7, 0.1, 16), 0.95))
+    lives = studies.sweep(CLASSICAL, above, direction="down")
+    assert {p.label for p in lives.points} == {"1-1-0"}
+    below = Axis("omega", np.array([fold - 1e-6, fold + 1e-6]))
+    gone = studies.sweep(CLASSICAL, below, direction="down", initial=lives.points[1].state)
+    assert [p.label for p in gone.points] == ["1-0-0", "1-1-0"]
+
+
+def test_nearest_quiet_value(classical):
+    low = classical.zones[0].upper.value
+    assert classical.nearest(0.5) == 0.5
+    assert classical.nearest(0.8) == low
+    assert classical.nearest(1.3) == classical.zones[1].lower.value
+    assert classical.at(1.0) is None
+    assert classical.at(1.5) is classical.zones[1]
+    assert classical.resolution == pytest.approx(0.025)
+
+
+def test_threads_and_known_sweeps_give_the_same(classical):
+    with ThreadPoolExecutor(2) as executor:
+        again = studies.zones(CLASSICAL, SPEEDS, known=classical.sweeps, executor=executor)
+    assert [str(z) for z in again.zones + again.wider] == [str(z) for z in classical.zones + classical.wider]
+    assert [z.upper.value for z in again.zones] == [z.upper.value for z in classical.zones]
+
+
+def test_sweeps_of_another_question_are_refused(classical):
+    with pytest.raises(GearlashError, match="another axis"):
+        studies.zones(CLASSICAL, Axis.even("omega", (0.3, 1.6), 27), known=classical.sweeps)
+    with pytest.raises(GearlashError, match="fixed"):
+        studies.zones(CLASSICAL, SPEEDS, known=classical.sweeps, fixed={"load": 0.2})
+    with pytest.raises(GearlashError, match="at least one"):
+        studies.zones(CLASSICAL, SPEEDS, known=())
+    with pytest.raises(UnknownNameError, match="kind of zone"):
+        studies.zones(CLASSICAL, SPEEDS, "silent")
+    with pytest.raises(GearlashError, match="two values"):
+        studies.zones(CLASSICAL, Axis("omega", np.array([0.5])))
+
+
+def test_a_basin_that_ends_is_no_bifurcation():
+    """From far outside, the cold start falls into the impacting motion long before the quiet one ends."""
+    axis = Axis.even("omega", (0.65, 0.8), 7)
+    cold = studies.sweep(CLASSICAL, axis, initial=[2.0, 0.0])
+    found = studies.zones(CLASSICAL, axis, known=[cold], initial=[2.0, 0.0])
+    (zone,) = found.zones
+    assert zone.upper.kind == BASIN
+    assert 0.0 < zone.upper.uncertainty <= 1e-6
+    assert zone.upper.value < loss_of_contact()[0]
+
+
+def test_what_cannot_be_computed_ends_a_zone_without_a_bound():
+    axis = Axis("D", np.array([-1.0, -0.5, 0.5, 1.0]))
+    found = studies.zones(CLASSICAL, axis, fixed={"omega": 0.5})
+    (zone,) = found.zones
+    assert (zone.lower.value, zone.lower.kind, zone.upper.kind) == (0.5, UNKNOWN, RANGE)
+    assert "D" in zone.lower.outside
+    assert found.wider == ()
+
+
+def test_a_cancelled_search_knows_that_it_is_incomplete():
+    cancel = threading.Event()
+    count = 3 * len(SPEEDS)
+    found = studies.zones(
+        CLASSICAL, SPEEDS, progress=lambda p: p.done == count and cancel.set(), cancel=cancel
+    )
+    assert (found.complete, found.message) == (False, "cancelled")
+    assert found.zones[0].upper.kind == UNKNOWN
+    assert found.zones[0].upper.value == pytest.approx(0.7)
+
+
+def test_the_windows_of_the_article():
+    """Both reported ends of the impact-free window, and what the article does not mention: a 2-1-0 motion
+    inside it.
+    """
+    found = studies.zones(ARTICLE, Axis.even("omega", (0.94, 1.13), 20))
+    (zone,), (wide,) = found.zones, found.wider
+    assert wide.lower.value == pytest.approx(0.9725, abs=5e-4)
+    assert wide.upper.value == pytest.approx(1.112, abs=5e-4)
+    assert wide.lower.kind == wide.upper.kind == "grazing"
+    assert zone.lower.value == pytest.approx(wide.lower.value, abs=1e-12)
+    assert zone.upper.kind == "fold"
+    assert (zone.upper.inside, zone.upper.outside) == ("1-0-0", "2-1-0")
+    assert {t.label for t in wide.coexisting} == {"1-0-0", "2-1-0"}
+    rpm = next(p for p in wide.physical if p.unit == "rpm")
+    assert rpm.lower == pytest.approx(float(ARTICLE.scales.pinion_rpm(wide.lower.value)), rel=1e-14)
+    assert rpm.upper > rpm.lower
+
+
+def test_backlash_without_back_side_impacts():
+    axis = Axis.even("D", (0.4, 0.55), 11)
+    found = studies.zones(ARTICLE, axis, Quiet.DRIVE_SIDE_ONLY, fixed={"omega": 0.78})
+    (zone,), (wide,) = found.zones, found.wider
+    assert zone.upper.kind == wide.upper.kind == RANGE
+    assert (wide.lower.inside, wide.lower.outside) == ("6-6-0", "6-6-1")
+    assert wide.lower.point is not None
+    assert "back side" in str(wide.lower)
+    assert zone.lower.value > wide.lower.value
+    assert {t.label for t in wide.coexisting if not t.quiet} == {"3-3-1"}
+    assert [p.unit for p in zone.physical] == ["um"]
+
+
+def test_an_orbit_that_ends_in_a_fold_beside_chaos():
+    """The 2-1-0 motion of the article's pair ends at a fold; what is seen beyond is aperiodic."""
+    settings = studies.Settings(patience=600, budget=1_500, exponent_periods=600)
+    axis = Axis.even("omega", (1.14, 1.18), 3)
+    up = studies.sweep(ARTICLE, axis, direction="up", settings=settings)
+    assert up.points[-1].label == "aperiodic"
+    (zone,) = studies.zones(ARTICLE, axis, "drive-side-only", known=[up], settings=settings).zones
+    assert zone.upper.kind == "fold"
+    assert zone.upper.inside == "2-1-0"
+    beside = Axis("omega", zone.upper.value + np.array([-1e-3, -1e-5, 1e-4]))
+    seen = studies.sweep(ARTICLE, beside, direction="up", settings=settings, initial=up.points[0].state)
+    assert [p.label for p in seen.points[:2]] == ["2-1-0", "2-1-0"]
+    assert not seen.points[2].periodic
+    assert seen.points[1].leading.real == pytest.approx(1.0, abs=0.1)
+
+
+def ends(pair: tuple[int, int]) -> Interval:
+    low, high = sorted(pair)
+    return Interval(End(float(low), "x"), End(float(high + 1), "x"))
+
+
+ROWS = st.lists(
+    st.lists(st.tuples(st.integers(0, 20), st.integers(0, 20)).map(ends), max_size=4), min_size=1, max_size=3
+)
+
+
+@given(ROWS)
+def test_interval_algebra_is_that_of_sets(rows):
+    rows = [union([row]) for row in rows]  # intervals of one row do not overlap
+    every, some = intersection(rows), union(rows)
+    for value in np.arange(0.5, 21.0):
+        inside = [any(i.contains(value) for i in row) for row in rows]
+        assert any(i.contains(value) for i in every) == all(inside)
+        assert any(i.contains(value) for i in some) == any(inside)
+    assert all(a.upper.value < b.lower.value for a, b in pairwise(some))
+
+
+def test_margins():
+    zone = Zone(End(1.0, "fold", 0.1), End(2.0, RANGE), "D", Quiet.IMPACT_FREE, True)
+    assert zone.margin(1.5) == pytest.approx(0.4)
+    assert zone.margin(0.7) == pytest.approx(-0.3)
+    assert zone.margin(2.5) == pytest.approx(-0.5)
+    assert Zone(End(1.0, RANGE), End(2.0, RANGE), "D", Quiet.IMPACT_FREE, True).margin(1.2) == math.inf
+
+
+def test_tenants_coexist_only_where_they_overlap():
+    tenants = (Tenant("1-0-0", ("up",), 1.0, 1.4, True), Tenant("2-1-0", ("down",), 1.4, 1.6, False))
+    apart = (tenants[0], Tenant("2-1-0", ("up",), 1.5, 1.6, False))
+
+    def make(tenants):
+        return Zone(End(1.0, RANGE), End(2.0, RANGE), "D", Quiet.IMPACT_FREE, False, tenants)
+
+    assert make(tenants).coexisting == tenants
+    assert make(apart).coexisting == ()
