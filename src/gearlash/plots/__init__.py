@@ -10,7 +10,7 @@ from .histories import triple as history_triple
 from .intervals import Bar, Panel, zones
 from .marks import Mark
 from .poincare import sections
-from .portraits import portrait
+from .portraits import gallery, portrait
 from .portraits import triple as portrait_triple
 from .style import save, to_bytes
 from .units import Units
@@ -21,6 +21,7 @@ __all__ = [
     "Panel",
     "Units",
     "diagram",
+    "gallery",
     "history",
     "history_triple",
     "portrait",

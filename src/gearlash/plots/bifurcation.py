@@ -53,7 +53,7 @@ def diagram(dataset: xr.Dataset, marks: Sequence[Mark] = (), units: Units | None
     rest[3].set_xlabel(name(axis))
     second(rest[3], (units or Units()).of_parameter(axis), below=9.5)
     figure.align_ylabels(rest)
-    handles = [*_directions(rows, shown), *_mark_kinds(marks), *key(seen)]
+    handles = [*directions(rows, shown), *_mark_kinds(marks), *key(seen)]
     figure.legend(handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4)
     return figure
 
@@ -150,14 +150,16 @@ def _exponents(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]]) 
     panel.yaxis.set_minor_locator(AutoMinorLocator())
 
 
-def _directions(rows: list[Branch], shown: list[NDArray[np.bool_]]) -> list[Line2D]:
+def directions(rows: list[Branch], shown: list[NDArray[np.bool_]] | None = None) -> list[Line2D]:
+    """Legend entries of the directions; with ``shown``, of what is drawn of each."""
     handles = []
-    for i, (branch, keep) in enumerate(zip(rows, shown, strict=True)):
+    for i, branch in enumerate(rows):
         colour, marker, _, _ = LOOKS.get(branch.direction, LOOKS["cold"])
-        words = "cold start" if branch.direction == "cold" else f"swept {branch.direction}"
-        text = words + AGREEING if i == 0 and len(rows) > 1 else words
-        if i > 0 and not keep.any():
-            text = f"{words}: nowhere different"
+        text = "cold start" if branch.direction == "cold" else f"swept {branch.direction}"
+        if shown is not None and i == 0 and len(rows) > 1:
+            text += AGREEING
+        elif shown is not None and not shown[i].any():
+            text += ": nowhere different"
         size = 2.2 if branch.direction == "cold" else 3.6
         handles.append(Line2D([], [], ls="none", marker=marker, color=colour, ms=size, mew=0.0, label=text))
     return handles

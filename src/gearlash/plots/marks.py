@@ -29,11 +29,9 @@ class Mark:
 
 
 def spread(positions: Sequence[float], gap: float, low: float, high: float) -> NDArray[np.float64]:
-    """Positions (m,) moved as little as possible so that neighbours are ``gap`` apart, all within low and
-    high.
+    """Positions (m,) moved as little as possible so that neighbours are ``gap`` apart, within low and high.
 
-    Isotonic regression by pooling neighbours that collide; the order stays. Too many for the room overlap
-    evenly.
+    Isotonic regression by pooling neighbours that collide; the order stays. Too many for the room lie closer.
     """
     count = len(positions)
     gap = min(gap, (high - low) / max(1, count - 1))

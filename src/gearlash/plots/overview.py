@@ -26,7 +26,7 @@ from gearlash.studies.sweep import sweeps
 from gearlash.system import Family, GearlashError
 
 from . import portraits, style
-from .bifurcation import scatter
+from .bifurcation import directions, scatter
 from .branch import Branch, branches, differs
 from .framing import frame
 from .regimes import FREE, short
@@ -123,6 +123,7 @@ def _diagram(axes: Axes, scene: Scene, units: Units) -> None:
     for edge in scene.ends:
         axes.axvline(edge, color=style.BOUNDARY, lw=0.9, zorder=0.5)
     _names(axes, rows, scene.ends)
+    axes.legend(handles=directions(rows), loc="lower left", bbox_to_anchor=(0.0, 0.28))
     speeds = "" if units.speed is None else "\n{:.0f} to {:.0f} rpm".format(*units.speed(scene.ends))
     axes.text(
         (low + high) / 2,

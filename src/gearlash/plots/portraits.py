@@ -42,6 +42,7 @@ def portrait(motion: Motion, units: Units | None = None, parameter: str = "omega
     figure = style.figure(style.COLUMN, 84.0)
     axes = figure.subplots()
     draw(axes, motion)
+    _limits(axes, frame([motion]))
     axes.set_title(heading(motion, parameter))
     axes.set(xlabel=X, ylabel=VELOCITY)
     second(axes, (units or Units()).length)
@@ -74,6 +75,27 @@ def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str
             else:
                 panel.tick_params(labelleft=False)
     figure.legend(handles=key(motions), loc="outside lower center", ncols=4, columnspacing=1.4)
+    return figure
+
+
+@style.styled
+def gallery(motions: Sequence[Motion], units: Units | None = None, parameter: str = "omega") -> Figure:
+    """Motions that exist side by side, under the same scales; three in a row."""
+    columns = min(3, len(motions))
+    rows = -(-len(motions) // columns)
+    figure = style.figure(style.PAGE if columns > 1 else style.COLUMN, 72.0 * rows + 12.0)
+    panels = figure.subplots(rows, columns, squeeze=False).ravel()
+    full = frame(motions)
+    for i, panel in enumerate(panels):
+        if i >= len(motions):
+            panel.remove()
+            continue
+        draw(panel, motions[i])
+        _limits(panel, full)
+        panel.set_title(f"({chr(97 + i)})  {heading(motions[i], parameter)}")
+        panel.set(xlabel=X, ylabel=VELOCITY if i % columns == 0 else "")
+        second(panel, (units or Units()).length)
+    figure.legend(handles=key(motions), loc="outside lower center", ncols=4 if columns > 1 else 2)
     return figure
 
 

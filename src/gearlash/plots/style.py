@@ -79,14 +79,22 @@ RC: Any = {  # matplotlib types these names as literals only in newer versions
 
 
 def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
-    """Draws under this style whatever the caller's settings are, and leaves those alone."""
+    """Draws under this style whatever the caller's settings are, and leaves those alone.
+
+    The layout is settled once, here: it costs as much as drawing, and every format is to have the same.
+    """
 
     @wraps(draw)
     def under_style(*args: P.args, **kwargs: P.kwargs) -> Figure:
         with mpl.rc_context():
             mpl.rcdefaults()
             mpl.rcParams.update(RC)
-            return draw(*args, **kwargs)
+            made = draw(*args, **kwargs)
+            engine = made.get_layout_engine()
+            if engine is not None:
+                engine.execute(made)
+                made.set_layout_engine("none")
+            return made
 
     return under_style
 

@@ -11,7 +11,7 @@ from matplotlib.axis import Axis
 from matplotlib.ticker import AutoMinorLocator
 from numpy.typing import ArrayLike, NDArray
 
-from gearlash.case import Case, Scales
+from gearlash.case import Case
 
 Array = NDArray[np.float64]
 
@@ -45,10 +45,18 @@ def name(parameter: str) -> str:
 
 @dataclass(frozen=True)
 class Twin:
-    """A second scale of an axis: dimensionless → physical by one factor, label with unit."""
+    """A second scale of an axis: dimensionless → physical by one factor, words, unit, and whether it rests
+    on an assumed value."""
 
     factor: float
-    label: str
+    words: str
+    unit: str
+    assumed: bool = False
+
+    @property
+    def label(self) -> str:
+        """For an axis; carries † where the scale rests on an assumed value."""
+        return f"{self.words}  [{self.unit}]{' ' + MARK if self.assumed else ''}"
 
     def __call__(self, values: ArrayLike) -> Array:
         return np.asarray(values, dtype=np.float64) * self.factor
@@ -66,7 +74,6 @@ class Units:
     length: Twin | None = None
     force: Twin | None = None
     milliseconds: Twin | None = None  # of one unit of τ
-    assumed: bool = False  # does any of them carry the mark?
 
     @staticmethod
     def of(case: Case) -> Units:
@@ -75,27 +82,26 @@ class Units:
         if not scales.physical:
             return Units()
         doubtful = {v.path for v in case.values() if v.uncertain}
-        length = f" {MARK}" if "model.reference_length" in doubtful else ""
-        force = f" {MARK}" if "derived.force_unit" in doubtful else ""
-        speed = f" {MARK}" if "derived.omega_n" in doubtful else ""
-        turns = Twin(float(scales.pinion_rpm(1.0)), f"pinion speed  [rpm]{speed}") if scales.teeth else None
+        length, force = "model.reference_length" in doubtful, "derived.force_unit" in doubtful
+        speed = "derived.omega_n" in doubtful
+        rpm = float(scales.pinion_rpm(1.0)) if scales.teeth else None
         return Units(
-            speed=turns,
-            backlash=Twin(float(scales.backlash_um(1.0)), f"backlash  $b$  [µm]{length}"),
-            length=Twin(float(scales.length_um(1.0)), f"$x_n$  [µm]{length}"),
-            force=Twin(float(scales.force_N(1.0)), f"$F_n$  [N]{force}"),
-            milliseconds=Twin(1e3 * float(scales.time_s(1.0)), f"$t$  [ms]{speed}"),
-            assumed=bool(length or force or speed),
+            speed=None if rpm is None else Twin(rpm, "pinion speed", "rpm", speed),
+            backlash=Twin(float(scales.backlash_um(1.0)), "backlash  $b$", "µm", length),
+            length=Twin(float(scales.length_um(1.0)), "$x_n$", "µm", length),
+            force=Twin(float(scales.force_N(1.0)), "$F_n$", "N", force),
+            milliseconds=Twin(1e3 * float(scales.time_s(1.0)), "$t$", "ms", speed),
         )
+
+    @property
+    def assumed(self) -> bool:
+        """Does any of them rest on an assumed value?"""
+        scales = (self.speed, self.backlash, self.length, self.force, self.milliseconds)
+        return any(scale.assumed for scale in scales if scale is not None)
 
     def of_parameter(self, parameter: str) -> Twin | None:
         """The physical scale of a swept parameter."""
         return {"omega": self.speed, "D": self.backlash}.get(parameter)
-
-
-def scales_of(case: Case | Scales | None) -> Units:
-    """Second axes of a case, or none."""
-    return Units.of(case) if isinstance(case, Case) else Units()
 
 
 def second(axes: Axes, twin: Twin | None, which: str = "x", below: float = 0.0) -> None:

@@ -1,0 +1,36 @@
+"""The whole report as blocks, and the figures it needs."""
+
+from __future__ import annotations
+
+from gearlash.report.blocks import Page
+from gearlash.report.pictures import Picture
+from gearlash.studies.article import Reproduction
+
+from . import claims, events, method, sources, summary, sweeps, table2, zones
+
+
+def document(done: Reproduction) -> tuple[Page, list[Picture]]:
+    """Summary, claims, zones, sweeps, events, Table 2, assumptions, method."""
+    swept, drawn_sweeps = sweeps.section(done)
+    zoned, drawn_zones = zones.section(done)
+    shown, drawn_events = events.section(done)
+    parts = (
+        summary.section(done),
+        claims.section(done),
+        zoned,
+        swept,
+        shown,
+        table2.section(done),
+        sources.section(done),
+        method.section(done),
+    )
+    source = str(done.case.source.get("title", "")) or done.case.name
+    version = done.run.versions.get("gearlash_version", "")
+    page = Page(
+        "A helical gear pair with backlash: the article’s study, computed",
+        f"Compared with: {source}",
+        parts,
+        f"Made by gearlash {version}. Figures lie beside this file as SVG and PDF, all numbers as "
+        "report.json.",
+    )
+    return page, [*drawn_zones, *drawn_sweeps, *drawn_events]

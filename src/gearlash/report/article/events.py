@@ -1,0 +1,166 @@
+"""The article's five events: portraits and histories before, at and after each, and the conditions of
+grazing.
+"""
+
+from __future__ import annotations
+
+from gearlash import plots
+from gearlash.plots.regimes import short
+from gearlash.report.blocks import Badge, Block, Cell, Figure, Note, Section, Strong, Table, Text
+from gearlash.report.numbers import complex_number, number, percent, scientific
+from gearlash.report.pictures import Picture
+from gearlash.studies.article import Event, Reproduction
+
+from .quantities import Quantities, fixed_words, symbol
+from .words import verdict
+
+BOUNDARY = {1: "Σ₁ (drive side)", -1: "Σ₂ (back side)", 0: "none"}
+
+
+def section(done: Reproduction) -> tuple[Section, list[Picture]]:
+    """One part an event, in the order of the article."""
+    quantities = Quantities.of(done.case)
+    pictures = [picture for event in done.events for picture in _pictures(event, quantities)]
+    intro = Text.of(
+        "At a grazing the motion touches a boundary of the gap without speed. Each event is shown before, "
+        "at and after it; the lower row of a portrait enlarges the place of the touch. Where an event was "
+        "not found, the motions at and beside the reported value are shown instead."
+    )
+    parts = tuple(_part(event, quantities) for event in done.events)
+    return Section("events", "The article’s events", (intro,), parts), pictures
+
+
+def slug(event: Event) -> str:
+    """The event's name as part of an id or a file name."""
+    return "".join(c if c.isalnum() or c in "-." else "-" for c in event.name)
+
+
+def _pictures(event: Event, quantities: Quantities) -> list[Picture]:
+    name, motions, units = slug(event), event.motions, quantities.units
+    found = [
+        Picture(f"portrait-{name}", plots.portrait_triple, (motions, units, event.parameter)),
+        Picture(f"history-{name}", plots.history_triple, (motions, units, event.parameter)),
+    ]
+    if _has_sections(event):
+        ends = (motions[0], motions[-1])
+        found.append(Picture(f"sections-{name}", plots.sections, (ends, event.parameter)))
+    return found
+
+
+def _has_sections(event: Event) -> bool:
+    """Sections of a motion of period one are single points: not worth a picture."""
+    return any(m.period > 1 or not m.periodic for m in event.motions)
+
+
+def _part(event: Event, quantities: Quantities) -> Section:
+    name, mark = slug(event), symbol(event.parameter)
+    blocks: list[Block] = [_opening(event, quantities)]
+    if event.note:
+        blocks.append(Note(Text.of(event.note), "What was found instead" if not event.found else "Note"))
+    blocks.append(_facts(event, quantities))
+    change = f"{mark} ≈ {event.digits}"
+    where = fixed_words(event.fixed)
+    labels = ", ".join(short(m.label) for m in event.motions)
+    blocks.append(
+        Figure(
+            f"figure-portrait-{name}",
+            Text.of(
+                f"Phase portraits before, at and after the event at {change} ({where}): {labels}. Below: "
+                "the outlined places enlarged."
+                if event.found
+                else f"Phase portraits at and beside {change} ({where}), from the cold start: {labels}."
+            ),
+            f"Phase portraits of three motions around {change}: {labels}",
+            f"portrait-{name}",
+        )
+    )
+    blocks.append(
+        Figure(
+            f"figure-history-{name}",
+            Text.of(
+                "The same motions over one period: displacement X with the boundaries ±D, and mesh force Φ."
+            ),
+            f"Time histories of displacement and mesh force of three motions around {change}",
+            f"history-{name}",
+        )
+    )
+    if _has_sections(event):
+        blocks.append(
+            Figure(
+                f"figure-sections-{name}",
+                Text.of(
+                    "Poincaré sections of the first and the last of these motions; F in the article’s "
+                    "sign, F = −Φ."
+                ),
+                f"Poincaré sections of two motions around {change}",
+                f"sections-{name}",
+            )
+        )
+    if event.conditions:
+        blocks.append(_conditions(event))
+    return Section(f"event-{name}", f"{event.title}, {change}", tuple(blocks), (), verdict(event.verdict))
+
+
+def _opening(event: Event, quantities: Quantities) -> Text:
+    mark = symbol(event.parameter)
+    said = f"The article reports {mark} ≈ {event.digits} with {event.reported_before} → "
+    f"{event.reported_after} as {mark} rises. "
+    if not event.found:
+        return Text.of(said, Strong("No such event was found in the sweeps."))
+    change = f"{short(event.label_below)} → {short(event.label_above)}"
+    place = quantities.place(event.parameter, event.value, 8)
+    return Text.of(said, "Computed: ", *place, f", {change}, {percent(event.deviation)} from the article.")
+
+
+def _facts(event: Event, quantities: Quantities) -> Table:
+    rows: list[tuple[Cell, ...]] = [("reported value", f"{symbol(event.parameter)} ≈ {event.digits}")]
+    if event.found:
+        rows += [
+            ("computed value", quantities.place(event.parameter, event.value, 12)),
+            ("deviation", percent(event.deviation, 3)),
+            ("labels below → above", f"{short(event.label_below)} → {short(event.label_above)}"),
+            ("kind", event.kind),
+            ("boundary", BOUNDARY[event.boundary]),
+            ("type, as in Table 2 of the article", event.type),
+            ("phase of the touch", f"{number(event.phase)} mesh cycles"),
+            (
+                "largest multiplier below; above",
+                "; ".join(map(complex_number, (event.leading_below, event.leading_above))),
+            ),
+            ("largest Lyapunov exponent there", number(event.exponent, 4)),
+            (
+                "distances |λ − 1|, |λ + 1|",
+                f"{number(event.distance_to_fold, 4)}, {number(event.distance_to_doubling, 4)}",
+            ),
+            ("residual", scientific(event.residual)),
+        ]
+    else:
+        labels = ", ".join(f"{number(m.value)}: {short(m.label)}" for m in event.motions)
+        rows += [
+            ("labels reported", f"{event.reported_before} → {event.reported_after}"),
+            ("motions shown", labels),
+        ]
+    rows += [("how", event.method), ("branch, direction, start", event.branch)]
+    caption = f"{event.title}: reported and computed."
+    return Table(f"table-event-{slug(event)}", caption, ("", ""), tuple(rows))
+
+
+def _conditions(event: Event) -> Table:
+    rows = tuple(
+        (text, scientific(value) if abs(value) < 1e-3 else number(value), verdict_of(holds))
+        for text, value, holds in event.conditions
+    )
+    return Table(
+        f"table-conditions-{slug(event)}",
+        "The article’s four conditions of grazing, evaluated at the touch.",
+        ("condition", "value", "holds"),
+        rows,
+        frozenset({1}),
+    )
+
+
+def verdict_of(holds: bool | None) -> Cell:
+    """Yes or no as a badge; neither where nothing is claimed."""
+    if holds is None:
+        return Badge("for information", "plain")
+    return Badge("yes", "good") if holds else Badge("no", "bad")

@@ -1,0 +1,73 @@
+"""What was given, what was inferred or assumed, and what follows from it."""
+
+from __future__ import annotations
+
+from gearlash.case import Value
+from gearlash.report.blocks import Block, Cell, Marked, Note, Section, Table, Text
+from gearlash.report.numbers import number
+from gearlash.studies.article import Reproduction
+
+from .words import plural, provenance
+
+OPEN = ("inferred", "assumed", "calibrated")
+HEAD = ("value", "", "from", "reason")
+
+
+def section(done: Reproduction) -> Section:
+    """Open values first, then what is computed from them, then what the article gives."""
+    values = done.case.values()
+    unsure = sorted(
+        (v for v in values if v.provenance in OPEN), key=lambda v: OPEN.index(v.provenance), reverse=False
+    )
+    derived = [v for v in values if v.provenance == "derived"]
+    given = [v for v in values if v.provenance == "given"]
+    blocks: list[Block] = [
+        Text.of(
+            f"{plural(len(unsure), 'value')} of this case are not stated in the article. “Inferred” ones "
+            "follow from something it does state, “assumed” ones do not. Every computed number depends on "
+            "the inferred ones; a physical number marked † rests on an assumed one as well and is worth "
+            "no more than that."
+        ),
+        _table("table-open", "Values that the article does not state.", unsure),
+    ]
+    blocks += [Note(Text.of(note.text), f"Conflict: {note.path}") for note in done.case.notes()]
+    blocks.append(
+        Note(
+            Text.of(
+                "The model has no motion of the centre lines and no tilt; “radial” in the article is the "
+                "pitch tangent."
+            ),
+            "Left out",
+        )
+    )
+    blocks.append(_derived(derived))
+    blocks.append(_table("table-given", "Values that the article states.", given))
+    return Section("assumed", "What was assumed or inferred", tuple(blocks))
+
+
+def _table(identifier: str, caption: str, values: list[Value]) -> Table:
+    rows = tuple((_name(v), _number(v), provenance(v.provenance), v.reason) for v in values)
+    return Table(identifier, caption, HEAD, rows, frozenset({1}))
+
+
+def _derived(values: list[Value]) -> Table:
+    rows = tuple(
+        (_name(v), Marked(text) if v.rests_on else text, v.reason, ", ".join(v.rests_on))
+        for v in values
+        for text in (_number(v),)
+    )
+    head = ("value", "", "formula", "rests on the assumed")
+    return Table("table-derived", "Numbers computed from these values.", head, rows, frozenset({1}))
+
+
+def _name(value: Value) -> Cell:
+    return [value.description or value.path, value.path] if value.description else value.path
+
+
+def _number(value: Value) -> str:
+    text = number(value.value, 7) if isinstance(value.value, float) else str(value.value)
+    return f"{text} {_unit(value.unit)}".strip()
+
+
+def _unit(text: str) -> str:
+    return text.replace("um", "µm").replace("*", "·").replace("^2", "²").replace("deg", "°")

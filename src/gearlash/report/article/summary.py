@@ -1,0 +1,118 @@
+"""What an engineer reads first: where the pair runs quietly, what holds of the article, and what it all
+rests on.
+"""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from gearlash.plots.regimes import short
+from gearlash.report.blocks import Badge, Bullets, Inline, Ref, Section, Strong, Text
+from gearlash.report.numbers import number
+from gearlash.studies.article import NOT_FOUND, REPRODUCED, SHIFTED, Reproduction, Zone
+
+from .claims import counts
+from .quantities import Quantities, fixed_words, symbol
+from .words import joined, plural, verdict
+
+
+def section(done: Reproduction) -> Section:
+    """The summary in plain words; every number in it is computed."""
+    quantities = Quantities.of(done.case)
+    blocks = [
+        Text.of(
+            "Between the teeth of a gear pair there is a gap. When the load does not hold them together "
+            "all the time they part and hit, on the driving side or even on the back, and the pair "
+            "rattles. This report computes at which speeds and backlashes that happens for the pair of "
+            "the article, exactly where it begins, and what of the article’s findings holds."
+        ),
+        Bullets(tuple(_zones(done, quantities))),
+        _verdicts(done),
+        *_missed(done),
+        _basis(done),
+    ]
+    return Section("summary", "In plain words", tuple(blocks))
+
+
+def _zones(done: Reproduction, quantities: Quantities) -> list[Text]:
+    groups: dict[tuple[str, str], list[Zone]] = {}
+    for zone in done.zones:
+        groups.setdefault((zone.parameter, zone.kind), []).append(zone)
+    return [_zone(readings, quantities) for readings in groups.values()]
+
+
+def _zone(readings: list[Zone], quantities: Quantities) -> Text:
+    some = next((z for z in readings if z.reported is not None), readings[0])
+    every = next((z for z in readings if z.reported is None), None)
+    quiet = "without any impact" if some.kind == "impact-free" else "without impacts on the back side"
+    what = "Speed: " if some.parameter == "omega" else "Backlash: "
+    if not isfinite(some.lower.value):
+        return Text.of(
+            Strong(what),
+            f"no interval {quiet} was found at {fixed_words(some.fixed)}. ",
+            verdict(some.verdict),
+        )
+    parts: list[Inline] = [Strong(what), f"at {fixed_words(some.fixed)} the pair can run {quiet} from "]
+    parts += _between(some, quantities)
+    if some.coexisting:
+        others = joined(sorted({short(c.label) for c in some.coexisting}))
+        parts.append(
+            f". Inside this interval other motions with impacts exist as well ({others}); the start decides"
+        )
+    if every is not None and isfinite(every.lower.value):
+        parts += [", and every motion found is quiet only from ", *_between(every, quantities)]
+    parts += [". Compared with the article: ", verdict(some.verdict), " (", Ref("table-zones"), ")."]
+    return Text(tuple(parts))
+
+
+def _between(zone: Zone, quantities: Quantities) -> list[Inline]:
+    low, high = zone.lower.value, zone.upper.value
+    words = f"{symbol(zone.parameter)} = {number(low, 5)} to {number(high, 5)}"
+    physical = quantities.physical(zone.parameter, low, high)
+    return [words] if physical is None else [words + ", that is ", physical]
+
+
+def _verdicts(done: Reproduction) -> Text:
+    found = counts(done)
+    return Text.of(
+        f"Of {plural(len(done.claims), 'claim')} of the article ",
+        f"{found[REPRODUCED]} are ",
+        Badge(REPRODUCED, "good"),
+        f", {found[SHIFTED]} are ",
+        Badge(SHIFTED, "fair"),
+        " (right motions, value within 10 %), and ",
+        f"{found[NOT_FOUND]} were ",
+        Badge(NOT_FOUND, "bad"),
+        " with the values used here (",
+        Ref("table-claims"),
+        ").",
+    )
+
+
+def _missed(done: Reproduction) -> list[Text | Bullets]:
+    missed = [c for c in done.claims if c.verdict == NOT_FOUND]
+    if not missed:
+        return []
+    items = tuple(
+        Text.of(
+            Strong(f"{c.quantity}, {c.where}: " if c.where else f"{c.quantity}: "),
+            f"the article has {c.printed}. ",
+            c.note,
+        )
+        for c in missed
+    )
+    return [Text.of("What does not reproduce:"), Bullets(items)]
+
+
+def _basis(done: Reproduction) -> Text:
+    values = done.case.values()
+    inferred = sum(v.provenance == "inferred" for v in values)
+    assumed = sum(v.provenance == "assumed" for v in values)
+    marks = Quantities.of(done.case).units.assumed
+    dagger = " Physical numbers that rest on an assumed value are marked †." if marks else ""
+    return Text.of(
+        f"The article does not state everything that a computation needs: {plural(inferred, 'value')} had "
+        f"to be inferred from what it does state, and {plural(assumed, 'value')} assumed (",
+        Ref("table-open"),
+        f").{dagger} What does not reproduce may therefore lie in these values as well as in the article.",
+    )

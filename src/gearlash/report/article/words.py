@@ -1,0 +1,29 @@
+"""Words and signs that several parts of the article's report share."""
+
+from __future__ import annotations
+
+from gearlash.report.blocks import Badge
+from gearlash.studies.article import NOT_FOUND, REPRODUCED, SHIFTED
+
+KINDS = {REPRODUCED: "good", SHIFTED: "fair", NOT_FOUND: "bad"}
+PROVENANCE = {"given": "good", "calibrated": "good", "inferred": "fair", "assumed": "bad"}
+
+
+def verdict(text: str) -> Badge:
+    """A verdict as a badge."""
+    return Badge(text or "not compared", KINDS.get(text, "plain"))
+
+
+def provenance(text: str) -> Badge:
+    """Where a value is from, as a badge."""
+    return Badge(text, PROVENANCE.get(text, "plain"))
+
+
+def plural(count: int, one: str, more: str | None = None) -> str:
+    """``1 claim``, ``2 claims``."""
+    return f"{count} {one if count == 1 else more or one + 's'}"
+
+
+def joined(words: list[str]) -> str:
+    """``a, b and c``."""
+    return words[0] if len(words) == 1 else ", ".join(words[:-1]) + " and " + words[-1] if words else ""

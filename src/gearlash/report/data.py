@@ -1,0 +1,91 @@
+"""All numbers of a report as JSON: dataclasses as objects, arrays as lists, what is not a number as null."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Mapping
+from math import isfinite
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from gearlash.case import Case
+from gearlash.studies.motion import Motion
+
+FORMAT = 1
+MOST_SAMPLES = 400  # of a curve; the whole of it is in the figures
+DIGITS = 10  # of samples of curves; results keep all theirs
+PADDED = ("strobe", "drive_hit", "back_hit", "back_release")
+
+
+def as_json(result: Any) -> str:
+    """A result as JSON text. Raises `TypeError` for what has no meaning there."""
+    return (
+        json.dumps({"format": FORMAT, **plain(result)}, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+    )
+
+
+def plain(thing: Any) -> Any:
+    """A result in lists, dicts, numbers and texts. Complex numbers become ``{"re", "im"}``, NaN and
+    infinities null.
+    """
+    match thing:
+        case None | bool() | str():
+            return str(thing) if isinstance(thing, str) else thing
+        case int() | np.integer():
+            return int(thing)
+        case float() | np.floating():
+            return float(thing) if isfinite(thing) else None
+        case complex() | np.complexfloating():
+            return {"re": plain(float(thing.real)), "im": plain(float(thing.imag))}
+        case np.ndarray():
+            return [plain(x) for x in thing.tolist()]
+        case Case():
+            return _case(thing)
+        case Motion():
+            return _motion(thing)
+        case xr.Dataset():
+            return _dataset(thing)
+        case Mapping():
+            return {str(key): plain(value) for key, value in thing.items()}
+        case list() | tuple() | set() | frozenset():
+            return [plain(each) for each in thing]
+    if dataclasses.is_dataclass(thing) and not isinstance(thing, type):
+        return {f.name: plain(getattr(thing, f.name)) for f in dataclasses.fields(thing)}
+    raise TypeError(f"{type(thing).__name__} has no form in JSON")
+
+
+def _case(case: Case) -> dict[str, Any]:
+    about = {"name": case.name, "kind": case.kind, "hash": case.hash}
+    values = [plain(value) for value in case.values()]
+    return {**about, "values": values, "notes": [plain(note) for note in case.notes()]}
+
+
+def _motion(motion: Motion) -> dict[str, Any]:
+    """Curves thinned evenly; points on sections whole."""
+    chosen = np.unique(np.linspace(0, len(motion.phase) - 1, MOST_SAMPLES).round().astype(int))
+    curves = ("phase", "displacement", "velocity", "force", "region")
+    out: dict[str, Any] = {}
+    for field in dataclasses.fields(motion):
+        value = getattr(motion, field.name)
+        out[field.name] = _short(value[chosen]) if field.name in curves else plain(value)
+    return out
+
+
+def _short(values: np.ndarray) -> list[Any]:
+    return [plain(float(f"{x:.{DIGITS}g}")) if isinstance(x, float) else plain(x) for x in values.tolist()]
+
+
+def _dataset(dataset: xr.Dataset) -> dict[str, Any]:
+    """What there is per point of a sweep; the points on sections are in the dataset itself (NetCDF)."""
+    names = [
+        str(n) for n, v in dataset.data_vars.items() if not set(map(str, v.dims)) & {*PADDED, "state_name"}
+    ]
+    return {
+        "dimensions": {str(name): size for name, size in dataset.sizes.items() if str(name) not in PADDED},
+        "coordinates": {str(name): plain(c.values) for name, c in dataset.coords.items()},
+        "variables": {name: plain(dataset[name].values) for name in names},
+        "units": {name: str(dataset[name].attrs.get("units", "")) for name in names},
+    }

@@ -1,0 +1,43 @@
+"""Figures of a report as tasks: what to draw with what, in this process or in others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from matplotlib.figure import Figure
+
+from gearlash import plots
+
+FORMS = ("svg", "pdf")
+
+
+@dataclass(frozen=True)
+class Picture:
+    """``draw(*arguments, **options)`` makes the figure whose files are called ``stem``."""
+
+    stem: str
+    draw: Callable[..., Figure]
+    arguments: tuple[Any, ...]
+    options: dict[str, Any] = field(default_factory=dict)
+
+
+def drawn(picture: Picture) -> dict[str, bytes]:
+    """The figure in every form (a task for a worker)."""
+    figure = picture.draw(*picture.arguments, **picture.options)
+    return {form: plots.to_bytes(figure, form) for form in FORMS}
+
+
+def write(pictures: Sequence[Picture], folder: Path, executor: Executor | None) -> dict[str, bytes]:
+    """Draws all, writes every form into ``folder``, and returns the SVG files by stem."""
+    folder.mkdir(parents=True, exist_ok=True)
+    files = map(drawn, pictures) if executor is None else executor.map(drawn, pictures)
+    vector = {}
+    for picture, forms in zip(pictures, files, strict=True):
+        for form, content in forms.items():
+            (folder / f"{picture.stem}.{form}").write_bytes(content)
+        vector[picture.stem] = forms["svg"]
+    return vector
