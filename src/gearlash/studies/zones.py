@@ -41,8 +41,8 @@ def zones(
     A zone counts where every attractor that cold, up and down sweeps find is quiet; intervals where only
     some are come beside it. ``known`` are such sweeps made before (of this model, axis, ``fixed``,
     ``initial`` and ``settings``); without them all three are computed. An end is solved for (grazing,
-    doubling, fold) where the sweep's own attractor is seen to change there, else halved to about 1e-6 of
-    itself. Other arguments as in `sweep`.
+    fold) where the sweep's own attractor is seen to change there, else halved to about 1e-6 of
+    itself. ``progress`` counts points, then ends. Other arguments as in `sweep`.
     """
     quiet, settings = _quiet(quiet), settings or Settings()
     if len(axis) < 2:
