@@ -1,11 +1,10 @@
 """The one decorator for compiled kernels, and their cache.
 
-A kernel is a plain function of arrays, NamedTuples of arrays and scalars. It is compiled by numba without the GIL and
-without fastmath (only contraction to fused multiply-add is allowed, which keeps results the same for any number of
-workers on one kind of processor). The cache key is a hash of *all* kernel sources: numba alone looks at the file of
-the function only and would keep a caller whose callee has changed. Where no cache folder is writable, kernels are
-compiled in memory; `GEARLASH_CACHE_DIR` names another folder.
-"""
+A kernel is a plain function of arrays, NamedTuples of arrays and scalars. It is compiled by numba without the
+GIL and without fastmath (only contraction to fused multiply-add is allowed, which keeps results the same for
+any number of workers on one kind of processor). The cache key is a hash of *all* kernel sources: numba alone
+looks at the file of the function only and would keep a caller whose callee has changed. Where no cache folder
+is writable, kernels are compiled in memory; `GEARLASH_CACHE_DIR` names another folder."""
 
 from __future__ import annotations
 
@@ -30,7 +29,8 @@ else:
     from numba.core import caching
 
     def kernel(signature):
-        """An entry point: compiled for one explicit signature when its module is imported, or read from the cache."""
+        """An entry point: compiled for one explicit signature when its module is imported, or read from the
+        cache."""
 
         def wrap(function):
             if numba.config.DISABLE_JIT:
@@ -50,8 +50,8 @@ else:
 
     @contextlib.contextmanager
     def _slp_vectoriser():
-        """Lets the compiler join neighbouring scalar operations into vector ones (numba leaves that off): the blocks of
-        eight rows in `flow._blocks` are written for it."""
+        """Lets the compiler join neighbouring scalar operations into vector ones (numba leaves that off): the
+        blocks of eight rows in `flow._blocks` are written for it."""
         before = numba.config.SLP_VECTORIZE
         numba.config.SLP_VECTORIZE = 1
         try:
@@ -98,7 +98,8 @@ else:
 
 @functools.cache
 def sources_hash() -> str:
-    """SHA-256 of every file of the package that holds kernels (their names start with an underscore), in order."""
+    """SHA-256 of every file of the package that holds kernels (their names start with an underscore), in
+    order."""
     root = Path(__file__).parent
     digest = hashlib.sha256()
     for path in sorted(root.rglob("_*.py")):
@@ -113,13 +114,14 @@ def cache_folder() -> Path:
     named = os.environ.get("GEARLASH_CACHE_DIR")
     if named:
         return Path(named)
-    base = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA") or os.path.expanduser("~/.cache")
+    base = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA") or str(Path.home() / ".cache")
     return Path(base) / "gearlash"
 
 
 @functools.cache
 def _writable(folder: Path) -> bool:
-    """Whether files can be made there. A folder that cannot be written means: compile in memory, say nothing."""
+    """Whether files can be made there. A folder that cannot be written means: compile in memory, say
+    nothing."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         probe = folder / f".probe-{os.getpid()}"

@@ -1,4 +1,5 @@
-"""Special points of families of orbits. Continuation in arclength and two-parameter curves have their place here too."""
+"""Special points of families of orbits. Continuation in arclength and two-parameter curves have their place
+here too."""
 
 from .bifurcation import BifurcationPoint, locate_multiplier
 from .grazing import GrazingPoint, locate_grazing

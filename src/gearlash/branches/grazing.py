@@ -1,10 +1,9 @@
 """The parameter value at which an extremum of a periodic orbit touches a boundary.
 
-Unknowns: the state z0 at a phase half an orbit before the touch, the phase t of the touch, and one parameter μ.
-Equations: the orbit closes, X(t) = ±D, X'(t) = 0. The grazing extremum is held, that is not treated as a crossing
-(the one-sided, smooth system), so Newton's method is regular and quadratic whatever side it starts from. Whether the
-solution is one of the real system is checked afterwards, from orbits on both sides.
-"""
+Unknowns: the state z0 at a phase half an orbit before the touch, the phase t of the touch, and one parameter
+μ. Equations: the orbit closes, X(t) = ±D, X'(t) = 0. The grazing extremum is held, that is not treated as a
+crossing (the one-sided, smooth system), so Newton's method is regular and quadratic whatever side it starts
+from. Whether the solution is one of the real system is checked afterwards, from orbits on both sides."""
 
 from __future__ import annotations
 
@@ -15,13 +14,14 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import flow
-from ..flow import Hold, Propagators
-from ..flow.events import gap_displacement, gap_velocity
-from ..orbits import GrazingCheck, Orbit, Signature, shoot
-from ..orbits.floquet import ordered
-from ..orbits.grazing import KINDS
-from ..system import Family, Status
+from gearlash import flow
+from gearlash.flow import Hold, Propagators
+from gearlash.flow.events import gap_displacement, gap_velocity
+from gearlash.orbits import GrazingCheck, Orbit, Signature, shoot
+from gearlash.orbits.floquet import ordered
+from gearlash.orbits.grazing import KINDS
+from gearlash.system import Family, Status
+
 from .kinds import distance_to_unit, table2_type
 
 Array = NDArray[np.float64]
@@ -33,9 +33,9 @@ CLOSED = 1e-11  # residual of a solution
 
 @dataclass(frozen=True, eq=False)
 class GrazingPoint:
-    """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles) and state (n,)
-    of the touch, ``a0`` = X'', multipliers of the one-sided orbit, labels just below and above ``value``. ``state_zero``
-    is the orbit at phase zero, a start for either side."""
+    """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles)
+    and state (n,) of the touch, ``a0`` = X'', multipliers of the one-sided orbit, labels just below and above
+    ``value``. ``state_zero`` is the orbit at phase zero, a start for either side."""
 
     name: str
     value: float
@@ -78,9 +78,9 @@ class GrazingPoint:
 def locate_grazing(
     family: Family, values: Mapping[str, float], name: str, orbit: Orbit, check: GrazingCheck
 ) -> GrazingPoint:
-    """The value of parameter ``name`` at which the extremum ``check`` of ``orbit`` (found at ``values``) touches its
-    boundary. The value is good to about 1e-12 of itself where the status is ok; `not-converged` and `not-admissible`
-    (the labels beside it do not differ by one contact) say that it is no result."""
+    """The value of parameter ``name`` at which the extremum ``check`` of ``orbit`` (found at ``values``)
+    touches its boundary. The value is good to about 1e-12 of itself where the status is ok; `not-converged`
+    and `not-admissible` (the labels beside it do not differ by one contact) say that it is no result."""
     problem = _Problem.of(family, values, name, orbit, check)
     unknown, residual, change = problem.solve()
     mu = float(unknown[-1])
@@ -116,8 +116,8 @@ def locate_grazing(
 
 @dataclass(frozen=True, eq=False)
 class _Problem:
-    """The equations of one touch. ``origin``: phase of z0; ``cycles``: length of the orbit; ``hold``: where the boundary
-    is not crossed; ``first``: the starting point (z0, t, μ)."""
+    """The equations of one touch. ``origin``: phase of z0; ``cycles``: length of the orbit; ``hold``: where
+    the boundary is not crossed; ``first``: the starting point (z0, t, μ)."""
 
     family: Family
     values: Mapping[str, float]
@@ -177,7 +177,8 @@ class _Problem:
         out = np.zeros((n + 2, n + 2))
         end = flow.carry(props, z0, self.cycles, self.origin, jacobian=True, hold=self.hold)
         there = self.touch(props, z0, phase, jacobian=True)
-        assert end.jacobian is not None and there.jacobian is not None
+        assert end.jacobian is not None
+        assert there.jacobian is not None
         h = props.system.clearances[0].h
         out[:n, :n] = end.jacobian - np.eye(n)
         out[n, :n] = h @ there.jacobian
@@ -191,7 +192,8 @@ class _Problem:
         return out
 
     def solve(self) -> tuple[Array, float, float]:
-        """Newton's method with bounded steps; returns unknowns, residual and the last change of the parameter."""
+        """Newton's method with bounded steps; returns unknowns, residual and the last change of the
+        parameter."""
         unknown, change = self.first.copy(), np.inf
         best, residual = unknown, np.inf
         props: Propagators | None = None
@@ -206,7 +208,9 @@ class _Problem:
             elif residual <= 1e-13:
                 break
             step = np.linalg.lstsq(self.jacobian(props, unknown), -value, rcond=None)[0]
-            limit = min(1.0, 0.05 * abs(unknown[-1]) / max(abs(step[-1]), 1e-300), 0.1 / max(abs(step[-2]), 1e-300))
+            limit = min(
+                1.0, 0.05 * abs(unknown[-1]) / max(abs(step[-1]), 1e-300), 0.1 / max(abs(step[-2]), 1e-300)
+            )
             unknown = unknown + limit * step
             change = abs(float(limit * step[-1]))
             if residual <= 1e-14 or (residual <= 1e-12 and change <= 1e-14 * abs(unknown[-1])):
@@ -221,7 +225,8 @@ class _Problem:
 
 
 def _neighbours(phases: Array, touch: float, cycles: float) -> tuple[float, float]:
-    """Distances (mesh cycles) from the touch to the extrema before and after it, at most 0.49 of the orbit."""
+    """Distances (mesh cycles) from the touch to the extrema before and after it, at most 0.49 of the
+    orbit."""
     away = (phases - touch) % cycles
     away = away[(away > 1e-9) & (away < cycles - 1e-9)]
     most = 0.49 * cycles

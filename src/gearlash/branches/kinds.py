@@ -17,6 +17,7 @@ def distance_to_unit(multipliers: NDArray[np.complex128]) -> tuple[float, float]
 
 
 def table2_type(multipliers: NDArray[np.complex128], critical: float = CRITICAL) -> str:
-    """Type of a grazing point by Table 2: standard where the largest exponent is negative and the period goes on,
-    co-dimension 2 where a multiplier is at ±1 within ``critical`` (the largest exponent is then about zero)."""
+    """Type of a grazing point by Table 2: standard where the largest exponent is negative and the period goes
+    on, co-dimension 2 where a multiplier is at ±1 within ``critical`` (the largest exponent is then about
+    zero)."""
     return CODIMENSION_TWO if min(distance_to_unit(multipliers)) < critical else STANDARD

@@ -1,19 +1,18 @@
 """Small matrix-vector products in blocks of eight rows.
 
-Rows are padded to a multiple of eight with zeros. Eight running sums in eight plain variables are what the compiler
-turns into one vector register; a loop over rows of unknown number it would not (it prepares for long loops, and the
-rest of ten rows is done one by one).
-"""
+Rows are padded to a multiple of eight with zeros. Eight running sums in eight plain variables are what the
+compiler turns into one vector register; a loop over rows of unknown number it would not (it prepares for long
+loops, and the rest of ten rows is done one by one)."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from .._kernel import inner
+from gearlash._kernel import inner
 
 LANES = 8
-# Unsigned indices: a signed one may be negative, counting from the end, and testing for it keeps eight neighbours from
-# being loaded at once.
+# Unsigned indices: a signed one may be negative, counting from the end, and testing for it keeps eight
+# neighbours from being loaded at once.
 U0, U1, U2, U3, U4, U5, U6, U7, U8 = (np.uint64(i) for i in range(9))
 
 

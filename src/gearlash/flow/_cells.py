@@ -1,15 +1,15 @@
 """Cell propagators: the affine map over every cell of the phase grid, column by column, by Taylor series.
 
-A column is the response to a unit start in one state, or from rest to one unit input: a harmonic of the forcing on one
-state, the edge of the gap, or a harmonic of the gap's offset. Load, error and gap are amplitudes of such inputs, so
-changing them rebuilds nothing (`combine`).
-"""
+A column is the response to a unit start in one state, or from rest to one unit input: a harmonic of the
+forcing on one state, the edge of the gap, or a harmonic of the gap's offset. Load, error and gap are
+amplitudes of such inputs, so changing them rebuilds nothing (`combine`)."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from .._kernel import inner, kernel
+from gearlash._kernel import inner, kernel
+
 from ._blocks import next_coefficient
 from ._series import copy, fill, fourier_taylor, product
 from ._tables import CHECK, FLOATS, INTS, MATRIX, ORDER
@@ -94,7 +94,9 @@ def _remainder(growth, duration, read, zc, forced, kind, rate):
         push = 0.0
         for i in range(j + 1):
             push += growth[3 + i] * x[j - i]
-        norm[j + 1] = duration / (j + 1) * (growth[0] * norm[j] + growth[1] * push + (source[j] if kind >= 0 else 0.0))
+        norm[j + 1] = (
+            duration / (j + 1) * (growth[0] * norm[j] + growth[1] * push + (source[j] if kind >= 0 else 0.0))
+        )
         state += norm[j + 1]
         gap += growth[2] * norm[j + 1] + (source[j + 1] if kind == OFFSET else 0.0)
     last = ORDER + TAIL
@@ -108,19 +110,22 @@ def _remainder(growth, duration, read, zc, forced, kind, rate):
 
 
 @kernel(
-    types.void(
-        _CUBE, FLOATS, INTS, FLOATS, FLOATS, _UNITS, float64, float64, _CUBE, _CUBE, _CUBE, MATRIX
-    )
+    types.void(_CUBE, FLOATS, INTS, FLOATS, FLOATS, _UNITS, float64, float64, _CUBE, _CUBE, _CUBE, MATRIX)
 )
 def unit_responses(matrix, gain, reads, read, stiffness, units, omega, duration, maps, forced, gap, tails):
     """Fills maps (N, n, p: [cell, column, row]), forced (N, units, p), gap (N, n + units, ORDER+1: Taylor
     coefficients of X) and tails (2, n + units: remainder of the state, of X; largest over the cells).
 
-    matrix (1, n, p) and gain (p) are padded to whole blocks; reads and read (m) hold h without its zeros; `units` (units, 2) holds (kind, slot of the Fourier series).
-    """
+    matrix (1, n, p) and gain (p) are padded to whole blocks; reads and read (m) hold h without its zeros;
+    `units` (units, 2) holds (kind, slot of the Fourier series)."""
     n, cells = matrix.shape[1], maps.shape[0]
     width = omega * duration
-    eta, source, zc, xc = np.empty(ORDER + 1), np.empty(ORDER + 1), np.zeros((ORDER + 1, len(gain))), np.empty(ORDER + 1)
+    eta, source, zc, xc = (
+        np.empty(ORDER + 1),
+        np.empty(ORDER + 1),
+        np.zeros((ORDER + 1, len(gain))),
+        np.empty(ORDER + 1),
+    )
     slots = 0
     for u in range(len(units)):
         slots = max(slots, units[u, 1])
@@ -181,9 +186,8 @@ def _bounds(x, tail, to_check, check, slack, bend, c):
 def combine(amplitudes, forced, gap, tails, to_check, shift, check, slack, bend, tail):
     """Sums unit inputs to the forced part of one region's maps, and writes the bounds that prove cells clear.
 
-    amplitudes (units); to_check (CHECK+1, CHECK+1) Taylor to Bernstein; shift (N, p); check (N, n+1, CHECK+1);
-    slack, bend (N, n+1); tail (n+1). The last column holds the constant part.
-    """
+    amplitudes (units); to_check (CHECK+1, CHECK+1) Taylor to Bernstein; shift (N, p); check (N, n+1,
+    CHECK+1); slack, bend (N, n+1); tail (n+1). The last column holds the constant part."""
     cells, units = forced.shape[0], forced.shape[1]
     n, p = check.shape[1] - 1, forced.shape[2]
     x = np.empty(ORDER + 1)
@@ -211,7 +215,8 @@ def combine(amplitudes, forced, gap, tails, to_check, shift, check, slack, bend,
 
 @kernel(float64(MATRIX, types.int64))
 def spectral_radius(matrix, squarings):
-    """Estimate of the largest |eigenvalue| as ‖A^(2^k)‖^(1/2^k), by plain loops so that it is the same everywhere."""
+    """Estimate of the largest |eigenvalue| as ‖A^(2^k)‖^(1/2^k), by plain loops so that it is the same
+    everywhere."""
     n = matrix.shape[0]
     power, product, log = np.empty((n, n)), np.empty((n, n)), 0.0
     for i in range(n):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._kernel import inner, kernel
+from gearlash._kernel import inner, kernel
+
 from ._roots import DEPTH, all_roots
 from ._series import copy, copy_first, polynomial
 from ._tables import FLOATS, INTS, MATRIX, ORDER, TABLES, Tables
@@ -19,7 +20,8 @@ if True:
 
 @inner
 def _orthonormalise(tangents, sums):
-    """Modified Gram-Schmidt, twice, on the rows of `tangents`; adds the logarithms of their lengths to `sums`."""
+    """Modified Gram-Schmidt, twice, on the rows of `tangents`; adds the logarithms of their lengths to
+    `sums`."""
     m, n = tangents.shape
     for i in range(m):
         for _twice in range(2):
@@ -40,16 +42,44 @@ def _orthonormalise(tangents, sums):
 
 @kernel(
     int64(
-        TABLES, FLOATS, MATRIX, float64, float64, FLOATS, MATRIX, _COUNTS, FLOATS, INTS, MATRIX, _CUBE, MATRIX, MATRIX
+        TABLES,
+        FLOATS,
+        MATRIX,
+        float64,
+        float64,
+        FLOATS,
+        MATRIX,
+        _COUNTS,
+        FLOATS,
+        INTS,
+        MATRIX,
+        _CUBE,
+        MATRIX,
+        MATRIX,
     )
 )
-def run(t: Tables, state_in, tangents_in, start, length, hold, strobes, counts, sums, used, piece, poly, event, state):
+def run(
+    t: Tables,
+    state_in,
+    tangents_in,
+    start,
+    length,
+    hold,
+    strobes,
+    counts,
+    sums,
+    used,
+    piece,
+    poly,
+    event,
+    state,
+):
     """The one march: carries state and tangents (m, n) in place over len(counts) stretches of `length` cells.
 
-    strobes (stretches+1, n) receives the state at every start and at the end, counts (stretches, 5) what happened in
-    each stretch. With sums (m) the tangents are orthonormalised after each stretch. used[0] = -1 records nothing, else
-    piece, poly, event and state are filled (see `Record`). One entry point, because compiling each variant of the
-    march apart would cost a new user half a minute. Returns an outcome code.
+    strobes (stretches+1, n) receives the state at every start and at the end, counts (stretches, 5) what
+    happened in each stretch. With sums (m) the tangents are orthonormalised after each stretch. used[0] = -1
+    records nothing, else piece, poly, event and state are filled (see `Record`). One entry point, because
+    compiling each variant of the march apart would cost a new user half a minute. Returns an outcome code.
     """
     w = scratch(t)
     n, m = len(state_in), tangents_in.shape[0]
@@ -68,7 +98,9 @@ def run(t: Tables, state_in, tangents_in, start, length, hold, strobes, counts, 
     for stretch in range(len(counts)):
         stop_cell = int(np.floor(cell + s + length))
         stop_s = (s + length) - (stop_cell - cell)
-        outcome, region = walk(t, w, z, tangents, region, cell, s, stop_cell, stop_s, hold, counts[stretch], record)
+        outcome, region = walk(
+            t, w, z, tangents, region, cell, s, stop_cell, stop_s, hold, counts[stretch], record
+        )
         copy_first(z, n, state_in)
         copy(state_in, strobes[stretch + 1])
         if outcome != OK:
@@ -95,9 +127,9 @@ def _second(c, s):
 def extrema(piece, gap, basis, found):
     """Simple zeros of X' over all pieces.
 
-    gap (pieces, ORDER+1): Taylor coefficients of X per piece in its own local time; basis: Taylor to Bernstein of
-    degree ORDER-1. found (m, 4) receives position, X, second derivative in local time, piece index.
-    """
+    gap (pieces, ORDER+1): Taylor coefficients of X per piece in its own local time; basis: Taylor to
+    Bernstein of degree ORDER-1. found (m, 4) receives position, X, second derivative in local time, piece
+    index."""
     slope, roots = np.empty(ORDER), np.empty(ORDER)
     stack, limits = np.empty((DEPTH + 2, ORDER + 1)), np.empty((DEPTH + 2, 2))
     count = 0

@@ -1,8 +1,9 @@
 """First sign change of a polynomial on [0, 1], proved by its Bernstein coefficients.
 
-A polynomial lies within the range of its Bernstein coefficients, and it has at most as many roots in the interval as
-they have sign changes (Descartes). Subdividing until the answer is "none" or "one" therefore finds the first root or
-proves that there is none; what stays open within the error bound is reported as undecided.
+A polynomial lies within the range of its Bernstein coefficients, and it has at most as many roots in the
+interval as they have sign changes (Descartes). Subdividing until the answer is "none" or "one" therefore
+finds the first root or proves that there is none; what stays open within the error bound is reported as
+undecided.
 
 Source: G. Farin, Curves and Surfaces for CAGD, 5th ed. (2002); B. Mourrain, F. Rouillier, M.-F. Roy,
 "The Bernstein basis and real root isolation", MSRI Publications 52 (2005) 459-478.
@@ -12,8 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._kernel import inner
-from ._series import polynomial
+from gearlash._kernel import inner
 
 NONE = 2.0  # "no root in [0, 1]"
 DEPTH = 44  # subdivisions: an interval of 2^-44 of a cell is below the rounding of its ends
@@ -24,9 +24,9 @@ def first_exit(c, deflate, bound, basis, stack, limits):
     """First s in [0, 1] at which the distance polynomial ``c`` turns negative, and whether all was decided.
 
     ``deflate``: the distance is zero at s = 0 by construction (just crossed), so ``c(s)/s`` is examined.
-    ``bound`` covers rounding and remainder of c. ``basis`` (2, d+1, d+1) turns Taylor into Bernstein coefficients,
-    ``stack`` (DEPTH+2, d+1) and ``limits`` (DEPTH+2, 2) are scratch. Returns (s or NONE, undecided).
-    """
+    ``bound`` covers rounding and remainder of c. ``basis`` (2, d+1, d+1) turns Taylor into Bernstein
+    coefficients, ``stack`` (DEPTH+2, d+1) and ``limits`` (DEPTH+2, 2) are scratch. Returns (s or NONE,
+    undecided)."""
     degree = len(c) - 1
     first = 1 if deflate else 0
     q = c[first:]
@@ -80,12 +80,10 @@ def _all_above(b, m, bound):
 
 @inner
 def _leaves_zero(b, m, bound):
-    if abs(b[0]) > bound:
-        return False
-    for i in range(1, m + 1):
-        if b[i] <= bound:
-            return False
-    return True
+    lowest = b[1]
+    for i in range(2, m + 1):
+        lowest = min(lowest, b[i])
+    return abs(b[0]) <= bound and lowest > bound
 
 
 @inner
@@ -128,7 +126,8 @@ def _split(stack, top, m):
 
 @inner
 def _polish(q, lo, hi):
-    """The one root in [lo, hi], where q falls from + to -: Newton's method kept inside a shrinking bracket."""
+    """The one root in [lo, hi], where q falls from + to -: Newton's method kept inside a shrinking
+    bracket."""
     s = 0.5 * (lo + hi)
     for _ in range(100):
         value, slope = 0.0, 0.0
@@ -152,7 +151,8 @@ def _polish(q, lo, hi):
 
 @inner
 def all_roots(c, basis, stack, limits, out):
-    """All simple roots in (0, 1] of the polynomial ``c``, ascending; returns their number (used for extrema)."""
+    """All simple roots in (0, 1] of the polynomial ``c``, ascending; returns their number (used for
+    extrema)."""
     m = len(c) - 1
     for i in range(m + 1):
         value = 0.0

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._kernel import inner
+from gearlash._kernel import inner
+
 from ._blocks import next_coefficient
 from ._tables import ORDER, Tables
 
 
 @inner
 def copy(source, target):
-    """target ← source, element by element (array slices would drag numpy's error texts through the compiler)."""
+    """target ← source, element by element (array slices would drag numpy's error texts through the
+    compiler)."""
     for i in range(len(source)):
         target[i] = source[i]
 
@@ -68,7 +70,8 @@ def product(a, b, j):
 
 @inner
 def expand_state(t: Tables, region, theta, duration, z, zc, xc, eta, work):
-    """Taylor coefficients zc (ORDER+1, p) of the state and xc (ORDER+1) of X - edge, over `duration` from `theta`.
+    """Taylor coefficients zc (ORDER+1, p) of the state and xc (ORDER+1) of X - edge, over `duration` from
+    `theta`.
 
     `work` (2 + rows, ORDER+1) receives offset and forcing series. One step of the recurrence is
     z_{j+1} = duration/(j+1) · (M z_j + g Σ η_i x_{j-i} + b_j).

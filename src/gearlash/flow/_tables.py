@@ -1,17 +1,16 @@
 """The arrays that kernels read, and their compiled types.
 
-Regions are numbered 0 (contact on side +), 1 (free), 2 (contact on side -). A period of the system is divided into
-N cells of equal phase; inside a cell local time s runs from 0 to 1.
-"""
+Regions are numbered 0 (contact on side +), 1 (free), 2 (contact on side -). A period of the system is divided
+into N cells of equal phase; inside a cell local time s runs from 0 to 1."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]  # of float64, where nothing else is said
 
 PLUS, FREE, MINUS = 0, 1, 2
 ORDER = 18  # degree of every Taylor polynomial
@@ -22,7 +21,9 @@ class Tables(NamedTuple):
     """One system as the kernels see it: its equations, and its cell maps. All arrays are read-only."""
 
     scalars: Array  # (3): ω, cell duration in τ, cell width in θ
-    matrix: Array  # (3, n, p): M + damping: [region, column, row]; rows padded to p = whole blocks (`_blocks`)
+    matrix: (
+        Array  # (3, n, p): M + damping: [region, column, row]; rows padded to p = whole blocks (`_blocks`)
+    )
     gain: Array  # (p): g
     reads: NDArray[np.int64]  # (m): where h is not zero
     read: Array  # (m): h there
@@ -44,10 +45,10 @@ class Tables(NamedTuple):
 INTEGER = ("reads", "rows")
 
 if TYPE_CHECKING:
-    TABLES: object
-    FLOATS: object
-    MATRIX: object
-    INTS: object
+    TABLES: Any
+    FLOATS: Any
+    MATRIX: Any
+    INTS: Any
 else:
     import numba
     from numba import types

@@ -1,7 +1,7 @@
 """The march through cells: whole cells by their maps where no contact is possible, Taylor pieces where it is.
 
-A position is counted in cells from phase zero of the base period: an integer cell and a local time s in [0, 1].
-"""
+A position is counted in cells from phase zero of the base period: an integer cell and a local time s in [0,
+1]."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .._kernel import inner
+from gearlash._kernel import inner
+
 from ._blocks import bernstein_range, map_cell, map_tangent
 from ._roots import DEPTH, NONE, first_exit
 from ._series import advance_tangents, copy, expand_state, horner
@@ -78,8 +79,8 @@ def region_of(t: Tables, w: Scratch, z, cell, s):
 
 @inner
 def cell_is_clear(check, slack, bend, region, cell, z, n, lower, upper):
-    """Proves that X stays strictly between `lower` and `upper` in the whole cell that starts at z; False means "not
-    proved". First by the chord and a bound on the bend, then by Bernstein coefficients.
+    """Proves that X stays strictly between `lower` and `upper` in the whole cell that starts at z; False
+    means "not proved". First by the chord and a bound on the bend, then by Bernstein coefficients.
 
     Arrays are passed one by one: a tuple of them costs more than the work (each is counted in and out).
     """
@@ -129,11 +130,11 @@ def next_exit(t: Tables, region, on, held, z, w: Scratch):
 
 @inner
 def walk(t: Tables, w: Scratch, z, tangents, region, cell, s, stop_cell, stop_s, hold, counts, record):
-    """Carries z (and tangents (m, n)) in place from (cell, s) to (stop_cell, stop_s); returns (outcome, region).
+    """Carries z (and tangents (m, n)) in place from (cell, s) to (stop_cell, stop_s); returns (outcome,
+    region).
 
-    `hold` (3): a boundary ±1 that is not crossed between two positions (0: none). `counts` (5) int is added to.
-    `record` with used[0] < 0 keeps nothing.
-    """
+    `hold` (3): a boundary ±1 that is not crossed between two positions (0: none). `counts` (5) int is added
+    to. `record` with used[0] < 0 keeps nothing."""
     cells = t.maps.shape[1]
     n, m = t.maps.shape[2], tangents.shape[0]
     keep = record.used[0] >= 0
@@ -190,9 +191,9 @@ def _cell_by_pieces(t: Tables, w: Scratch, z, tangents, region, cell, s, end, ho
         if undecided:
             counts[UNDECIDED] += 1
         part = 1.0 if at == NONE else at
-        if record.used[0] >= 0:
-            if not _keep_piece(record, cell + s, length * part, region, w.zc, length, part):
-                return TOO_MANY, region
+        keep = record.used[0] >= 0
+        if keep and not _keep_piece(record, cell + s, length * part, region, w.zc, part):
+            return TOO_MANY, region
         horner(w.zc, part, z)
         if tangents.shape[0] > 0 and part > 0.0:
             advance_tangents(t, region, theta, length * part * duration, tangents, w.eta, w.vc, w.xc)
@@ -208,9 +209,8 @@ def _cell_by_pieces(t: Tables, w: Scratch, z, tangents, region, cell, s, end, ho
         else:
             region = FREE
         counts[(0 if engaging else 2) + (0 if boundary > 0 else 1)] += 1
-        if record.used[0] >= 0:
-            if not _keep_event(record, cell + s, boundary, engaging, z):
-                return TOO_MANY, region
+        if keep and not _keep_event(record, cell + s, boundary, engaging, z):
+            return TOO_MANY, region
         events += 1
         if events > EVENTS_PER_CELL:
             return TOO_MANY, region
@@ -218,7 +218,7 @@ def _cell_by_pieces(t: Tables, w: Scratch, z, tangents, region, cell, s, end, ho
 
 
 @inner
-def _keep_piece(record: Record, position, length, region, zc, scale, part):
+def _keep_piece(record: Record, position, length, region, zc, part):
     """Stores a piece with its polynomial in local time of its own (0 to 1 over the piece)."""
     i = record.used[0]
     if i >= len(record.piece):

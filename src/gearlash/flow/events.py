@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..system import Status, System, derivative, evaluate
+from gearlash.system import Status, System, derivative, evaluate
+
 from . import _march
 from ._tables import FREE, MINUS, ORDER, PLUS, Array
 
@@ -19,8 +20,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Events:
-    """Contact events in order: phase (mesh cycles, θ/2π), state (m, n), velocity X', force Φ, boundary (+1: Σ1 at +D,
-    -1: Σ2 at -D), engaging (True: into contact)."""
+    """Contact events in order: phase (mesh cycles, θ/2π), state (m, n), velocity X', force Φ, boundary (+1:
+    Σ1 at +D, -1: Σ2 at -D), engaging (True: into contact)."""
 
     phase: Array
     state: Array
@@ -74,8 +75,9 @@ class Samples:
 
 @dataclass(frozen=True, eq=False)
 class Trace:
-    """A motion as polynomials: piece i starts at `positions[i]` (cells after phase `base`), has length `lengths[i]` (cells), runs in
-    `regions[i]` and is `polynomials[i]` (degree+1, n) in its own local time from 0 to 1."""
+    """A motion as polynomials: piece i starts at `positions[i]` (cells after phase `base`), has length
+    `lengths[i]` (cells), runs in `regions[i]` and is `polynomials[i]` (degree+1, n) in its own local time
+    from 0 to 1."""
 
     propagators: Propagators
     base: float

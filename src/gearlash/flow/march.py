@@ -9,22 +9,28 @@ from math import floor
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..system import GearlashError, Status
+from gearlash.system import GearlashError, Status
+
 from . import _march
 from ._tables import ORDER, Array
 from ._walk import DIVERGED, OK, TOO_MANY, UNDECIDED, WRONG_SIDE
 from .events import Events, Trace
 from .propagators import Propagators
 
-_STATUS = {OK: Status.OK, TOO_MANY: Status.TOO_MANY_EVENTS, DIVERGED: Status.DIVERGED, WRONG_SIDE: Status.NOT_ADMISSIBLE}
+_STATUS = {
+    OK: Status.OK,
+    TOO_MANY: Status.TOO_MANY_EVENTS,
+    DIVERGED: Status.DIVERGED,
+    WRONG_SIDE: Status.NOT_ADMISSIBLE,
+}
 CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon
 MOST_PIECES = 2_000_000
 
 
 @dataclass(frozen=True, eq=False)
 class Strobes:
-    """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4): engagements at + and at -,
-    releases at + and at -; `undecided` counts places where touching lies within rounding."""
+    """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4): engagements at +
+    and at -, releases at + and at -; `undecided` counts places where touching lies within rounding."""
 
     states: Array
     contacts: Array
@@ -34,7 +40,8 @@ class Strobes:
 
 @dataclass(frozen=True, eq=False)
 class Carried:
-    """A state (n,) carried from one phase to another; `jacobian` (n, n) with respect to the start, or None."""
+    """A state (n,) carried from one phase to another; `jacobian` (n, n) with respect to the start, or
+    None."""
 
     state: Array
     jacobian: Array | None
@@ -45,8 +52,8 @@ class Carried:
 
 @dataclass(frozen=True)
 class Hold:
-    """A boundary (+1, -1) that is not treated as crossed between two phases (mesh cycles, absolute): the one-sided,
-    smooth system in which a grazing extremum may pass through it."""
+    """A boundary (+1, -1) that is not treated as crossed between two phases (mesh cycles, absolute): the
+    one-sided, smooth system in which a grazing extremum may pass through it."""
 
     boundary: int
     start: float
@@ -54,7 +61,8 @@ class Hold:
 
 
 def start_state(z: ArrayLike, size: int) -> Array:
-    """A fresh float64 copy of a state. Raises `GearlashError` for a wrong shape or a number that is not finite."""
+    """A fresh float64 copy of a state. Raises `GearlashError` for a wrong shape or a number that is not
+    finite."""
     state = np.array(z, dtype=np.float64)
     if state.shape != (size,):
         raise GearlashError(f"state has shape {state.shape}, expected ({size},)")
@@ -75,13 +83,22 @@ def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) ->
         contacts.append(counts)
         done += block
     table = np.concatenate(contacts)
-    return Strobes(np.concatenate(states), table[:, :4], int(table[:, UNDECIDED].sum()), _with_doubt(status, table))
+    return Strobes(
+        np.concatenate(states), table[:, :4], int(table[:, UNDECIDED].sum()), _with_doubt(status, table)
+    )
 
 
 def carry(
-    props: Propagators, z: ArrayLike, cycles: float, phase: float = 0.0, *, jacobian: bool = False, hold: Hold | None = None
+    props: Propagators,
+    z: ArrayLike,
+    cycles: float,
+    phase: float = 0.0,
+    *,
+    jacobian: bool = False,
+    hold: Hold | None = None,
 ) -> Carried:
-    """Carries a state from ``phase`` over ``cycles`` mesh cycles; the Jacobian is exact where no contact is touched."""
+    """Carries a state from ``phase`` over ``cycles`` mesh cycles; the Jacobian is exact where no contact is
+    touched."""
     state = start_state(z, props.system.size)
     tangents = np.eye(state.size) if jacobian else None
     base, start, length = positions(props, phase, cycles)
@@ -119,7 +136,9 @@ def trace(
     used, piece, poly, event, states = record
     pieces, events = int(used[0]), int(used[1])
     per_cycle = props.cells_per_cycle
-    found = Events.build(props.system, base + event[:events, 0] / per_cycle, states[:events].copy(), event[:events, 1:])
+    found = Events.build(
+        props.system, base + event[:events, 0] / per_cycle, states[:events].copy(), event[:events, 1:]
+    )
     return Trace(
         propagators=props,
         base=base,
@@ -137,8 +156,8 @@ def trace(
 
 
 def orthonormal_growth(props: Propagators, z: Array, frame: Array, periods: int) -> tuple[Status, Array]:
-    """Carries z (n,) and the orthonormal rows of frame (m, n) in place over base periods; returns the sums (m,) of the
-    logarithms of the lengths."""
+    """Carries z (n,) and the orthonormal rows of frame (m, n) in place over base periods; returns the sums
+    (m,) of the logarithms of the lengths."""
     sums = np.zeros(len(frame))
     status, _, _ = _run(props, z, 0.0, float(props.cells), periods, tangents=frame, sums=sums)
     return status, sums
@@ -175,7 +194,9 @@ def _run(
     if tangents is None:
         tangents = np.empty((0, n))
     if record is None:
-        record = _Record(_NOTHING, np.empty((0, 3)), np.empty((0, ORDER + 1, n)), np.empty((0, 3)), np.empty((0, n)))
+        record = _Record(
+            _NOTHING, np.empty((0, 3)), np.empty((0, ORDER + 1, n)), np.empty((0, 3)), np.empty((0, n))
+        )
     code = _march.run(
         props.tables, state, tangents, start, length, _hold(props, hold, base), strobes, counts,
         np.empty(0) if sums is None else sums, *record,

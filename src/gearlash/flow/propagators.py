@@ -8,15 +8,16 @@ from math import ceil, pi
 
 import numpy as np
 
-from ..system import Clearance, ContactRule, GearlashError, System, derivative
-from ..system.harmonics import harmonics
+from gearlash.system import Clearance, ContactRule, GearlashError, System, derivative
+from gearlash.system.harmonics import harmonics
+
 from ._blocks import padded
 from ._cells import EDGE, OFFSET, combine, spectral_radius, unit_responses
 from ._roots import taylor_to_bernstein
 from ._tables import CHECK, FREE, MINUS, ORDER, PLUS, Array, Tables
 
 TRUNCATION = 1e-15  # bound on the Taylor remainder of every unit column of every cell map
-STEP = 1.1  # (spectral radius + highest harmonic) × cell duration aimed at; ORDER = 18 then truncates below 1e-15
+STEP = 1.1  # (spectral radius + highest harmonic) × cell duration aimed at: ORDER = 18 then suffices
 MOST_CELLS = 200_000
 
 
@@ -50,9 +51,9 @@ class Propagators:
 def propagators(system: System, reuse: Propagators | None = None) -> Propagators:
     """Cell maps of ``system`` with a Taylor remainder of at most 1e-15 per unit column, proved by a majorant.
 
-    ``reuse``: propagators of another member of the family; where frequency, stiffness and damping are the same, only
-    the forced parts are summed anew. Raises `GearlashError` for what this engine does not take (yet).
-    """
+    ``reuse``: propagators of another member of the family; where frequency, stiffness and damping are the
+    same, only the forced parts are summed anew. Raises `GearlashError` for what this engine does not take
+    (yet)."""
     clearance = _supported(system)
     units, key = _units(system), _key(system)
     if reuse is not None and reuse.key == key:
@@ -122,8 +123,8 @@ def _responses(system: System, clearance: Clearance, units: Array) -> tuple:
             return (found[0], found[1], found[2] if len(found) > 2 else found[0])
         cells = ceil(1.2 * cells)
     raise GearlashError(
-        f"more than {MOST_CELLS} cells a period would be needed: the frequency {system.omega:g} is too far below "
-        "the fastest natural frequency"
+        f"more than {MOST_CELLS} cells a period would be needed: the frequency {system.omega:g} is too far "
+        "below the fastest natural frequency"
     )
 
 
@@ -143,15 +144,29 @@ def _first_guess(system: System, clearance: Clearance, matrix: Array) -> int:
     return max(4, ceil((system.period * fastest + 2 * pi * highest) / STEP))
 
 
-def _unit_responses(system: System, clearance: Clearance, matrix: Array, series: Array, units: Array, cells: int) -> tuple:
+def _unit_responses(
+    system: System, clearance: Clearance, matrix: Array, series: Array, units: Array, cells: int
+) -> tuple:
     n, count = system.size, len(units)
     p = padded(n)
     maps, forced = np.empty((cells, n, p)), np.empty((cells, count, p))
     gap, tails = np.empty((cells, n + count, ORDER + 1)), np.empty((2, n + count))
     rate = system.omega / system.cycles
     reads = np.flatnonzero(clearance.h)
-    arguments = (_padded(matrix.T)[None], _padded(clearance.g), reads, clearance.h[reads], series)
-    unit_responses(*_contiguous(arguments), units, rate, system.period / cells, maps, forced, gap, tails)
+    unit_responses(
+        _floats(_padded(matrix.T)[None]),
+        _floats(_padded(clearance.g)),
+        reads,
+        _floats(clearance.h[reads]),
+        _floats(series),
+        units,
+        rate,
+        system.period / cells,
+        maps,
+        forced,
+        gap,
+        tails,
+    )
     return maps, forced, gap, tails
 
 
@@ -202,12 +217,15 @@ def _padded(array: Array) -> Array:
     return np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, missing)])
 
 
-def _contiguous(arrays: tuple[Array, ...]) -> list[Array]:
-    return [np.ascontiguousarray(a, dtype=np.int64 if a.dtype.kind == "i" else np.float64) for a in arrays]
+def _floats(array: Array) -> Array:
+    return np.array(array, dtype=np.float64, order="C")
 
 
 def _amplitudes(units: Array, forcing: Array, offset: Array, edge: float) -> Array:
-    size = [edge if kind == EDGE else offset[slot] if kind == OFFSET else forcing[kind, slot] for kind, slot in units]
+    size = [
+        edge if kind == EDGE else offset[slot] if kind == OFFSET else forcing[kind, slot]
+        for kind, slot in units
+    ]
     return np.array(size, dtype=np.float64)
 
 

@@ -1,4 +1,5 @@
-"""Attractors and what they are: sections, signature, periodic orbits, multipliers, exponents, grazing conditions."""
+"""Attractors and what they are: sections, signature, periodic orbits, multipliers, exponents, grazing
+conditions."""
 
 from .attractor import Settings, attractor
 from .floquet import multipliers

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import flow
-from ..flow import Propagators, Strobes
-from ..system import Status, System
+from gearlash import flow
+from gearlash.flow import Propagators, Strobes
+from gearlash.system import Status, System
+
 from .lyapunov import Exponents, lyapunov
 from .results import Aperiodic, Attractor, Orbit, Unresolved
 from .shooting import TOLERANCE, Shot, minimal, shoot
@@ -19,10 +20,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Settings:
-    """``max_period`` (base periods) up to which orbits are looked for; ``budget`` of base periods for the transient;
-    ``patience``: base periods after which a motion without a periodic orbit is asked for its exponent, averaged over
-    ``exponent_periods``; where that does not settle it, it is asked again after twice as long, and over twice as
-    many."""
+    """``max_period`` (base periods) up to which orbits are looked for; ``budget`` of base periods for the
+    transient; ``patience``: base periods after which a motion without a periodic orbit is asked for its
+    exponent, averaged over ``exponent_periods``; where that does not settle it, it is asked again after twice
+    as long, and over twice as many."""
 
     max_period: int = 64
     budget: int = 20_000
@@ -35,6 +36,9 @@ FIRST = 24  # base periods before the first attempt
 NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
 WINDOW = 1_024  # base periods of each window that a persistent motion is compared in
 FAR = 0.1  # the best return is worth one up to here
+SLOW = 1e-2  # a return this close that Newton cannot use is asked at half its period too: beside a doubling
+CAPTURED = 1e-3  # a motion this close to a stable orbit (of the motion's size), and closing in, will not leave it
+CLOSER = 6  # times running that a motion farther away must come closer; by chance it does so once in 6! = 720
 BRANCH = (1e-4, 1e-3, 1e-2, 3e-2, 0.1)  # steps along the critical direction, in units of the motion's size
 
 
@@ -46,11 +50,11 @@ def attractor(
 ) -> Attractor:
     """The attractor reached from ``start`` (n,) at phase zero.
 
-    ``trial`` (state, base periods) is a periodic orbit to try first: the neighbour's, where an attractor is followed.
-    Returns an `Orbit` (P proved least, residual ≤ 1e-11, stable), an `Aperiodic` motion, or `Unresolved` with its reason.
-    A periodic orbit is accepted only if it is stable and the motion is seen to approach it; a slow transient therefore
-    goes on, and is neither called periodic with a wrong P nor aperiodic.
-    """
+    ``trial`` (state, base periods) is a periodic orbit to try first: the neighbour's, where an attractor is
+    followed. Returns an `Orbit` (P proved least, residual ≤ 1e-11, stable), an `Aperiodic` motion, or
+    `Unresolved` with its reason. A periodic orbit is accepted only if it is stable and the motion is seen to
+    approach it; a slow transient therefore goes on, and is neither called periodic with a wrong P nor
+    aperiodic."""
     props = flow.propagators(system) if isinstance(system, System) else system
     search = _Search(props, settings, flow.march(props, start, 0).states[0])
     if trial is not None:
@@ -97,18 +101,30 @@ class _Search:
     @property
     def size(self) -> float:
         """Size of the motion on σ_t: the unit for "near"."""
-        return max(float(np.ptp(self.strobes, axis=0).max()), 1e-3 * max(1.0, float(np.abs(self.strobes).max())))
+        return max(
+            float(np.ptp(self.strobes, axis=0).max()), 1e-3 * max(1.0, float(np.abs(self.strobes).max()))
+        )
 
     def newton(self) -> Orbit | None:
         """Tries the most promising periods: the least that nearly returns, and the one that returns best."""
         for period in self.candidates():
-            shot = shoot(self.props, self.state, period, iterations=8, patient=False)
-            if shot.residual > TOLERANCE:
-                continue
-            found = self.accept(minimal(self.props, shot))
+            found = self.solved(period)
             if found is not None:
                 return found
         return None
+
+    def solved(self, period: int) -> Orbit | None:
+        shot = shoot(self.props, self.state, period, iterations=8, patient=False)
+        if shot.residual <= TOLERANCE:
+            return self.accept(minimal(self.props, shot))
+        # Beside a doubling Newton's matrix for the doubled period is all but singular, that for the single one not.
+        if period % 2 == 0 and self.gap(period) < SLOW * self.size:
+            return self.solved(period // 2)
+        return None
+
+    def gap(self, period: int) -> float:
+        """Distance of the state to the one ``period`` base periods before."""
+        return float(np.abs(self.strobes[-1 - period] - self.state).max())
 
     def candidates(self) -> list[int]:
         longest = min(self.settings.max_period, len(self.strobes) - 1)
@@ -116,12 +132,14 @@ class _Search:
         order = np.argsort(returns, kind="stable")
         best = int(order[0]) + 1
         near = np.flatnonzero(returns < NEAR * self.size)
-        chosen = ([int(near[0]) + 1] if len(near) else []) + ([best] if returns[best - 1] < FAR * self.size else [])
+        chosen = ([int(near[0]) + 1] if len(near) else []) + (
+            [best] if returns[best - 1] < FAR * self.size else []
+        )
         return list(dict.fromkeys(chosen))
 
     def attempt(self, state: Array, period: int) -> Orbit | None:
-        """A neighbour's orbit as a first guess, without a transient. Also tries the doubled and the halved orbit where
-        the neighbour's own has lost its stability."""
+        """A neighbour's orbit as a first guess, without a transient. Also tries the doubled and the halved
+        orbit where the neighbour's own has lost its stability."""
         shot = shoot(self.props, state, period, iterations=12)
         if shot.residual > TOLERANCE:
             return None
@@ -130,8 +148,8 @@ class _Search:
         return orbit if orbit.stable else None
 
     def accept(self, shot: Shot) -> Orbit | None:
-        """The orbit, if it is stable and the motion approaches it; where it has just lost its stability to its double,
-        the doubled orbit, on the same terms."""
+        """The orbit, if it is stable and the motion approaches it; where it has just lost its stability to
+        its double, the doubled orbit, on the same terms."""
         orbit = self.orbit(shot)
         if orbit.stable:
             return orbit if self.approached(orbit) else None
@@ -161,22 +179,29 @@ class _Search:
         return None
 
     def approached(self, orbit: Orbit) -> bool:
-        """Marches on, and asks whether the distance to the orbit shrinks as its multipliers promise."""
+        """Marches on, and asks whether the distance to the orbit shrinks as its multipliers promise, again and again
+        until it is small: a motion that wanders by may come closer once."""
         points = orbit.strobes
-        before = _distance(points, self.state)
-        if before <= 1e-9 * self.size:
-            return True
         rate = max(abs(orbit.leading), 1e-3)
         laps = int(np.clip(np.ceil(np.log(0.1) / np.log(rate)) if rate < 1.0 else 400, 1, max(1, 800 // len(points))))
-        progress = self.march(laps * len(points))
-        if progress.status not in (Status.OK, Status.UNCERTAIN):
-            return False
-        after = _distance(points, self.state)
-        return after <= before * max(0.5, min(0.999, 2.0 * rate**laps)) or after <= 1e-9 * self.size
+        promised = max(0.5, min(0.999, 2.0 * rate**laps))
+        before = _distance(points, self.state)
+        for _ in range(CLOSER):
+            if before <= 1e-9 * self.size:
+                return True
+            progress = self.march(laps * len(points))
+            after = _distance(points, self.state)
+            if progress.status not in (Status.OK, Status.UNCERTAIN) or after > max(promised * before, 1e-9 * self.size):
+                return False
+            if after <= CAPTURED * self.size:
+                return True
+            before = after
+        return True
 
     def aperiodic(self, periods: int, again: bool) -> Aperiodic | None:
-        """The motion as aperiodic: if its largest exponent is above zero by twice its error bar, or, asked `again`, if it
-        is zero within it and the motion is seen to persist without closing (quasi-periodic)."""
+        """The motion as aperiodic: if its largest exponent is above zero by twice its error bar, or, asked
+        `again`, if it is zero within it and the motion is seen to persist without closing
+        (quasi-periodic)."""
         found = self.exponent(periods)
         if found is None:
             return None
@@ -185,13 +210,16 @@ class _Search:
         if value > 2.0 * error:
             message = f"aperiodic: {text}"
         elif again and abs(value) <= 2.0 * error and self.persists():
-            message = f"aperiodic, quasi-periodic as far as can be seen: {text}, and it persists without closing"
+            message = (
+                f"aperiodic, quasi-periodic as far as can be seen: {text}, and it persists without closing"
+            )
         else:
             return None
         return Aperiodic(self.props, self.state, value, error, self.used, found.status, message)
 
     def persists(self) -> bool:
-        """Whether size and returns of the motion are the same in two windows: a slow transient shrinks in one of them."""
+        """Whether size and returns of the motion are the same in two windows: a slow transient shrinks in one
+        of them."""
         longest = self.settings.max_period
         sizes, returns = [], []
         for _ in range(2):
@@ -215,11 +243,29 @@ class _Search:
         value = float(found.values[0]) if found is not None else np.nan
         error = float(found.errors[0]) if found is not None else np.nan
         limit = self.settings.max_period
-        reason = f"no stable orbit up to period {limit} within {self.used} periods; largest exponent {value:.1e} ± {error:.0e}"
+        longer = self.longer()
+        if longer is not None:
+            reason = f"it closes after {longer} base periods, more than the {limit} that were looked for"
+            return self.unresolved(Status.UNRESOLVED, reason, value, error)
+        reason = (
+            f"no stable orbit up to period {limit} within {self.used} periods; "
+            f"largest exponent {value:.1e} ± {error:.0e}"
+        )
         return self.unresolved(Status.UNRESOLVED, reason, value, error)
 
+    def longer(self) -> int | None:
+        """The least number of base periods beyond those looked for, after which the motion plainly repeats."""
+        limit = self.settings.max_period
+        states = flow.march(self.props, self.state, 8 * limit).states
+        for period in range(limit + 1, 4 * limit + 1):
+            if np.abs(states[period:] - states[:-period]).max() < 1e-9 * self.size:
+                return period
+        return None
+
     def unresolved(self, status: Status, reason: str, value: float, error: float) -> Unresolved:
-        return Unresolved(self.props, self.state, value, error, self.used, status, f"{reason}: {status.advice}")
+        return Unresolved(
+            self.props, self.state, value, error, self.used, status, f"{reason}: {status.advice}"
+        )
 
 
 def _distance(points: Array, state: Array) -> float:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import flow
-from ..flow import Propagators
+from gearlash import flow
+from gearlash.flow import Propagators
 
+Complex = NDArray[np.complex128]
 PLAIN = 4  # periods up to which the eigenvalues of the plain product keep enough digits
 MOST = 800  # size of the lifted matrix up to which it is used
 
@@ -15,10 +18,9 @@ MOST = 800  # size of the lifted matrix up to which it is used
 def multipliers(props: Propagators, state: NDArray[np.float64], period: int) -> NDArray[np.complex128]:
     """All multipliers (n,) of a periodic orbit through ``state``, by modulus, descending.
 
-    A long orbit's small multipliers drown in the rounding of the product of its maps. The block-cyclic matrix of the
-    single maps has their period-th roots as eigenvalues and is of norm one: see D. Watkins, "Product eigenvalue
-    problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110.
-    """
+    A long orbit's small multipliers drown in the rounding of the product of its maps. The block-cyclic matrix
+    of the single maps has their period-th roots as eigenvalues and is of norm one: see D. Watkins, "Product
+    eigenvalue problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110."""
     factors, z = [], state
     for _ in range(period):
         step = flow.variational(props, z, float(props.system.cycles))
@@ -33,10 +35,10 @@ def multipliers(props: Propagators, state: NDArray[np.float64], period: int) -> 
     return _lifted(factors)
 
 
-def ordered(values: NDArray) -> NDArray[np.complex128]:
+def ordered(values: NDArray[Any]) -> Complex:
     """By modulus descending, then by imaginary part, so that pairs print in one order."""
-    values = np.asarray(values, dtype=np.complex128)
-    return values[np.lexsort((-values.imag, -np.round(np.abs(values), 13)))]
+    found: Complex = np.asarray(values, dtype=np.complex128)
+    return found[np.lexsort((-found.imag, -np.round(np.abs(found), 13)))]
 
 
 def _lifted(factors: list[NDArray[np.float64]]) -> NDArray[np.complex128]:
@@ -58,6 +60,7 @@ def _grouped(powers: NDArray[np.complex128], n: int, period: int) -> NDArray[np.
         left.sort(key=lambda value: abs(value - first))
         found.append(np.mean(left[:period]))
         left = sorted(left[period:], key=lambda value: (-abs(value), -value.imag))
-    values = np.array(found)
-    values[np.abs(values.imag) < 1e-12 * np.abs(values)] = values[np.abs(values.imag) < 1e-12 * np.abs(values)].real
+    values: Complex = np.array(found, dtype=np.complex128)
+    real = np.abs(values.imag) < 1e-12 * np.abs(values)
+    values[real] = values[real].real
     return ordered(values)

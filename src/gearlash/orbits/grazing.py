@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..flow import Extrema
+from gearlash.flow import Extrema
+
 from .results import Attractor
 
 KINDS = {
@@ -21,10 +22,10 @@ KINDS = {
 class GrazingCheck:
     """One extremum of X beside one boundary (+1: Σ1, -1: Σ2).
 
-    ``distance`` is H = X ∓ D there (condition 1 wants 0), ``gradient`` = |∇H| (2: not 0), ``velocity`` = X' (3: 0, by
-    construction of the extremum), ``a0`` = X'' (4). The article asks a0 > 0, which is loss of contact seen from S1;
-    a0 < 0 on Σ1 is engagement seen from S2, and the signs are mirrored on Σ2: `kind` says which.
-    """
+    ``distance`` is H = X ∓ D there (condition 1 wants 0), ``gradient`` = |∇H| (2: not 0), ``velocity`` = X'
+    (3: 0, by construction of the extremum), ``a0`` = X'' (4). The article asks a0 > 0, which is loss of
+    contact seen from S1; a0 < 0 on Σ1 is engagement seen from S2, and the signs are mirrored on Σ2: `kind`
+    says which."""
 
     phase: float
     boundary: int
@@ -40,7 +41,8 @@ class GrazingCheck:
         return KINDS[(self.boundary, 1 if self.a0 > 0 else -1)]
 
     def holds(self, tolerance: float = 1e-9) -> bool:
-        """Whether all four conditions hold within ``tolerance`` (lengths in units of the reference length)."""
+        """Whether all four conditions hold within ``tolerance`` (lengths in units of the reference
+        length)."""
         return (
             abs(self.distance) <= tolerance
             and self.gradient > 0.0
@@ -63,8 +65,10 @@ def grazing_checks(attractor: Attractor, within: float = np.inf) -> tuple[Grazin
     return tuple(sorted(found, key=lambda check: abs(check.distance)))
 
 
-def _check(extrema: Extrema, i: int, boundary: int, distance: float, gradient: float, attractor: Attractor) -> GrazingCheck:
-    from ..flow.events import gap_velocity
+def _check(
+    extrema: Extrema, i: int, boundary: int, distance: float, gradient: float, attractor: Attractor
+) -> GrazingCheck:
+    from gearlash.flow.events import gap_velocity
 
     velocity = gap_velocity(attractor.propagators.system, extrema.phase[i : i + 1], extrema.state[i : i + 1])
     return GrazingCheck(

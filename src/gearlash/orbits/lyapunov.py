@@ -1,8 +1,7 @@
 """Lyapunov exponents of a motion that is not periodic: QR average with its error bar.
 
-Source: G. Benettin et al., Meccanica 15 (1980) 9-30, doi:10.1007/BF02128236. With the rule `always` the field is
-continuous and the tangent flow needs no jump at contacts.
-"""
+Source: G. Benettin et al., Meccanica 15 (1980) 9-30, doi:10.1007/BF02128236. With the rule `always` the field
+is continuous and the tangent flow needs no jump at contacts."""
 
 from __future__ import annotations
 
@@ -11,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import flow
-from ..flow import Propagators
-from ..system import Status
+from gearlash import flow
+from gearlash.flow import Propagators
+from gearlash.system import Status
 
 BATCHES = 20
 STUDENT = 2.093  # 95 % two-sided, 19 degrees of freedom
@@ -21,9 +20,9 @@ STUDENT = 2.093  # 95 % two-sided, 19 degrees of freedom
 
 @dataclass(frozen=True, eq=False)
 class Exponents:
-    """Exponents (k,) per unit of τ, descending, with the half-width (k,) of their 95 % intervals from batch means, over
-    ``periods`` base periods, and the state (n,) at the end. For k = n, `trace_defect` is the sum of the exponents minus
-    the mean trace of the field (exactly zero in theory); it is NaN otherwise."""
+    """Exponents (k,) per unit of τ, descending, with the half-width (k,) of their 95 % intervals from batch
+    means, over ``periods`` base periods, and the state (n,) at the end. For k = n, `trace_defect` is the sum
+    of the exponents minus the mean trace of the field (exactly zero in theory); it is NaN otherwise."""
 
     values: NDArray[np.float64]
     errors: NDArray[np.float64]
@@ -33,12 +32,19 @@ class Exponents:
     status: Status
 
 
-def lyapunov(props: Propagators, state: ArrayLike, periods: int, count: int | None = None, settle: int = 20) -> Exponents:
-    """The ``count`` largest exponents (default all) from ``periods`` base periods after ``settle`` for the frame."""
+def lyapunov(
+    props: Propagators, state: ArrayLike, periods: int, count: int | None = None, settle: int = 20
+) -> Exponents:
+    """The ``count`` largest exponents (default all) from ``periods`` base periods after ``settle`` for the
+    frame."""
     z = np.array(state, dtype=np.float64)
     n = len(z)
     count = n if count is None else count
-    frame = np.eye(n)[:count] if count == n else np.linalg.qr(np.ones((n, count)) + np.eye(n)[:, :count])[0].T.copy()
+    frame = (
+        np.eye(n)[:count]
+        if count == n
+        else np.linalg.qr(np.ones((n, count)) + np.eye(n)[:, :count])[0].T.copy()
+    )
     status, _ = flow.orthonormal_growth(props, z, frame, settle)
     each = max(1, periods // BATCHES)
     sums = []
@@ -49,7 +55,11 @@ def lyapunov(props: Propagators, state: ArrayLike, periods: int, count: int | No
         sums.append(batch / (each * props.system.period))
     table = np.array(sums)
     values = table.mean(axis=0)
-    errors = STUDENT * table.std(axis=0, ddof=1) / np.sqrt(len(table)) if len(table) > 1 else np.full(count, np.inf)
+    errors = (
+        STUDENT * table.std(axis=0, ddof=1) / np.sqrt(len(table))
+        if len(table) > 1
+        else np.full(count, np.inf)
+    )
     order = np.argsort(-values, kind="stable")
     defect = float(values.sum() - props.trace) if count == n else np.nan
     return Exponents(values[order], errors[order], each * BATCHES, defect, z, status)

@@ -8,9 +8,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import flow
-from ..flow import Events, Extrema, Propagators, Trace
-from ..system import Status
+from gearlash import flow
+from gearlash.flow import Events, Extrema, Propagators, Trace
+from gearlash.system import Status
+
 from . import floquet
 from .shooting import Shot
 from .signature import Signature
@@ -110,7 +111,8 @@ class Orbit:
 
 @dataclass(frozen=True, eq=False)
 class Aperiodic:
-    """A motion that does not repeat: its largest exponent is above zero by more than its error bar. It has no P."""
+    """A motion that does not repeat: its largest exponent is above zero by more than its error bar. It has no
+    P."""
 
     propagators: Propagators
     final_state: NDArray[np.float64]

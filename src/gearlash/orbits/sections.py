@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..flow.events import Events, contact_force, gap_displacement, gap_velocity
+from gearlash.flow.events import Events, contact_force, gap_displacement, gap_velocity
+
 from .results import Attractor
 
 ENTERING, LEAVING = 1, -1
@@ -15,8 +16,8 @@ ENTERING, LEAVING = 1, -1
 
 @dataclass(frozen=True, eq=False)
 class Section:
-    """Points of one section: phase (mesh cycles), state (m, n), displacement X, velocity X', force F in the sign of the
-    article (F = -Φ), and direction: +1 into contact, -1 out of it (0 on σ_t)."""
+    """Points of one section: phase (mesh cycles), state (m, n), displacement X, velocity X', force F in the
+    sign of the article (F = -Φ), and direction: +1 into contact, -1 out of it (0 on σ_t)."""
 
     phase: NDArray[np.float64]
     state: NDArray[np.float64]
@@ -39,8 +40,14 @@ class Section:
         return self._where(self.direction == LEAVING)
 
     def _where(self, mask: NDArray[np.bool_]) -> Section:
-        parts = (self.phase, self.state, self.displacement, self.velocity, self.force, self.direction)
-        return Section(*(part[mask] for part in parts))
+        return Section(
+            self.phase[mask],
+            self.state[mask],
+            self.displacement[mask],
+            self.velocity[mask],
+            self.force[mask],
+            self.direction[mask],
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import flow
-from ..flow import Propagators
-from ..system import Status
+from gearlash import flow
+from gearlash.flow import Propagators
+from gearlash.system import Status
 
 TOLERANCE = 1e-11  # of the residual, relative to max(1, |z|); above it a status is not ok
 GOAL = 2e-14  # Newton goes on to here, or until rounding stops it
@@ -18,8 +18,9 @@ ITERATIONS = 25
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """A solution of P^period(z) = z: state (n,), period in base periods, residual (∞-norm of the return relative to
-    max(1, |z|)), monodromy (n, n), and a bound on the error of the state from residual and rounding."""
+    """A solution of P^period(z) = z: state (n,), period in base periods, residual (∞-norm of the return
+    relative to max(1, |z|)), monodromy (n, n), and a bound on the error of the state from residual and
+    rounding."""
 
     state: NDArray[np.float64]
     period: int
@@ -33,16 +34,16 @@ class Shot:
 def shoot(
     props: Propagators, guess: ArrayLike, period: int, iterations: int = ITERATIONS, patient: bool = True
 ) -> Shot:
-    """Newton's method from ``guess`` (n,) for a fixed point of the ``period``-fold map. Steps that make the residual
-    grow tenfold end the search with status `not-converged`; without patience, so does a residual that two steps have
-    not halved."""
+    """Newton's method from ``guess`` (n,) for a fixed point of the ``period``-fold map. Steps that make the
+    residual grow tenfold end the search with status `not-converged`; without patience, so does a residual
+    that two steps have not halved."""
     z = np.array(guess, dtype=np.float64)
     cycles = float(period * props.system.cycles)
     best: Shot | None = None
     residuals: list[float] = []
     for iteration in range(iterations):
         end = flow.variational(props, z, cycles)
-        if end.jacobian is None or not end.status in (Status.OK, Status.UNCERTAIN):
+        if end.jacobian is None or end.status not in (Status.OK, Status.UNCERTAIN):
             return best or _failed(z, period, iteration, end.status)
         defect = end.state - z
         scale = max(1.0, float(np.abs(z).max()))
@@ -84,9 +85,9 @@ def _failed(z, period, iteration, status: Status) -> Shot:
 
 
 def minimal(props: Propagators, shot: Shot) -> Shot:
-    """The same orbit with its least period: returns at every proper divisor must differ by far more than the error
-    bound. Where one does not, the orbit of that divisor is solved for; where both readings stand within the error,
-    the status becomes `uncertain`."""
+    """The same orbit with its least period: returns at every proper divisor must differ by far more than the
+    error bound. Where one does not, the orbit of that divisor is solved for; where both readings stand within
+    the error, the status becomes `uncertain`."""
     if shot.period == 1 or not np.isfinite(shot.error):
         return shot
     strobes = flow.march(props, shot.state, shot.period).states

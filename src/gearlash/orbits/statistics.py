@@ -14,7 +14,8 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 @dataclass(frozen=True)
 class ForceStatistics:
-    """Of the contact force Φ over the motion: least, largest, mean, rms of the whole and of the alternating part."""
+    """Of the contact force Φ over the motion: least, largest, mean, rms of the whole and of the alternating
+    part."""
 
     minimum: float
     maximum: float
@@ -30,8 +31,8 @@ class ForceStatistics:
 
 @dataclass(frozen=True)
 class MotionStatistics:
-    """Force statistics, dynamic transmission error (X) rms about its mean and peak-to-peak, extremes of X, share of time
-    without contact (0 to 1)."""
+    """Force statistics, dynamic transmission error (X) rms about its mean and peak-to-peak, extremes of X,
+    share of time without contact (0 to 1)."""
 
     force: ForceStatistics
     error_rms: float
@@ -42,8 +43,8 @@ class MotionStatistics:
 
 
 def motion_statistics(attractor: Attractor) -> MotionStatistics:
-    """By Gauss quadrature on every exact piece, with extremes of X from its exact extrema; extremes of the force are
-    taken on 48 points a piece and at its ends."""
+    """By Gauss quadrature on every exact piece, with extremes of X from its exact extrema; extremes of the
+    force are taken on 48 points a piece and at its ends."""
     trace = attractor.trace
     weight = (trace.lengths[:, None] * WEIGHTS[None, :] / 2.0).ravel()
     samples = trace.at(_phases(trace, (NODES + 1.0) / 2.0))
@@ -66,5 +67,3 @@ def motion_statistics(attractor: Attractor) -> MotionStatistics:
 def _phases(trace, local: NDArray[np.float64]) -> NDArray[np.float64]:
     cells = trace.positions[:, None] + trace.lengths[:, None] * local[None, :]
     return trace.base + cells.ravel() / trace.propagators.cells_per_cycle
-
-

@@ -1,14 +1,15 @@
 """What happens between two neighbouring points of a sweep: every change of label, located.
 
-Where the period is kept and one count changes by one, the grazing point is solved for; where the period doubles or
-halves, the doubling. Where neither explains the change the interval is halved by following the attractor, until it
-does, or until the interval is as small as `NARROW` asks, and the change is then called a fold or a jump.
-"""
+Where the period is kept and one count changes by one, the grazing point is solved for; where the period
+doubles or halves, the doubling. Where neither explains the change the interval is halved by following the
+attractor, until it does, or until the interval is as small as `NARROW` asks, and the change is then called a
+fold or a jump."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Protocol
 
 import numpy as np
@@ -41,8 +42,9 @@ class Sampled(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Transition:
-    """A change of label between parameter values ``lower`` < ``upper``: its kind, the labels on both sides, and the point
-    solved for (None where only the interval is known). ``value`` is the point's, or the middle of the interval."""
+    """A change of label between parameter values ``lower`` < ``upper``: its kind, the labels on both sides,
+    and the point solved for (None where only the interval is known). ``value`` is the point's, or the middle
+    of the interval."""
 
     name: str
     kind: str
@@ -70,12 +72,13 @@ class _Node:
 def transitions(
     family: Family, fixed: Mapping[str, float], name: str, points: Sequence[Sampled], rising: bool = True
 ) -> tuple[Transition, ...]:
-    """All changes of label along ``points`` (ascending in ``name``). ``rising`` says from which side the attractor is
-    followed when an interval is halved. Intervals with an end that is not periodic are reported without a point."""
+    """All changes of label along ``points`` (ascending in ``name``). ``rising`` says from which side the
+    attractor is followed when an interval is halved. Intervals with an end that is not periodic are reported
+    without a point."""
     finder = _Finder(family, family.complete(fixed), name, rising)
     nodes = [_Node(p.value, p.label, p.period, p.state) for p in points]
     found: list[Transition] = []
-    for below, above in zip(nodes, nodes[1:], strict=False):
+    for below, above in pairwise(nodes):
         if below.label != above.label:
             found.extend(finder.between(below, above, 0))
     return tuple(found)
@@ -129,12 +132,17 @@ class _Finder:
                 except (GearlashError, np.linalg.LinAlgError):
                     continue
                 labels = (point.label_below, point.label_above)
-                if point.status is Status.OK and labels == (below.label, above.label) and self.inside(point, below, above):
+                if (
+                    point.status is Status.OK
+                    and labels == (below.label, above.label)
+                    and self.inside(point, below, above)
+                ):
                     return self.transition(GRAZING, below, above, point)
         return None
 
     def doubling(self, below: _Node, above: _Node) -> Transition | None:
-        """The doubling between two orbits, if the impacts double with the period (no grazing lies between too)."""
+        """The doubling between two orbits, if the impacts double with the period (no grazing lies between
+        too)."""
         short, long = sorted((below, above), key=lambda node: node.period)
         once, twice = Signature.parse(short.label), Signature.parse(long.label)
         if (twice.drive, twice.back) != (2 * once.drive, 2 * once.back):
@@ -169,7 +177,9 @@ class _Finder:
         start = below if self.rising else above
         value = 0.5 * (below.value + above.value)
         system = self.family.system(self.at(value))
-        found = attractor(system, start.state, SETTINGS, trial=(start.state, max(1, start.period // system.cycles)))
+        found = attractor(
+            system, start.state, SETTINGS, trial=(start.state, max(1, start.period // system.cycles))
+        )
         if not isinstance(found, Orbit):
             return None
         return _Node(value, found.label, found.period, found.state)

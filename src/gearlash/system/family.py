@@ -28,9 +28,8 @@ class Parameter:
 class Family:
     """Parameter names and defaults, state names, and how to build one system from a complete mapping.
 
-    ``build`` gets a value for every name and returns plain arrays in a `System`; ``initial`` returns the cold start,
-    shape (n,). Nothing above reads a case file again for another point of the same family.
-    """
+    ``build`` gets a value for every name and returns plain arrays in a `System`; ``initial`` returns the cold
+    start, shape (n,). Nothing above reads a case file again for another point of the same family."""
 
     parameters: tuple[Parameter, ...]
     states: tuple[str, ...]
@@ -50,9 +49,8 @@ class Family:
                 raise UnknownNameError("parameter", name, by_name)
             parameter = by_name[name]
             if not isfinite(value) or not parameter.lower <= value <= parameter.upper:
-                raise GearlashError(
-                    f"{name} = {value!r}: expected a finite number from {parameter.lower:g} to {parameter.upper:g}"
-                )
+                limits = f"from {parameter.lower:g} to {parameter.upper:g}"
+                raise GearlashError(f"{name} = {value!r}: expected a finite number {limits}")
             values[name] = float(value)
         return values
 

@@ -33,9 +33,8 @@ class Clearance:
     """One gap with its two sides.
 
     ``h`` (n,) reads the gap coordinate X = h·z - offset(θ); ``g`` (n,) is how the contact force Φ enters the
-    state equations. Contact is X > ``gap_plus`` (side +) and X < -``gap_minus`` (side -). Stiffness and offset are
-    Fourier arrays; a side of stiffness zero is no stop at all.
-    """
+    state equations. Contact is X > ``gap_plus`` (side +) and X < -``gap_minus`` (side -). Stiffness and
+    offset are Fourier arrays; a side of stiffness zero is no stop at all."""
 
     h: Vector
     g: Vector
@@ -53,10 +52,10 @@ class Clearance:
 class System:
     """A member of the class with all numbers fixed.
 
-    ``omega`` is dθ/dτ, 2π of θ being one mesh cycle; ``matrix`` (n, n) is M without any Φ; ``forcing`` (n, 2H+1)
-    holds a Fourier series per state. Raises `GearlashError` when shapes disagree, a number is not finite,
-    ω ≤ 0, the gap has negative width, or h·g ≠ 0 (the contact force would act on the gap's velocity directly).
-    """
+    ``omega`` is dθ/dτ, 2π of θ being one mesh cycle; ``matrix`` (n, n) is M without any Φ; ``forcing`` (n,
+    2H+1) holds a Fourier series per state. Raises `GearlashError` when shapes disagree, a number is not
+    finite, ω ≤ 0, the gap has negative width, or h·g ≠ 0 (the contact force would act on the gap's velocity
+    directly)."""
 
     omega: float
     matrix: NDArray[np.float64]
@@ -104,7 +103,12 @@ def _clearance_problems(clearance: Clearance, n: int) -> list[str]:
     series = (clearance.stiffness_plus, clearance.stiffness_minus, clearance.offset)
     if any(s.ndim != 1 or len(s) % 2 == 0 for s in series):
         found.append("a Fourier series has even length, expected [mean, c1, s1, ...]")
-    numbers = [clearance.h, clearance.g, *series, [clearance.gap_plus, clearance.gap_minus, clearance.damping]]
+    numbers = [
+        clearance.h,
+        clearance.g,
+        *series,
+        [clearance.gap_plus, clearance.gap_minus, clearance.damping],
+    ]
     if not all(np.isfinite(x).all() for x in numbers):
         found.append("a number is NaN or infinite")
     elif clearance.gap_plus + clearance.gap_minus < 0:
@@ -113,5 +117,7 @@ def _clearance_problems(clearance: Clearance, n: int) -> list[str]:
         found.append("h is zero: the gap coordinate reads no state")
     size = float(np.abs(clearance.h) @ np.abs(clearance.g))
     if abs(float(clearance.h @ clearance.g)) > 1e-14 * size:
-        found.append("h·g is not zero: the contact force must act on accelerations, not on the gap's velocity")
+        found.append(
+            "h·g is not zero: the contact force must act on accelerations, not on the gap's velocity"
+        )
     return found

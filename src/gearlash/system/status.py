@@ -50,9 +50,10 @@ _ADVICE = {
     Status.UNRESOLVED: "no periodic motion was proved within the budget and the exponent does not settle it: "
     "allow more periods (--periods) or a larger period (--max-period)",
     Status.NOT_CONVERGED: "Newton's method did not converge: start nearer to the solution",
-    Status.TOO_MANY_EVENTS: "more contacts in one cell than the buffers hold: check gap and stiffness for extreme values",
+    Status.TOO_MANY_EVENTS: "more contacts in one cell than the buffers hold: check gap and stiffness "
+    "for extreme values",
     Status.DIVERGED: "the state grew beyond every bound or became NaN: check damping and stiffness signs",
-    Status.NOT_ADMISSIBLE: "the point solves the equations, but the orbit crosses a boundary elsewhere than assumed: "
-    "start from an orbit nearer to the grazing point",
+    Status.NOT_ADMISSIBLE: "the point solves the equations, but the orbit crosses a boundary elsewhere "
+    "than assumed: start from an orbit nearer to the grazing point",
     Status.NOT_FOUND: "nothing was found in the interval: widen it or change the starting orbit",
 }

@@ -15,12 +15,12 @@ KINDS = ("grazing", "codimension-2", "exponent", "zone", "insensitive", "routes"
 
 @dataclass(frozen=True)
 class Claim:
-    """One claim: what the article says (``sentence``), of which quantity, where (``fixed``), and what it printed.
+    """One claim: what the article says (``sentence``), of which quantity, where (``fixed``), and what it
+    printed.
 
-    ``below`` and ``above`` are the labels on both sides of a boundary for a rising parameter; ``value`` its place;
-    ``interval`` a zone; ``of`` the claim whose event an exponent belongs to; ``sign`` of that exponent (0: about zero);
-    ``at`` and ``label`` a motion at one place. What does not apply is None or empty.
-    """
+    ``below`` and ``above`` are the labels on both sides of a boundary for a rising parameter; ``value`` its
+    place; ``interval`` a zone; ``of`` the claim whose event an exponent belongs to; ``sign`` of that exponent
+    (0: about zero); ``at`` and ``label`` a motion at one place. What does not apply is None or empty."""
 
     id: str
     title: str
@@ -47,13 +47,15 @@ class Claim:
 
 def load() -> tuple[Claim, ...]:
     """The claims that come with the package, in the order of the article's events."""
-    text = (files(__package__) / "claims.toml").read_text(encoding="utf-8")
+    text = (files("gearlash.studies.article") / "claims.toml").read_text(encoding="utf-8")
     return tuple(_claim(table) for table in tomllib.loads(text)["claim"])
 
 
 def _claim(table: dict[str, Any]) -> Claim:
     if table.get("kind") not in KINDS:
-        raise GearlashError(f"claim {table.get('id')!r}: kind {table.get('kind')!r}, expected one of {', '.join(KINDS)}")
+        raise GearlashError(
+            f"claim {table.get('id')!r}: kind {table.get('kind')!r}, expected one of {', '.join(KINDS)}"
+        )
     if "interval" in table:
         table = {**table, "interval": tuple(table["interval"])}
     return Claim(**table)

@@ -11,23 +11,23 @@ from gearlash.branches import CODIMENSION_TWO, BifurcationPoint, GrazingPoint
 from gearlash.flow import propagators
 from gearlash.orbits import Orbit, Settings, attractor, shoot
 from gearlash.results import Direction
+from gearlash.studies.motion import Motion, motion, touching
+from gearlash.studies.transitions import DOUBLING, GRAZING, Transition
 from gearlash.system import Family
 
-from ..motion import Motion, motion, touching
-from ..transitions import DOUBLING, GRAZING, Transition
 from .claims import Claim
 from .judge import FAR, NOT_FOUND, deviation, same_label, verdict
 from .reproduction import NAN, Event
 
 Found = tuple[Transition, tuple[Direction, ...]]
-BESIDE = 0.008  # relative distance of the pictures before and after; halved until the labels are those of the event
+BESIDE = 0.008  # relative distance of the pictures before and after; halved until the labels agree
 SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)
 ZERO = 1e-3  # |λ ± 1|, |X ∓ D| and |X'| below which a condition counts as met
 
 
 def match(claim: Claim, found: Sequence[Found]) -> Found | None:
-    """The computed grazing with the claim's boundary and labels that lies nearest to its value, within 10 %; for a
-    co-dimension-2 claim it must be one."""
+    """The computed grazing with the claim's boundary and labels that lies nearest to its value, within 10 %;
+    for a co-dimension-2 claim it must be one."""
     near = [pair for pair in found if _fits(claim, pair[0])]
     return min(near, key=lambda pair: abs(pair[0].value - _value(claim)), default=None)
 
@@ -137,7 +137,7 @@ class Scene:
             conditions=(),
             residual=NAN,
             method="searched among all transitions located along the up, down and cold sweeps",
-            branch="up, down and cold sweeps; pictures from the cold start at and 1 % beside the reported value",
+            branch="up, down and cold sweeps; pictures: cold start, at and 1 % beside the reported value",
             verdict=NOT_FOUND,
             note=instead(claim, self.found),
             motions=motions,
@@ -186,8 +186,8 @@ def _branch(directions: tuple[Direction, ...]) -> str:
 
 
 def instead(claim: Claim, found: Sequence[Found]) -> str:
-    """What was located instead: the nearest transitions that touch either reported label, and for a coincidence, how
-    far grazing and doubling lie apart."""
+    """What was located instead: the nearest transitions that touch either reported label, and for a
+    coincidence, how far grazing and doubling lie apart."""
     labels = [text for text in (claim.below, claim.above) if text]
     related = [
         t for t, _ in found
@@ -204,8 +204,13 @@ def instead(claim: Claim, found: Sequence[Found]) -> str:
 
 
 def _coincidence(found: Sequence[Found], related: Sequence[Transition]) -> str:
-    """The closest pair of a back-side grazing and a doubling that share a motion, one of them of a reported label."""
-    grazes = [t for t, _ in found if t.kind == GRAZING and isinstance(t.point, GrazingPoint) and t.point.boundary < 0]
+    """The closest pair of a back-side grazing and a doubling that share a motion, one of them of a reported
+    label."""
+    grazes = [
+        t
+        for t, _ in found
+        if t.kind == GRAZING and isinstance(t.point, GrazingPoint) and t.point.boundary < 0
+    ]
     doublings = [t for t, _ in found if t.kind == DOUBLING]
     pairs = [
         (abs(g.value - d.value), g, d)

@@ -16,7 +16,8 @@ def deviation(computed: float, reported: float) -> float:
 
 
 def verdict(deviations: list[float], labels_equal: bool) -> str:
-    """``reproduced``: labels equal and every deviation within 0.5 %; ``shifted``: within 10 %; else ``not found``."""
+    """``reproduced``: labels equal and every deviation within 0.5 %; ``shifted``: within 10 %; else ``not
+    found``."""
     if not labels_equal or not deviations or not all(isfinite(d) for d in deviations):
         return NOT_FOUND
     worst = max(abs(d) for d in deviations)

@@ -16,11 +16,11 @@ from gearlash.flow import propagators
 from gearlash.jobs import Progress
 from gearlash.orbits import Orbit, shoot
 from gearlash.results import Axis, Direction, Point, provenance, sweep_dataset
+from gearlash.studies.motion import Motion, motion
+from gearlash.studies.point import point
+from gearlash.studies.sweep import open_workers
+from gearlash.studies.transitions import Transition
 
-from ..motion import Motion, motion
-from ..point import point
-from ..sweep import open_workers
-from ..transitions import Transition
 from .claims import Claim, load
 from .events import Found, Scene
 from .reproduction import Check, Diagram, Event, Mark, Reproduction, Run, Zone
@@ -62,8 +62,9 @@ def reproduce(
     claims: Sequence[Claim] | None = None,
     progress: StageProgress | None = None,
 ) -> Reproduction:
-    """Everything but the article's multibody section. ``claims`` (default: those of the package) are paired with what is
-    computed, and centre pictures; no computation reads a claimed value. ``progress`` is told the stage and how far."""
+    """Everything but the article's multibody section. ``claims`` (default: those of the package) are paired
+    with what is computed, and centre pictures; no computation reads a claimed value. ``progress`` is told the
+    stage and how far."""
     scope, claims = scope or Scope(), load() if claims is None else tuple(claims)
     tell = progress or (lambda stage, state: None)
     clock = _Clock()
@@ -84,13 +85,19 @@ def reproduce(
     family, _ = case.family()
     values = family.complete()
     events = tuple(
-        Scene(family, {**values, **claim.fixed}, found[claim.parameter]).event(claim) for claim in claims if claim.portrait
+        Scene(family, {**values, **claim.fixed}, found[claim.parameter]).event(claim)
+        for claim in claims
+        if claim.portrait
     )
     window = _window(case, frequency, zones, {**values, "D": scope.fixed_backlash})
     clock.lap(STAGES[3])
     tell(STAGES[4], None)
     evidence = Evidence(
-        case, events, zones, {"omega": frequency, "D": backlash}, _motions(case, claims, {"omega": frequency, "D": backlash})
+        case,
+        events,
+        zones,
+        {"omega": frequency, "D": backlash},
+        _motions(case, claims, {"omega": frequency, "D": backlash}),
     )
     judged = judge(claims, evidence)
     table = fill([*found["omega"], *found["D"]], events)
@@ -125,7 +132,12 @@ def _axis_rows(
 
 
 def _diagram(
-    case: Case, name: str, fixed: Mapping[str, float], done: Sequence[Row], found: Sequence[Found], events: Sequence[Event]
+    case: Case,
+    name: str,
+    fixed: Mapping[str, float],
+    done: Sequence[Row],
+    found: Sequence[Found],
+    events: Sequence[Event],
 ) -> Diagram:
     special = {event.value for event in events if event.found}
     marks = tuple(_mark(t, directions, t.value in special) for t, directions in found)
@@ -136,11 +148,19 @@ def _mark(transition: Transition, directions: Sequence[Direction], article: bool
     boundary = getattr(transition.point, "boundary", 0)
     where = "all" if len(directions) == 3 else ",".join(str(d) for d in directions)
     return Mark(
-        transition.value, transition.kind, boundary, transition.label_below, transition.label_above, where, article
+        transition.value,
+        transition.kind,
+        boundary,
+        transition.label_below,
+        transition.label_above,
+        where,
+        article,
     )
 
 
-def _window(case: Case, done: Sequence[Row], zones: Sequence[Zone], values: Mapping[str, float]) -> tuple[Motion, ...]:
+def _window(
+    case: Case, done: Sequence[Row], zones: Sequence[Zone], values: Mapping[str, float]
+) -> tuple[Motion, ...]:
     """Every motion found at one ω of the impact-free zone: where most of them coexist, else in its middle."""
     zone = next((z for z in zones if z.kind == "impact-free" and np.isfinite(z.lower.value)), None)
     if zone is None:
@@ -172,17 +192,20 @@ def _window(case: Case, done: Sequence[Row], zones: Sequence[Zone], values: Mapp
 def _motions(
     case: Case, claims: Sequence[Claim], done: Mapping[str, Sequence[Row]]
 ) -> dict[str, list[tuple[str, Point]]]:
-    """For claims about one place: the motion from the cold start there, and the followed ones at the nearest points."""
+    """For claims about one place: the motion from the cold start there, and the followed ones at the nearest
+    points."""
     family, _ = case.family()
     found = {}
     for claim in claims:
         if claim.kind != "label" or claim.at is None:
             continue
         cold = point(family, {**claim.fixed, claim.parameter: claim.at}, settings=SETTINGS)
-        near = [("cold start", cold)]
+        place, near = claim.at, [("cold start", cold)]
         for row in done[claim.parameter]:
             if row.direction is not Direction.COLD:
-                near.append((f"{row.direction} sweep", min(row.sweep.points, key=lambda p: abs(p.value - claim.at))))
+                near.append(
+                    (f"{row.direction} sweep", min(row.sweep.points, key=lambda p: abs(p.value - place)))
+                )
         found[claim.id] = near
     return found
 
@@ -198,11 +221,19 @@ def _checks(case: Case, done: Sequence[Row], found: Mapping[str, Sequence[Found]
     unresolved = sum(p.label == "unresolved" for row in done for p in row.sweep.points)
     total = sum(len(row.sweep.points) for row in done)
     return (
-        Check(f"largest residual of {len(points)} periodic orbits", f"{worst:.1e}", "≤ 1e-11", worst <= 1e-11),
-        Check("largest |multiplier| of an orbit reported as attractor", f"{leading:.6f}", "< 1", leading < 1.0),
+        Check(
+            f"largest residual of {len(points)} periodic orbits", f"{worst:.1e}", "≤ 1e-11", worst <= 1e-11
+        ),
+        Check(
+            "largest |multiplier| of an orbit reported as attractor", f"{leading:.6f}", "< 1", leading < 1.0
+        ),
         Check(f"largest residual of {len(solved)} located points", f"{graze:.1e}", "≤ 1e-10", graze <= 1e-10),
-        Check("largest relative error estimate of a located value", f"{error:.1e}", "≤ 1e-10", error <= 1e-10),
-        Check("points neither proved periodic nor shown aperiodic", f"{unresolved} of {total}", "reported", None),
+        Check(
+            "largest relative error estimate of a located value", f"{error:.1e}", "≤ 1e-10", error <= 1e-10
+        ),
+        Check(
+            "points neither proved periodic nor shown aperiodic", f"{unresolved} of {total}", "reported", None
+        ),
     )
 
 
@@ -212,4 +243,6 @@ def _run(case: Case, clock: _Clock, workers: int | None, done: Sequence[Row]) ->
     seconds = {**clock.seconds, "total": sum(clock.seconds.values())}
     about = provenance(case)
     versions = {name: text for name, text in about.items() if "version" in name}
-    return Run(seconds, workers or cores, cores, versions, dict(statuses), all(row.sweep.complete for row in done))
+    return Run(
+        seconds, workers or cores, cores, versions, dict(statuses), all(row.sweep.complete for row in done)
+    )

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case
-
-from ..motion import Motion
+from gearlash.studies.motion import Motion
 
 if TYPE_CHECKING:
     import xarray
@@ -18,7 +17,8 @@ NAN = float("nan")
 
 @dataclass(frozen=True)
 class Mark:
-    """A located change of the motion in a diagram. ``direction``: the sweeps it was found in, joined by commas."""
+    """A located change of the motion in a diagram. ``direction``: the sweeps it was found in, joined by
+    commas."""
 
     value: float
     kind: str
@@ -41,8 +41,8 @@ class Diagram:
 
 @dataclass(frozen=True, eq=False)
 class Event:
-    """One of the article's events, computed beside reported. Where it was not found, ``value`` is NaN, the motions are
-    those at and beside the reported value, and ``note`` says what is there instead."""
+    """One of the article's events, computed beside reported. Where it was not found, ``value`` is NaN, the
+    motions are those at and beside the reported value, and ``note`` says what is there instead."""
 
     name: str
     title: str

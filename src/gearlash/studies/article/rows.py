@@ -10,11 +10,12 @@ from gearlash.case import Case
 from gearlash.jobs import ProgressCallback
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, Sweep
+from gearlash.studies.sweep import sweeps
+from gearlash.studies.transitions import Transition, transitions
 
-from ..sweep import sweeps
-from ..transitions import Transition, transitions
-
-SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)  # base periods of one transient; what needs more is flagged, not guessed
+SETTINGS = Settings(
+    budget=9_000, patience=600, exponent_periods=1_000
+)  # base periods of one transient; what needs more is flagged, not guessed
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +31,11 @@ class Row:
 
 
 def rows(
-    case: Case, axis: Axis, fixed: Mapping[str, float], executor: Executor, progress: ProgressCallback | None = None
+    case: Case,
+    axis: Axis,
+    fixed: Mapping[str, float],
+    executor: Executor,
+    progress: ProgressCallback | None = None,
 ) -> tuple[Row, ...]:
     """Sweeps cold, up and down, and what changes along each, on the executor's workers."""
     done = sweeps(case, axis, fixed=fixed, settings=SETTINGS, executor=executor, progress=progress)
@@ -42,7 +47,9 @@ def locate(case_json: str, done: Sweep) -> tuple[Transition, ...]:
     """The transitions along one sweep (a task for a worker)."""
     family, _ = Case.from_json(case_json).family()
     points = [point for point in done.points if point.computed]
-    return transitions(family, done.fixed, done.axis.name, points, rising=done.direction is not Direction.DOWN)
+    return transitions(
+        family, done.fixed, done.axis.name, points, rising=done.direction is not Direction.DOWN
+    )
 
 
 def distinct(rows: tuple[Row, ...]) -> list[tuple[Transition, tuple[Direction, ...]]]:
@@ -65,4 +72,8 @@ def distinct(rows: tuple[Row, ...]) -> list[tuple[Transition, tuple[Direction, .
 
 def _same(one: Transition, two: Transition) -> bool:
     close = abs(one.value - two.value) <= 1e-8 * abs(one.value)
-    return close and (one.kind, one.label_below, one.label_above) == (two.kind, two.label_below, two.label_above)
+    return close and (one.kind, one.label_below, one.label_above) == (
+        two.kind,
+        two.label_below,
+        two.label_above,
+    )

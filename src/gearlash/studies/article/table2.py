@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gearlash.branches import CODIMENSION_TWO, STANDARD, BifurcationPoint, GrazingPoint
+from gearlash.studies.transitions import Transition
 
-from ..transitions import Transition
 from .events import Found, exponent_at
 from .judge import NOT_FOUND, REPRODUCED
 from .reproduction import Event, Table2Row
@@ -33,8 +33,9 @@ def fill(found: Sequence[Found], events: Sequence[Event]) -> tuple[Table2Row, ..
             "Boundaries of “1-0” zones (e.g., ω≈1.112, 0.972)",
             sorted(standard, key=lambda t: t.value not in matched),
             REPRODUCED if standard and kept and negative else NOT_FOUND,
-            f"{len(standard)} located; the period is kept at {_all(kept)} of them, the exponent is negative at "
-            f"{_all(negative)}. The change of the counts is sudden, that of the motion is not: the map is C¹ there.",
+            f"{len(standard)} located; the period is kept at {_all(kept)} of them, the exponent is negative "
+            f"at {_all(negative)}. The change of the counts is sudden, that of the motion is not: the map is "
+            "C¹ there.",
         ),
         _row(
             "Co-dimension-2 Grazing Bifurcation",
@@ -104,7 +105,7 @@ def _nearest_coincidence(grazes: Sequence[Transition]) -> str:
         return "No grazing was located."
     least, transition = min(points, key=lambda pair: pair[0])
     return (
-        f"No located grazing has a multiplier at −1; the nearest is at {_symbol(transition)} = {transition.value:.6f} "
-        f"({transition.label_below} → {transition.label_above}) with least |λ+1| = {least:.3f}. One parameter alone "
-        "meets such a point only by coincidence."
+        f"No located grazing has a multiplier at −1; the nearest is at {_symbol(transition)} = "
+        f"{transition.value:.6f} ({transition.label_below} → {transition.label_above}) with least |λ+1| = "
+        f"{least:.3f}. One parameter alone meets such a point only by coincidence."
     )

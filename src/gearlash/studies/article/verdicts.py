@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
 from gearlash.case import Case
 from gearlash.results import Point
+from gearlash.studies.transitions import DOUBLING, FOLD
 
-from ..transitions import DOUBLING, FOLD
 from .claims import Claim
 from .judge import NOT_FOUND, REPRODUCED, SHIFTED, deviation, same_label
 from .reproduction import NAN, ClaimRow, Event, Zone
@@ -27,8 +28,8 @@ class Evidence:
     case: Case
     events: Sequence[Event]
     zones: Sequence[Zone]
-    rows: dict[str, Sequence[Row]]
-    motions: dict[str, Sequence[tuple[str, Point]]]  # claim id → (start, what was found)
+    rows: Mapping[str, Sequence[Row]]
+    motions: Mapping[str, Sequence[tuple[str, Point]]]  # claim id → (start, what was found)
 
 
 def judge(claims: Sequence[Claim], evidence: Evidence) -> tuple[ClaimRow, ...]:
@@ -121,7 +122,8 @@ def _zone(claim: Claim, evidence: Evidence) -> ClaimRow:
     worst = max((deviation(end.value, edge) for end, edge in _ends(zone, claim)), key=abs)
     note = f"Lower end: {zone.lower.how}; upper end: {zone.upper.how}."
     if every is not None:
-        note += f" Every attractor found is {claim.zone} only in [{every.lower.value:.4f}, {every.upper.value:.4f}]."
+        narrow = f"[{every.lower.value:.4f}, {every.upper.value:.4f}]"
+        note += f" All attractors found agree on this ({claim.zone}) in {narrow} only."
     if zone.coexisting:
         note += " Coexisting in it: " + ", ".join(sorted({c.label for c in zone.coexisting})) + "."
     return _row(
@@ -143,14 +145,14 @@ def _ends(zone: Zone, claim: Claim):
 
 
 def _insensitive(claim: Claim, evidence: Evidence) -> ClaimRow:
-    """How much X - D on σ_t moves with D beyond the last back-side impact, orbit by orbit of one label, beside how much
-    it moves below."""
+    """How much X - D on σ_t moves with D beyond the last back-side impact, orbit by orbit of one label,
+    beside how much it moves below."""
     zone = next(z for z in evidence.zones if z.kind == "drive side only")
     edge = zone.lower.value
     change, labels = 0.0, set()
     for row in evidence.rows[claim.parameter]:
         inside = [p for p in row.sweep.points if p.value > edge and p.drive_side_only]
-        for one, two in zip(inside, inside[1:], strict=False):
+        for one, two in pairwise(inside):
             labels |= {one.label, two.label}
             if one.label == two.label:
                 change = max(change, _moved(one, two))
@@ -163,13 +165,15 @@ def _insensitive(claim: Claim, evidence: Evidence) -> ClaimRow:
         computed_labels=", ".join(sorted(labels)),
         verdict=REPRODUCED if holds else NOT_FOUND,
         branch="all sweeps",
-        note=f"For D > {edge:.4f}: X − D of a motion that meets one boundary only does not depend on D at all (an exact "
-        "invariance); what is left is rounding. Motions that still meet the back side are left out.",
+        note=f"For D > {edge:.4f}: X − D of a motion that meets one boundary only does not depend on D at "
+        "all (an exact invariance); what is left is rounding. Motions that still meet the back side are left "
+        "out.",
     )
 
 
 def _moved(one: Point, two: Point) -> float:
-    """Largest difference of X - D on σ_t, relative to its size; orbits that are shifts of each other are aligned."""
+    """Largest difference of X - D on σ_t, relative to its size; orbits that are shifts of each other are
+    aligned."""
     a, b = one.strobes - one.value, two.strobes - two.value
     least = min(float(np.abs(np.roll(b, k) - a).max()) for k in range(len(b)))
     return least / max(float(np.ptp(a)), float(np.abs(a).max()))
@@ -179,17 +183,22 @@ def _routes(claim: Claim, evidence: Evidence) -> ClaimRow:
     rows = evidence.rows[claim.parameter]
     found = [t for row in rows for t in row.transitions if t.point is not None and t.kind in (DOUBLING, FOLD)]
     doublings = {round(t.value, 6) for t in found if t.kind == DOUBLING}
-    aperiodic = {p.value for row in rows for p in row.sweep.points if p.label == "aperiodic" and p.largest_exponent > 0}
+    aperiodic = {
+        p.value for row in rows for p in row.sweep.points if p.label == "aperiodic" and p.largest_exponent > 0
+    }
     share = len(aperiodic) / len(rows[0].sweep.points)
     holds = bool(doublings) and bool(aperiodic)
-    top = max((p.largest_exponent for row in rows for p in row.sweep.points if p.value in aperiodic), default=NAN)
+    places = ", ".join(f"{value:.5f}" for value in sorted(doublings)[:8])
+    top = max(
+        (p.largest_exponent for row in rows for p in row.sweep.points if p.value in aperiodic), default=NAN
+    )
     return _row(
         claim,
         evidence,
-        computed=f"{len(doublings)} doublings; aperiodic at {share:.0%} of the values, exponent up to {top:.3f}",
+        computed=f"{len(doublings)} doublings; aperiodic at {share:.0%} of the values, exponent ≤ {top:.3f}",
         verdict=REPRODUCED if holds else NOT_FOUND,
         branch="all sweeps",
-        note="Doublings at D = " + ", ".join(f"{value:.5f}" for value in sorted(doublings)[:8]) + "." if doublings else "",
+        note=f"Doublings at D = {places}." if doublings else "",
     )
 
 
@@ -199,7 +208,11 @@ def _label(claim: Claim, evidence: Evidence) -> ClaimRow:
     met = [start for start, point in found if same_label(point.label, claim.label)]
     verdict = REPRODUCED if same_label(cold.label, claim.label) else SHIFTED if met else NOT_FOUND
     note = "" if len({p.label for _, p in found}) == 1 else "Which motion is met depends on the start."
-    rpm = evidence.case.scales.pinion_rpm(claim.at).item() if evidence.case.scales.physical and claim.at else NAN
+    rpm = (
+        evidence.case.scales.pinion_rpm(claim.at).item()
+        if evidence.case.scales.physical and claim.at
+        else NAN
+    )
     if np.isfinite(rpm):
         note = f"{rpm:.0f} rpm with the case's scales (inferred). " + note
     return _row(

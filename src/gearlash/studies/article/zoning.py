@@ -7,9 +7,9 @@ from concurrent.futures import Executor
 
 from gearlash.case import Case
 from gearlash.results import Axis
+from gearlash.studies.zones import Tenant, Zones, zones
+from gearlash.studies.zones import Zone as Found
 
-from ..zones import Tenant, Zones, zones
-from ..zones import Zone as Found
 from .claims import Claim
 from .judge import NOT_FOUND, deviation, verdict
 from .reproduction import NAN, Coexisting, End, Zone
@@ -21,10 +21,13 @@ KINDS = {"impact-free": "impact-free", "drive side only": "drive-side-only"}
 def article_zones(
     case: Case, claim: Claim, axis: Axis, rows: Sequence[Row], executor: Executor
 ) -> tuple[Zone, ...]:
-    """The zone that the claim means, in two readings: where some attractor found is quiet (a branch followed by hand
-    would show it), and where every one is (an operator may rely on it). The first is compared with the article."""
+    """The zone that the claim means, in two readings: where some attractor found is quiet (a branch followed
+    by hand would show it), and where every one is (an operator may rely on it). The first is compared with
+    the article."""
     sweeps = [row.sweep for row in rows]
-    found = zones(case, axis, KINDS[claim.zone], fixed=claim.fixed, known=sweeps, settings=SETTINGS, executor=executor)
+    found = zones(
+        case, axis, KINDS[claim.zone], fixed=claim.fixed, known=sweeps, settings=SETTINGS, executor=executor
+    )
     some, every = _nearest(found.wider or found.zones, claim), _nearest(found.zones, claim)
     readings = []
     if some is not None:
@@ -47,7 +50,10 @@ def _nearest(candidates: Sequence[Found], claim: Claim) -> Found | None:
 
 
 def _zone(claim: Claim, zone: Found, found: Zones, rows: Sequence[Row], who: str, reported) -> Zone:
-    ends = [_deviation(end, edge) for end, edge in zip((zone.lower, zone.upper), claim.interval or (), strict=True)]
+    ends = [
+        _deviation(end, edge)
+        for end, edge in zip((zone.lower, zone.upper), claim.interval or (), strict=True)
+    ]
     judged = verdict(ends, labels_equal=True) if reported else ""
     quiet = [t for t in zone.tenants if t.quiet]
     return Zone(
@@ -67,12 +73,14 @@ def _zone(claim: Claim, zone: Found, found: Zones, rows: Sequence[Row], who: str
 
 
 def _deviation(end, edge: float) -> float:
-    """Of an end from the article's. A zone that reaches the end of the studied range agrees with an edge there."""
+    """Of an end from the article's. A zone that reaches the end of the studied range agrees with an edge
+    there."""
     return deviation(end.value, edge)
 
 
 def _margin(claim: Claim, zone: Found, rows: Sequence[Row]) -> float:
-    """Least distance of X to the boundary that ends the quiet, in the middle of the zone, over all rows quiet there."""
+    """Least distance of X to the boundary that ends the quiet, in the middle of the zone, over all rows quiet
+    there."""
     middle = 0.5 * (zone.lower.value + zone.upper.value)
     margins = []
     for row in rows:
@@ -117,5 +125,3 @@ def _none(claim: Claim) -> Zone:
         verdict=NOT_FOUND,
         note="No quiet interval overlaps the reported one in any sweep.",
     )
-
-
