@@ -34,6 +34,10 @@ def test_grazes_built_backwards_from_the_extremum(oracle, pair):
         assert far.same_extrema, where
         assert far.event_time < 1.0, where
         assert far.state < 1e-12, where
+        # A trace expands every cell. What marches passes over cells that it has proved to be clear.
+        carried = flow.carry(propagators(graze.system), graze.start, graze.span, graze.phase)
+        assert carried.contacts.tolist() == graze.truth.contacts, where
+        assert np.abs(carried.state - trace.end).max() < 1e-12 * max(1.0, np.abs(trace.end).max()), where
         assert abs(_depth(graze, trace.extrema) - graze.depth) < 2e-13, where
         worst_time, deepest = max(worst_time, far.event_time), max(deepest, -np.log10(abs(graze.depth)))
     assert deepest > 9.9
@@ -46,8 +50,11 @@ def test_depths_near_rounding_are_decided_rightly_or_not_at_all(oracle):
 
     uncertain = 0
     for graze in grazes(3, 300, "helical", oracle("helical"), depths=(1e-15, 1e-13)):
-        trace = flow.trace(flow.propagators(graze.system), graze.start, graze.span, graze.phase)
+        props = flow.propagators(graze.system)
+        trace = flow.trace(props, graze.start, graze.span, graze.phase)
         far = distance(graze.system, trace, graze.truth)
+        carried = flow.carry(props, graze.start, graze.span, graze.phase)
+        assert carried.status is Status.UNCERTAIN or carried.contacts.tolist() == graze.truth.contacts
         uncertain += trace.status is Status.UNCERTAIN
         assert trace.status is Status.UNCERTAIN or far.same_crossings
         assert far.state < 1e-12

@@ -39,6 +39,11 @@ class Run:
     extremum_curvature_sign: np.ndarray
 
     @property
+    def contacts(self) -> list[int]:
+        """Counts: engagements at + and −, releases at + and −."""
+        return [self.crossings.count(kind) for kind in ((1, True), (-1, True), (1, False), (-1, False))]
+
+    @property
     def crossings(self) -> list[tuple[int, bool]]:
         return [(int(b), bool(e)) for b, e in zip(self.boundary, self.engaging, strict=True)]
 
