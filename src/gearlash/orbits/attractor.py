@@ -37,8 +37,10 @@ NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
 WINDOW = 1_024  # base periods of each window that a persistent motion is compared in
 FAR = 0.1  # the best return is worth one up to here
 SLOW = 1e-2  # a return this close that Newton cannot use is asked at half its period too: beside a doubling
-CAPTURED = 1e-3  # a motion this close to a stable orbit (of the motion's size), and closing in, will not leave it
-CLOSER = 6  # times running that a motion farther away must come closer; by chance it does so once in 6! = 720
+CAPTURED = (
+    1e-3  # a motion so close to a stable orbit (of the motion's size), and closing in, will not leave it
+)
+CLOSER = 6  # times running that one farther away must come closer; by chance it does so once in 6! = 720
 BRANCH = (1e-4, 1e-3, 1e-2, 3e-2, 0.1)  # steps along the critical direction, in units of the motion's size
 
 
@@ -117,7 +119,7 @@ class _Search:
         shot = shoot(self.props, self.state, period, iterations=8, patient=False)
         if shot.residual <= TOLERANCE:
             return self.accept(minimal(self.props, shot))
-        # Beside a doubling Newton's matrix for the doubled period is all but singular, that for the single one not.
+        # Beside a doubling Newton's matrix is all but singular for the doubled period, not for the single
         if period % 2 == 0 and self.gap(period) < SLOW * self.size:
             return self.solved(period // 2)
         return None
@@ -179,22 +181,24 @@ class _Search:
         return None
 
     def approached(self, orbit: Orbit) -> bool:
-        """Marches on, and asks whether the distance to the orbit shrinks as its multipliers promise, again and again
-        until it is small: a motion that wanders by may come closer once."""
-        points = orbit.strobes
-        rate = max(abs(orbit.leading), 1e-3)
-        laps = int(np.clip(np.ceil(np.log(0.1) / np.log(rate)) if rate < 1.0 else 400, 1, max(1, 800 // len(points))))
+        """Marches on, and asks whether the distance to the orbit shrinks as its multipliers promise, again
+        and again until it is small: a motion that wanders by may come closer once."""
+        points, rate = orbit.strobes, max(abs(orbit.leading), 1e-3)
+        tenfold = np.ceil(np.log(0.1) / np.log(rate)) if rate < 1.0 else 400
+        laps = int(np.clip(tenfold, 1, max(1, 800 // len(points))))
         promised = max(0.5, min(0.999, 2.0 * rate**laps))
         before = _distance(points, self.state)
         for _ in range(CLOSER):
             if before <= 1e-9 * self.size:
-                return True
+                break
             progress = self.march(laps * len(points))
             after = _distance(points, self.state)
-            if progress.status not in (Status.OK, Status.UNCERTAIN) or after > max(promised * before, 1e-9 * self.size):
+            if progress.status not in (Status.OK, Status.UNCERTAIN):
+                return False
+            if after > max(promised * before, 1e-9 * self.size):
                 return False
             if after <= CAPTURED * self.size:
-                return True
+                break
             before = after
         return True
 
@@ -254,7 +258,7 @@ class _Search:
         return self.unresolved(Status.UNRESOLVED, reason, value, error)
 
     def longer(self) -> int | None:
-        """The least number of base periods beyond those looked for, after which the motion plainly repeats."""
+        """The least number of base periods, beyond those looked for, after which the motion repeats."""
         limit = self.settings.max_period
         states = flow.march(self.props, self.state, 8 * limit).states
         for period in range(limit + 1, 4 * limit + 1):
