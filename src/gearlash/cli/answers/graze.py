@@ -1,0 +1,200 @@
+"""`gearlash graze`: where the attractor touches a boundary of the gap, solved for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import numpy as np
+
+from gearlash.case import Case
+from gearlash.system import Family, Status
+
+from .parts import CaseUsed, Multiplier, PhysicalValue, case_used, multiplier_rows, physical_values
+from .sentence import physical_text
+
+if TYPE_CHECKING:  # answers are described without the engine
+    from gearlash.branches import GrazingPoint
+    from gearlash.results import Point
+
+HOLDS = 1e-9  # tolerance of the conditions, in units of D_c
+
+
+@dataclass(frozen=True)
+class Condition:
+    """One of the article's four conditions at the touch."""
+
+    condition: str
+    value: float
+    holds: bool
+
+
+@dataclass(frozen=True)
+class Touch:
+    """A grazing point."""
+
+    value: Annotated[float, "of the parameter, dimensionless"]
+    error: Annotated[float, "estimate of its error: the last step of Newton's method"]
+    physical: tuple[PhysicalValue, ...]
+    side: Literal["drive", "back"]
+    kind: Annotated[str, "loss of contact or engagement"]
+    type: Annotated[str, "as Table 2 of the article names it"]
+    label_below: Annotated[str, "P-Q-R just below the value"]
+    label_above: Annotated[str, "P-Q-R just above the value"]
+    period: Annotated[int, "of the orbit, in mesh cycles"]
+    phase: Annotated[float, "of the touch, in mesh cycles"]
+    a0: Annotated[float, "X″ at the touch"]
+    state: Annotated[dict[str, float], "at the touch"]
+    conditions: tuple[Condition, ...]
+    multipliers: Annotated[tuple[Multiplier, ...], "of the touching orbit, by modulus, descending"]
+    largest_exponent: Annotated[float, "of the touching orbit, per unit of τ"]
+    to_doubling: Annotated[float, "least |λ + 1|"]
+    to_fold: Annotated[float, "least |λ - 1|"]
+    residual: Annotated[float, "of all equations"]
+
+
+@dataclass(frozen=True)
+class Passed:
+    """A change of the motion on the way that is no grazing."""
+
+    kind: str
+    value: float
+    label_below: str
+    label_above: str
+
+
+@dataclass(frozen=True)
+class Path:
+    """Where one attractor was followed to."""
+
+    direction: Literal["down", "up"]
+    reached: Annotated[float, "last value at which it was found"]
+    ended: Annotated[str, "why it was not followed further"]
+    passed: Annotated[tuple[Passed, ...], "changes on the way that are no grazing"]
+
+
+@dataclass(frozen=True)
+class GrazeAnswer:
+    """Grazing points next to an attractor (gearlash graze)."""
+
+    sentence: str
+    status: Annotated[str, "ok, not-found, or why the attractor could not be followed"]
+    message: str
+    advice: str
+    case: CaseUsed
+    parameters: Annotated[
+        dict[str, float], "every parameter by short name, with the value that the search started at"
+    ]
+    over: Annotated[str, "short name of the parameter that is solved for"]
+    near: Annotated[float, "its value at the start"]
+    label: Annotated[str, "of the attractor there"]
+    points: Annotated[tuple[Touch, ...], "the nearest below and above, nearest first"]
+    paths: Annotated[tuple[Path, ...], "how the attractor was followed, downwards and upwards"]
+    result: Literal["graze"] = "graze"
+
+
+def graze_answer(
+    case: Case,
+    family: Family,
+    parameters: Mapping[str, float],
+    over: str,
+    start: Point,
+    paths: tuple[Path, ...],
+    found: list[GrazingPoint],
+) -> GrazeAnswer:
+    """The record of what was found on the paths from ``start``."""
+    near = parameters[over]
+    touches = tuple(_touch(case, family, p) for p in sorted(found, key=lambda p: abs(p.value - near)))
+    status = Status.OK if touches else Status.NOT_FOUND if start.periodic else Status(start.status)
+    if not touches and status is Status.OK:  # an aperiodic motion: nothing to follow
+        status = Status.NOT_FOUND
+    return GrazeAnswer(
+        sentence=_sentence(over, near, start, touches),
+        status=str(status),
+        message=_message(start, paths),
+        advice=status.advice,
+        case=case_used(case),
+        parameters=dict(parameters),
+        over=over,
+        near=near,
+        label=start.label,
+        points=touches,
+        paths=paths,
+    )
+
+
+def _touch(case: Case, family: Family, point: GrazingPoint) -> Touch:
+    return Touch(
+        value=point.value,
+        error=point.error,
+        physical=physical_values(case, point.name, point.value, back_side_met=_meets_back(point)),
+        side="drive" if point.boundary > 0 else "back",
+        kind=point.kind,
+        type=point.type,
+        label_below=point.label_below,
+        label_above=point.label_above,
+        period=point.period,
+        phase=point.phase,
+        a0=point.a0,
+        state=dict(zip(family.states, map(float, point.state), strict=True)),
+        conditions=_conditions(family, point),
+        multipliers=multiplier_rows(point.multipliers),
+        largest_exponent=point.exponent,
+        to_doubling=point.to_doubling,
+        to_fold=point.to_fold,
+        residual=point.residual,
+    )
+
+
+def _meets_back(point: GrazingPoint) -> bool:
+    from gearlash.orbits import Signature
+
+    labels = (point.label_below, point.label_above)
+    return point.boundary < 0 or any(Signature.parse(label).back > 0 for label in labels)
+
+
+def _conditions(family: Family, point: GrazingPoint) -> tuple[Condition, ...]:
+    """The four conditions, read anew from the state at the touch."""
+    from gearlash.flow.events import gap_displacement, gap_velocity
+
+    system = family.system(point.values)
+    clearance = system.clearances[0]
+    phase, state = np.array([point.phase]), point.state[None]
+    edge = clearance.gap_plus if point.boundary > 0 else -clearance.gap_minus
+    x = float(gap_displacement(system, phase, state)[0])
+    velocity = float(gap_velocity(system, phase, state)[0])
+    gradient = float(np.linalg.norm(clearance.h))
+    distance = x - edge
+    sign = "X − D" if point.boundary > 0 else "X + D⁻"
+    return (
+        Condition(f"H = {sign} = 0", distance, abs(distance) <= HOLDS),
+        Condition("|∂H/∂X| ≠ 0", gradient, gradient > 0.0),
+        Condition("X′ = 0", velocity, abs(velocity) <= HOLDS),
+        Condition(f"a0 = X″ {_curvature(point)}", point.a0, abs(point.a0) > HOLDS),
+    )
+
+
+def _curvature(point: GrazingPoint) -> str:
+    """The article asks for a minimum of X seen from S1; other touches are its mirror images."""
+    if point.boundary > 0 and point.a0 > 0.0:
+        return "> 0"
+    return "> 0 (here at the back side)" if point.a0 > 0.0 else "< 0 (the mirror image of the article's)"
+
+
+def _sentence(over: str, near: float, start: Point, touches: tuple[Touch, ...]) -> str:
+    here = f"{over} = {near:.10g}, {start.label or start.status}"
+    if not touches:
+        return f"{here}: no grazing was found"
+    first = touches[0]
+    what = f"{first.kind.partition(' (')[0]} at {over} = {first.value:.10g}"
+    shown = f" ({physical_text(first.physical[0], 6)})" if first.physical else ""
+    return (
+        f"{here}: nearest grazing is {what}{shown}, {first.label_below} below and {first.label_above} above"
+    )
+
+
+def _message(start: Point, paths: tuple[Path, ...]) -> str:
+    if not start.periodic:
+        return f"{start.message}; only a periodic motion can be followed to a grazing"
+    return "; ".join(f"{path.direction} to {path.reached:.6g}: {path.ended}" for path in paths)

@@ -1,0 +1,128 @@
+"""The numbers of one motion, dimensionless: distances, contacts, forces, transmission error."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+if TYPE_CHECKING:  # answers are described without the engine
+    from gearlash.orbits import Attractor, ForceStatistics
+
+Side = Literal["drive", "back"]
+
+
+@dataclass(frozen=True)
+class Span:
+    """Least and largest value over the motion, from its exact extrema."""
+
+    minimum: float
+    maximum: float
+
+
+@dataclass(frozen=True)
+class Distances:
+    """Signed distance of X to each boundary of the gap, extremal over the motion."""
+
+    drive: Annotated[Span, "X - D: positive in contact on the drive side"]
+    back: Annotated[Span, "X + D⁻: negative in contact on the back side"]
+
+
+@dataclass(frozen=True)
+class ContactEvent:
+    """One crossing of a boundary."""
+
+    phase: Annotated[float, "mesh cycles from phase zero"]
+    side: Side
+    event: Annotated[Literal["engagement", "release"], "an engagement is an impact"]
+    velocity: Annotated[float, "X′"]
+    force: Annotated[float, "Φ; on a boundary that of damping alone"]
+
+
+@dataclass(frozen=True)
+class ForceNumbers:
+    """Of the contact force over the motion."""
+
+    minimum: Annotated[float, "least value (peak); below 0: the damping pulls"]
+    maximum: Annotated[float, "largest value (peak)"]
+    peak_to_peak: Annotated[float, "largest minus least value"]
+    mean: Annotated[float, "mean over time: the static load"]
+    rms: Annotated[float, "root mean square of the whole force"]
+    alternating_rms: Annotated[float, "root mean square about the mean"]
+
+
+@dataclass(frozen=True)
+class ErrorNumbers:
+    """Of the dynamic transmission error over the motion."""
+
+    rms: Annotated[float, "root mean square about the mean"]
+    peak_to_peak: Annotated[float, "largest minus least value"]
+
+
+@dataclass(frozen=True)
+class MotionNumbers:
+    """Everything that is taken from the motion itself."""
+
+    cycles: Annotated[
+        float, "mesh cycles that all of this is taken over: P of an orbit, else a stretch of the motion"
+    ]
+    distances: Distances
+    events: Annotated[tuple[ContactEvent, ...], "every contact event in these cycles"]
+    force: Annotated[ForceNumbers, "contact force Φ (over k_m D_c), positive in drive-side compression"]
+    dynamic_factor: Annotated[
+        float | None, "peak in the direction of the load over the mean contact force; null without load"
+    ]
+    transmission_error: Annotated[ErrorNumbers, "dynamic transmission error X, over D_c"]
+    share_without_contact: Annotated[float, "share of time with no tooth in contact, 0 to 1"]
+
+
+def motion_numbers(attractor: Attractor) -> MotionNumbers:
+    """The numbers of an orbit, or of the stretch kept of another motion."""
+    from gearlash.orbits import motion_statistics
+
+    found = motion_statistics(attractor)
+    clearance = attractor.propagators.system.clearances[0]
+    return MotionNumbers(
+        cycles=attractor.trace.cycles,
+        distances=Distances(
+            Span(found.minimum - clearance.gap_plus, found.maximum - clearance.gap_plus),
+            Span(found.minimum + clearance.gap_minus, found.maximum + clearance.gap_minus),
+        ),
+        events=_events(attractor),
+        force=_force(found.force),
+        dynamic_factor=_dynamic_factor(found.force),
+        transmission_error=ErrorNumbers(found.error_rms, found.error_peak_to_peak),
+        share_without_contact=found.share_without_contact,
+    )
+
+
+def _dynamic_factor(force: ForceStatistics) -> float | None:
+    """Peak in the direction of the load over the mean."""
+    if abs(force.mean) <= 1e-9 * force.rms:
+        return None
+    peak = force.maximum if force.mean > 0.0 else -force.minimum
+    return peak / abs(force.mean)
+
+
+def _force(force: ForceStatistics) -> ForceNumbers:
+    return ForceNumbers(
+        minimum=force.minimum,
+        maximum=force.maximum,
+        peak_to_peak=force.maximum - force.minimum,
+        mean=force.mean,
+        rms=force.rms,
+        alternating_rms=force.alternating_rms,
+    )
+
+
+def _events(attractor: Attractor) -> tuple[ContactEvent, ...]:
+    events = attractor.events
+    return tuple(
+        ContactEvent(
+            phase=float(events.phase[i]),
+            side="drive" if events.boundary[i] > 0 else "back",
+            event="engagement" if events.engaging[i] else "release",
+            velocity=float(events.velocity[i]),
+            force=float(events.force[i]),
+        )
+        for i in range(len(events))
+    )

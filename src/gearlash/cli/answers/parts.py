@@ -1,0 +1,159 @@
+"""Parts that several answers share: the case, multipliers, what physical numbers rest on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from typing import Annotated
+
+import numpy as np
+
+from gearlash.case import Case, Provenance
+
+Rests = Annotated[
+    dict[str, tuple[str, ...]],
+    "kind of physical number → assumed values that its unit rests on; model: those that the motion itself "
+    "rests on. Kinds without any are not listed",
+]
+
+
+@dataclass(frozen=True)
+class Multiplier:
+    """A Floquet multiplier λ."""
+
+    re: float
+    im: float
+    modulus: float
+
+
+@dataclass(frozen=True)
+class SignatureCounts:
+    """P-Q-R: impacts are engagements, X rising through +D or falling through -D."""
+
+    period: Annotated[int, "P: least period in mesh cycles"]
+    drive: Annotated[int, "Q: impacts on the drive side in one period"]
+    back: Annotated[int, "R: impacts on the back side in one period"]
+
+
+@dataclass(frozen=True)
+class NotGiven:
+    """A value that the source of the case does not state."""
+
+    path: str
+    value: float | str
+    unit: str
+    provenance: Annotated[str, "inferred, assumed or calibrated"]
+    reason: str
+
+
+@dataclass(frozen=True)
+class CaseUsed:
+    """The case that the answer belongs to, overrides included."""
+
+    name: str
+    kind: str
+    hash: Annotated[str, "SHA-256 of all values that decide a result"]
+    gearlash: Annotated[str, "version of the program"]
+    not_given: Annotated[tuple[NotGiven, ...], "every value that is inferred, assumed or calibrated"]
+
+
+def case_used(case: Case) -> CaseUsed:
+    """The case as an answer names it."""
+    return CaseUsed(case.name, case.kind, case.hash, program_version(), not_given(case))
+
+
+def not_given(case: Case) -> tuple[NotGiven, ...]:
+    """Stated and default values of any provenance but `given`, and but those derived from others."""
+    kinds = (Provenance.INFERRED, Provenance.ASSUMED, Provenance.CALIBRATED)
+    found = (v for v in case.values() if v.provenance in kinds)
+    return tuple(NotGiven(v.path, v.value, v.unit, v.provenance, v.reason) for v in found)
+
+
+def program_version() -> str:
+    """Version of the installed distribution; ``unknown`` when only the sources are on the path."""
+    try:
+        return version("gearlash")
+    except PackageNotFoundError:
+        return "unknown"
+
+
+def multiplier_rows(values: Iterable[complex]) -> tuple[Multiplier, ...]:
+    """Multipliers as records, in the given order."""
+    return tuple(Multiplier(float(v.real), float(v.imag), float(abs(v))) for v in np.asarray(list(values)))
+
+
+@dataclass(frozen=True)
+class PhysicalValue:
+    """A parameter's value in one physical unit."""
+
+    name: Annotated[str, "last part of its path in the case"]
+    value: float
+    unit: str
+    rests_on: Annotated[tuple[str, ...], "paths of the assumed values that it rests on"]
+
+
+def physical_values(
+    case: Case, short: str, value: float, computed: bool = True, back_side_met: bool = True
+) -> tuple[PhysicalValue, ...]:
+    """What a parameter's value means physically. A ``computed`` one rests on all that the model rests on,
+    too.
+    """
+    rests = rests_on(case, back_side_met)
+    model = rests.get("model", ()) if computed else ()
+    kinds = {"rpm": "speed", "Hz": "time", "um": "backlash" if short == "D" else "length", "N*m": "torque"}
+    found = []
+    for path, numbers, unit in case.physical(short, value):
+        roots = tuple(dict.fromkeys((*rests.get(kinds.get(unit, ""), ()), *model)))
+        found.append(PhysicalValue(path.rpartition(".")[2], float(numbers), unit, roots))
+    return tuple(found)
+
+
+def rests_on(case: Case, back_side_met: bool = True) -> dict[str, tuple[str, ...]]:
+    """Kind of physical number → paths of assumed values that it rests on; kinds without any are left out.
+
+    ``speed``, ``torque``, ``backlash`` and ``time``, ``length``, ``velocity``, ``force``: conversion alone.
+    ``model``: what the dimensionless motion itself rests on (values of the back side only if it is met).
+    """
+    if not case.scales.physical:
+        return {}
+    by_path = {v.path: v for v in case.values()}
+
+    def roots(*paths: str) -> tuple[str, ...]:
+        found = (by_path[path] for path in paths if path in by_path)
+        each = (root for v in found for root in (v.rests_on or ((v.path,) if v.uncertain else ())))
+        return tuple(dict.fromkeys(each))
+
+    time, length = roots("derived.omega_n"), roots("model.reference_length")
+    rests = {
+        "speed": roots("derived.omega_n", "pinion.teeth"),
+        "torque": roots("derived.force_unit", "derived.radius_pinion", "derived.c_t", "pinion.base_radius"),
+        "backlash": length,
+        "time": time,
+        "length": length,
+        "velocity": tuple(dict.fromkeys((*time, *length))),
+        "force": roots("derived.force_unit"),
+        "model": _model_roots(case, back_side_met),
+    }
+    return {kind: paths for kind, paths in rests.items() if paths}
+
+
+def _model_roots(case: Case, back_side_met: bool) -> tuple[str, ...]:
+    """Assumed values that decide the dimensionless motion. Where a physical value has its dimensionless
+    counterpart, only what that one rests on counts: a backlash that D_c is half of decides nothing, as D
+    is 1 whatever it is.
+    """
+    values = case.values()
+    counterparts = {
+        v.path: v for v in values if v.provenance == "derived" and v.path.startswith("dimensionless.")
+    }
+    found = [root for v in counterparts.values() for root in v.rests_on]
+    for v in values:
+        leaf = v.path.rpartition(".")[2]
+        if v.provenance != Provenance.ASSUMED or v.path == "model.reference_length" or leaf == "face_width":
+            continue
+        if leaf in ("back_stiffness", "back_gap") and not back_side_met:
+            continue
+        if f"dimensionless.{v.short}" not in counterparts:
+            found.append(v.path)
+    return tuple(dict.fromkeys(found))

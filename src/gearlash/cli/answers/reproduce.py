@@ -1,0 +1,97 @@
+"""`gearlash reproduce`: the article's claims, reported beside computed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from .parts import CaseUsed, case_used
+
+if TYPE_CHECKING:  # answers are described without the engine
+    from gearlash.studies import article
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One claim of the article."""
+
+    id: str
+    sentence: Annotated[str, "the claim in words"]
+    where: Annotated[str, "parameters it was made at"]
+    reported: Annotated[str, "as printed in the article"]
+    computed: Annotated[str, "ready to print"]
+    reported_value: float | None
+    computed_value: float | None
+    deviation: Annotated[float | None, "computed minus reported, over reported"]
+    reported_labels: str
+    computed_labels: str
+    verdict: Annotated[str, "reproduced (labels equal, within 0.5 %), shifted (within 10 %), or not found"]
+    branch: Annotated[str, "branch, direction and start of what was computed"]
+    note: str
+    rests_on: Annotated[tuple[str, ...], "paths of the values that it rests on and the article does not give"]
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A bound that this run measured on itself."""
+
+    what: str
+    value: str
+    bound: str
+    holds: Annotated[bool | None, "null: reported only"]
+
+
+@dataclass(frozen=True)
+class ReproduceAnswer:
+    """The article's claims, judged (gearlash reproduce)."""
+
+    sentence: str
+    status: Annotated[str, "ok, or incomplete if it was stopped"]
+    case: CaseUsed
+    report: Annotated[str, "path of the report; report.json beside it has every number, curves included"]
+    verdicts: Annotated[dict[str, int], "number of claims by verdict"]
+    claims: tuple[Claim, ...]
+    checks: tuple[Measured, ...]
+    statuses: Annotated[dict[str, int], "number of points of all sweeps by status"]
+    seconds: Annotated[dict[str, float], "by stage"]
+    workers: int
+    result: Literal["reproduce"] = "reproduce"
+
+
+def reproduce_answer(found: article.Reproduction, report: str) -> ReproduceAnswer:
+    """The record of a reproduction whose report stands at this path."""
+    from collections import Counter
+
+    verdicts = Counter(row.verdict for row in found.claims)
+    counted = ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
+    return ReproduceAnswer(
+        sentence=f"{len(found.claims)} claims of the article: {counted}",
+        status="ok" if found.run.complete else "incomplete",
+        case=case_used(found.case),
+        report=report,
+        verdicts=dict(verdicts),
+        claims=tuple(_claim(row) for row in found.claims),
+        checks=tuple(Measured(c.what, c.value, c.bound, c.holds) for c in found.checks),
+        statuses=dict(found.run.statuses),
+        seconds=dict(found.run.seconds),
+        workers=found.run.workers,
+    )
+
+
+def _claim(row: article.ClaimRow) -> Claim:
+    return Claim(
+        id=row.id,
+        sentence=row.sentence,
+        where=row.where,
+        reported=row.printed,
+        computed=row.computed,
+        reported_value=row.value,
+        computed_value=row.computed_value,
+        deviation=row.deviation,
+        reported_labels=row.reported_labels,
+        computed_labels=row.computed_labels,
+        verdict=row.verdict,
+        branch=row.branch,
+        note=row.note,
+        rests_on=row.rests_on,
+    )

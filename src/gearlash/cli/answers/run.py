@@ -1,0 +1,111 @@
+"""`gearlash run`: one attractor with all its numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from gearlash.case import Case
+from gearlash.system import Status
+
+from .impact_free import ImpactFree
+from .motion import MotionNumbers, motion_numbers
+from .parts import CaseUsed, Multiplier, SignatureCounts, case_used, multiplier_rows
+from .physical import PhysicalRun, physical_run
+from .sentence import message_of, run_sentence
+
+if TYPE_CHECKING:  # answers are described without the engine
+    from gearlash.orbits import Attractor, Orbit
+
+
+TRACEABLE = (Status.OK, Status.UNCERTAIN, Status.UNRESOLVED)  # statuses that leave a motion to look at
+
+
+@dataclass(frozen=True)
+class RunAnswer:
+    """One attractor (gearlash run)."""
+
+    sentence: Annotated[str, "the answer in plain words"]
+    status: Annotated[str, "ok, or why the result is not to be relied on"]
+    message: Annotated[str, "how the motion was found, or why not"]
+    advice: Annotated[str, "what to do about the status"]
+    case: CaseUsed
+    parameters: Annotated[dict[str, float], "every parameter of the model by short name, dimensionless"]
+    start: Annotated[dict[str, float], "state at phase zero that the search started from"]
+    motion: Annotated[Literal["periodic", "aperiodic", "unresolved"], "what was found"]
+    label: Annotated[str, "P-Q-R, aperiodic or unresolved"]
+    signature: Annotated[SignatureCounts | None, "null where nothing periodic was proved"]
+    stable: Annotated[bool | None, "all multipliers inside the unit circle; null without an orbit"]
+    state: Annotated[dict[str, float], "state at phase zero by name; of an orbit, one point of it"]
+    residual: Annotated[float | None, "largest component of P(z) - z over max(1, |z|)"]
+    multipliers: Annotated[
+        tuple[Multiplier, ...], "all Floquet multipliers, by modulus, descending; of an orbit only"
+    ]
+    exponents: Annotated[
+        tuple[float | None, ...],
+        "Lyapunov exponents per unit of τ, descending: all, exact, of an orbit (null: the multiplier is "
+        "zero); else the largest",
+    ]
+    exponent_error: Annotated[float | None, "half-width of its 95 % interval; 0 on an orbit"]
+    periods_used: Annotated[int, "periods of transient and averaging that were computed"]
+    numbers: Annotated[MotionNumbers | None, "of the motion, dimensionless; null where it ran away"]
+    impact_free: Annotated[
+        ImpactFree | None, "speeds free of impacts nearby; null without load or where not looked for"
+    ]
+    physical: Annotated[PhysicalRun | None, "in physical units; null for a case without scales"]
+    result: Literal["run"] = "run"
+
+
+def run_answer(
+    case: Case,
+    parameters: Mapping[str, float],
+    start: Mapping[str, float],
+    attractor: Attractor,
+    impact_free: ImpactFree | None,
+) -> RunAnswer:
+    """The record of an attractor that was reached from ``start`` (by state name)."""
+    from gearlash.orbits import Orbit, Unresolved
+
+    orbit = attractor if isinstance(attractor, Orbit) else None
+    numbers = motion_numbers(attractor) if attractor.status in TRACEABLE else None
+    names = list(start)
+    state = dict(zip(names, map(float, attractor.final_state), strict=True))
+    return RunAnswer(
+        sentence=run_sentence(case, parameters, attractor, numbers, impact_free),
+        status=str(attractor.status),
+        message=message_of(attractor),
+        advice=attractor.status.advice,
+        case=case_used(case),
+        parameters=dict(parameters),
+        start=dict(start),
+        motion="periodic" if orbit else "unresolved" if isinstance(attractor, Unresolved) else "aperiodic",
+        label=attractor.label,
+        signature=_counts(orbit) if orbit else None,
+        stable=orbit.stable if orbit else None,
+        state=state,
+        residual=orbit.residual if orbit else None,
+        multipliers=multiplier_rows(orbit.multipliers) if orbit else (),
+        exponents=tuple(map(float, orbit.exponents)) if orbit else (attractor.largest_exponent,),
+        exponent_error=attractor.exponent_error,
+        periods_used=attractor.periods_used,
+        numbers=numbers,
+        impact_free=impact_free,
+        physical=_physical(case, parameters, state, numbers, impact_free),
+    )
+
+
+def _counts(orbit: Orbit) -> SignatureCounts:
+    return SignatureCounts(orbit.signature.period, orbit.signature.drive, orbit.signature.back)
+
+
+def _physical(
+    case: Case,
+    parameters: Mapping[str, float],
+    state: Mapping[str, float],
+    numbers: MotionNumbers | None,
+    impact_free: ImpactFree | None,
+) -> PhysicalRun | None:
+    if numbers is None or not case.scales.physical:
+        return None
+    return physical_run(case, parameters, state, numbers, impact_free)

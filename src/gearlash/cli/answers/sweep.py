@@ -1,0 +1,171 @@
+"""`gearlash sweep`: how the motion changes with one parameter."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from gearlash.case import Case
+
+from .parts import CaseUsed, PhysicalValue, case_used, physical_values
+
+if TYPE_CHECKING:  # answers are described without the engine
+    from gearlash.results import Axis, Point, Sweep
+
+
+@dataclass(frozen=True)
+class AxisUsed:
+    """The swept parameter."""
+
+    name: Annotated[str, "short name; its values are dimensionless"]
+    named: Annotated[str, "as it was typed"]
+    lower: float
+    upper: float
+    count: int
+    physical_lower: tuple[PhysicalValue, ...]
+    physical_upper: tuple[PhysicalValue, ...]
+
+
+@dataclass(frozen=True)
+class Regime:
+    """A maximal stretch of neighbouring points with one label."""
+
+    label: str
+    first: Annotated[float, "value of its first point"]
+    last: Annotated[float, "value of its last point"]
+    points: int
+
+
+@dataclass(frozen=True)
+class SweepPoint:
+    """One attractor; sections and states are in the NetCDF file of --out."""
+
+    value: float
+    status: str
+    label: Annotated[str, "P-Q-R, aperiodic, unresolved, or empty"]
+    largest_exponent: Annotated[float | None, "per unit of τ"]
+    exponent_error: float | None
+    multiplier_modulus: Annotated[float | None, "of the leading Floquet multiplier"]
+    minimum: Annotated[float | None, "least X"]
+    maximum: Annotated[float | None, "largest X"]
+    force_maximum: Annotated[float | None, "largest contact force Φ (peak)"]
+    force_rms: Annotated[float | None, "root mean square of Φ"]
+    share_without_contact: Annotated[float | None, "share of time, 0 to 1"]
+
+
+@dataclass(frozen=True)
+class SweepWay:
+    """One direction."""
+
+    direction: Annotated[
+        Literal["cold", "up", "down"], "every point from the cold start, or followed from its neighbour"
+    ]
+    complete: bool
+    message: Annotated[str, "why it is not complete"]
+    regimes: tuple[Regime, ...]
+    points: Annotated[tuple[SweepPoint, ...], "in ascending order of the value, whatever the direction"]
+
+
+@dataclass(frozen=True)
+class SweepAnswer:
+    """Attractors along one parameter (gearlash sweep)."""
+
+    sentence: str
+    status: Annotated[str, "ok; incomplete if it was stopped; failed if no point is ok"]
+    case: CaseUsed
+    parameters: Annotated[dict[str, float], "every parameter but the swept one, by short name"]
+    axis: AxisUsed
+    statuses: Annotated[dict[str, int], "number of points by status, all directions together"]
+    coexisting: Annotated[
+        tuple[tuple[float, float], ...], "intervals in which directions found different attractors"
+    ]
+    sweeps: tuple[SweepWay, ...]
+    result: Literal["sweep"] = "sweep"
+
+
+def sweep_answer(
+    case: Case, parameters: Mapping[str, float], named: str, sweeps: Sequence[Sweep]
+) -> SweepAnswer:
+    """The record of sweeps over one axis."""
+    from gearlash.results import coexisting
+
+    axis = sweeps[0].axis
+    statuses = Counter(point.status for sweep in sweeps for point in sweep.points)
+    complete = all(sweep.complete for sweep in sweeps)
+    status = "incomplete" if not complete else "ok" if statuses["ok"] else "failed"
+    beside = _intervals(axis, map(bool, coexisting(sweeps))) if len(sweeps) > 1 else ()
+    return SweepAnswer(
+        sentence=_sentence(axis, sweeps, statuses, beside),
+        status=status,
+        case=case_used(case),
+        parameters={name: value for name, value in parameters.items() if name != axis.name},
+        axis=axis_used(case, axis, named),
+        statuses=dict(statuses),
+        coexisting=beside,
+        sweeps=tuple(_way(sweep) for sweep in sweeps),
+    )
+
+
+def axis_used(case: Case, axis: Axis, named: str) -> AxisUsed:
+    """The axis with what its ends mean physically."""
+    ends = float(axis.values[0]), float(axis.values[-1])
+    physical = [physical_values(case, axis.name, end, computed=False) for end in ends]
+    return AxisUsed(axis.name, named, *ends, len(axis), *physical)
+
+
+def _way(sweep: Sweep) -> SweepWay:
+    values = sweep.axis.values
+    regimes = (Regime(label, float(values[i]), float(values[j]), j - i + 1) for i, j, label in sweep.runs())
+    points = tuple(_point(point) for point in sweep.points)
+    return SweepWay(sweep.direction.value, sweep.complete, sweep.message, tuple(regimes), points)
+
+
+def _point(p: Point) -> SweepPoint:
+    return SweepPoint(
+        value=p.value,
+        status=p.status,
+        label=p.label,
+        largest_exponent=p.largest_exponent,
+        exponent_error=p.exponent_error,
+        multiplier_modulus=abs(p.leading),
+        minimum=p.minimum,
+        maximum=p.maximum,
+        force_maximum=p.force_max,
+        force_rms=p.force_rms,
+        share_without_contact=p.share_without_contact,
+    )
+
+
+def _intervals(axis: Axis, flags: Iterable[bool]) -> tuple[tuple[float, float], ...]:
+    """First and last value of every run of True."""
+    found: list[tuple[float, float]] = []
+    before = False
+    for value, flag in zip(map(float, axis.values), flags, strict=True):
+        if flag and before:
+            found[-1] = (found[-1][0], value)
+        elif flag:
+            found.append((value, value))
+        before = bool(flag)
+    return tuple(found)
+
+
+def _sentence(
+    axis: Axis, sweeps: Sequence[Sweep], statuses: Mapping[str, int], beside: Sequence[tuple[float, float]]
+) -> str:
+    from gearlash.results import NOT_COMPUTED
+
+    ends = f"{axis.name} from {axis.values[0]:.6g} to {axis.values[-1]:.6g}"
+    ways = ", ".join(str(sweep.direction) for sweep in sweeps)
+    labels = {point.label for sweep in sweeps for point in sweep.points if point.periodic}
+    text = f"{ends}, {len(axis)} values, {ways}: {len(labels)} different signatures"
+    if any(point.label == "aperiodic" for sweep in sweeps for point in sweep.points):
+        text += " and aperiodic motion"
+    if beside:
+        text += f", attractors coexist in {len(beside)} interval{'s' if len(beside) > 1 else ''}"
+    missing = statuses.get(NOT_COMPUTED, 0)
+    flagged = sum(statuses.values()) - statuses.get("ok", 0) - missing
+    if flagged:
+        text += f"; {flagged} point{'s are' if flagged > 1 else ' is'} flagged"
+    return f"{text}; incomplete, {missing} points missing" if missing else text

@@ -1,0 +1,29 @@
+"""gearlash check"""
+
+from __future__ import annotations
+
+from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.options import AsJson, CaseArgument, Settings
+
+
+@command
+def check(case: CaseArgument, settings: Settings = None, as_json: AsJson = False) -> ExitCode:
+    """What does this case say? Every value with unit, provenance and reason, and what follows from it.
+
+    Stated values, defaults, then derived numbers: equivalent mass, ω_n, D_c, natural frequencies, and the
+    physical or dimensionless counterpart of everything. Remarks name stated values that conflict with what is
+    known otherwise. A file with problems has all of them listed, and exit code 2.
+    """
+    from gearlash.cli.answers.check import check_answer
+    from gearlash.cli.inputs import read_case
+    from gearlash.cli.jsonio import write_stdout
+    from gearlash.cli.terminal import show
+
+    answer = check_answer(read_case(case, settings))
+    if as_json:
+        write_stdout(answer)
+    else:
+        from gearlash.cli.show.check import check_view
+
+        show(check_view, answer)
+    return ExitCode.OK

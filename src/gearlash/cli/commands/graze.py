@@ -1,0 +1,75 @@
+"""gearlash graze"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
+
+
+@command
+def graze(
+    case: CaseArgument,
+    over: Annotated[
+        str,
+        typer.Option(metavar="NAME", help="Parameter to solve for: omega, D, load, pinion_speed, backlash …"),
+    ] = "omega",
+    settings: Settings = None,
+    near: Annotated[
+        str | None,
+        typer.Option(
+            metavar="VALUE", help="Value of that parameter to start from, as it would stand in the case."
+        ),
+    ] = None,
+    initial: Initial = None,
+    periods: Periods = None,
+    max_period: MaxPeriod = None,
+    as_json: AsJson = False,
+    out: Out = None,
+) -> ExitCode:
+    """At which value does the motion just touch a boundary of the gap, and what kind of point is that?
+
+    The attractor at the given parameters is followed down and up until a contact is born or dies; the touch
+    is solved for together with the orbit. Prints value, kind, labels on both sides, multipliers and the
+    article's four conditions.
+    """
+    from gearlash.cli.folder import claim_if
+    from gearlash.cli.inputs import read_case, read_near, read_start
+    from gearlash.cli.jsonio import write_file, write_stdout
+    from gearlash.cli.notice import load_engine
+    from gearlash.cli.terminal import show
+
+    chosen = read_case(case, settings)
+    short, changed = read_near(chosen, over, near, settings)
+    family, _ = chosen.family()
+    parameters = family.complete(changed)
+    start = read_start(family, parameters, initial)
+    folder = claim_if(out, ["graze.json"])
+    load_engine()
+
+    from gearlash.cli.answers.graze import graze_answer
+    from gearlash.cli.search.follow import follow
+    from gearlash.cli.search.settings import search_settings
+    from gearlash.studies import point
+
+    search = search_settings(periods, max_period)
+    first = point(family, parameters, name=short, start=list(start.values()), settings=search)
+    walks = (
+        [follow(family, parameters, short, first, way, search) for way in ("down", "up")]
+        if first.periodic
+        else []
+    )
+    found = [touch for _, touch in walks if touch is not None]
+    answer = graze_answer(chosen, family, parameters, short, first, tuple(path for path, _ in walks), found)
+    if folder:
+        write_file(answer, folder.file("graze.json"))
+    if as_json:
+        write_stdout(answer)
+    else:
+        from gearlash.cli.show.graze import graze_view
+
+        show(graze_view, answer)
+    return ExitCode.OK if answer.points else ExitCode.NOT_OK

@@ -1,0 +1,59 @@
+"""gearlash run"""
+
+from __future__ import annotations
+
+from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
+
+
+@command
+def run(
+    case: CaseArgument,
+    settings: Settings = None,
+    initial: Initial = None,
+    periods: Periods = None,
+    max_period: MaxPeriod = None,
+    as_json: AsJson = False,
+    out: Out = None,
+) -> ExitCode:
+    """How does this pair move here? One attractor, with a plain sentence first.
+
+    The motion that the pair settles into: its signature P-Q-R (mesh cycles in a period, impacts on the drive
+    side, impacts on the back side), multipliers, contact events, forces and transmission error. --out writes
+    run.json, and the phase portrait and history as SVG and PDF.
+    """
+    from gearlash.cli.folder import MOTION_FILES, claim_if
+    from gearlash.cli.inputs import read_case, read_start
+    from gearlash.cli.jsonio import write_file, write_stdout
+    from gearlash.cli.terminal import show
+
+    chosen = read_case(case, settings)
+    family, _ = chosen.family()
+    parameters = family.complete()
+    start = read_start(family, parameters, initial)
+    folder = claim_if(out, ["run.json", *MOTION_FILES])
+
+    from gearlash.cli.notice import load_engine
+
+    load_engine()
+
+    from gearlash.cli.answers.run import run_answer
+    from gearlash.cli.search.closed import impact_free_speeds
+    from gearlash.cli.search.settings import search_settings
+    from gearlash.orbits import attractor
+
+    found = attractor(family.system(parameters), list(start.values()), search_settings(periods, max_period))
+    answer = run_answer(chosen, parameters, start, found, impact_free_speeds(family, parameters))
+    if folder:
+        write_file(answer, folder.file("run.json"))
+        if answer.numbers:
+            from gearlash.cli.files import write_motion
+
+            write_motion(folder, chosen, found)
+    if as_json:
+        write_stdout(answer)
+    else:
+        from gearlash.cli.show.run import run_view
+
+        show(run_view, answer)
+    return ExitCode.OK if found.status.ok else ExitCode.NOT_OK

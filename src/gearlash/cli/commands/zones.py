@@ -1,0 +1,104 @@
+"""gearlash zones"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated
+
+import typer
+
+from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.options import (
+    AsJson,
+    CaseArgument,
+    Initial,
+    MaxPeriod,
+    Out,
+    Over,
+    Periods,
+    Settings,
+    Workers,
+)
+
+
+class Kind(StrEnum):
+    """Kinds of quiet motion."""
+
+    IMPACT_FREE = "impact-free"
+    DRIVE_SIDE_ONLY = "drive-side-only"
+
+
+@command
+def zones(
+    case: CaseArgument,
+    over: Over,
+    kind: Annotated[
+        Kind | None, typer.Option(help="No impact at all, or none on the back side. [default: both]")
+    ] = None,
+    settings: Settings = None,
+    initial: Initial = None,
+    periods: Periods = None,
+    max_period: MaxPeriod = None,
+    workers: Workers = None,
+    as_json: AsJson = False,
+    out: Out = None,
+) -> ExitCode:
+    """Which intervals are free of impacts, or of impacts on the back side?
+
+    Cold, up and down sweeps, then every end located: solved for where it is a grazing or doubling, else
+    halved. Says where every attractor found is quiet, where only some are, and what coexists. --out writes
+    zones.json, and the sweeps as zones.nc.
+    """
+    from gearlash.cli.folder import claim_if
+    from gearlash.cli.inputs import read_case, read_over, read_start
+    from gearlash.cli.jsonio import write_file, write_stdout
+    from gearlash.cli.notice import load_engine
+    from gearlash.cli.terminal import show
+
+    chosen = read_case(case, settings)
+    along = read_over(chosen, over, settings)
+    family, _ = chosen.family()
+    start = list(read_start(family, family.complete(), initial).values()) if initial else None
+    folder = claim_if(out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf"])
+    load_engine()
+
+    from gearlash.cli.answers.zones import zones_answer
+    from gearlash.cli.progress import progress_bar
+    from gearlash.cli.search.settings import search_settings
+    from gearlash.cli.workers import executor_for
+    from gearlash.results import Axis
+    from gearlash.studies import sweeps
+    from gearlash.studies.zones import zones as find_zones
+
+    axis, search = Axis(along.short, along.values), search_settings(periods, max_period)
+    kinds = [kind] if kind else list(Kind)
+    with executor_for(chosen, workers, 3 * len(axis)) as executor:
+        with progress_bar("sweeps") as progress:
+            ways = sweeps(chosen, axis, initial=start, settings=search, executor=executor, progress=progress)
+        with progress_bar("ends") as progress:
+            found = [
+                find_zones(
+                    chosen,
+                    axis,
+                    k,
+                    known=ways,
+                    initial=start,
+                    settings=search,
+                    executor=executor,
+                    progress=progress,
+                )
+                for k in kinds
+            ]
+    answer = zones_answer(chosen, family.complete(), along.named, found)
+    if folder:
+        from gearlash.cli.files import write_sweep
+
+        write_sweep(folder, chosen, ways, "zones")
+        write_file(answer, folder.file("zones.json"))
+    if as_json:
+        write_stdout(answer)
+    else:
+        from gearlash.cli.show.zones import zones_view
+
+        show(zones_view, answer)
+    return ExitCode.OK if answer.status == "ok" else ExitCode.INTERRUPTED

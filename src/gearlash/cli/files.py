@@ -1,0 +1,39 @@
+"""Datasets and figures in the folder of --out."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from gearlash.case import Case
+from gearlash.results import Sweep, save, sweep_dataset
+
+from .folder import OutFolder
+
+if TYPE_CHECKING:
+    from gearlash.orbits import Attractor
+
+
+logging.getLogger("fontTools").setLevel(logging.ERROR)  # it remarks on figures without a date
+
+
+def write_sweep(folder: OutFolder, case: Case, sweeps: Sequence[Sweep], name: str = "sweep") -> None:
+    """The dataset as NetCDF and, of a complete sweep, the bifurcation diagram as SVG and PDF."""
+    dataset = sweep_dataset(case, sweeps)
+    save(dataset, folder.file(f"{name}.nc"))
+    if all(sweep.complete for sweep in sweeps):
+        from gearlash import plots
+
+        plots.save(plots.diagram(dataset, units=plots.Units.of(case)), folder.file(name))
+
+
+def write_motion(folder: OutFolder, case: Case, attractor: Attractor) -> None:
+    """Phase portrait and history of one motion as SVG and PDF."""
+    from gearlash import plots
+    from gearlash.studies.motion import motion
+
+    found = motion(attractor)
+    units = plots.Units.of(case)
+    plots.save(plots.portrait(found, units=units), folder.file("portrait"))
+    plots.save(plots.history(found, units=units), folder.file("history"))

@@ -1,0 +1,179 @@
+"""What a user typed, read: cases with overrides, starting states, swept parameters. Every failure is a
+`CaseError` or another `GearlashError` that says what to type instead.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from math import isfinite
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gearlash.case import Case, CaseError, Problem, load
+from gearlash.case.errors import nearest_name
+from gearlash.system import Family, GearlashError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+MOST_POINTS = 1_000_000
+
+
+@dataclass(frozen=True)
+class Over:
+    """A parameter to vary: as it was named, its short name, and dimensionless values, ascending."""
+
+    named: str
+    short: str
+    values: NDArray[np.float64]
+
+
+def read_case(name: str, settings: Iterable[str] | None = None) -> Case:
+    """The case in a file or the bundled one, with every ``NAME=VALUE`` of --set; all problems at once."""
+    overrides, problems = assignments(settings or (), "--set")
+    try:
+        case = load(name, overrides)
+    except CaseError as error:
+        raise CaseError(name, [*problems, *error.problems]) from None
+    if problems:
+        raise CaseError(name, problems)
+    return case
+
+
+def assignments(texts: Iterable[str], option: str) -> tuple[dict[str, str], list[Problem]]:
+    """Texts ``NAME=VALUE`` as a mapping, and what is wrong with them."""
+    found: dict[str, str] = {}
+    problems = []
+    for text in texts:
+        name, equals, value = (part.strip() for part in text.partition("="))
+        if not (name and equals and value):
+            problems.append(Problem(option, repr(text), "NAME=VALUE, such as omega=0.942"))
+        elif name in found:
+            both = f"{name} = {found[name]!r} and {name} = {value!r}"
+            problems.append(Problem(option, repr(text), f"each name once, not {both}"))
+        else:
+            found[name] = value
+    return found, problems
+
+
+def read_start(
+    family: Family, parameters: Mapping[str, float], texts: Iterable[str] | None
+) -> dict[str, float]:
+    """The starting state by name: the cold start, with every ``STATE=VALUE`` of --initial, or the state in
+    the JSON of an earlier run (a file name).
+    """
+    cold = family.start(parameters)
+    start = dict(zip(family.states, (float(x) for x in cold), strict=True))
+    texts = list(texts or ())
+    for text in (t for t in texts if "=" not in t):
+        start |= _state_of_file(text, family.states)
+    named, problems = assignments((t for t in texts if "=" in t), "--initial")
+    for name, text in named.items():
+        value = _number(text)
+        if name not in start:
+            problems.append(
+                Problem(f"--initial {name}", None, f"a state out of {', '.join(start)}", _near(name, start))
+            )
+        elif value is None:
+            problems.append(Problem(f"--initial {name}", repr(text), "a finite number, dimensionless"))
+        else:
+            start[name] = value
+    if problems:
+        raise CaseError("--initial", problems)
+    return start
+
+
+def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> Over:
+    """``NAME=FROM:TO:COUNT``, ends as they would stand in the case: ``pinion_speed=1000rpm:6000rpm:500``."""
+    import numpy as np
+
+    name, equals, span = (part.strip() for part in text.partition("="))
+    parts = [part.strip() for part in span.split(":")]
+    example = "NAME=FROM:TO:COUNT, such as omega=0.5:1.4:900 or pinion_speed=1000rpm:6000rpm:500"
+    if not equals or len(parts) != 3:
+        raise CaseError("--over", [Problem("--over", repr(text), example)])
+    short, first = case.resolve(name, parts[0])
+    _, last = case.resolve(name, parts[1])
+    problems = []
+    count = int(parts[2]) if parts[2].isascii() and parts[2].isdigit() else 0
+    if not 2 <= count <= MOST_POINTS:
+        problems.append(Problem("--over", repr(parts[2]), f"a number of points from 2 to {MOST_POINTS:,}"))
+    if not first < last:
+        expected = "a rising interval FROM < TO (--down follows it downwards)"
+        problems.append(Problem("--over", repr(f"{parts[0]}:{parts[1]}"), expected))
+    problems += twice_named(case, name, short, settings)
+    if problems:
+        raise CaseError("--over", problems)
+    return Over(name, short, np.linspace(first, last, count))
+
+
+def read_near(
+    case: Case, name: str, value: str | None, settings: Iterable[str] | None
+) -> tuple[str, dict[str, float]]:
+    """Short name of a parameter named by path or short name, and its value if one is given."""
+    if value is None:
+        return _short_name(case, name), {}
+    short, number = case.resolve(name, value)
+    problems = twice_named(case, name, short, settings)
+    if problems:
+        raise CaseError("--near", problems)
+    return short, {short: number}
+
+
+def _short_name(case: Case, name: str) -> str:
+    """Raises `GearlashError` with the nearest valid name."""
+    known = case.family()[0].defaults
+    if name in known:
+        return name
+    for short, value in known.items():
+        if any(name in (path, path.rpartition(".")[2]) for path, _, _ in case.physical(short, value)):
+            return short
+    return case.resolve(name, "1")[0]  # raises, and names what is valid
+
+
+def twice_named(case: Case, name: str, short: str, settings: Iterable[str] | None) -> list[Problem]:
+    """A parameter that is varied and set too."""
+    problems = []
+    for setting, value in assignments(settings or (), "--set")[0].items():
+        if _short(case, setting, value) == short:
+            both = f"--over {name} and --set {setting}={value}"
+            problems.append(Problem("--over", name, f"one of two that name the same quantity: {both}"))
+    return problems
+
+
+def _short(case: Case, name: str, value: str) -> str | None:
+    try:
+        return case.resolve(name, value)[0]
+    except GearlashError:  # not a parameter of the family: it cannot be the one varied
+        return None
+
+
+def _state_of_file(name: str, states: Iterable[str]) -> dict[str, float]:
+    expected = f"STATE=VALUE or the JSON of an earlier run with the states {', '.join(states)}"
+    try:
+        data = json.loads(Path(name).read_text(encoding="utf-8"))
+        state = {str(k): float(v) for k, v in data["state"].items()}
+    except OSError as error:
+        raise CaseError(
+            "--initial", [Problem("--initial", repr(name), f"{expected} ({error.strerror})")]
+        ) from None
+    except (ValueError, KeyError, TypeError, AttributeError):
+        raise CaseError("--initial", [Problem("--initial", repr(name), expected)]) from None
+    if set(state) != set(states) or not all(isfinite(x) for x in state.values()):
+        raise CaseError("--initial", [Problem("--initial", repr(name), expected)])
+    return state
+
+
+def _number(text: str) -> float | None:
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if isfinite(value) else None
+
+
+def _near(name: str, valid: Iterable[str]) -> str | None:
+    return nearest_name(name, valid)

@@ -1,0 +1,56 @@
+"""Answers as JSON: plain, strict (no NaN), readable in any terminal."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+
+def plain(value: Any) -> Any:
+    """What JSON can hold: dataclasses as objects, tuples and arrays as lists, NaN and infinity as null."""
+    if is_dataclass(value) and not isinstance(value, type):
+        return {field.name: plain(getattr(value, field.name)) for field in fields(value)}
+    if isinstance(value, Mapping):
+        return {str(key): plain(item) for key, item in value.items()}
+    if isinstance(value, str):
+        return str(value)  # a StrEnum too
+    if value is None or isinstance(value, bool | int):
+        return value
+    if isinstance(value, float):
+        return float(value) if math.isfinite(value) else None
+    if isinstance(value, np.ndarray | np.generic):
+        return plain(value.tolist())
+    if isinstance(value, Sequence):
+        return [plain(item) for item in value]
+    raise TypeError(f"{type(value).__name__} has no place in an answer")
+
+
+def text(answer: Any, ascii_only: bool = False) -> str:
+    """The JSON text of an answer, two spaces a level, with a line end."""
+    return json.dumps(plain(answer), indent=2, ensure_ascii=ascii_only, allow_nan=False) + "\n"
+
+
+def write_stdout(answer: Any) -> None:
+    """Standard output holds this and nothing else."""
+    encoding = (sys.stdout.encoding or "ascii").lower().replace("-", "")
+    sys.stdout.write(text(answer, ascii_only=encoding != "utf8"))
+    sys.stdout.flush()
+
+
+def write_file(answer: Any, path: Path) -> None:
+    """The whole file or none: written beside its place, then moved."""
+    write_text(text(answer), path)
+
+
+def write_text(content: str, path: Path) -> None:
+    """As `write_file`, for text."""
+    part = path.with_name(path.name + ".part")
+    part.write_text(content, encoding="utf-8")
+    part.replace(path)

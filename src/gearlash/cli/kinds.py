@@ -1,0 +1,24 @@
+"""The kinds of answers by name; each is imported when it is asked for."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+KINDS = {
+    "run": "RunAnswer",
+    "check": "CheckAnswer",
+    "sweep": "SweepAnswer",
+    "graze": "GrazeAnswer",
+    "zones": "ZonesAnswer",
+    "reproduce": "ReproduceAnswer",
+    "problem": "ProblemAnswer",
+}
+
+
+def answer_kind(name: str) -> type:
+    """The dataclass of a kind of answer. Raises `GearlashError` naming the nearest."""
+    from gearlash.system import UnknownNameError
+
+    if name not in KINDS:
+        raise UnknownNameError("kind of result", name, KINDS)
+    return getattr(import_module(f"gearlash.cli.answers.{name}"), KINDS[name])

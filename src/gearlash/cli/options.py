@@ -1,0 +1,78 @@
+"""Arguments and options that commands share, each described once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+CaseArgument = Annotated[
+    str,
+    typer.Argument(
+        metavar="CASE", help="A case file, or a bundled case: article, kahraman-singh, wind-turbine."
+    ),
+]
+Settings = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="NAME=VALUE",
+        help="Replaces a value of the case, by short name or path (omega=0.942, "
+        "pinion_speed=3600rpm, mesh.backlash=80um). May be given several times.",
+    ),
+]
+Initial = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="STATE=VALUE",
+        help="Starts from other states than the cold start (X=1.2, X'=0; dimensionless), or from the "
+        "state in the JSON file of an earlier run. May be given several times.",
+    ),
+]
+Periods = Annotated[
+    int | None,
+    typer.Option(
+        min=1,
+        metavar="N",
+        help="Mesh cycles that a transient may take before the search ends. [default: 40000]",
+    ),
+]
+MaxPeriod = Annotated[
+    int | None, typer.Option(min=1, max=4096, metavar="P", help="Longest period looked for. [default: 64]")
+]
+AsJson = Annotated[
+    bool,
+    typer.Option(
+        "--json",
+        help="Prints one JSON object and nothing else on standard output "
+        "(gearlash schema --result describes it).",
+    ),
+]
+Out = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Also writes the results into this folder, made if missing. Files there that gearlash did not "
+        "write are never overwritten.",
+    ),
+]
+Workers = Annotated[
+    int | None,
+    typer.Option(
+        min=0,
+        max=512,
+        metavar="N",
+        help="Processes; 1 computes in this one. The results do not depend on it. "
+        "[default: one a core where it pays]",
+    ),
+]
+Over = Annotated[
+    str,
+    typer.Option(
+        metavar="NAME=FROM:TO:COUNT",
+        help="Parameter to vary, by short name or path: omega=0.5:1.4:900, "
+        "pinion_speed=1000rpm:6000rpm:500, backlash=20um:200um:100.",
+    ),
+]

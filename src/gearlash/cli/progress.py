@@ -1,0 +1,55 @@
+"""Progress on standard error: a bar with points done and the time left as measured. Nothing where that is no
+terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from gearlash.jobs import Progress, ProgressCallback, seconds_as_text
+
+from .terminal import errors
+
+StageCallback = Callable[[str, Progress | None], object]
+
+
+@contextmanager
+def progress_bar(title: str) -> Iterator[ProgressCallback | None]:
+    """A callback for studies, or None; the bar goes when the block ends."""
+    with stage_bar() as tell:
+        yield None if tell is silent else lambda progress: tell(title, progress)
+
+
+@contextmanager
+def stage_bar() -> Iterator[StageCallback]:
+    """A callback for studies of several stages: the stage, and how far it is (None: at its beginning)."""
+    console = errors()
+    if not console.is_terminal:
+        yield silent
+        return
+    from rich.progress import BarColumn, TextColumn
+    from rich.progress import Progress as Bar
+
+    columns = (TextColumn("{task.description}"), BarColumn(24), TextColumn("{task.fields[words]}"))
+    with Bar(*columns, console=console, transient=True) as bar:
+        task = bar.add_task("", total=None, words="")
+
+        def tell(stage: str, progress: Progress | None) -> None:
+            if progress is None:
+                bar.update(task, description=stage, total=None, words="")
+            else:
+                done, total = progress.done, progress.total
+                bar.update(task, description=stage, completed=done, total=total, words=in_words(progress))
+
+        yield tell
+
+
+def silent(stage: str, progress: Progress | None) -> None:
+    """Says nothing."""
+
+
+def in_words(progress: Progress) -> str:
+    """Points done and the time left, from what was measured so far."""
+    if progress.remaining is None:
+        return f"{progress.done}/{progress.total}"
+    return f"{progress.done}/{progress.total}, about {seconds_as_text(progress.remaining)} left"

@@ -1,0 +1,79 @@
+"""A case in the terminal."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from rich.text import Text
+
+from gearlash.cli.answers.check import CheckAnswer, CheckValue
+
+from .layout import facts, headline, note, remarks, table, wrapped
+from .numbers import Marks, number
+from .units import pretty
+
+RESONANCE = re.compile(r"derived\.(natural_frequency|critical_speed)_(\d+)(_hz)?")
+
+
+def check_view(answer: CheckAnswer, width: int) -> Iterator[Text]:
+    """Stated values, derived numbers, remarks."""
+    yield from headline(f"{answer.name}: {answer.kind}, nothing to correct", width)
+    yield from map(Text, wrapped(answer.description, width))
+    if answer.source:
+        rows = [
+            (n, ", ".join(t) if isinstance(t, tuple) else " ".join(t.split()))
+            for n, t in answer.source.items()
+        ]
+        yield from facts("Source", rows, width)
+    marks = Marks({})
+    stated = [v for v in answer.values if v.provenance != "derived"]
+    derived = [v for v in answer.values if v.provenance == "derived" and not RESONANCE.fullmatch(v.path)]
+    open_ = [v for v in stated if v.provenance != "given"]
+    yield from remarks("Given", [_row(v, marks) for v in stated if v.provenance == "given"], width)
+    if open_:
+        yield from remarks("Not given", [_row(v, marks) for v in open_], width)
+    yield from remarks("Derived", [_row(v, marks) for v in derived], width)
+    yield from _resonances(answer.values, marks, width)
+    for remark in answer.notes:
+        yield from note(f"{remark.path}: {remark.text}", width, style="yellow")
+    yield from note(f"States for --initial: {', '.join(answer.states)}", width)
+    footnote = marks.footnote("above")
+    if footnote:
+        yield from note(footnote, width)
+
+
+def _row(value: CheckValue, marks: Marks) -> tuple[str, str, str, str]:
+    shown, what = _shown(value), value.description
+    if value.provenance == "derived":
+        shown = marks.of(shown, value.rests_on)
+        what = f"{what} ({value.reason})" if what else value.reason
+    elif value.provenance != "given":
+        what = f"{value.provenance}: {value.reason}"
+    elif value.reason:
+        what = f"{what}; {value.reason}"
+    return value.path, value.short or "", shown, what
+
+
+def _shown(value: CheckValue) -> str:
+    if isinstance(value.value, str):
+        return value.value
+    blank = "" if value.unit in ("", "deg") else " "
+    return f"{number(float(value.value), 7)}{blank}{pretty(value.unit)}"
+
+
+def _resonances(values: Sequence[CheckValue], marks: Marks, width: int) -> Iterator[Text]:
+    """Natural frequencies in one table: over ω_n, in Hz, and as a pinion speed."""
+    by_order: dict[int, dict[str, str]] = {}
+    for v in values:
+        match = RESONANCE.fullmatch(v.path)
+        if match:
+            kind = "rpm" if match[1] == "critical_speed" else "Hz" if match[3] else "ω/ω_n"
+            by_order.setdefault(int(match[2]), {})[kind] = marks.of(_shown(v), v.rests_on)
+    if not by_order:
+        return
+    kinds = list(by_order[1])
+    heads = {"ω/ω_n": "over ω_n", "Hz": "mesh frequency", "rpm": "pinion speed"}
+    rows = [[str(order), *(found.get(kind, "") for kind in kinds)] for order, found in by_order.items()]
+    columns = [("", "right"), *((heads[kind], "right") for kind in kinds)]
+    yield from table("Natural frequencies, undamped, mesh closed at mean stiffness", columns, rows, width)

@@ -1,0 +1,61 @@
+"""Grazing points in the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.text import Text
+
+from gearlash.cli.answers.graze import GrazeAnswer, Touch
+
+from .layout import facts, headline, note, table
+from .numbers import Marks, number, polar, quantity
+from .units import pretty
+
+
+def graze_view(answer: GrazeAnswer, width: int) -> Iterator[Text]:
+    """Sentence, every point found, and how the attractor was followed."""
+    marks = Marks({})
+    yield from headline(answer.sentence, width)
+    if not answer.points:
+        yield from facts("", [("status", answer.status), ("what to do", answer.advice)], width)
+    for touch in answer.points:
+        yield from facts(f"{answer.over} = {touch.value:.13g}", list(_facts(touch, marks)), width)
+    yield from _paths(answer, width)
+    footnote = marks.footnote()
+    if footnote:
+        yield from note(footnote, width)
+
+
+def _facts(touch: Touch, marks: Marks) -> Iterator[tuple[str, str]]:
+    if touch.physical:
+        shown = (marks.of(quantity(p.value, pretty(p.unit), 8), p.rests_on) for p in touch.physical)
+        yield "physical", ", ".join(shown)
+    yield "kind", touch.kind
+    yield "type", f"{touch.type} (Table 2)"
+    yield "labels", f"{touch.label_below} below, {touch.label_above} above"
+    yield "touch", f"phase {touch.phase:.6f} of {touch.period} mesh cycle{'s' if touch.period > 1 else ''}"
+    yield (
+        "multipliers",
+        ", ".join(polar(m.re, m.im, m.modulus) for m in touch.multipliers if m.im >= 0.0),
+    )
+    yield "distances", f"least |λ + 1| {number(touch.to_doubling)}, least |λ − 1| {number(touch.to_fold)}"
+    yield "exponent", f"{number(touch.largest_exponent)} per unit of τ (the largest)"
+    for i, c in enumerate(touch.conditions):
+        verdict = "holds" if c.holds else "does not hold"
+        yield "" if i else "conditions", f"{i + 1}  {c.condition}: {number(c.value, 3)}, {verdict}"
+    yield "accuracy", f"error of the value about {touch.error:.0e}, residual {touch.residual:.0e}"
+
+
+def _paths(answer: GrazeAnswer, width: int) -> Iterator[Text]:
+    if not answer.paths:
+        yield from note(answer.message, width)
+        return
+    rows = []
+    for path in answer.paths:
+        passed = (f"{p.kind} at {p.value:.7g} ({p.label_below} | {p.label_above})" for p in path.passed)
+        rows.append((path.direction, f"{path.reached:.7g}", path.ended, ", ".join(passed) or "nothing"))
+    columns = [("", "left"), ("to", "right"), ("ended by", "left"), ("passed", "left")]
+    yield from table(
+        f"Followed from {answer.over} = {answer.near:.7g} ({answer.label})", columns, rows, width
+    )

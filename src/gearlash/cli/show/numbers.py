@@ -1,0 +1,63 @@
+"""Numbers as text for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from math import atan2, degrees, isfinite
+
+MARK = "†"
+
+
+def number(value: float | None, digits: int = 5) -> str:
+    """Significant digits, ``3.2e8`` for the very large; a dash where there is none."""
+    if value is None or not isfinite(value):
+        return "–"
+    text = f"{value:.{digits}g}"
+    if abs(value) >= 1e6 and "e" not in text:
+        text = f"{value:.{digits - 1}e}"
+    mantissa, e, exponent = text.partition("e")
+    if not e:
+        return text
+    return f"{mantissa.rstrip('0').rstrip('.') if '.' in mantissa else mantissa}e{int(exponent)}"
+
+
+def quantity(value: float | None, unit: str, digits: int = 4) -> str:
+    """With its unit; kN and mm/s as they read best."""
+    if value is None or not isfinite(value):
+        return "–"
+    if unit == "N" and abs(value) >= 1e4:
+        return f"{number(value / 1e3, digits)} kN"
+    return f"{number(value, digits)} {unit}"
+
+
+def polar(real: float, imag: float, modulus: float) -> str:
+    """A multiplier: real ones with sign, complex ones by modulus and angle."""
+    if imag == 0.0:
+        return f"{real:.4f}"
+    return f"{modulus:.4f} ∠{degrees(atan2(imag, real)):+.1f}°"
+
+
+class Marks:
+    """Marks physical numbers that rest on assumed values, and remembers which for the footnote."""
+
+    def __init__(self, rests: Mapping[str, Iterable[str]]):
+        self._rests = {kind: tuple(paths) for kind, paths in rests.items()}
+        self._used: dict[str, None] = {}
+
+    def __call__(self, text: str, *kinds: str) -> str:
+        """The text with a mark if numbers of these kinds (length, model, …) rest on something assumed."""
+        return self.of(text, [path for kind in kinds for path in self._rests.get(kind, ())])
+
+    def of(self, text: str, rests_on: Iterable[str]) -> str:
+        """The text with a mark if this is not empty."""
+        paths = list(rests_on)
+        if not paths or text == "–":
+            return text
+        self._used |= dict.fromkeys(paths)
+        return f"{text} {MARK}"
+
+    def footnote(self, where: str = "gearlash check shows why") -> str | None:
+        """Names the assumed values behind the marks; None if nothing was marked."""
+        if not self._used:
+            return None
+        return f"{MARK} rests on assumed values: {', '.join(self._used)} ({where})"

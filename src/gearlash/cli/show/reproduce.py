@@ -1,0 +1,36 @@
+"""A reproduction in the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.text import Text
+
+from gearlash.cli.answers.reproduce import ReproduceAnswer
+from gearlash.jobs import seconds_as_text
+
+from .layout import facts, headline, table
+
+
+def reproduce_view(answer: ReproduceAnswer, width: int) -> Iterator[Text]:
+    """Sentence, the table of claims, what was measured, where the report is."""
+    yield from headline(answer.sentence, width)
+    columns = [("verdict", "left"), ("reported", "left"), ("computed", "left"), ("claim", "left")]
+    rows = [(c.verdict, c.reported, c.computed, c.sentence) for c in answer.claims]
+    yield from table("Claims", columns, rows, width)
+    checks = [(c.value, c.bound, _held(c.holds), c.what) for c in answer.checks]
+    yield from table(
+        "Measured in this run",
+        [("value", "right"), ("bound", "left"), ("", "left"), ("", "left")],
+        checks,
+        width,
+    )
+    total = seconds_as_text(answer.seconds["total"])
+    rows = [("time", f"{total} with {answer.workers} worker{'s' if answer.workers != 1 else ''}")]
+    if answer.status != "ok":
+        rows.insert(0, ("status", answer.status))
+    yield from facts("", [*rows, ("report", answer.report)], width)
+
+
+def _held(holds: bool | None) -> str:
+    return "" if holds is None else "holds" if holds else "does not hold"

@@ -1,0 +1,137 @@
+"""A run in the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.text import Text
+
+from gearlash.cli.answers.motion import ForceNumbers, MotionNumbers
+from gearlash.cli.answers.physical import PhysicalRun
+from gearlash.cli.answers.run import RunAnswer
+
+from .layout import facts, headline, note, table
+from .numbers import Marks, number, polar, quantity
+
+MOST_EVENTS = 24  # lines of contact events; all of them are in --json
+FORCES = {
+    "maximum": "contact force, largest (peak)",
+    "minimum": "contact force, least (peak)",
+    "peak_to_peak": "contact force, peak-to-peak",
+    "mean": "contact force, mean",
+    "rms": "contact force, rms",
+    "alternating_rms": "contact force, rms about the mean",
+}
+
+
+def run_view(answer: RunAnswer, width: int) -> Iterator[Text]:
+    """Sentence, status, numbers, contacts, and what rests on assumed values."""
+    marks = Marks(answer.physical.rests_on if answer.physical else {})
+    yield from headline(answer.sentence, width)
+    yield from facts("", list(_facts(answer, marks)), width)
+    if answer.numbers:
+        yield from _amplitudes(answer.numbers, answer.physical, marks, width)
+        if answer.numbers.events:
+            yield from _events(answer.numbers, answer.physical, marks, width)
+    footnote = marks.footnote()
+    if footnote:
+        yield from note(footnote, width)
+
+
+def _facts(answer: RunAnswer, marks: Marks) -> Iterator[tuple[str, str]]:
+    yield "status", f"{answer.status}: {answer.message}"
+    if answer.status != "ok":
+        yield "what to do", answer.advice
+    yield (
+        "parameters",
+        ", ".join(f"{name} {number(answer.parameters[name], 7)}" for name in ("omega", "D", "load")),
+    )
+    if answer.physical:
+        yield "", _operation(answer.physical, marks)
+    if answer.signature:
+        yield (
+            "signature",
+            f"{answer.label} (mesh cycles in a period, impacts on the drive side, on the back side)",
+        )
+    if answer.multipliers:
+        pairs = (polar(m.re, m.im, m.modulus) for m in answer.multipliers if m.im >= 0.0)
+        yield "multipliers", f"{', '.join(pairs)} ({'stable' if answer.stable else 'unstable'})"
+    error = f" ± {number(answer.exponent_error, 2)}" if answer.exponent_error else ""
+    yield "exponent", f"{number(answer.exponents[0])}{error} per unit of τ (the largest)"
+    if answer.numbers:
+        yield "no contact", f"{100.0 * answer.numbers.share_without_contact:.3g} % of the time"
+
+
+def _operation(found: PhysicalRun, marks: Marks) -> str:
+    parts = [
+        marks(quantity(found.pinion_speed_rpm, "rpm", 6), "speed"),
+        marks(quantity(found.mesh_frequency_Hz, "Hz", 6), "time"),
+        f"backlash {marks(quantity(found.backlash_um, 'µm'), 'backlash')}",
+    ]
+    if found.torque_Nm is not None:
+        parts.append(f"torque {marks(quantity(found.torque_Nm, 'N·m'), 'torque')}")
+    return ", ".join(parts)
+
+
+def _amplitudes(
+    numbers: MotionNumbers, physical: PhysicalRun | None, marks: Marks, width: int
+) -> Iterator[Text]:
+    """Forces and displacements, each saying what kind of amplitude it is."""
+    rows = list(_force_rows(numbers.force, physical.force_N if physical else None, marks))
+    rows.append(("dynamic factor (peak over mean)", number(numbers.dynamic_factor, 4), ""))
+    rows += _length_rows(numbers, physical, marks)
+    cycles = f"{numbers.cycles:g} mesh cycle{'s' if numbers.cycles != 1 else ''}"
+    columns = [("", "left"), ("dimensionless", "right"), ("physical" if physical else "", "right")]
+    yield from table(f"Along the line of action, over {cycles}", columns, rows, width)
+
+
+def _force_rows(
+    force: ForceNumbers, newtons: ForceNumbers | None, marks: Marks
+) -> Iterator[tuple[str, str, str]]:
+    for field, name in FORCES.items():
+        physical = marks(quantity(getattr(newtons, field), "N"), "force", "model") if newtons else ""
+        yield name, number(getattr(force, field)), physical
+
+
+def _length_rows(
+    numbers: MotionNumbers, physical: PhysicalRun | None, marks: Marks
+) -> Iterator[tuple[str, str, str]]:
+    error, apart = numbers.transmission_error, numbers.distances
+    values = {
+        "transmission error, peak-to-peak": error.peak_to_peak,
+        "transmission error, rms": error.rms,
+        "least X − D": apart.drive.minimum,
+        "largest X − D": apart.drive.maximum,
+        "least X + D⁻": apart.back.minimum,
+    }
+    unit = physical.um_per_length if physical else None
+    for name, value in values.items():
+        shown = marks(quantity(value * unit, "µm"), "length", "model") if unit is not None else ""
+        yield name, number(value), shown
+
+
+def _events(numbers: MotionNumbers, physical: PhysicalRun | None, marks: Marks, width: int) -> Iterator[Text]:
+    columns = [("phase", "right"), ("", "left"), ("X′", "right"), ("Φ", "right")]
+    if physical:
+        columns += [("time", "right"), ("velocity", "right"), ("force", "right")]
+    rows = []
+    for i, event in enumerate(numbers.events[:MOST_EVENTS]):
+        row = [
+            f"{event.phase:.5f}",
+            f"{event.event}, {event.side}",
+            number(event.velocity),
+            number(event.force),
+        ]
+        if physical:
+            p = physical.events[i]
+            row += [
+                marks(quantity(p.time_ms, "ms"), "time", "model"),
+                marks(quantity(p.velocity_mm_s, "mm/s"), "velocity", "model"),
+                marks(quantity(p.force_N, "N"), "force", "model"),
+            ]
+        rows.append(row)
+    count = len(numbers.events)
+    title = "Contact events" + (
+        f", the first {MOST_EVENTS} of {count} (--json has all)" if count > len(rows) else ""
+    )
+    yield from table(title, columns, rows, width)

@@ -1,0 +1,64 @@
+"""Sweeps in the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.text import Text
+
+from gearlash.cli.answers.sweep import Regime, SweepAnswer, SweepWay
+
+from .layout import facts, headline, table
+from .numbers import number
+from .units import pretty
+
+MOST_LINES = 30  # of regimes in one direction; all of them are in --json
+
+
+def sweep_view(answer: SweepAnswer, width: int) -> Iterator[Text]:
+    """Sentence, statuses, and regimes along the axis for every direction."""
+    yield from headline(answer.sentence, width)
+    yield from facts("", list(_facts(answer)), width)
+    for way in answer.sweeps:
+        yield from _regimes(answer, way, width)
+
+
+def _facts(answer: SweepAnswer) -> Iterator[tuple[str, str]]:
+    yield "points", ", ".join(f"{count} {status}" for status, count in answer.statuses.items())
+    for low, high in zip(answer.axis.physical_lower, answer.axis.physical_upper, strict=True):
+        yield (
+            low.name.replace("_", " "),
+            f"{number(low.value, 6)} to {number(high.value, 6)} {pretty(low.unit)}",
+        )
+    if answer.coexisting:
+        shown = ", ".join(f"{a:.5g}–{b:.5g}" if a < b else f"{a:.5g}" for a, b in answer.coexisting[:12])
+        more = len(answer.coexisting) - 12
+        yield "coexistence", f"{shown}{f' and {more} more intervals' if more > 0 else ''}"
+
+
+def _regimes(answer: SweepAnswer, way: SweepWay, width: int) -> Iterator[Text]:
+    physical = [p for p in answer.axis.physical_upper if p.value]
+    factor = physical[0].value / answer.axis.upper if physical and answer.axis.upper else None
+    columns = [("", "left"), ("from", "right"), ("to", "right")]
+    if factor is not None:
+        columns += [(f"from, {pretty(physical[0].unit)}", "right"), ("to", "right")]
+    columns += [("points", "right")]
+    shown = sorted(_longest(way.regimes), key=lambda r: r.first)
+    rows = []
+    for r in shown:
+        ends = [number(r.first, 6), number(r.last, 6)]
+        if factor is not None:
+            ends += [number(r.first * factor, 5), number(r.last * factor, 5)]
+        rows.append([r.label or "–", *ends, str(r.points)])
+    left = len(way.regimes) - len(shown)
+    words = {"cold": "From cold starts", "up": "Followed upwards", "down": "Followed downwards"}[
+        way.direction
+    ]
+    title = words + (
+        f", the {len(shown)} longest of {len(way.regimes)} stretches (--json has all)" if left else ""
+    )
+    yield from table(title if way.complete else f"{title}; {way.message}", columns, rows, width)
+
+
+def _longest(regimes: tuple[Regime, ...]) -> list[Regime]:
+    return sorted(regimes, key=lambda r: -r.points)[:MOST_LINES]

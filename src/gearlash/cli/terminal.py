@@ -1,0 +1,84 @@
+"""What is printed, wherever it goes: a terminal, a file, a pipe that closes early."""
+
+from __future__ import annotations
+
+import codecs
+import io
+import os
+import sys
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, TypeVar
+
+from .spelling import SPELLED
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.text import Text
+
+T = TypeVar("T")
+
+PIPED_WIDTH = 120  # columns of what goes to a file or another program
+
+
+def prepare_streams() -> None:
+    """Lets standard output and error spell what their encoding lacks, and stand in for a stream that is
+    closed.
+    """
+    codecs.register_error("gearlash", _spell)
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:  # started with the stream closed
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: PTH123, SIM115
+        elif isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="gearlash")
+
+
+def _spell(error: UnicodeError) -> tuple[str, int]:
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    left = error.object[error.start : error.end]
+    return "".join(SPELLED.get(letter, "?") for letter in left), error.end
+
+
+def output() -> Console:
+    """Standard output as rich sees it."""
+    return _console(stderr=False)
+
+
+def errors() -> Console:
+    """Standard error as rich sees it."""
+    return _console(stderr=True)
+
+
+def show(view: Callable[[T, int], Iterable[Text]], answer: T) -> None:
+    """Prints an answer on standard output, as wide as that is."""
+    console = output()
+    for line in view(answer, console.width):
+        console.print(line, soft_wrap=True)
+
+
+def tell(message: str) -> None:
+    """One notice on standard error."""
+    errors().print(message, style="dim")
+
+
+def discard_output() -> None:
+    """After the reader of standard output has gone: whatever is still buffered goes nowhere, without
+    complaint.
+    """
+    with open(os.devnull, "wb") as nothing:  # noqa: PTH123
+        os.dup2(nothing.fileno(), sys.stdout.fileno())
+
+
+def _console(stderr: bool) -> Console:
+    from rich.console import Console
+
+    class Unbroken(Console):
+        """Leaves a closed pipe to the command, which ends quietly; rich would end the process."""
+
+        def on_broken_pipe(self) -> None:
+            raise BrokenPipeError
+
+    stream = sys.stderr if stderr else sys.stdout
+    width = None if stream.isatty() or "COLUMNS" in os.environ else PIPED_WIDTH
+    return Unbroken(stderr=stderr, highlight=False, markup=False, emoji=False, width=width)
