@@ -66,6 +66,8 @@ def locate_multiplier(
     props = problem.system_at(mu)
     _, jacobian = problem.equations(props, state)
     status = Status.OK if residual <= CLOSED else Status.NOT_CONVERGED
+    if status.ok and multiplier == 1 and _runs_twice(props, state, orbit.shot.period):
+        status = Status.NOT_ADMISSIBLE  # a doubled orbit is born here, which is no fold
     shot = Shot(state, orbit.shot.period, residual, jacobian, residual, 0, status)
     return BifurcationPoint(
         name=name,
@@ -80,6 +82,15 @@ def locate_multiplier(
         residual=residual,
         status=status,
     )
+
+
+def _runs_twice(props: Propagators, state: Array, period: int) -> bool:
+    """Whether the orbit goes twice through one of half its period."""
+    if period % 2:
+        return False
+    strobes = flow.march(props, state, period // 2).states
+    size = max(float(np.ptp(strobes, axis=0).max()), 1e-3)
+    return float(np.abs(strobes[-1] - strobes[0]).max()) < 1e-3 * size
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,6 +11,8 @@ Source: G. Farin, Curves and Surfaces for CAGD, 5th ed. (2002); B. Mourrain, F. 
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 
 from gearlash._kernel import inner
@@ -192,6 +194,7 @@ def _bracketed(c, lo, hi, start):
     return _polish(-c, lo, hi)
 
 
+@functools.cache
 def taylor_to_bernstein(degree: int, size: int) -> np.ndarray:
     """Matrix (size, size) with b_i = Σ_j C(i,j)/C(degree,j) c_j in its leading block."""
     from math import comb

@@ -116,7 +116,7 @@ class _Search:
         for value, orbit in orbits:
             point = self.solve(locate_multiplier, value, orbit, 1)
             near = point is not None and abs(point.value - below.value) <= BESIDE * width
-            if near and isinstance(point, BifurcationPoint) and not self.collapses(point):
+            if near and isinstance(point, BifurcationPoint):
                 yield FOLD, point
 
     def solve(self, locate, value: float, orbit: Orbit, which) -> GrazingPoint | BifurcationPoint | None:
@@ -136,18 +136,6 @@ class _Search:
             and holds(point.label_below) == self.quiet(below)
             and holds(point.label_above) == self.quiet(above)
         )
-
-    def collapses(self, point: BifurcationPoint) -> bool:
-        """Whether the orbit there runs twice through one of half its period: it was born by a doubling,
-        not a fold.
-        """
-        props = flow.propagators(self.family.system(point.values))
-        periods = point.period // props.system.cycles
-        if periods % 2:
-            return False
-        strobes = flow.march(props, point.state, periods // 2).states
-        size = max(float(np.ptp(strobes, axis=0).max()), SETTLED)
-        return float(np.abs(strobes[-1] - strobes[0]).max()) < SETTLED * size
 
     def unsolved(self, inside: Point, outside: Point) -> str:
         """What to call a change that no point was solved for."""

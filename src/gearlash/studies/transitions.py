@@ -24,6 +24,8 @@ GRAZING, DOUBLING, FOLD, JUMP, APERIODIC = "grazing", "doubling", "fold", "jump"
 NARROW = 1e-6  # relative width at which halving ends
 DEEPEST = 14  # halvings of one interval
 TRIES = 4  # extrema tried for one grazing
+STEEP = 100.0  # how far an extremum may move, in units of the change of the parameter, and at least SETTLED
+SETTLED = 1e-3
 SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)
 
 
@@ -125,7 +127,8 @@ class _Finder:
             orbit = self.orbit(node)
             if orbit is None:
                 continue
-            checks = [c for c in grazing_checks(orbit) if c.boundary == boundary][:TRIES]
+            near = max(SETTLED, STEEP * (above.value - below.value))
+            checks = [c for c in grazing_checks(orbit, within=near) if c.boundary == boundary][:TRIES]
             for check in checks:
                 try:
                     point = locate_grazing(self.family, self.at(node.value), self.name, orbit, check)
