@@ -58,8 +58,10 @@ class BifurcationPoint:
 def locate_multiplier(
     family: Family, values: Mapping[str, float], name: str, orbit: Orbit, multiplier: int
 ) -> BifurcationPoint:
-    """The value of ``name`` nearest to the orbit's at which a multiplier of it is ``multiplier`` (-1 or
-    +1)."""
+    """The value of ``name`` nearest to the orbit's at which a multiplier of it is ``multiplier`` (-1 or +1).
+
+    Status `not-admissible`: a multiplier +1 where the orbit is born from one of half its period, no fold.
+    """
     problem = _Problem(family, values, name, float(orbit.period), multiplier)
     unknown, residual, change = problem.solve(np.append(orbit.state, float(values[name])))
     state, mu = unknown[:-1], float(unknown[-1])
