@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import ceil
 from typing import Any
 
 import numpy as np
@@ -11,37 +12,59 @@ from gearlash import flow
 from gearlash.flow import Propagators
 
 Complex = NDArray[np.complex128]
-PLAIN = 4  # periods up to which the eigenvalues of the plain product keep enough digits
+Matrix = NDArray[np.float64]
+DEPTH = 5.0  # by how many powers of e one factor may shrink volumes: its eigenvalues keep their digits
+PLAIN = 2 * DEPTH  # the same for the plain product of all factors
 MOST = 800  # size of the lifted matrix up to which it is used
 
 
 def multipliers(props: Propagators, state: NDArray[np.float64], period: int) -> NDArray[np.complex128]:
     """All multipliers (n,) of a periodic orbit through ``state``, by modulus, descending.
 
-    A long orbit's small multipliers drown in the rounding of the product of its maps. The block-cyclic matrix
-    of the single maps has their period-th roots as eigenvalues and is of norm one: see D. Watkins, "Product
-    eigenvalue problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110."""
-    factors, z = [], state
-    for _ in range(period):
-        step = flow.variational(props, z, float(props.system.cycles))
-        assert step.jacobian is not None
-        factors.append(step.jacobian)
-        z = step.state
-    if period <= PLAIN or period * len(state) > MOST:
-        product = np.eye(len(state))
-        for factor in factors:
-            product = factor @ product
-        return ordered(np.linalg.eigvals(product))
-    return _lifted(factors)
+    A long or strongly damped orbit's small multipliers drown in the rounding of the product of its maps. The
+    block-cyclic matrix of single maps has their roots as eigenvalues and is of norm one: see D. Watkins,
+    "Product eigenvalue problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110."""
+    shrinking = abs(props.trace) * props.system.period
+    parts = max(1, ceil(shrinking / DEPTH))
+    factors = _factors(props, state, period, parts)
+    if period * shrinking <= PLAIN:
+        return ordered(np.linalg.eigvals(_product(factors)))
+    return _lifted(_merged(factors, MOST // len(state)))
 
 
 def ordered(values: NDArray[Any]) -> Complex:
     """By modulus descending, then by imaginary part, so that pairs print in one order."""
     found: Complex = np.asarray(values, dtype=np.complex128)
-    return found[np.lexsort((-found.imag, -np.round(np.abs(found), 13)))]
+    with np.errstate(divide="ignore"):
+        size = np.round(np.log(np.abs(found)), 12)
+    return found[np.lexsort((-found.imag, -size))]
 
 
-def _lifted(factors: list[NDArray[np.float64]]) -> NDArray[np.complex128]:
+def _factors(props: Propagators, state: NDArray[np.float64], period: int, parts: int) -> list[Matrix]:
+    """Jacobians of the flow along the orbit, ``parts`` to a base period."""
+    factors, z, cycles = [], state, float(props.system.cycles)
+    for part in range(period * parts):
+        step = flow.variational(props, z, cycles / parts, part % parts * cycles / parts)
+        assert step.jacobian is not None
+        factors.append(step.jacobian)
+        z = step.state
+    return factors
+
+
+def _product(factors: list[Matrix]) -> Matrix:
+    product = np.eye(len(factors[0]))
+    for factor in factors:
+        product = factor @ product
+    return product
+
+
+def _merged(factors: list[Matrix], most: int) -> list[Matrix]:
+    """At most ``most`` factors with the same product."""
+    each = ceil(len(factors) / most)
+    return [_product(factors[i : i + each]) for i in range(0, len(factors), each)]
+
+
+def _lifted(factors: list[Matrix]) -> NDArray[np.complex128]:
     n, period = len(factors[0]), len(factors)
     cyclic = np.zeros((n * period, n * period))
     for k, factor in enumerate(factors):
