@@ -249,7 +249,9 @@ class _Search:
         limit = self.settings.max_period
         longer = self.longer()
         if longer is not None:
-            reason = f"it closes after {longer} base periods, more than the {limit} that were looked for"
+            reason = (
+                f"near a stable orbit of {longer} base periods, more than the {limit} that were looked for"
+            )
             return self.unresolved(Status.UNRESOLVED, reason, value, error)
         reason = (
             f"no stable orbit up to period {limit} within {self.used} periods; "
@@ -258,13 +260,18 @@ class _Search:
         return self.unresolved(Status.UNRESOLVED, reason, value, error)
 
     def longer(self) -> int | None:
-        """The least number of base periods, beyond those looked for, after which the motion repeats."""
+        """The least period, beyond those looked for, of a stable orbit that the motion is close to."""
         limit = self.settings.max_period
         states = flow.march(self.props, self.state, 8 * limit).states
-        for period in range(limit + 1, 4 * limit + 1):
-            if np.abs(states[period:] - states[:-period]).max() < 1e-9 * self.size:
-                return period
-        return None
+        returns = [np.abs(states[p:] - states[:-p]).max() for p in range(limit + 1, 4 * limit + 1)]
+        best = int(np.argmin(returns))
+        if not returns[best] < NEAR * self.size:
+            return None
+        shot = shoot(self.props, states[-1], limit + 1 + best)
+        if shot.residual > TOLERANCE:
+            return None
+        shot = minimal(self.props, shot)
+        return shot.period if shot.period > limit and self.orbit(shot).stable else None
 
     def unresolved(self, status: Status, reason: str, value: float, error: float) -> Unresolved:
         return Unresolved(
