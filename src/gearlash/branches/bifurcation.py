@@ -132,24 +132,23 @@ class _Problem:
         return matrix
 
     def solve(self, unknown: Array) -> tuple[Array, float, float]:
-        """Newton's method with bounded steps; returns unknowns, residual and the last change of the
-        parameter."""
-        best, residual, change = unknown, np.inf, np.inf
+        """Newton's method with bounded steps, until steps of the parameter stop shrinking: the determinant has no
+        scale of its own, so its size does not tell when to end. Returns unknowns, residual, and the last step."""
+        residual, change = np.inf, np.inf
         props: Propagators | None = None
         for _ in range(ITERATIONS):
             props = self.system_at(float(unknown[-1]), props)
             value, jacobian = self.equations(props, unknown[:-1])
-            size = float(np.abs(value).max())
-            if not np.isfinite(size):
-                break
-            if size < residual:
-                best, residual = unknown.copy(), size
-            elif residual <= 1e-12:
-                break
-            if residual <= 1e-14:
+            residual = float(np.abs(value).max())
+            if not np.isfinite(residual):
                 break
             step = np.linalg.lstsq(self.derivative(props, unknown, jacobian), -value, rcond=None)[0]
-            limit = min(1.0, 0.05 * abs(unknown[-1]) / max(abs(step[-1]), 1e-300))
+            size = abs(float(step[-1]))
+            if residual <= CLOSED and size >= 0.5 * change:
+                break  # rounding decides from here on
+            limit = min(1.0, 0.05 * abs(unknown[-1]) / max(size, 1e-300))
             unknown = unknown + limit * step
-            change = abs(float(limit * step[-1]))
-        return best, residual, change
+            change = limit * size
+            if change <= 1e-15 * abs(unknown[-1]):
+                break
+        return unknown, residual, change
