@@ -132,8 +132,9 @@ class _Problem:
         return matrix
 
     def solve(self, unknown: Array) -> tuple[Array, float, float]:
-        """Newton's method with bounded steps, until steps of the parameter stop shrinking: the determinant has no
-        scale of its own, so its size does not tell when to end. Returns unknowns, residual, and the last step."""
+        """Newton's method with bounded steps, until steps of the parameter stop shrinking: the determinant
+        has no scale of its own, so its size does not tell when to end. Returns unknowns, residual, last step.
+        """
         residual, change = np.inf, np.inf
         props: Propagators | None = None
         for _ in range(ITERATIONS):

@@ -108,8 +108,8 @@ class _Finder:
             yield self.jump(below, above)
             return
         middle = self.follow(below, above)
-        if middle is None:
-            yield self.transition(JUMP, below, above, None)
+        if middle is None:  # too slow to be proved anything: the change is near
+            yield self.jump(below, above)
             return
         yield from self.between(below, middle, depth + 1)
         yield from self.between(middle, above, depth + 1)
@@ -162,17 +162,21 @@ class _Finder:
         return None
 
     def jump(self, below: _Node, above: _Node) -> Transition:
-        """The end of a branch: a fold of the orbit that is left, if it solves there."""
+        """The end of a branch: a fold of the orbit that is left, or a doubling at which it loses its
+        stability to something else than its double, if one solves there.
+        """
         node = below if self.rising else above
         orbit = self.orbit(node)
-        if orbit is not None:
+        near = 100 * max(above.value - below.value, NARROW * abs(below.value))
+        for kind, multiplier in ((FOLD, 1), (DOUBLING, -1)):
+            if orbit is None:
+                break
             try:
-                point = locate_multiplier(self.family, self.at(node.value), self.name, orbit, 1)
+                point = locate_multiplier(self.family, self.at(node.value), self.name, orbit, multiplier)
             except (GearlashError, np.linalg.LinAlgError):
-                point = None
-            near = 100 * max(above.value - below.value, NARROW * abs(below.value))
-            if point is not None and point.status is Status.OK and abs(point.value - node.value) <= near:
-                return self.transition(FOLD, below, above, point)
+                continue
+            if point.status is Status.OK and abs(point.value - node.value) <= near:
+                return self.transition(kind, below, above, point)
         return self.transition(JUMP, below, above, None)
 
     def follow(self, below: _Node, above: _Node) -> _Node | None:
