@@ -202,10 +202,9 @@ class _Search:
             before = after
         return True
 
-    def aperiodic(self, periods: int, again: bool) -> Aperiodic | None:
-        """The motion as aperiodic: if its largest exponent is above zero by twice its error bar, or, asked
-        `again`, if it is zero within it and the motion is seen to persist without closing
-        (quasi-periodic)."""
+    def aperiodic(self, periods: int, again: bool) -> Attractor | None:
+        """The motion as aperiodic: if its largest exponent is above zero by twice its error bar, or,
+        asked `again`, if it is zero within it and the motion persists without closing (quasi-periodic)."""
         found = self.exponent(periods)
         if found is None:
             return None
@@ -214,6 +213,9 @@ class _Search:
         if value > 2.0 * error:
             message = f"aperiodic: {text}"
         elif again and abs(value) <= 2.0 * error and self.persists():
+            longer = self.longer()
+            if longer is not None:
+                return self.too_long(longer, value, error)
             message = (
                 f"aperiodic, quasi-periodic as far as can be seen: {text}, and it persists without closing"
             )
@@ -246,17 +248,19 @@ class _Search:
         found = self.exponent(2 * self.settings.exponent_periods)
         value = float(found.values[0]) if found is not None else np.nan
         error = float(found.errors[0]) if found is not None else np.nan
-        limit = self.settings.max_period
         longer = self.longer()
         if longer is not None:
-            reason = (
-                f"near a stable orbit of {longer} base periods, more than the {limit} that were looked for"
-            )
-            return self.unresolved(Status.UNRESOLVED, reason, value, error)
+            return self.too_long(longer, value, error)
+        limit = self.settings.max_period
         reason = (
             f"no stable orbit up to period {limit} within {self.used} periods; "
             f"largest exponent {value:.1e} ± {error:.0e}"
         )
+        return self.unresolved(Status.UNRESOLVED, reason, value, error)
+
+    def too_long(self, period: int, value: float, error: float) -> Unresolved:
+        limit = self.settings.max_period
+        reason = f"near a stable orbit of {period} base periods, more than the {limit} that were looked for"
         return self.unresolved(Status.UNRESOLVED, reason, value, error)
 
     def longer(self) -> int | None:
@@ -270,8 +274,9 @@ class _Search:
         shot = shoot(self.props, states[-1], limit + 1 + best)
         if shot.residual > TOLERANCE:
             return None
+        near = np.abs(shot.state - states[-1]).max() < FAR * self.size
         shot = minimal(self.props, shot)
-        return shot.period if shot.period > limit and self.orbit(shot).stable else None
+        return shot.period if near and shot.period > limit and self.orbit(shot).stable else None
 
     def unresolved(self, status: Status, reason: str, value: float, error: float) -> Unresolved:
         return Unresolved(
