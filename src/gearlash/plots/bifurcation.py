@@ -9,7 +9,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import AutoMinorLocator
 from numpy.typing import NDArray
 
 from . import style
@@ -47,7 +46,6 @@ def diagram(dataset: xr.Dataset, marks: Sequence[Mark] = (), units: Units | None
     _exponents(rest[3], rows, shown)
     lines(panels[1:], marks)
     for panel in rest:
-        panel.xaxis.set_minor_locator(AutoMinorLocator())
         panel.tick_params(which="both", top=True, right=True)
     bars.tick_params(which="both", bottom=False, top=False)
     rest[3].set_xlabel(name(axis))
@@ -92,7 +90,6 @@ def _points(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]], arr
         )
         return
     panel.set_ylabel(label)
-    panel.yaxis.set_minor_locator(AutoMinorLocator())
     panel.margins(y=0.06)
     if array == "back_force":
         panel.axhline(0.0, color=style.GREY, lw=0.5)
@@ -147,7 +144,6 @@ def _exponents(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]]) 
     values = np.concatenate(lowest)
     low, high = float(np.quantile(values, 0.01)), float(values.max())
     panel.set_ylim(low - 0.08 * (high - low), high + 0.12 * (high - low))
-    panel.yaxis.set_minor_locator(AutoMinorLocator())
 
 
 def directions(rows: list[Branch], shown: list[NDArray[np.bool_]] | None = None) -> list[Line2D]:

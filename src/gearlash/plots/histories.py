@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import AutoMinorLocator, MaxNLocator
+from matplotlib.ticker import MaxNLocator
 
 from gearlash.studies.motion import Motion
 
@@ -20,6 +20,7 @@ from .portraits import TOUCH, heading, stretches
 from .units import FORCE, PHASE, Units, X, second
 
 LONG = 4  # mesh cycles above which a motion needs the width of the page
+MOST = 12  # mesh cycles of a motion that does not repeat
 
 
 @style.styled
@@ -35,7 +36,7 @@ def history(motion: Motion, units: Units | None = None, parameter: str = "omega"
 def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str = "omega") -> Figure:
     """Before, at and after an event: side by side, or one below the other where a period is long."""
     count, units = len(motions), units or Units()
-    if max(m.cycles for m in motions) <= LONG:
+    if max(_shown(m) for m in motions) <= LONG:
         figure = style.figure(style.PAGE, 92.0)
         panels = figure.subplots(2, count, sharex="col", sharey="row", squeeze=False)
         _columns(figure, list(zip(panels[0], panels[1], strict=True)), motions, units, parameter)
@@ -52,6 +53,11 @@ def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str
     figure.align_ylabels(list(panels))
     figure.legend(handles=_key(motions), loc="outside lower center", ncols=5)
     return figure
+
+
+def _shown(motion: Motion) -> float:
+    """Mesh cycles in the picture: a whole period if there is one."""
+    return motion.cycles if motion.periodic else min(motion.cycles, float(MOST))
 
 
 def _columns(
@@ -78,10 +84,8 @@ def _labels(upper: Axes, lower: Axes, units: Units, first: bool, last: bool) -> 
 def _pair(upper: Axes, lower: Axes, motion: Motion) -> None:
     for axes in (upper, lower):
         lost(axes, motion)
-        axes.set_xlim(0.0, motion.cycles)
-        axes.xaxis.set_major_locator(MaxNLocator(6, integer=motion.cycles > 2))
-        axes.xaxis.set_minor_locator(AutoMinorLocator())
-        axes.yaxis.set_minor_locator(AutoMinorLocator())
+        axes.set_xlim(0.0, _shown(motion))
+        axes.xaxis.set_major_locator(MaxNLocator(6, integer=_shown(motion) > 2))
         axes.tick_params(which="both", top=True)
     _displacement(upper, motion)
     lower.axhline(0.0, color=style.INK, lw=0.5, zorder=1.0)
@@ -136,8 +140,8 @@ def _displacement(axes: Axes, motion: Motion) -> None:
 
 def _clearest(motion: Motion, edge: float, wide: float) -> float:
     """The phase at which a text just above a boundary lies farthest from the curve."""
-    places = motion.cycles * np.linspace(0.04, 0.96, 24)
-    reach = 0.04 * motion.cycles
+    places = _shown(motion) * np.linspace(0.04, 0.96, 24)
+    reach = 0.04 * _shown(motion)
     away = np.abs(motion.displacement - edge - 0.08 * wide)
     room = [float(away[np.abs(motion.phase - place) <= reach].min(initial=np.inf)) for place in places]
     return float(places[int(np.argmax(room))])

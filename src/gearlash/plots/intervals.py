@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
-from matplotlib.ticker import AutoMinorLocator
 
 from . import style
 from .regimes import regime, short
@@ -67,7 +66,6 @@ def _panel(axes: Axes, panel: Panel) -> None:
     axes.tick_params(axis="y", length=0)
     axes.set_title(panel.title, pad=6.0)
     axes.set_xlabel(name(panel.parameter))
-    axes.xaxis.set_minor_locator(AutoMinorLocator())
     for row, bar in enumerate(panel.bars):
         _bar(axes, row, bar, wide)
     computed = [b for b in panel.bars if b.kind != "coexisting"]

@@ -15,7 +15,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import AutoMinorLocator, MaxNLocator
+from matplotlib.ticker import MaxNLocator
 
 from gearlash.branches import GrazingPoint, locate_grazing
 from gearlash.case import Case, load
@@ -117,8 +117,6 @@ def _diagram(axes: Axes, scene: Scene, units: Units) -> None:
     axes.set_xlim(*SPAN)
     axes.margins(y=0.1)
     axes.set(xlabel=name("omega"), ylabel=r"$X_n$  on  $\sigma_t$")
-    axes.xaxis.set_minor_locator(AutoMinorLocator())
-    axes.yaxis.set_minor_locator(AutoMinorLocator())
     second(axes, units.speed)
     for edge in scene.ends:
         axes.axvline(edge, color=style.BOUNDARY, lw=0.9, zorder=0.5)

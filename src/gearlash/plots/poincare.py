@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import AutoMinorLocator, MaxNLocator
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from gearlash.studies.motion import Motion
@@ -36,8 +36,6 @@ def sections(motions: Sequence[Motion], parameter: str = "omega") -> Figure:
     )
     for panel, title in zip(panels, titles, strict=False):
         panel.set_title(title)
-        panel.xaxis.set_minor_locator(AutoMinorLocator())
-        panel.yaxis.set_minor_locator(AutoMinorLocator())
         panel.tick_params(which="both", top=True, right=True)
     for i, motion in enumerate(motions):
         look = LOOKS[i % len(LOOKS)]

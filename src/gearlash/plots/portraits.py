@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import AutoMinorLocator, MaxNLocator
+from matplotlib.ticker import MaxNLocator
 
 from gearlash.studies.motion import Motion
 
@@ -113,7 +113,14 @@ def draw(axes: Axes, motion: Motion, names: bool = True, strobes: bool = True) -
     for first, last, region in stretches(motion):
         colour, ls, width, _ = STRETCHES[region]
         part = slice(first, last)
-        axes.plot(motion.displacement[part], motion.velocity[part], color=colour, ls=ls, lw=thin * width)
+        axes.plot(
+            motion.displacement[part],
+            motion.velocity[part],
+            color=colour,
+            ls=ls,
+            lw=thin * width,
+            rasterized=not motion.periodic,
+        )
     small = thin * 3.2
     for side in (1, -1):
         for engaging in (True, False):
@@ -148,8 +155,6 @@ def draw(axes: Axes, motion: Motion, names: bool = True, strobes: bool = True) -
             zorder=6,
             **TOUCH,
         )
-    axes.xaxis.set_minor_locator(AutoMinorLocator())
-    axes.yaxis.set_minor_locator(AutoMinorLocator())
     axes.xaxis.set_major_locator(MaxNLocator(5))
     axes.tick_params(which="both", right=True)
 

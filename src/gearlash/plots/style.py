@@ -16,6 +16,7 @@ from typing import Any, ParamSpec
 import matplotlib as mpl
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import AutoMinorLocator, FixedLocator, NullLocator
 
 P = ParamSpec("P")
 
@@ -94,14 +95,24 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
             if engine is not None:
                 engine.execute(made)
                 made.set_layout_engine("none")
+            _minor_ticks(made)
             return made
 
     return under_style
 
 
+def _minor_ticks(made: Figure) -> None:
+    """Minor ticks on every axis of numbers; after the layout, which they only slow down."""
+    panels = [each for axes in made.axes for each in (axes, *axes.child_axes)]
+    for axis in (axis for panel in panels for axis in (panel.xaxis, panel.yaxis)):
+        if axis.get_visible() and not isinstance(axis.get_major_locator(), FixedLocator | NullLocator):
+            axis.set_minor_locator(AutoMinorLocator())
+
+
 def figure(width: float, height: float) -> Figure:
     """An empty figure of a size in mm, with a layout that leaves no label outside."""
-    made = Figure(figsize=(width * MM, height * MM), layout="constrained")
+    # The layout measures text in pixels of this resolution; at a coarse one hinting makes it too narrow.
+    made = Figure(figsize=(width * MM, height * MM), dpi=RASTER_DPI, layout="constrained")
     FigureCanvasAgg(made)
     pads = {"w_pad": 1.0 * MM, "h_pad": 0.8 * MM, "wspace": 0.02, "hspace": 0.02}
     engine = made.get_layout_engine()

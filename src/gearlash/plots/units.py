@@ -7,8 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
-from matplotlib.ticker import AutoMinorLocator
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash.case import Case
@@ -116,15 +114,11 @@ def second(axes: Axes, twin: Twin | None, which: str = "x", below: float = 0.0) 
         made.spines["bottom"].set_position(("outward", below / 25.4 * 72.0))
         made.tick_params(which="both", top=False, bottom=True)
         made.set_xlabel(twin.label)
-        side: Axis = made.xaxis
     elif which == "x":
         axes.tick_params(which="both", top=False)
         made = axes.secondary_xaxis("top", functions=pair)
         made.set_xlabel(twin.label)
-        side = made.xaxis
     else:
         axes.tick_params(which="both", right=False)
         made = axes.secondary_yaxis("right", functions=pair)
         made.set_ylabel(twin.label)
-        side = made.yaxis
-    side.set_minor_locator(AutoMinorLocator())

@@ -14,15 +14,17 @@ from typing import TypeAlias
 
 @dataclass(frozen=True)
 class Badge:
-    """A verdict or status: a sign and a word, so that it is not told by colour alone. ``kind`` is
-    ``good``, ``fair``, ``bad`` or ``plain``."""
+    """A verdict or status: a sign and a word, so that it is not told by colour alone.
+
+    ``kind`` is ``good``, ``fair``, ``bad``, ``doubt`` or ``plain``.
+    """
 
     text: str
     kind: str = "plain"
 
     @property
     def sign(self) -> str:
-        return {"good": "✓", "fair": "≈", "bad": "✗"}.get(self.kind, "•")
+        return {"good": "✓", "fair": "≈", "bad": "✗", "doubt": "?"}.get(self.kind, "•")
 
 
 @dataclass(frozen=True)
@@ -81,24 +83,37 @@ Cell: TypeAlias = Inline | tuple[Inline, ...] | list[Inline | tuple[Inline, ...]
 
 @dataclass(frozen=True)
 class Table:
-    """A numbered table. ``numeric`` are the columns set flush right; ``wide`` tables get small type."""
+    """A numbered table.
+
+    ``numeric`` are the columns set flush right. One with ``widths`` (per cent) takes the whole width in
+    small type.
+    """
 
     id: str
     caption: str
     head: tuple[str, ...]
     rows: tuple[tuple[Cell, ...], ...]
     numeric: frozenset[int] = frozenset()
-    wide: bool = False
+    widths: tuple[int, ...] = ()
+
+    @property
+    def headed(self) -> bool:
+        """Do its columns have titles?"""
+        return any(self.head)
 
 
 @dataclass(frozen=True)
 class Figure:
-    """A numbered figure: ``stem`` of its files, caption, and words for those who cannot see it."""
+    """A numbered figure: ``stem`` of its files, caption, and words for those who cannot see it.
+
+    ``assumed``: one of its scales rests on an assumed value.
+    """
 
     id: str
     caption: Text
     alternative: str
     stem: str
+    assumed: bool = False
 
 
 Block: TypeAlias = Text | Bullets | Note | Table | Figure

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from .blocks import Page
 from .svg import inline
+
+_INDEX = re.compile(r"(?<![\w.])([A-Za-zΑ-ω])_([A-Za-zα-ω0-9]{1,2})(?![A-Za-z0-9_])")
+
+
+def subscripts(text: str) -> Markup:
+    """Plain text, escaped, with the index of a symbol such as σ_t set low."""
+    return Markup(_INDEX.sub(r"\1<sub>\2</sub>", str(escape(text))))
 
 
 def html(page: Page, figures: Mapping[str, bytes], folder: str = "figures") -> str:
@@ -23,6 +31,7 @@ def html(page: Page, figures: Mapping[str, bytes], folder: str = "figures") -> s
         lstrip_blocks=True,
     )
     environment.filters["kind"] = lambda block: type(block).__name__
+    environment.filters["subscripts"] = subscripts
 
     def picture(stem: str, name: str, alternative: str) -> Markup:
         return inline(figures[stem], name, alternative)

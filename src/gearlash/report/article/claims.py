@@ -27,7 +27,7 @@ def section(done: Reproduction) -> Section:
         HEAD,
         tuple(_row(claim) for claim in done.claims),
         frozenset({3}),
-        wide=True,
+        widths=(29, 11, 14, 10, 14, 22),
     )
     intro = Text.of(
         f"“{REPRODUCED}”: the labels are equal and the value lies within 0.5 % of the printed one. "

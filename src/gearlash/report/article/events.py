@@ -6,13 +6,13 @@ from __future__ import annotations
 
 from gearlash import plots
 from gearlash.plots.regimes import short
-from gearlash.report.blocks import Badge, Block, Cell, Figure, Note, Section, Strong, Table, Text
+from gearlash.report.blocks import Block, Cell, Figure, Note, Section, Strong, Table, Text
 from gearlash.report.numbers import complex_number, number, percent, scientific
 from gearlash.report.pictures import Picture
 from gearlash.studies.article import Event, Reproduction
 
 from .quantities import Quantities, fixed_words, symbol
-from .words import verdict
+from .words import verdict, yes_or_no
 
 BOUNDARY = {1: "Σ₁ (drive side)", -1: "Σ₂ (back side)", 0: "none"}
 
@@ -38,7 +38,11 @@ def slug(event: Event) -> str:
 def _pictures(event: Event, quantities: Quantities) -> list[Picture]:
     name, motions, units = slug(event), event.motions, quantities.units
     found = [
-        Picture(f"portrait-{name}", plots.portrait_triple, (motions, units, event.parameter)),
+        Picture(
+            f"portrait-{name}",
+            plots.portrait_triple if event.found else plots.gallery,
+            (motions, units, event.parameter),
+        ),
         Picture(f"history-{name}", plots.history_triple, (motions, units, event.parameter)),
     ]
     if _has_sections(event):
@@ -72,16 +76,19 @@ def _part(event: Event, quantities: Quantities) -> Section:
             ),
             f"Phase portraits of three motions around {change}: {labels}",
             f"portrait-{name}",
+            quantities.assumed(quantities.units.length),
         )
     )
     blocks.append(
         Figure(
             f"figure-history-{name}",
             Text.of(
-                "The same motions over one period: displacement X with the boundaries ±D, and mesh force Φ."
+                "The same motions over one period, or over 12 mesh cycles where there is none: "
+                "displacement X with the boundaries ±D, and mesh force Φ."
             ),
             f"Time histories of displacement and mesh force of three motions around {change}",
             f"history-{name}",
+            quantities.assumed(quantities.units.length, quantities.units.force),
         )
     )
     if _has_sections(event):
@@ -103,8 +110,8 @@ def _part(event: Event, quantities: Quantities) -> Section:
 
 def _opening(event: Event, quantities: Quantities) -> Text:
     mark = symbol(event.parameter)
-    said = f"The article reports {mark} ≈ {event.digits} with {event.reported_before} → "
-    f"{event.reported_after} as {mark} rises. "
+    change = f"{event.reported_before} → {event.reported_after}"
+    said = f"The article reports {mark} ≈ {event.digits} with {change} as {mark} rises. "
     if not event.found:
         return Text.of(said, Strong("No such event was found in the sweeps."))
     change = f"{short(event.label_below)} → {short(event.label_above)}"
@@ -147,7 +154,7 @@ def _facts(event: Event, quantities: Quantities) -> Table:
 
 def _conditions(event: Event) -> Table:
     rows = tuple(
-        (text, scientific(value) if abs(value) < 1e-3 else number(value), verdict_of(holds))
+        (text, scientific(value) if abs(value) < 1e-3 else number(value), yes_or_no(holds))
         for text, value, holds in event.conditions
     )
     return Table(
@@ -157,10 +164,3 @@ def _conditions(event: Event) -> Table:
         rows,
         frozenset({1}),
     )
-
-
-def verdict_of(holds: bool | None) -> Cell:
-    """Yes or no as a badge; neither where nothing is claimed."""
-    if holds is None:
-        return Badge("for information", "plain")
-    return Badge("yes", "good") if holds else Badge("no", "bad")

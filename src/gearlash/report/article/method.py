@@ -5,7 +5,7 @@ from __future__ import annotations
 from gearlash.report.blocks import Note, Section, Table, Text
 from gearlash.studies.article import Reproduction
 
-from .events import verdict_of
+from .words import yes_or_no
 
 METHOD = (
     "Inside one contact state the equations are linear with periodic coefficients. They are not stepped: "
@@ -22,7 +22,7 @@ METHOD = (
 def section(done: Reproduction) -> Section:
     """Method and accuracy."""
     run = done.run
-    checks = tuple((c.what, c.value, c.bound, verdict_of(c.holds)) for c in done.checks)
+    checks = tuple((c.what, c.value, c.bound, yes_or_no(c.holds)) for c in done.checks)
     time = tuple((stage, f"{seconds:.1f} s") for stage, seconds in run.seconds.items())
     statuses = tuple((status, str(count)) for status, count in run.statuses.items())
     versions = tuple(

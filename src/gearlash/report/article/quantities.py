@@ -28,6 +28,10 @@ class Quantities:
         twin = self.units.of_parameter(parameter)
         return None if twin is None else _said(twin, values)
 
+    def assumed(self, *scales: Twin | None) -> bool:
+        """Does any of these scales rest on an assumed value?"""
+        return any(scale.assumed for scale in scales if scale is not None)
+
     def length(self, displacement: float) -> Inline | None:
         """A distance in µm."""
         return None if self.units.length is None else _said(self.units.length, (displacement,))

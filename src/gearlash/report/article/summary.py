@@ -57,10 +57,10 @@ def _zone(readings: list[Zone], quantities: Quantities) -> Text:
     if some.coexisting:
         others = joined(sorted({short(c.label) for c in some.coexisting}))
         parts.append(
-            f". Inside this interval other motions with impacts exist as well ({others}); the start decides"
+            f". Inside it other motions with impacts exist as well ({others}), and the start decides"
         )
     if every is not None and isfinite(every.lower.value):
-        parts += [", and every motion found is quiet only from ", *_between(every, quantities)]
+        parts += [". Every motion found is quiet from ", *_between(every, quantities)]
     parts += [". Compared with the article: ", verdict(some.verdict), " (", Ref("table-zones"), ")."]
     return Text(tuple(parts))
 

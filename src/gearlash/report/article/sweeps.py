@@ -23,7 +23,7 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
     for diagram, title in ((done.frequency, "Mesh frequency"), (done.backlash, "Backlash")):
         stem = f"sweep-{diagram.parameter}"
         pictures.append(Picture(stem, plots.diagram, (diagram.dataset, marks(diagram), quantities.units)))
-        parts.append(_part(diagram, title, stem))
+        parts.append(_part(diagram, title, stem, quantities))
     intro = Text.of(
         "Each point of a diagram is an attractor, found three ways: from rest at every value (cold "
         "start), and by following the motion along the parameter, up and down. Where the three differ, "
@@ -50,7 +50,7 @@ def _text(mark) -> str:
     return f"{mark.value:.4f}{change}"
 
 
-def _part(diagram: Diagram, title: str, stem: str) -> Section:
+def _part(diagram: Diagram, title: str, stem: str, quantities: Quantities) -> Section:
     values, where = diagram.dataset[diagram.parameter].values, fixed_words(diagram.fixed)
     name, total = symbol(diagram.parameter), diagram.dataset["label"].size
     caption = Text.of(
@@ -59,8 +59,8 @@ def _part(diagram: Diagram, title: str, stem: str) -> Section:
         "they differ from the cold start; two aperiodic motions count as the same. Bold lines are events "
         "of the article."
     )
-    words = f"Bifurcation diagram over {title.lower()} with {plural(len(diagram.marks), 'located change')} "
-    "of the motion"
+    changes = plural(len(diagram.marks), "located change")
+    words = f"Bifurcation diagram over {title.lower()} with {changes} of the motion"
     blocks = (
         Text.of(
             f"{name} from {number(values[0])} to {number(values[-1])} at {where}, {total} attractors. ",
@@ -69,7 +69,13 @@ def _part(diagram: Diagram, title: str, stem: str) -> Section:
             Ref(f"table-{stem}"),
             ".",
         ),
-        Figure(f"figure-{stem}", caption, words, stem),
+        Figure(
+            f"figure-{stem}",
+            caption,
+            words,
+            stem,
+            quantities.assumed(quantities.units.of_parameter(diagram.parameter)),
+        ),
         _table(diagram, stem),
     )
     return Section(f"section-{stem}", f"{title} {name}", blocks)

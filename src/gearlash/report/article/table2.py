@@ -3,28 +3,20 @@
 from __future__ import annotations
 
 from gearlash.plots.regimes import short
-from gearlash.report.blocks import Cell, Section, Table, Text
+from gearlash.report.blocks import Cell, Section, Strong, Table, Text
 from gearlash.report.numbers import number
 from gearlash.studies.article import Reproduction
+from gearlash.studies.article.reproduction import Table2Row
 
 from .words import verdict
 
-HEAD = (
-    "Bifurcation type",
-    "Condition (article)",
-    "Effect on P (article)",
-    "Effect on Q, R (article)",
-    "Region (article)",
-    "Computed: where, labels below → above, exponent",
-    "Verdict",
-    "Remarks",
-)
+HEAD = ("Type", "The article", "Computed: where, labels below → above, exponent", "Verdict and remarks")
 
 
 def section(done: Reproduction) -> Section:
     """The table."""
     rows = tuple(_row(row) for row in done.table2)
-    caption = "The article’s Table 2; the last three columns are computed."
+    caption = "The article’s Table 2; what stands right of “The article” is computed."
     return Section(
         "table2",
         "Types of bifurcation (the article’s Table 2)",
@@ -33,23 +25,20 @@ def section(done: Reproduction) -> Section:
                 "The type of each located point follows from its multipliers alone: at ±1, or inside the "
                 "unit circle."
             ),
-            Table("table-table2", caption, HEAD, rows, wide=True),
+            Table("table-table2", caption, HEAD, rows, widths=(17, 28, 30, 25)),
         ),
     )
 
 
-def _row(row) -> tuple[Cell, ...]:
+def _row(row: Table2Row) -> tuple[Cell, ...]:
+    said: Cell = [
+        f"condition: {row.condition}",
+        f"P: {row.reported_effect_p}",
+        f"Q, R: {row.reported_effect_qr}",
+        f"where: {row.reported_region}",
+    ]
     found: Cell = [
         f"{event}: {' → '.join(short(p) for p in pattern.split(' → '))}, λ₁ = {number(exponent, 3)}"
         for event, pattern, exponent in zip(row.events, row.patterns, row.exponent, strict=True)
     ] or ["none located"]
-    return (
-        row.type,
-        row.condition,
-        row.reported_effect_p,
-        row.reported_effect_qr,
-        row.reported_region,
-        found,
-        verdict(row.verdict),
-        row.note,
-    )
+    return Strong(row.type), said, found, [verdict(row.verdict), row.note]

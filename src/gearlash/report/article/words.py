@@ -6,7 +6,7 @@ from gearlash.report.blocks import Badge
 from gearlash.studies.article import NOT_FOUND, REPRODUCED, SHIFTED
 
 KINDS = {REPRODUCED: "good", SHIFTED: "fair", NOT_FOUND: "bad"}
-PROVENANCE = {"given": "good", "calibrated": "good", "inferred": "fair", "assumed": "bad"}
+PROVENANCE = {"given": "good", "calibrated": "good", "inferred": "fair", "assumed": "doubt"}
 
 
 def verdict(text: str) -> Badge:
@@ -27,3 +27,10 @@ def plural(count: int, one: str, more: str | None = None) -> str:
 def joined(words: list[str]) -> str:
     """``a, b and c``."""
     return words[0] if len(words) == 1 else ", ".join(words[:-1]) + " and " + words[-1] if words else ""
+
+
+def yes_or_no(holds: bool | None) -> Badge:
+    """Whether a bound or condition holds; neither where nothing is claimed."""
+    if holds is None:
+        return Badge("for information", "plain")
+    return Badge("yes", "good") if holds else Badge("no", "bad")

@@ -10,21 +10,11 @@ from gearlash.report.blocks import Block, Cell, Figure, Inline, Section, Strong,
 from gearlash.report.numbers import NOTHING, interval, number, scientific
 from gearlash.report.pictures import Picture
 from gearlash.studies.article import Reproduction, Zone
+from gearlash.studies.article.reproduction import End
 
 from .quantities import Quantities, fixed_words, symbol
 from .words import verdict
 
-HEAD = (
-    "Zone",
-    "Article",
-    "Computed",
-    "Physical",
-    "Ends",
-    "Labels",
-    "Least distance to the boundary",
-    "Coexisting in it",
-    "Verdict",
-)
 MOST_BARS = 6  # of coexisting motions in the chart of one zone
 
 
@@ -41,18 +31,11 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
                 Text.of("Stable zones: reported (hatched), computed, and other motions found inside them."),
                 f"Chart of {len(done.zones)} intervals, reported and computed",
                 "zones",
+                quantities.assumed(*(quantities.units.of_parameter(p.parameter) for p in panels)),
             )
         )
-    blocks.append(
-        Table(
-            "table-zones",
-            "Stable zones, reported and computed.",
-            HEAD,
-            tuple(_row(zone, quantities) for zone in done.zones),
-            wide=True,
-        )
-    )
-    blocks += [Text.of(Strong(f"{z.name}: "), z.note) for z in done.zones if z.note]
+    blocks.append(_table(done.zones, quantities))
+    blocks += [Text.of(note) for note in dict.fromkeys(zone.note for zone in done.zones) if note]
     inner: tuple[Section, ...] = ()
     if done.window:
         made, picture = _window(done, quantities)
@@ -116,31 +99,45 @@ def panel(readings: list[Zone]) -> plots.Panel:
     return plots.Panel(first.parameter, title, tuple(bars))
 
 
-def _end(end) -> str:
+def _end(end: End) -> str:
     return f"{number(end.value, 5)}  {end.how}"
 
 
-def _row(zone: Zone, quantities: Quantities) -> tuple[Cell, ...]:
+def _table(zones: tuple[Zone, ...], quantities: Quantities) -> Table:
+    """Zones side by side, a property a row."""
+    columns = [_column(zone, quantities) for zone in zones]
+    rows = tuple((name, *(column[name] for column in columns)) for name in (columns[0] if columns else ()))
+    share = 84 // max(1, len(zones))
+    caption = "Stable zones, reported and computed."
+    return Table(
+        "table-zones", caption, ("", *(z.name for z in zones)), rows, widths=(16, *[share] * len(zones))
+    )
+
+
+def _column(zone: Zone, quantities: Quantities) -> dict[str, Cell]:
     found = isfinite(zone.lower.value) and isfinite(zone.upper.value)
     physical = quantities.physical(zone.parameter, zone.lower.value, zone.upper.value) if found else None
     name = symbol(zone.parameter)
-    reported = NOTHING if zone.reported is None else f"{name} ∈ {interval(*zone.reported)}"
-    ends: Cell = [
-        f"{which}: {end.how}; beyond: {short(end.next_label) or NOTHING} (± {scientific(end.uncertainty)})"
-        for which, end in (("lower", zone.lower), ("upper", zone.upper))
-    ]
-    return (
-        [Strong(zone.name), f"at {fixed_words(zone.fixed)}"],
-        reported,
-        f"{name} ∈ {interval(zone.lower.value, zone.upper.value)}" if found else "not found",
-        physical or NOTHING,
-        ends if found else NOTHING,
-        ", ".join(short(label) for label in zone.labels) or NOTHING,
-        _distance(zone.margin, quantities),
-        [f"{short(c.label)} in {interval(*c.interval, 5)} ({c.start})" for c in zone.coexisting]
-        or ["none found"],
-        verdict(zone.verdict),
-    )
+    others: Cell = [f"{short(c.label)} in {interval(*c.interval, 5)} ({c.start})" for c in zone.coexisting]
+    return {
+        "where": f"at {fixed_words(zone.fixed)}",
+        "article": NOTHING if zone.reported is None else f"{name} ∈ {interval(*zone.reported)}",
+        "computed": Strong(
+            f"{name} ∈ {interval(zone.lower.value, zone.upper.value)}" if found else "not found"
+        ),
+        "physical": physical or NOTHING,
+        "lower end": _edge(zone.lower) if found else NOTHING,
+        "upper end": _edge(zone.upper) if found else NOTHING,
+        "motions": ", ".join(short(label) for label in zone.labels) or NOTHING,
+        "least distance to the boundary, in the middle": _distance(zone.margin, quantities),
+        "coexisting in it": others or "none found",
+        "verdict": verdict(zone.verdict),
+    }
+
+
+def _edge(end: End) -> Cell:
+    beyond = f"beyond it: {short(end.next_label)}" if end.next_label else "beyond it: not computed"
+    return [end.how, beyond, f"± {scientific(end.uncertainty)}"]
 
 
 def _distance(margin: float, quantities: Quantities) -> Cell:
@@ -161,6 +158,7 @@ def _window(done: Reproduction, quantities: Quantities) -> tuple[Section, Pictur
         Text.of("Motions at ", *where, f" inside the window: {labels}."),
         f"Phase portraits of {len(motions)} motions at one speed inside the window without impacts",
         "window",
+        quantities.assumed(quantities.units.length),
     )
     if len(motions) > 1:
         text = Text.of(
