@@ -168,6 +168,7 @@ class _Finder:
         node = below if self.rising else above
         orbit = self.orbit(node)
         near = 100 * max(above.value - below.value, NARROW * abs(below.value))
+        solved = []
         for kind, multiplier in ((FOLD, 1), (DOUBLING, -1)):
             if orbit is None:
                 break
@@ -176,8 +177,11 @@ class _Finder:
             except (GearlashError, np.linalg.LinAlgError):
                 continue
             if point.status is Status.OK and abs(point.value - node.value) <= near:
-                return self.transition(kind, below, above, point)
-        return self.transition(JUMP, below, above, None)
+                solved.append((abs(point.value - node.value), kind, point))
+        if not solved:
+            return self.transition(JUMP, below, above, None)
+        _, kind, point = min(solved, key=lambda one: one[0])  # what the followed orbit comes to first
+        return self.transition(kind, below, above, point)
 
     def follow(self, below: _Node, above: _Node) -> _Node | None:
         """The attractor half way, reached from the side that the sweep comes from."""
