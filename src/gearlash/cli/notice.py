@@ -7,6 +7,8 @@ of the compiler itself: it announces every compilation that the cache did not sp
 from __future__ import annotations
 
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from .terminal import tell
 
@@ -15,31 +17,34 @@ EXPECTED = 30  # seconds, all kernels on a slow core
 
 def load_engine() -> None:
     """Imports the engine; one line on standard error if that compiles kernels, and one when it is done."""
+    with compilation_told():
+        from gearlash import flow  # noqa: F401  (importing compiles)
+
+
+@contextmanager
+def compilation_told() -> Iterator[None]:
+    """Says once that something is being compiled in this block, and how long it took."""
     from numba.core import event
 
-    listener = _listener(event)
-    event.register("numba:compile", listener)
-    try:
-        from gearlash import flow  # noqa: F401  (importing compiles)
-    finally:
-        event.unregister("numba:compile", listener)
-    if listener.began is not None:
-        tell(f"compiled in {time.monotonic() - listener.began:.0f} s")
+    began: list[float] = []
 
-
-def _listener(event):
-    class FirstCompilation(event.Listener):
-        began: float | None = None
-
-        def on_start(self, event):
-            if self.began is None:
-                self.began = time.monotonic()
+    class Listener(event.Listener):
+        def on_start(self, event: object) -> None:
+            if not began:
+                began.append(time.monotonic())
                 tell(first_words())
 
-        def on_end(self, event):
+        def on_end(self, event: object) -> None:
             pass
 
-    return FirstCompilation()
+    listener = Listener()
+    event.register("numba:compile", listener)
+    try:
+        yield
+    finally:
+        event.unregister("numba:compile", listener)
+    if began:
+        tell(f"compiled in {time.monotonic() - began[0]:.0f} s")
 
 
 def first_words() -> str:

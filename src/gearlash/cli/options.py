@@ -35,11 +35,11 @@ Periods = Annotated[
     typer.Option(
         min=1,
         metavar="N",
-        help="Mesh cycles that a transient may take before the search ends. [default: 40000]",
+        help="Mesh cycles that a transient may take before the search ends.",
     ),
 ]
 MaxPeriod = Annotated[
-    int | None, typer.Option(min=1, max=4096, metavar="P", help="Longest period looked for. [default: 64]")
+    int | None, typer.Option(min=1, max=4096, metavar="P", help="Longest period looked for.")
 ]
 AsJson = Annotated[
     bool,

@@ -1,6 +1,13 @@
 """What stands for a letter that the encoding of a stream lacks."""
 
-SPELLED = {
+from __future__ import annotations
+
+import re
+import unicodedata
+
+_GREEK = re.compile(r"GREEK (SMALL|CAPITAL) LETTER (\w+)")
+
+_SPELLED = {
     "µ": "u",
     "μ": "u",
     "·": "*",
@@ -20,6 +27,7 @@ SPELLED = {
     "√": "sqrt",
     "∞": "inf",
     "′": "'",
+    "Ẋ": "X'",
     "″": "''",
     "’": "'",
     "“": '"',
@@ -32,21 +40,15 @@ SPELLED = {
     "⁺": "+",
     "⁻": "-",
     "†": "*",
-    "α": "alpha",
-    "β": "beta",
-    "ε": "eps",
-    "ζ": "zeta",
-    "η": "eta",
-    "θ": "theta",
-    "κ": "kappa",
-    "λ": "lambda",
-    "ξ": "xi",
-    "π": "pi",
-    "σ": "sigma",
-    "τ": "tau",
-    "φ": "phi",
-    "ψ": "psi",
-    "ω": "omega",
-    "Σ": "Sigma",
-    "Φ": "Phi",
 }
+
+
+def spelled(letter: str) -> str:
+    """In ASCII: by the table, a Greek letter by its name, others without accents, else a question mark."""
+    if letter in _SPELLED:
+        return _SPELLED[letter]
+    greek = _GREEK.match(unicodedata.name(letter, ""))
+    if greek:
+        return greek[2].lower() if greek[1] == "SMALL" else greek[2].capitalize()
+    bare = unicodedata.normalize("NFKD", letter).encode("ascii", "ignore").decode("ascii")
+    return bare or "?"

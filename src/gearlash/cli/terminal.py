@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, TypeVar
 
-from .spelling import SPELLED
+from .spelling import spelled
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -37,7 +37,7 @@ def _spell(error: UnicodeError) -> tuple[str, int]:
     if not isinstance(error, UnicodeEncodeError):
         raise error
     left = error.object[error.start : error.end]
-    return "".join(SPELLED.get(letter, "?") for letter in left), error.end
+    return "".join(map(spelled, left)), error.end
 
 
 def output() -> Console:

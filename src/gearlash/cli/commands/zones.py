@@ -33,7 +33,11 @@ def zones(
     case: CaseArgument,
     over: Over,
     kind: Annotated[
-        Kind | None, typer.Option(help="No impact at all, or none on the back side. [default: both]")
+        Kind | None,
+        typer.Option(
+            metavar="KIND",
+            help="impact-free: no impact at all; drive-side-only: none on the back side. [default: both]",
+        ),
     ] = None,
     settings: Settings = None,
     initial: Initial = None,

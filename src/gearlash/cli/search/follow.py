@@ -14,7 +14,7 @@ from gearlash.studies.transitions import GRAZING, Transition, transitions
 from gearlash.system import Family
 
 FIRST, GROWTH, LONGEST = 1e-3, 1.4, 1e-2  # steps, relative to the value at the start
-REACH = 0.6  # as far as it is followed, relative to that value
+REACH = 0.95  # as far as it is followed, relative to that value
 SMALL = 1e-3  # what counts as the size of a value at zero
 
 

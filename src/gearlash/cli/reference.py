@@ -1,0 +1,96 @@
+"""The pages of docs that are made from the program: `python -m gearlash.cli.reference docs`."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import typer.main
+
+from .app import app
+from .reference_results import exit_codes, results_page
+
+HEAD = """\
+# Command line
+
+Made from the program by `python -m gearlash.cli.reference docs`; do not edit.
+
+`CASE` is a case file or the name of a bundled case. A value of `--set`, `--near` and `--over` is written as
+it would stand in the case file: `omega=0.942`, `pinion_speed=3600rpm`, `mesh.backlash=80um`. Results go to
+standard output, notices, progress and problems to standard error. [results.md](results.md) describes what
+`--json` prints and what `--out` writes.
+"""
+
+
+def reference() -> str:
+    """The whole page, Markdown."""
+    group: Any = typer.main.get_command(app)
+    parts = [HEAD, "\n".join(_contents(group.commands))]
+    parts += ["\n".join(_command(name, command)) for name, command in group.commands.items()]
+    parts.append("\n".join(exit_codes()))
+    return "\n\n".join(part.strip() for part in parts) + "\n"
+
+
+def _contents(commands: dict[str, Any]) -> Iterator[str]:
+    yield "| command | answers |"
+    yield "|---|---|"
+    for name, command in commands.items():
+        yield f"| [`gearlash {name}`](#gearlash-{name}) | {_question(command)} |"
+    yield "| `gearlash --version` | Which version is this? |"
+
+
+def _question(command: Any) -> str:
+    """The first sentence of a command's help."""
+    first = _help(command)[0]
+    return first.partition("?")[0] + "?"
+
+
+def _help(command: Any) -> list[str]:
+    paragraphs = inspect.cleandoc(command.callback.__doc__ or "").split("\n\n")
+    return [" ".join(paragraph.split()) for paragraph in paragraphs]
+
+
+def _command(name: str, command: Any) -> Iterator[str]:
+    arguments = [p for p in command.params if p.param_type_name == "argument"]
+    options = [p for p in command.params if p.param_type_name == "option" and p.name != "help"]
+    usage = "".join(f" {a.metavar}" if a.required else f" [{a.metavar}]" for a in arguments)
+    required = "".join(f" {o.opts[0]} {o.metavar}" for o in options if o.required)
+    yield f"## `gearlash {name}`"
+    yield ""
+    yield "```console"
+    yield f"gearlash {name}{usage}{required}{' [OPTIONS]' if options else ''}"
+    yield "```"
+    for paragraph in _help(command):
+        yield ""
+        yield paragraph
+    yield ""
+    yield "| | |"
+    yield "|---|---|"
+    for parameter in (*arguments, *options):
+        yield f"| {_name(parameter)} | {_text(parameter)} |"
+
+
+def _name(parameter: Any) -> str:
+    if parameter.param_type_name == "argument":
+        return f"`{parameter.metavar}`"
+    value = "" if parameter.is_flag else f" {parameter.metavar}"
+    return f"`{parameter.opts[0]}{value}`"
+
+
+def _text(parameter: Any) -> str:
+    text = " ".join((parameter.help or "").split())
+    plain = isinstance(parameter.default, str) and parameter.param_type_name == "option"
+    return f"{text} [default: {parameter.default}]" if plain else text
+
+
+def write(folder: Path) -> None:
+    """Writes cli.md and results.md there."""
+    (folder / "cli.md").write_text(reference(), encoding="utf-8")
+    (folder / "results.md").write_text(results_page(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    write(Path(sys.argv[1]))

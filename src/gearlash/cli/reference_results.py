@@ -1,0 +1,169 @@
+"""The page about results, made from the answers, the datasets and the statuses themselves."""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Iterator
+from dataclasses import is_dataclass
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from gearlash.system import Status
+
+from .exits import MEANINGS
+from .kinds import KINDS, answer_kind
+from .schemas import SIMPLE, described_fields
+
+HEAD = """\
+# Results
+
+Made from the program by `python -m gearlash.cli.reference docs`; do not edit.
+
+## JSON
+
+With `--json` a command prints one JSON object (UTF-8, or ASCII with escapes where the terminal is not
+UTF-8); `--out DIR` writes the same object into a file. `gearlash schema --result KIND` prints its JSON
+Schema. A number that is not finite is `null`. Numbers are dimensionless unless their name or their record
+says a unit; lengths are over D_c, forces over k_m D_c, times over 1/ω_n. Every amplitude says whether it
+is a peak, peak-to-peak or rms. `rests_on` names assumed values behind a physical number; in a terminal
+such a number carries †.
+
+Input that cannot be used gives a `problem` object and exit code 2; a wrong option is told on standard
+error only.
+"""
+FOLDER = """\
+## The folder of --out
+
+| command | files |
+|---|---|
+| run | `run.json`, `portrait.svg`, `portrait.pdf`, `history.svg`, `history.pdf` |
+| sweep | `sweep.json`, `sweep.nc`, and of a complete sweep `sweep.svg`, `sweep.pdf` |
+| graze | `graze.json` |
+| zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf` |
+| reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/` |
+
+`.gearlash.json` lists the names that gearlash wrote or was about to write there. Before anything is
+computed, a command stops with exit code 2 if one of its files is already there and is not listed.
+"""
+NETCDF = """\
+## NetCDF
+
+`sweep.nc` and `zones.nc` are NetCDF 4 files; `gearlash.load_dataset(path)` or any NetCDF reader opens
+them. Dimensions are `direction` (cold, up, down), the swept parameter, and for what is several numbers a
+point one more, padded with NaN. Coordinates: the parameter, dimensionless, and where the case has scales
+its physical counterparts (`pinion_speed` in rpm, `mesh_frequency` in Hz, `backlash` in µm, `torque` in
+N·m). Every variable has `long_name` and `units`; with scales also `physical_units` and `physical_factor`.
+F has the article's sign, F = −Φ. Attributes: `case_json` (the whole case), `case_hash`, `parameters`,
+`not_given`, `complete` (0 for a sweep that was stopped; what is missing has the status `not-computed`),
+`message`, and the versions of gearlash, numpy, numba and Python.
+"""
+
+
+def results_page() -> str:
+    """The whole page, Markdown."""
+    parts = [HEAD]
+    seen: set[type] = set()
+    for kind in KINDS:
+        parts.append("\n".join(_answer(kind, answer_kind(kind), seen)))
+    parts += [FOLDER, NETCDF, "\n".join(_variables()), "\n".join(_statuses()), "\n".join(exit_codes())]
+    return "\n\n".join(part.strip() for part in parts) + "\n"
+
+
+def exit_codes() -> Iterator[str]:
+    """The table of exit codes."""
+    yield "## Exit codes"
+    yield ""
+    yield "| code | meaning |"
+    yield "|---|---|"
+    for code, meaning in MEANINGS.items():
+        yield f"| {int(code)} | {meaning} |"
+
+
+def _answer(kind: str, answer: type, seen: set[type]) -> Iterator[str]:
+    """An answer and every record in it that was not described before."""
+    yield from _record(f"### `{kind}`: {_first(answer)}", answer)
+    for record in _nested(answer):
+        if record not in seen:
+            seen.add(record)
+            yield ""
+            yield from _record(f"#### {record.__name__}", record, _first(record))
+
+
+def _record(title: str, record: type, about: str = "") -> Iterator[str]:
+    yield title
+    yield ""
+    if about:
+        yield f"{about}."
+        yield ""
+    yield "| field | type | |"
+    yield "|---|---|---|"
+    for name, kind, text in described_fields(record):
+        yield f"| `{name}` | {_type(kind)} | {_cell(text)} |"
+
+
+def _first(record: type) -> str:
+    doc = " ".join((record.__doc__ or "").split())
+    return _cell(doc.rstrip("."))
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|")
+
+
+def _nested(record: type) -> Iterator[type]:
+    """Records inside a record, depth first, each once."""
+    found: dict[type, None] = {}
+
+    def look(kind: Any) -> None:
+        if isinstance(kind, type) and is_dataclass(kind) and kind not in found:
+            found[kind] = None
+            for _, inner, _ in described_fields(kind):
+                look(inner)
+        for inner in get_args(kind):
+            look(inner)
+
+    for _, kind, _ in described_fields(record):
+        look(kind)
+    yield from found
+
+
+def _type(kind: Any) -> str:
+    """A type in words."""
+    if kind in SIMPLE:
+        return SIMPLE[kind]
+    if isinstance(kind, type) and is_dataclass(kind):
+        return f"[{kind.__name__}](#{kind.__name__.lower()})"
+    origin, inside = get_origin(kind), get_args(kind)
+    if origin is Annotated:
+        return _type(inside[0])
+    if origin is Literal:
+        return " or ".join(f"`{value}`" for value in inside)
+    if origin in (Union, types.UnionType):
+        return " or ".join(_type(one) for one in inside)
+    if origin is tuple and inside[-1] is Ellipsis:
+        return f"list of {_type(inside[0])}"
+    if origin is tuple:
+        return "[" + ", ".join(_type(one) for one in inside) + "]"
+    return f"object of {_type(inside[1])}"
+
+
+def _variables() -> Iterator[str]:
+    from gearlash.results.variables import PADDED, SCALARS
+
+    yield "| variable | dimensions beyond (direction, parameter) | unit | |"
+    yield "|---|---|---|---|"
+    for variable in SCALARS:
+        yield f"| `{variable.name}` | | {variable.units} | {_cell(variable.long_name)} |"
+    for variable, dimension in PADDED:
+        yield f"| `{variable.name}` | `{dimension}` | {variable.units} | {_cell(variable.long_name)} |"
+
+
+def _statuses() -> Iterator[str]:
+    yield "## Statuses"
+    yield ""
+    yield "Of attractors, points and located values; only `ok` is a result to rely on without reading on."
+    yield "Sweeps know two more: `failed` (the message says why) and `not-computed` (stopped before)."
+    yield ""
+    yield "| status | what to do |"
+    yield "|---|---|"
+    for status in Status:
+        yield f"| `{status}` | {_cell(status.advice)} |"

@@ -1,0 +1,56 @@
+"""gearlash check."""
+
+from __future__ import annotations
+
+import pytest
+
+from cli.conftest import Gearlash
+from cli.schema_check import problems
+from gearlash.case import bundled, load
+from gearlash.cli.kinds import answer_kind
+from gearlash.cli.schemas import answer_schema
+
+
+@pytest.mark.parametrize("name", bundled())
+def test_json_holds_every_value(name: str, gearlash: Gearlash):
+    ran = gearlash("check", name, "--json")
+    assert ran.code == 0
+    assert problems(ran.answer, answer_schema(answer_kind("check"))) == []
+    case = load(name)
+    assert [v["path"] for v in ran.answer["values"]] == [v.path for v in case.values()]
+    assert ran.answer["hash"] == case.hash
+    assert ran.answer["parameters"] == case.family()[0].defaults
+    assert len(ran.answer["notes"]) == len(case.notes())
+
+
+@pytest.mark.parametrize("columns", ["60", "80", "120", "200"])
+def test_every_value_is_shown_once_at_any_width(
+    columns: str, gearlash: Gearlash, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setenv("COLUMNS", columns)
+    lines = gearlash("check", "article").out.splitlines()
+    first_words = [line.split()[0] for line in lines if line.startswith("  ") and line.split()]
+    for value in load("article").values():
+        if "natural_frequency" not in value.path and "critical_speed" not in value.path:
+            assert first_words.count(value.path) == 1, value.path
+    assert all(line == line.rstrip() for line in lines)
+    if int(columns) >= 80:
+        assert max(map(len, lines)) <= int(columns)
+
+
+def test_assumed_values_and_what_rests_on_them_are_told_apart(gearlash: Gearlash):
+    lines = {line.split()[0]: line for line in gearlash("check", "article").out.splitlines() if line.split()}
+    assert "†" in lines["derived.force_unit"]
+    assert "†" not in lines["derived.omega_n"]
+    text = " ".join(gearlash("check", "article").out.split())
+    assert "assumed: not stated; a usual normal backlash" in text
+    assert "4.3 times stiffer" in text
+    assert "1 0.2693029 480.0737 Hz 1028.729 rpm" in text
+
+
+def test_overrides_are_shown(gearlash: Gearlash):
+    answer = gearlash("check", "article", "--set", "backlash=60um", "--json").answer
+    assert answer["parameters"]["D"] == pytest.approx(0.6, rel=1e-14)
+    by_path = {v["path"]: v for v in answer["values"]}
+    assert by_path["model.reference_length"]["value"] == 50.0
+    assert by_path["dimensionless.D"]["rests_on"] == ["model.reference_length"]

@@ -1,0 +1,71 @@
+"""The impact-free speeds that a run names, against the grazing points that end them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from gearlash.branches import locate_grazing
+from gearlash.case import load
+from gearlash.cli.search.closed import closed_margin, impact_free_speeds
+from gearlash.gears import spur
+from gearlash.orbits import Orbit, attractor, grazing_checks
+
+FAMILY = load("article").family()[0]
+
+
+def end_of_window(omega: float) -> float:
+    """ω of the grazing next to the impact-free motion at this speed, solved for."""
+    values = FAMILY.complete({"omega": omega})
+    orbit = attractor(FAMILY.system(values), FAMILY.start(values))
+    assert isinstance(orbit, Orbit)
+    assert not len(orbit.events)
+    return locate_grazing(FAMILY, values, "omega", orbit, grazing_checks(orbit)[0]).value
+
+
+def test_ends_are_the_grazing_points():
+    found = impact_free_speeds(FAMILY, FAMILY.complete({"omega": 1.03}))
+    assert found is not None
+    assert found.here
+    assert found.nearest is None
+    assert found.lower == pytest.approx(end_of_window(0.98), rel=2e-9)
+    assert found.upper == pytest.approx(end_of_window(1.085), rel=2e-9)
+
+
+@pytest.mark.parametrize(("omega", "end"), [(0.942, "lower"), (1.15, "upper")])
+def test_nearest_from_outside_is_the_near_end_and_lies_inside(omega: float, end: str):
+    inside = impact_free_speeds(FAMILY, FAMILY.complete({"omega": 1.03}))
+    found = impact_free_speeds(FAMILY, FAMILY.complete({"omega": omega}))
+    assert found is not None
+    assert not found.here
+    assert found.nearest is not None
+    assert found.nearest == pytest.approx(getattr(inside, end), rel=2e-9)
+    assert closed_margin(FAMILY.system({"omega": found.nearest}), 1) > 0.0
+
+
+def test_margin_is_the_least_compression_of_the_orbit_itself():
+    orbit = attractor(FAMILY.system({"omega": 1.05}), FAMILY.start({"omega": 1.05}))
+    margin = closed_margin(FAMILY.system({"omega": 1.05}), 1)
+    assert margin == pytest.approx(orbit.extrema.displacement.min() - 1.0, rel=1e-10)
+
+
+def test_load_reversed_and_error_shifted_mirrors_the_window():
+    """X → −X with load and error negated is the same motion, on the back side."""
+    mirrored = FAMILY.complete({"omega": 1.03, "load": -0.09, "error": -0.27018})
+    found, plain = (impact_free_speeds(FAMILY, v) for v in (mirrored, FAMILY.complete({"omega": 1.03})))
+    assert found is not None
+    assert plain is not None
+    assert found.lower == pytest.approx(plain.lower, rel=1e-8)
+    assert found.upper == pytest.approx(plain.upper, rel=1e-8)
+
+
+def test_closed_form_of_the_constant_stiffness():
+    """Without damping X has the amplitude ω² E/|1 − ω²|, and contact is kept while that is below the load."""
+    family = spur.family({"omega": 0.5, "D": 1.0, "load": 0.1, "error": 0.05, "mesh_damping": 1e-9})
+    found = impact_free_speeds(family, family.complete({"omega": 0.6}))
+    assert found is not None
+    assert found.upper == pytest.approx(np.sqrt(0.1 / 0.15), rel=1e-6)  # ω² E = f (1 − ω²)
+
+
+def test_no_side_carries_without_load():
+    assert impact_free_speeds(FAMILY, FAMILY.complete({"load": 0.0})) is None

@@ -1,0 +1,138 @@
+"""gearlash reproduce: what it does with what the study found. The study itself is tested in its own room."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import gearlash.report
+import gearlash.studies.article as article
+from cli.conftest import Gearlash
+from cli.schema_check import problems
+from gearlash.case import Case
+from gearlash.cli.kinds import answer_kind
+from gearlash.cli.schemas import answer_schema
+from gearlash.studies.article.reproduction import Check, ClaimRow, Diagram, Reproduction, Run
+
+NAN = float("nan")
+
+
+def found(case: Case, complete: bool = True) -> Reproduction:
+    """A small reproduction with one row of each verdict."""
+    row = ClaimRow(
+        id="omega-1.112",
+        sentence="A grazing ends the 1-0 window",
+        quantity="omega",
+        where="D = 1",
+        printed="1.112",
+        computed="1.1120",
+        value=1.112,
+        computed_value=1.11200608,
+        unit="",
+        reported_labels="1-0 → 1-1",
+        computed_labels="1-0-0 → 1-1-0",
+        deviation=5.5e-6,
+        verdict="reproduced",
+        branch="up sweep",
+        note="",
+        rests_on=("bearings.damping_ratio",),
+    )
+    lost = replace(row, id="other", verdict="not found", computed="–", computed_value=NAN, deviation=NAN)
+    nothing = Diagram("omega", {}, None, ())  # pyright: ignore[reportArgumentType]
+    return Reproduction(
+        case=case,
+        frequency=nothing,
+        backlash=nothing,
+        events=(),
+        zones=(),
+        window=(),
+        table2=(),
+        claims=(row, row, lost),
+        checks=(Check("largest residual", "1e-13", "≤ 1e-11", True), Check("points", "3", "reported", None)),
+        run=Run({"sweeps": 1.0, "total": 75.0}, 2, 2, {}, {"ok": 3}, complete),
+    )
+
+
+@pytest.fixture
+def study(monkeypatch: pytest.MonkeyPatch) -> Callable[[bool], dict[str, object]]:
+    """Replaces the study and the report; returns what the study was asked."""
+
+    def install(complete: bool) -> dict[str, object]:
+        asked: dict[str, object] = {}
+
+        def reproduce(case: Case, scope: article.Scope, **options: object) -> Reproduction:
+            asked.update(case=case, scope=scope, **options)
+            return found(case, complete)
+
+        def render(reproduction: Reproduction, folder: Path, executor: object) -> Path:
+            (folder / "report.html").write_text("report", encoding="utf-8")
+            return folder / "report.html"
+
+        monkeypatch.setattr(article, "reproduce", reproduce)
+        monkeypatch.setattr(gearlash.report, "render", render)
+        return asked
+
+    return install
+
+
+def test_answer_counts_verdicts_and_points_to_the_report(
+    gearlash: Gearlash, study: Callable[[bool], dict[str, object]], tmp_path: Path
+):
+    study(True)
+    ran = gearlash("reproduce", "--workers", "1", "--json", "--out", str(tmp_path))
+    assert ran.code == 0
+    assert problems(ran.answer, answer_schema(answer_kind("reproduce"))) == []
+    assert ran.answer["verdicts"] == {"reproduced": 2, "not found": 1}
+    assert ran.answer["claims"][2]["computed_value"] is None
+    assert ran.answer["report"] == str(tmp_path / "report.html")
+    assert json.loads((tmp_path / "reproduce.json").read_text(encoding="utf-8")) == ran.answer
+
+
+def test_table_of_claims_and_path_are_printed(
+    gearlash: Gearlash, study: Callable[[bool], dict[str, object]], tmp_path: Path
+):
+    study(True)
+    ran = gearlash("reproduce", "--workers", "1", "--out", str(tmp_path))
+    lines = [" ".join(line.split()) for line in ran.out.splitlines()]
+    assert lines[0] == "3 claims of the article: 2 reproduced, 1 not found"
+    assert lines.count("reproduced 1.112 1.1120 A grazing ends the 1-0 window") == 2
+    assert "1e-13 ≤ 1e-11 holds largest residual" in lines
+    assert "time 1 min 15 s with 2 workers" in lines
+    assert str(tmp_path / "report.html") in "".join(ran.out.split())
+
+
+def test_case_overrides_points_and_workers_reach_the_study(
+    gearlash: Gearlash, study: Callable[[bool], dict[str, object]], tmp_path: Path
+):
+    asked = study(True)
+    options = ("--set", "bearing_damping=0.02", "--points", "21", "--workers", "1", "--out", str(tmp_path))
+    assert gearlash("reproduce", *options).code == 0
+    case, scope = asked["case"], asked["scope"]
+    assert isinstance(case, Case)
+    assert isinstance(scope, article.Scope)
+    assert (case.name, case.family()[0].defaults["bearing_damping"]) == ("article", 0.02)
+    assert (scope.omega[2], scope.backlash[2], asked["workers"]) == (21, 21, 1)
+    assert scope.omega[:2] == article.Scope().omega[:2]
+
+
+def test_an_interrupted_study_has_exit_code_130(
+    gearlash: Gearlash, study: Callable[[bool], dict[str, object]], tmp_path: Path
+):
+    study(False)
+    ran = gearlash("reproduce", "--workers", "1", "--out", str(tmp_path))
+    assert ran.code == 130
+    assert "incomplete" in ran.out
+
+
+def test_a_foreign_report_is_not_overwritten(
+    gearlash: Gearlash, study: Callable[[bool], dict[str, object]], tmp_path: Path
+):
+    asked = study(True)
+    (tmp_path / "report.html").write_text("mine", encoding="utf-8")
+    assert gearlash("reproduce", "--out", str(tmp_path)).code == 2
+    assert asked == {}
+    assert (tmp_path / "report.html").read_text(encoding="utf-8") == "mine"

@@ -1,0 +1,179 @@
+"""gearlash run: the sentence, the JSON against the engine, starts, exit codes."""
+
+from __future__ import annotations
+
+import json
+from math import pi
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cli.conftest import Gearlash
+from cli.schema_check import problems
+from gearlash.case import load
+from gearlash.cli.kinds import answer_kind
+from gearlash.cli.schemas import answer_schema
+from gearlash.orbits import Orbit, attractor, motion_statistics
+
+SCHEMA = answer_schema(answer_kind("run"))
+AT_3600 = ("run", "article", "--set", "pinion_speed=3600rpm")
+
+
+def orbit_of(case: str, **overrides: object) -> Orbit:
+    family, _ = load(case, overrides).family()
+    found = attractor(family.system(), family.start())
+    assert isinstance(found, Orbit)
+    return found
+
+
+def test_the_plain_sentence_comes_first(gearlash: Gearlash):
+    ran = gearlash(*AT_3600)
+    first = "3600 rpm: 1-1, teeth separate once per mesh cycle; nearest impact-free speed 3715 rpm"
+    assert ran.out.splitlines()[0] == first
+    assert ran.code == 0
+    assert ran.err == ""
+
+
+def test_every_amplitude_says_which_it_is(gearlash: Gearlash):
+    lines = gearlash(*AT_3600).out.splitlines()
+    amplitudes = [line for line in lines if line.strip().startswith(("contact force", "transmission error"))]
+    assert len(amplitudes) == 8
+    for line in amplitudes:
+        assert any(word in line for word in ("peak", "rms", "mean")), line
+
+
+def test_numbers_on_assumed_values_are_marked_and_others_are_not(gearlash: Gearlash):
+    lines = gearlash(*AT_3600).out.splitlines()
+    force = next(line for line in lines if "largest (peak)" in line)
+    assert force.rstrip().endswith("N †")  # D_c rests on the assumed backlash
+    speed = next(line for line in lines if "Hz" in line)
+    assert "3600 rpm, 1680 Hz," in speed
+    assert "backlash 100 µm †" in speed
+    assert "model.reference_length" in lines[-1]
+
+
+def test_json_holds_what_the_engine_computed(gearlash: Gearlash):
+    answer = gearlash(*AT_3600, "--json").answer
+    assert problems(answer, SCHEMA) == []
+    orbit = orbit_of("article", pinion_speed="3600 rpm")
+    numbers = motion_statistics(orbit)
+    assert answer["signature"] == {"period": 1, "drive": 1, "back": 0}
+    assert answer["stable"] is True
+    assert answer["residual"] == orbit.residual <= 1e-11
+    assert list(answer["state"]) == list(load("article").family()[0].states)
+    assert np.array_equal(list(answer["state"].values()), orbit.state)
+    assert np.array_equal([m["re"] + 1j * m["im"] for m in answer["multipliers"]], orbit.multipliers)
+    assert np.array_equal(answer["exponents"], orbit.exponents)
+    found = answer["numbers"]
+    assert found["force"]["maximum"] == numbers.force.maximum
+    assert found["force"]["peak_to_peak"] == numbers.force.maximum - numbers.force.minimum
+    assert found["dynamic_factor"] == pytest.approx(numbers.force.maximum / numbers.force.mean, rel=1e-14)
+    assert found["transmission_error"]["rms"] == numbers.error_rms
+    assert found["distances"]["drive"]["minimum"] == numbers.minimum - 1.0 < 0.0
+    assert [(e["side"], e["event"]) for e in found["events"]] == [
+        ("drive", "engagement"),
+        ("drive", "release"),
+    ]
+
+
+def test_physical_numbers_are_the_dimensionless_ones_with_the_scales_of_the_case(gearlash: Gearlash):
+    answer = gearlash(*AT_3600, "--json").answer
+    scales, physical = load("article").scales, answer["physical"]
+    assert physical["pinion_speed_rpm"] == pytest.approx(3600.0, rel=1e-13)
+    assert physical["mesh_frequency_Hz"] == pytest.approx(1680.0, rel=1e-13)  # 28 teeth
+    assert scales.mean_stiffness is not None
+    assert scales.length is not None
+    newtons = scales.mean_stiffness * scales.length
+    for name, value in answer["numbers"]["force"].items():
+        assert physical["force_N"][name] == pytest.approx(newtons * value, rel=1e-13)
+    error = answer["numbers"]["transmission_error"]["peak_to_peak"]
+    assert physical["transmission_error_um"]["peak_to_peak"] == pytest.approx(50.0 * error, rel=1e-13)
+    event, dimensionless = physical["events"][0], answer["numbers"]["events"][0]
+    assert event["time_ms"] == pytest.approx(1e3 * dimensionless["phase"] / 1680.0, rel=1e-13)
+    assert scales.omega_n is not None
+    speed = dimensionless["velocity"] * scales.length * scales.omega_n
+    assert event["velocity_mm_s"] == pytest.approx(1e3 * speed, rel=1e-13)
+
+
+def test_a_case_without_scales_has_no_physical_numbers(gearlash: Gearlash):
+    answer = gearlash("run", "kahraman-singh", "--json").answer
+    assert problems(answer, SCHEMA) == []
+    assert answer["physical"] is None
+    assert answer["sentence"].startswith("ω = 0.5: 1-0, teeth stay in contact; impact-free up to ω = ")
+
+
+def test_initial_states_lead_to_other_attractors(gearlash: Gearlash, tmp_path: Path):
+    """At ω = 1.105 the impact-free motion goes on beside the one that cold starts find."""
+    earlier = gearlash("run", "article", "--set", "omega=1.05", "--json")
+    saved = tmp_path / "earlier.json"
+    saved.write_text(earlier.out, encoding="utf-8")
+    here = ("run", "article", "--set", "omega=1.105", "--json")
+    cold, followed = gearlash(*here).answer, gearlash(*here, "--initial", str(saved)).answer
+    assert followed["start"] == earlier.answer["state"]
+    assert (cold["label"], followed["label"]) == ("2-1-0", "1-0-0")
+    assert cold["sentence"].endswith("an impact-free motion exists at this speed too, from another start")
+
+
+def test_single_states_replace_those_of_the_cold_start(gearlash: Gearlash):
+    answer = gearlash("run", "article", "--initial", "X=1.3", "--initial", "X'=-0.01", "--json").answer
+    moved = {name: value for name, value in answer["start"].items() if value}
+    assert moved == {"X": 1.3, "X'": -0.01}
+
+
+def test_a_status_that_is_not_ok_has_exit_code_3_and_says_what_to_do(gearlash: Gearlash):
+    chaotic = ("run", "article", "--set", "omega=0.9", "--periods", "200")
+    ran = gearlash(*chaotic)
+    assert ran.code == 3
+    assert "--periods" in ran.out
+    answer = gearlash(*chaotic, "--json").answer
+    assert problems(answer, SCHEMA) == []
+    assert answer["status"] == answer["motion"] == "unresolved"
+    assert answer["signature"] is None
+
+
+def test_aperiodic_motion_has_no_period_and_an_error_bar(gearlash: Gearlash):
+    ran = gearlash("run", "article", "--set", "omega=0.78", "--set", "D=0.25", "--json")
+    answer = ran.answer
+    assert ran.code == 0
+    assert problems(answer, SCHEMA) == []
+    assert answer["motion"] == answer["label"] == "aperiodic"
+    assert answer["signature"] is answer["residual"] is answer["stable"] is None
+    assert answer["multipliers"] == []
+    assert answer["exponents"][0] > 2.0 * answer["exponent_error"] > 0.0
+    assert "on average" in answer["sentence"]
+
+
+def test_load_on_the_back_side_is_said_so(gearlash: Gearlash):
+    answer = gearlash("run", "article", "--set", "load=-0.09", "--json").answer
+    assert "teeth stay in contact on the back side" in answer["sentence"]
+    assert answer["numbers"]["dynamic_factor"] > 1.0
+    assert answer["numbers"]["force"]["mean"] < 0.0
+
+
+def test_without_load_nothing_is_said_about_impact_free_speeds(gearlash: Gearlash):
+    ran = gearlash("run", "kahraman-singh", "--set", "load=0", "--periods", "100", "--json")
+    assert ran.answer["impact_free"] is None
+    assert ran.answer["numbers"]["dynamic_factor"] is None
+    assert problems(ran.answer, SCHEMA) == []
+
+
+def test_out_holds_the_same_json_and_the_figures(gearlash: Gearlash, tmp_path: Path):
+    ran = gearlash("run", "kahraman-singh", "--json", "--out", str(tmp_path / "here"))
+    folder = tmp_path / "here"
+    assert json.loads((folder / "run.json").read_text(encoding="utf-8")) == ran.answer
+    names = {path.name for path in folder.iterdir()}
+    figures = {f"{name}.{form}" for name in ("portrait", "history") for form in ("svg", "pdf")}
+    assert names == {".gearlash.json", "run.json", *figures}
+
+
+def test_phase_zero_state_in_physical_units(gearlash: Gearlash):
+    answer = gearlash("run", "wind-turbine", "--json").answer
+    scales = load("wind-turbine").scales
+    shown = answer["physical"]["state_um_and_mm_s"]
+    assert shown["X"] == pytest.approx(answer["state"]["X"] * 100.0, rel=1e-13)  # D_c = 100 µm
+    assert scales.omega_n is not None
+    assert shown["X'"] == pytest.approx(answer["state"]["X'"] * 100e-3 * scales.omega_n, rel=1e-13)
+    rpm, hz = answer["physical"]["pinion_speed_rpm"], answer["physical"]["mesh_frequency_Hz"]
+    assert hz == pytest.approx(rpm / 60.0 * 16.0, rel=1e-13)
+    assert hz == pytest.approx(answer["parameters"]["omega"] * scales.omega_n / (2.0 * pi), rel=1e-13)

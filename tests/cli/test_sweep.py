@@ -1,0 +1,111 @@
+"""gearlash sweep and zones."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import gearlash as gl
+from cli.conftest import Gearlash
+from cli.schema_check import problems
+from gearlash.cli.kinds import answer_kind
+from gearlash.cli.schemas import answer_schema
+
+WINDOW = ("article", "--over", "pinion_speed=3600rpm:4400rpm:9")
+
+
+def test_json_is_the_sweep_of_the_study(gearlash: Gearlash):
+    ran = gearlash("sweep", *WINDOW, "--cold", "--down", "--json")
+    answer = ran.answer
+    assert ran.code == 0
+    assert problems(answer, answer_schema(answer_kind("sweep"))) == []
+    case = gl.load_case("article")
+    axis = gl.Axis("omega", case.scales.omega_from_rpm(np.linspace(3600.0, 4400.0, 9)))
+    for found, expected in zip(answer["sweeps"], gl.sweeps(case, axis, ("cold", "down")), strict=True):
+        assert found["direction"] == expected.direction
+        assert [p["label"] for p in found["points"]] == [p.label for p in expected.points]
+        values = [p["value"] for p in found["points"]]
+        assert np.allclose(values, axis.values, rtol=1e-14, atol=0.0)
+        exponents = [p["largest_exponent"] for p in found["points"]]
+        assert np.allclose(exponents, [p.largest_exponent for p in expected.points], rtol=1e-6)
+    ends = {p["name"]: p["value"] for p in answer["axis"]["physical_upper"]}
+    assert ends["pinion_speed"] == pytest.approx(4400.0, rel=1e-13)
+
+
+def test_regimes_are_listed_in_both_units(gearlash: Gearlash):
+    ran = gearlash("sweep", *WINDOW, "--up")
+    assert ran.err == ""
+    lines = [line.split() for line in ran.out.splitlines()]
+    regimes = [line for line in lines if line and line[0] in ("1-0-0", "1-1-0", "2-1-0")]
+    assert regimes[0][:5] == ["1-1-0", "0.942415", "0.968594", "3600", "3700"]
+    assert regimes[1][0] == "1-0-0"
+
+
+def test_out_is_netcdf_json_and_figures(gearlash: Gearlash, tmp_path: Path):
+    ran = gearlash("sweep", *WINDOW, "--cold", "--out", str(tmp_path), "--json")
+    dataset = gl.load_dataset(tmp_path / "sweep.nc")
+    labels = [p["label"] for p in ran.answer["sweeps"][0]["points"]]
+    assert [str(x) for x in dataset["label"].values[0]] == labels
+    assert np.allclose(dataset["pinion_speed"], np.linspace(3600.0, 4400.0, 9), rtol=1e-13)
+    assert dataset.attrs["case_hash"] == ran.answer["case"]["hash"]
+    assert json.loads((tmp_path / "sweep.json").read_text(encoding="utf-8")) == ran.answer
+    assert (tmp_path / "sweep.svg").read_bytes().startswith(b"<?xml")
+    assert (tmp_path / "sweep.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_ctrl_c_keeps_what_was_computed(gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    import gearlash.cli.progress as progress
+
+    @contextmanager
+    def interrupting(title: str) -> Iterator[object]:
+        def callback(state: gl.jobs.Progress) -> None:
+            if state.done == 4:
+                os.kill(os.getpid(), signal.SIGINT)
+
+        yield callback
+
+    monkeypatch.setattr(progress, "progress_bar", interrupting)
+    ran = gearlash("sweep", *WINDOW, "--cold", "--workers", "1", "--out", str(tmp_path))
+    assert ran.code == 130
+    assert "incomplete, 5 points missing" in ran.out
+    dataset = gl.load_dataset(tmp_path / "sweep.nc")
+    assert dataset.attrs["complete"] == 0
+    assert [str(s) for s in dataset["status"].values[0]] == ["ok"] * 4 + ["not-computed"] * 5
+    assert not (tmp_path / "sweep.svg").exists()
+
+
+def test_zones_against_their_grazings(gearlash: Gearlash, tmp_path: Path):
+    over = ("--over", "omega=0.95:1.06:12")
+    ran = gearlash("zones", "article", *over, "--kind", "impact-free", "--json", "--out", str(tmp_path))
+    answer = ran.answer
+    assert ran.code == 0
+    assert problems(answer, answer_schema(answer_kind("zones"))) == []
+    zone = answer["zones"][0]
+    assert (zone["kind"], zone["every"]) == ("impact-free", True)
+    assert zone["lower"]["kind"] == "grazing"
+    assert zone["lower"]["solved"] is True
+    assert zone["upper"]["kind"] == "end of the range"
+    lower = gearlash("graze", "article", "--near", "0.98", "--json").answer["points"][0]["value"]
+    assert zone["lower"]["value"] == pytest.approx(lower, abs=1e-10)
+    own = answer["parameters"]["omega"]
+    assert zone["margin"] == pytest.approx(own - lower, rel=1e-9)
+    rpm = next(p for p in zone["lower"]["physical"] if p["unit"] == "rpm")
+    assert rpm["value"] == pytest.approx(3714.859, abs=0.001)
+    assert (tmp_path / "zones.nc").exists()
+
+
+def test_zones_in_words(gearlash: Gearlash):
+    out = gearlash("zones", "article", "--over", "omega=0.95:1.06:12").out
+    assert out.startswith(
+        "every attractor found is free of impacts for omega from 0.972484 to 1.06 (3714.9 to"
+    )
+    assert "Free of impacts on the back side, every attractor found" in out
+    assert "grazing, 1-0-0 inside, 1-1-0 outside" in out
+    assert "may have been missed" in " ".join(out.split())

@@ -1,0 +1,53 @@
+"""The public names: this list, found lazily, known to type checkers."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import gearlash
+
+SNAPSHOT = ["Aperiodic", "Axis", "BifurcationPoint", "Case", "CaseError", "Clearance", "ContactRule", "Family", "GearlashError", "GrazingPoint", "Orbit", "Parameter", "Point", "Propagators", "Scales", "Settings", "Signature", "Status", "Sweep", "System", "Trace", "Unresolved", "__version__", "attractor", "bundled", "cosines", "grazing_checks", "load_case", "load_dataset", "locate_grazing", "locate_multiplier", "lyapunov", "march", "motion_statistics", "point", "propagators", "reproduce", "save_dataset", "sections", "sweep", "sweep_dataset", "sweeps", "trace", "transitions", "variational", "zones"]  # fmt: skip
+
+
+def test_snapshot():
+    assert sorted(gearlash.__all__) == sorted(SNAPSHOT)
+
+
+@pytest.mark.parametrize("name", SNAPSHOT)
+def test_every_name_is_found_and_described(name: str):
+    value = getattr(gearlash, name)
+    assert name in dir(gearlash)
+    assert name == "__version__" or value.__doc__
+
+
+def test_another_name_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="no attribute 'atractor'"):
+        gearlash.atractor  # noqa: B018  # pyright: ignore[reportAttributeAccessIssue]
+
+
+def test_type_checkers_see_the_same_list():
+    tree = ast.parse(Path(gearlash.__file__).read_text(encoding="utf-8"))
+    blocks = (n for n in tree.body if isinstance(n, ast.If) and ast.unparse(n.test) == "TYPE_CHECKING")
+    imports = [n for block in blocks for n in block.body if isinstance(n, ast.ImportFrom)]
+    seen = {alias.asname: (f"gearlash.{n.module}", alias.name) for n in imports for alias in n.names}
+    assert seen == gearlash._WHERE
+
+
+def test_importing_the_package_loads_nothing_of_it():
+    script = "import sys, gearlash; print(sorted(m for m in sys.modules if '.' not in m or 'gearlash' in m))"
+    ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    heavy = {"numba", "numpy", "pint", "matplotlib", "xarray"}
+    loaded = set(ast.literal_eval(ran.stdout))
+    assert not loaded & heavy
+    assert {m for m in loaded if m.startswith("gearlash")} == {"gearlash"}
+
+
+def test_using_a_case_does_not_load_the_engine():
+    script = "import sys, gearlash; gearlash.load_case('article').family(); print('numba' in sys.modules)"
+    ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert ran.stdout.strip() == "False"
