@@ -35,6 +35,7 @@ DEFAULT = Settings()
 FIRST = 24  # base periods before the first attempt
 NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
 WINDOW = 1_024  # base periods of each window that a persistent motion is compared in
+STEADY, GROWTH = 0.02, 0.25  # change of size from window to window of a quasi-periodic, of a chaotic motion
 FAR = 0.1  # the best return is worth one up to here
 SLOW = 1e-2  # a return this close that Newton cannot use is asked at half its period too: beside a doubling
 CAPTURED = (
@@ -187,12 +188,15 @@ class _Search:
         tenfold = np.ceil(np.log(0.1) / np.log(rate)) if rate < 1.0 else 400
         laps = int(np.clip(tenfold, 1, max(1, 800 // len(points))))
         promised = max(0.5, min(0.999, 2.0 * rate**laps))
-        before = _distance(points, self.state)
+        window = min(
+            64, max(1, laps * len(points) // 4)
+        )  # a spiral is nearer and farther on each of its turns
+        before = self.away(points, window)
         for _ in range(CLOSER):
             if before <= 1e-9 * self.size:
                 break
             progress = self.march(laps * len(points))
-            after = _distance(points, self.state)
+            after = self.away(points, window)
             if progress.status not in (Status.OK, Status.UNCERTAIN):
                 return False
             if after > max(promised * before, 1e-9 * self.size):
@@ -202,17 +206,23 @@ class _Search:
             before = after
         return True
 
+    def away(self, points: Array, window: int) -> float:
+        """Largest distance of the last few strobes to the nearest points of an orbit."""
+        apart = np.abs(self.strobes[-window:, None] - points[None]).max(axis=2)
+        return float(apart.min(axis=1).max())
+
     def aperiodic(self, periods: int, again: bool) -> Attractor | None:
         """The motion as aperiodic: if its largest exponent is above zero by twice its error bar, or,
-        asked `again`, if it is zero within it and the motion persists without closing (quasi-periodic)."""
+        asked `again`, if it is zero within it (quasi-periodic). Either way the motion must be seen to persist
+        without closing: one that leaves an unstable orbit has an exponent above zero too."""
         found = self.exponent(periods)
         if found is None:
             return None
         value, error = float(found.values[0]), float(found.errors[0])
         text = f"largest exponent {value:.2e} ± {error:.0e} over {found.periods} periods"
-        if value > 2.0 * error:
+        if value > 2.0 * error and self.persists(GROWTH):
             message = f"aperiodic: {text}"
-        elif again and abs(value) <= 2.0 * error and self.persists():
+        elif again and abs(value) <= 2.0 * error and self.persists(STEADY):
             longer = self.longer()
             if longer is not None:
                 return self.too_long(longer, value, error)
@@ -223,9 +233,9 @@ class _Search:
             return None
         return Aperiodic(self.props, self.state, value, error, self.used, found.status, message)
 
-    def persists(self) -> bool:
-        """Whether size and returns of the motion are the same in two windows: a slow transient shrinks in one
-        of them."""
+    def persists(self, within: float) -> bool:
+        """Whether size and returns of the motion are the same in two windows, but for the part ``within``,
+        and it closes in neither: a slow transient shrinks or grows, or all but closes."""
         longest = self.settings.max_period
         sizes, returns = [], []
         for _ in range(2):
@@ -236,8 +246,8 @@ class _Search:
             sizes.append(float(np.ptp(states, axis=0).max()))
             gaps = [np.abs(states[p:] - states[:-p]).max(axis=1).mean() for p in range(1, longest + 1)]
             returns.append(min(gaps))
-        steady = abs(sizes[1] / sizes[0] - 1.0) < 0.02 and abs(returns[1] / returns[0] - 1.0) < 0.1
-        return steady and returns[1] > 1e-3 * sizes[1]
+        grows, parts = (late / max(early, 1e-300) - 1.0 for early, late in (sizes, returns))
+        return abs(grows) < within and abs(parts) < 5.0 * within and returns[1] > 1e-3 * sizes[1]
 
     def exponent(self, periods: int) -> Exponents | None:
         found = lyapunov(self.props, self.state, periods, count=1)
@@ -282,7 +292,3 @@ class _Search:
         return Unresolved(
             self.props, self.state, value, error, self.used, status, f"{reason}: {status.advice}"
         )
-
-
-def _distance(points: Array, state: Array) -> float:
-    return float(np.abs(points - state).max(axis=1).min())
