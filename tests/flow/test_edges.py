@@ -31,7 +31,7 @@ def test_start_on_a_boundary_goes_the_way_it_moves(pair, side):
         start[-2:] = side * 0.5, side * velocity
         trace = flow.trace(props, start, 0.2)
         assert trace.status is Status.OK
-        early = trace.at([1e-9]).displacement[0]
+        early = trace.at(1e-9).displacement[0]
         assert (side * early > 0.5) == (velocity > 0)
         assert not (trace.events.phase < 1e-9).any()
 
@@ -202,10 +202,15 @@ def test_bad_input_is_named():
 
 
 def test_divergence_is_a_status():
-    """An unstable matrix: said, not returned as a number."""
+    """An unstable matrix: said at once, also where cells are proved clear; what was not reached is NaN."""
     unstable = replace(spur(Mesh()), matrix=np.array([[0.0, 1.0], [400.0, 0.0]]))
-    strobes = flow.march(flow.propagators(unstable), [2.0, 0.0], 60)
+    props = flow.propagators(unstable)
+    strobes = flow.march(props, [2.0, 0.0], 60)
     assert strobes.status is Status.DIVERGED
+    assert np.isfinite(strobes.states[:3]).all()
+    assert np.isnan(strobes.states[-50:]).all()
+    assert flow.carry(props, [2.0, 0.0], 60.0).status is Status.DIVERGED
+    assert flow.trace(props, [2.0, 0.0], 60.0).status is Status.DIVERGED
 
 
 def test_zero_cycles_is_the_start():

@@ -156,17 +156,22 @@ def walk(t: Tables, w: Scratch, z, tangents, region, cell, s, stop_cell, stop_s,
                     copy(moved, tangents[v])
                 cell += 1
                 continue
+        if not _bounded(z, n):  # no polynomial of infinities can be subdivided to an end
+            return DIVERGED, region
         outcome, region = _cell_by_pieces(t, w, z, tangents, region, cell, s, end, hold, counts, record)
         if outcome != OK:
             return outcome, region
         s = 0.0
         cell += 1
-        size = 0.0
-        for i in range(n):
-            size += abs(z[i])
-        if not size < HUGE:
-            return DIVERGED, region
-    return OK, region
+    return (OK if _bounded(z, n) else DIVERGED), region
+
+
+@inner
+def _bounded(z, n):
+    size = 0.0
+    for i in range(n):
+        size += abs(z[i])
+    return size < HUGE
 
 
 @inner

@@ -115,13 +115,13 @@ class Trace:
         return Extrema(phase, found[:, 1], found[:, 2] / duration**2, state, self.regions[index])
 
     def at(self, phase: ArrayLike) -> Samples:
-        """The motion at phases (mesh cycles, within the trace)."""
+        """The motion at phases (mesh cycles, within the trace), one or many."""
         system = self.propagators.system
-        cell = (np.asarray(phase, dtype=np.float64) - self.base) * self.propagators.cells_per_cycle
+        phase = np.atleast_1d(np.asarray(phase, dtype=np.float64))
+        cell = (phase - self.base) * self.propagators.cells_per_cycle
         index = np.clip(np.searchsorted(self.positions, cell, side="right") - 1, 0, len(self.positions) - 1)
         local = (cell - self.positions[index]) / self.lengths[index]
         state, region = _values(self.polynomials[index], local), self.regions[index]
-        phase = np.asarray(phase, dtype=np.float64)
         x = gap_displacement(system, phase, state)
         velocity = gap_velocity(system, phase, state)
         return Samples(phase, state, x, velocity, contact_force(system, phase, x, velocity, region), region)

@@ -190,7 +190,8 @@ def _run(
 ) -> tuple[Status, Array, Array]:
     """Calls the kernel: state (n,) and the rows of tangents (m, n) are carried in place."""
     n = state.size
-    strobes, counts = np.empty((stretches + 1, n)), np.empty((stretches, 5), dtype=np.int64)
+    strobes = np.full((stretches + 1, n), np.nan)  # what is not reached stays NaN
+    counts = np.empty((stretches, 5), dtype=np.int64)
     if tangents is None:
         tangents = np.empty((0, n))
     if record is None:
