@@ -50,7 +50,7 @@ def diagram(dataset: xr.Dataset, marks: Sequence[Mark] = (), units: Units | None
     bars.tick_params(which="both", bottom=False, top=False)
     rest[3].set_xlabel(name(axis))
     second(rest[3], (units or Units()).of_parameter(axis), below=9.5)
-    figure.align_ylabels(rest)
+    style.align_labels(rest)
     handles = [*directions(rows, shown), *_mark_kinds(marks), *key(seen)]
     figure.legend(handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4)
     return figure

@@ -50,7 +50,7 @@ def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str
         pair[0].set_title(f"({'abc'[i % 3]})  {heading(motion, parameter)}")
         _labels(*pair, units, first=True, last=True)
     panels[-1].set_xlabel(PHASE)
-    figure.align_ylabels(list(panels))
+    style.align_labels(list(panels))
     figure.legend(handles=_key(motions), loc="outside lower center", ncols=5)
     return figure
 

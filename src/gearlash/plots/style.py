@@ -7,16 +7,18 @@ styles, hatches or words say the same, so that a grey print can be read.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import wraps
 from io import BytesIO
 from pathlib import Path
 from typing import Any, ParamSpec
 
 import matplotlib as mpl
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import AutoMinorLocator, FixedLocator, NullLocator
+from matplotlib.transforms import ScaledTranslation
 
 P = ParamSpec("P")
 
@@ -119,6 +121,13 @@ def figure(width: float, height: float) -> Figure:
     assert engine is not None
     engine.set(**pads)
     return made
+
+
+def align_labels(panels: Sequence[Axes], left: float = 11.0) -> None:
+    """Puts the y labels of panels one below the other at one distance (mm), known to the layout."""
+    for panel in panels:
+        shift = ScaledTranslation(-left * MM, 0.0, panel.figure.dpi_scale_trans)
+        panel.yaxis.set_label_coords(0.0, 0.5, transform=panel.transAxes + shift)
 
 
 def to_bytes(made: Figure, form: str, dpi: float = RASTER_DPI) -> bytes:

@@ -57,55 +57,58 @@ def _has_sections(event: Event) -> bool:
 
 
 def _part(event: Event, quantities: Quantities) -> Section:
-    name, mark = slug(event), symbol(event.parameter)
     blocks: list[Block] = [_opening(event, quantities)]
     if event.note:
-        blocks.append(Note(Text.of(event.note), "What was found instead" if not event.found else "Note"))
-    blocks.append(_facts(event, quantities))
-    change = f"{mark} ≈ {event.digits}"
-    where = fixed_words(event.fixed)
-    labels = ", ".join(short(m.label) for m in event.motions)
-    blocks.append(
-        Figure(
-            f"figure-portrait-{name}",
-            Text.of(
-                f"Phase portraits before, at and after the event at {change} ({where}): {labels}. Below: "
-                "the outlined places enlarged."
-                if event.found
-                else f"Phase portraits at and beside {change} ({where}), from the cold start: {labels}."
-            ),
-            f"Phase portraits of three motions around {change}: {labels}",
-            f"portrait-{name}",
-            quantities.assumed(quantities.units.length),
-        )
-    )
-    blocks.append(
-        Figure(
-            f"figure-history-{name}",
-            Text.of(
-                "The same motions over one period, or over 12 mesh cycles where there is none: "
-                "displacement X with the boundaries ±D, and mesh force Φ."
-            ),
-            f"Time histories of displacement and mesh force of three motions around {change}",
-            f"history-{name}",
-            quantities.assumed(quantities.units.length, quantities.units.force),
-        )
-    )
-    if _has_sections(event):
-        blocks.append(
-            Figure(
-                f"figure-sections-{name}",
-                Text.of(
-                    "Poincaré sections of the first and the last of these motions; F in the article’s "
-                    "sign, F = −Φ."
-                ),
-                f"Poincaré sections of two motions around {change}",
-                f"sections-{name}",
-            )
-        )
+        blocks.append(Note(Text.of(event.note), "Note" if event.found else "What was found instead"))
+    blocks += [_facts(event, quantities), *_figures(event, quantities)]
     if event.conditions:
         blocks.append(_conditions(event))
-    return Section(f"event-{name}", f"{event.title}, {change}", tuple(blocks), (), verdict(event.verdict))
+    title = f"{event.title}, {symbol(event.parameter)} ≈ {event.digits}"
+    return Section(f"event-{slug(event)}", title, tuple(blocks), (), verdict(event.verdict))
+
+
+def _figures(event: Event, quantities: Quantities) -> list[Figure]:
+    """Portraits, histories, and sections where they are more than single points."""
+    change, labels = (
+        f"{symbol(event.parameter)} ≈ {event.digits}",
+        ", ".join(short(m.label) for m in event.motions),
+    )
+    units, where = quantities.units, fixed_words(event.fixed)
+    portraits = (
+        f"Phase portraits before, at and after the event at {change} ({where}): {labels}. Below: the "
+        f"outlined "
+        "places enlarged."
+        if event.found
+        else f"Phase portraits at and beside {change} ({where}), from the cold start: {labels}."
+    )
+    histories = (
+        "The same motions over one period, or over 12 mesh cycles where there is none: displacement X with "
+        "the "
+        "boundaries ±D, and mesh force Φ."
+    )
+    sections = (
+        "Poincaré sections of the first and the last of these motions; F in the article’s sign, F = −Φ."
+    )
+    found = [
+        (
+            "portrait",
+            portraits,
+            f"Phase portraits around {change}: {labels}",
+            quantities.assumed(units.length),
+        ),
+        (
+            "history",
+            histories,
+            f"Histories of displacement and force around {change}",
+            quantities.assumed(units.length, units.force),
+        ),
+    ]
+    if _has_sections(event):
+        found.append(("sections", sections, f"Poincaré sections of two motions around {change}", False))
+    return [
+        Figure(f"figure-{kind}-{slug(event)}", Text.of(caption), words, f"{kind}-{slug(event)}", assumed)
+        for kind, caption, words, assumed in found
+    ]
 
 
 def _opening(event: Event, quantities: Quantities) -> Text:

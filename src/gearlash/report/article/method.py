@@ -5,7 +5,7 @@ from __future__ import annotations
 from gearlash.report.blocks import Note, Section, Table, Text
 from gearlash.studies.article import Reproduction
 
-from .words import yes_or_no
+from .words import plural, yes_or_no
 
 METHOD = (
     "Inside one contact state the equations are linear with periodic coefficients. They are not stepped: "
@@ -46,7 +46,7 @@ def section(done: Reproduction) -> Section:
         ),
         Table(
             "table-time",
-            f"Time of this run, with {run.workers} workers on {run.cores} cores.",
+            f"Time of this run, with {plural(run.workers, 'worker')} on {plural(run.cores, 'core')}.",
             ("stage", "time"),
             time,
             frozenset({1}),

@@ -30,7 +30,10 @@ def section(done: Reproduction) -> Section:
         ),
         _table("table-open", "Values that the article does not state.", unsure),
     ]
-    blocks += [Note(Text.of(note.text), f"Conflict: {note.path}") for note in done.case.notes()]
+    blocks += [
+        Note(Text.of(note.text[:1].upper() + note.text[1:]), f"Conflict: {note.path}")
+        for note in done.case.notes()
+    ]
     blocks.append(
         Note(
             Text.of(

@@ -11,6 +11,7 @@ from gearlash.studies.article.reproduction import Table2Row
 from .words import verdict
 
 HEAD = ("Type", "The article", "Computed: where, labels below → above, exponent", "Verdict and remarks")
+ROUNDING = 1e-9  # an exponent below this is zero
 
 
 def section(done: Reproduction) -> Section:
@@ -38,7 +39,7 @@ def _row(row: Table2Row) -> tuple[Cell, ...]:
         f"where: {row.reported_region}",
     ]
     found: Cell = [
-        f"{event}: {' → '.join(short(p) for p in pattern.split(' → '))}, λ₁ = {number(exponent, 3)}"
+        f"{event}: {' → '.join(short(p) for p in pattern.split(' → '))}, λ₁ = {number(exponent, 3) if abs(exponent) > ROUNDING else 0}"
         for event, pattern, exponent in zip(row.events, row.patterns, row.exponent, strict=True)
     ] or ["none located"]
     return Strong(row.type), said, found, [verdict(row.verdict), row.note]

@@ -7,7 +7,7 @@ from math import isfinite
 from gearlash import plots
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Cell, Figure, Inline, Section, Strong, Table, Text
-from gearlash.report.numbers import NOTHING, interval, number, scientific
+from gearlash.report.numbers import NOTHING, interval, number, uncertainty
 from gearlash.report.pictures import Picture
 from gearlash.studies.article import Reproduction, Zone
 from gearlash.studies.article.reproduction import End
@@ -137,7 +137,7 @@ def _column(zone: Zone, quantities: Quantities) -> dict[str, Cell]:
 
 def _edge(end: End) -> Cell:
     beyond = f"beyond it: {short(end.next_label)}" if end.next_label else "beyond it: not computed"
-    return [end.how, beyond, f"± {scientific(end.uncertainty)}"]
+    return [end.how, beyond, uncertainty(end.uncertainty)]
 
 
 def _distance(margin: float, quantities: Quantities) -> Cell:
