@@ -22,6 +22,11 @@ class Ran:
     err: str
 
     @property
+    def complaint(self) -> str:
+        """Standard error without its line breaks."""
+        return " ".join(self.err.split())
+
+    @property
     def answer(self) -> dict[str, Any]:
         """Standard output as one JSON object, strictly."""
 

@@ -55,4 +55,4 @@ def test_refused_before_anything_is_computed(
     monkeypatch.setattr("gearlash.studies.point", None)  # computing would fail
     ran = gearlash("graze", "article", "--out", str(tmp_path))
     assert ran.code == 2
-    assert "graze.json is there" in ran.err
+    assert "graze.json is there" in ran.complaint

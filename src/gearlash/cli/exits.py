@@ -9,7 +9,7 @@ from typing import Any
 
 import typer
 
-from .terminal import discard_output, errors
+from .terminal import complain, discard_output, tell
 
 
 class ExitCode(IntEnum):
@@ -44,7 +44,7 @@ def command(function: Callable[..., ExitCode]) -> Callable[..., None]:
             report(error, as_json=bool(kwargs.get("as_json")))
             code = ExitCode.INPUT
         except KeyboardInterrupt:
-            errors().print("interrupted")
+            tell("interrupted")
             code = ExitCode.INTERRUPTED
         except BrokenPipeError:  # the reader has seen enough
             discard_output()
@@ -56,7 +56,7 @@ def command(function: Callable[..., ExitCode]) -> Callable[..., None]:
 
 def report(error: Exception, as_json: bool = False) -> None:
     """Every problem on standard error; with --json also as an object on standard output."""
-    errors().print(f"gearlash: {error}", style="red", soft_wrap=True)
+    complain(f"gearlash: {error}")
     if as_json:
         from .answers.problem import problem_answer
         from .jsonio import write_stdout

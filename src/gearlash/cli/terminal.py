@@ -6,6 +6,7 @@ import codecs
 import io
 import os
 import sys
+import textwrap
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, TypeVar
 
@@ -60,6 +61,16 @@ def show(view: Callable[[T, int], Iterable[Text]], answer: T) -> None:
 def tell(message: str) -> None:
     """One notice on standard error."""
     errors().print(message, style="dim")
+
+
+def complain(text: str) -> None:
+    """A problem on standard error, every line of it wrapped at blanks with what follows indented."""
+    console = errors()
+    for line in text.splitlines():
+        indent = " " * (len(line) - len(line.lstrip()) + 2)
+        wrapper = textwrap.TextWrapper(console.width, subsequent_indent=indent, break_on_hyphens=False)
+        for row in wrapper.wrap(line) or [""]:
+            console.print(row, style="red", soft_wrap=True)
 
 
 def discard_output() -> None:

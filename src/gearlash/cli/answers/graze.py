@@ -176,10 +176,11 @@ def _conditions(family: Family, point: GrazingPoint) -> tuple[Condition, ...]:
 
 
 def _curvature(point: GrazingPoint) -> str:
-    """The article asks for a minimum of X seen from S1; other touches are its mirror images."""
-    if point.boundary > 0 and point.a0 > 0.0:
-        return "> 0"
-    return "> 0 (here at the back side)" if point.a0 > 0.0 else "< 0 (the mirror image of the article's)"
+    """The article's touch is a minimum of X seen from S1; what this one is instead."""
+    above = point.a0 > 0.0
+    if point.boundary > 0:
+        return "> 0" if above else "< 0 (seen from S2; the article's touch is seen from S1)"
+    return "> 0 (at Σ2, seen from S2)" if above else "< 0 (at Σ2: the mirror image of the article's)"
 
 
 def _sentence(over: str, near: float, start: Point, touches: tuple[Touch, ...]) -> str:

@@ -13,8 +13,9 @@ from gearlash.case import Case, Provenance
 
 Rests = Annotated[
     dict[str, tuple[str, ...]],
-    "kind of physical number → assumed values that its unit rests on; model: those that the motion itself "
-    "rests on. Kinds without any are not listed",
+    "kind of physical number → assumed values that it rests on. speed, frequency, torque, backlash: as the "
+    "case says them; time, length, velocity, force, moment: the units of computed numbers; model: the motion "
+    "itself. Kinds without any are not listed",
 ]
 
 
@@ -96,12 +97,10 @@ class PhysicalValue:
 def physical_values(
     case: Case, short: str, value: float, computed: bool = True, back_side_met: bool = True
 ) -> tuple[PhysicalValue, ...]:
-    """What a parameter's value means physically. A ``computed`` one rests on all that the model rests on,
-    too.
-    """
+    """What a parameter's value means physically. A ``computed`` one rests on what the model rests on, too."""
     rests = rests_on(case, back_side_met)
     model = rests.get("model", ()) if computed else ()
-    kinds = {"rpm": "speed", "Hz": "time", "um": "backlash" if short == "D" else "length", "N*m": "torque"}
+    kinds = {"rpm": "time", "Hz": "time", "um": "length", "N*m": "moment"}
     found = []
     for path, numbers, unit in case.physical(short, value):
         roots = tuple(dict.fromkeys((*rests.get(kinds.get(unit, ""), ()), *model)))
@@ -112,8 +111,10 @@ def physical_values(
 def rests_on(case: Case, back_side_met: bool = True) -> dict[str, tuple[str, ...]]:
     """Kind of physical number → paths of assumed values that it rests on; kinds without any are left out.
 
-    ``speed``, ``torque``, ``backlash`` and ``time``, ``length``, ``velocity``, ``force``: conversion alone.
-    ``model``: what the dimensionless motion itself rests on (values of the back side only if it is met).
+    ``speed``, ``frequency``, ``torque``, ``backlash``: what the case itself says of them, as stated or
+    converted. ``time``, ``length``, ``velocity``, ``force``, ``moment``: the units that computed numbers are
+    converted with. ``model``: what the dimensionless motion rests on (values of the back side only if it is
+    met).
     """
     if not case.scales.physical:
         return {}
@@ -124,15 +125,26 @@ def rests_on(case: Case, back_side_met: bool = True) -> dict[str, tuple[str, ...
         each = (root for v in found for root in (v.rests_on or ((v.path,) if v.uncertain else ())))
         return tuple(dict.fromkeys(each))
 
-    time, length = roots("derived.omega_n"), roots("model.reference_length")
+    time, length, force = (
+        roots("derived.omega_n"),
+        roots("model.reference_length"),
+        roots("derived.force_unit"),
+    )
+    speed, frequency = "operation.pinion_speed", "operation.mesh_frequency"
+    if speed in by_path and by_path[speed].provenance != "derived":
+        frequency = speed  # it follows by the number of teeth
+    elif frequency in by_path and by_path[frequency].provenance != "derived":
+        speed = frequency
     rests = {
-        "speed": roots("derived.omega_n", "pinion.teeth"),
-        "torque": roots("derived.force_unit", "derived.radius_pinion", "derived.c_t", "pinion.base_radius"),
-        "backlash": length,
+        "speed": roots(speed),
+        "frequency": roots(frequency),
+        "torque": roots("operation.torque"),
+        "backlash": roots("mesh.backlash"),
         "time": time,
         "length": length,
         "velocity": tuple(dict.fromkeys((*time, *length))),
-        "force": roots("derived.force_unit"),
+        "force": force,
+        "moment": tuple(dict.fromkeys((*force, *roots("derived.radius_pinion", "derived.c_t")))),
         "model": _model_roots(case, back_side_met),
     }
     return {kind: paths for kind, paths in rests.items() if paths}

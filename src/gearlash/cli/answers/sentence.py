@@ -107,7 +107,7 @@ class _Speed:
         self.scales = case.scales if case.scales.physical else None
         rests = rests_on(case, numbers is not None and numbers.distances.back.minimum < 0.0)
         self.asked = f" {MARK}" if "speed" in rests else ""
-        self.computed = f" {MARK}" if "speed" in rests or "model" in rests else ""
+        self.computed = f" {MARK}" if "time" in rests or "model" in rests else ""
 
     def text(self, omega: float, towards: int = 0) -> str:
         """Rounded up (+1), down (-1) or to the nearest (0): a bound stays on its impact-free side."""

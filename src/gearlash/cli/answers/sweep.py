@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
@@ -109,9 +109,16 @@ def sweep_answer(
 
 
 def axis_used(case: Case, axis: Axis, named: str) -> AxisUsed:
-    """The axis with what its ends mean physically."""
+    """The axis with what its ends mean physically; what was typed rests on nothing."""
     ends = float(axis.values[0]), float(axis.values[-1])
-    physical = [physical_values(case, axis.name, end, computed=False) for end in ends]
+    typed = named.rpartition(".")[2]
+    physical = [
+        tuple(
+            replace(p, rests_on=()) if p.name == typed else p
+            for p in physical_values(case, axis.name, end, computed=False)
+        )
+        for end in ends
+    ]
     return AxisUsed(axis.name, named, *ends, len(axis), *physical)
 
 

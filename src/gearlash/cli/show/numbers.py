@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from math import atan2, degrees, isfinite
+from math import atan2, degrees, floor, isfinite, log10
 
 MARK = "†"
 
@@ -19,6 +19,11 @@ def number(value: float | None, digits: int = 5) -> str:
     if not e:
         return text
     return f"{mantissa.rstrip('0').rstrip('.') if '.' in mantissa else mantissa}e{int(exponent)}"
+
+
+def known(value: float, uncertainty: float) -> str:
+    """As many decimals as the uncertainty leaves."""
+    return f"{value:.{max(0, -floor(log10(uncertainty)))}f}"
 
 
 def quantity(value: float | None, unit: str, digits: int = 4) -> str:

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from gearlash.cli.answers.motion import ForceNumbers, MotionNumbers
-from gearlash.cli.answers.physical import PhysicalRun
+from gearlash.cli.answers.physical import PhysicalEvent, PhysicalRun
 from gearlash.cli.answers.run import RunAnswer
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
 
 MOST_EVENTS = 24  # lines of contact events; all of them are in --json
+BOTH = 100  # columns from which contact events are shown in both kinds of numbers
 FORCES = {
     "maximum": "contact force, largest (peak)",
     "minimum": "contact force, least (peak)",
@@ -65,7 +66,7 @@ def _facts(answer: RunAnswer, marks: Marks) -> Iterator[tuple[str, str]]:
 def _operation(found: PhysicalRun, marks: Marks) -> str:
     parts = [
         marks(quantity(found.pinion_speed_rpm, "rpm", 6), "speed"),
-        marks(quantity(found.mesh_frequency_Hz, "Hz", 6), "time"),
+        marks(quantity(found.mesh_frequency_Hz, "Hz", 6), "frequency"),
         f"backlash {marks(quantity(found.backlash_um, 'µm'), 'backlash')}",
     ]
     if found.torque_Nm is not None:
@@ -111,27 +112,25 @@ def _length_rows(
 
 
 def _events(numbers: MotionNumbers, physical: PhysicalRun | None, marks: Marks, width: int) -> Iterator[Text]:
-    columns = [("phase", "right"), ("", "left"), ("X′", "right"), ("Φ", "right")]
-    if physical:
-        columns += [("time", "right"), ("velocity", "right"), ("force", "right")]
+    """In both kinds of numbers where there is room, else in physical ones."""
+    dimensionless = physical is None or width >= BOTH
+    columns = [("phase", "right"), ("", "left")]
+    columns += [("X′", "right"), ("Φ", "right")] if dimensionless else []
+    columns += [("time", "right"), ("velocity", "right"), ("force", "right")] if physical else []
     rows = []
     for i, event in enumerate(numbers.events[:MOST_EVENTS]):
-        row = [
-            f"{event.phase:.5f}",
-            f"{event.event}, {event.side}",
-            number(event.velocity),
-            number(event.force),
-        ]
-        if physical:
-            p = physical.events[i]
-            row += [
-                marks(quantity(p.time_ms, "ms"), "time", "model"),
-                marks(quantity(p.velocity_mm_s, "mm/s"), "velocity", "model"),
-                marks(quantity(p.force_N, "N"), "force", "model"),
-            ]
+        row = [f"{event.phase:.5f}", f"{event.event}, {event.side}"]
+        row += [number(event.velocity), number(event.force)] if dimensionless else []
+        row += _physical_event(physical.events[i], marks) if physical else []
         rows.append(row)
     count = len(numbers.events)
-    title = "Contact events" + (
-        f", the first {MOST_EVENTS} of {count} (--json has all)" if count > len(rows) else ""
-    )
-    yield from table(title, columns, rows, width)
+    more = f", the first {MOST_EVENTS} of {count} (--json has all)" if count > len(rows) else ""
+    yield from table(f"Contact events{more}", columns, rows, width)
+
+
+def _physical_event(event: PhysicalEvent, marks: Marks) -> list[str]:
+    return [
+        marks(quantity(event.time_ms, "ms"), "time", "model"),
+        marks(quantity(event.velocity_mm_s, "mm/s"), "velocity", "model"),
+        marks(quantity(event.force_N, "N"), "force", "model"),
+    ]

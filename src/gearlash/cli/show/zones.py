@@ -9,7 +9,7 @@ from rich.text import Text
 from gearlash.cli.answers.zones import ZoneEnd, ZoneFound, ZonesAnswer
 
 from .layout import facts, headline, note
-from .numbers import Marks, number, quantity
+from .numbers import Marks, known, number, quantity
 from .units import pretty
 
 TITLES = {"impact-free": "Free of impacts", "drive-side-only": "Free of impacts on the back side"}
@@ -50,11 +50,12 @@ def _facts(answer: ZonesAnswer, zone: ZoneFound, marks: Marks) -> Iterator[tuple
 
 
 def _end(end: ZoneEnd, marks: Marks) -> str:
+    halved = end.uncertainty > 0.0 and not end.solved
+    value = f"{known(end.value, end.uncertainty)} ± {end.uncertainty:.0e}" if halved else f"{end.value:.10g}"
     physical = "".join(
         f", {marks.of(quantity(p.value, pretty(p.unit), 6), p.rests_on)}" for p in end.physical
     )
-    sure = f" ± {end.uncertainty:.0e}" if end.uncertainty and not end.solved else ""
     how = end.kind + (
         f", {end.inside} inside, {end.outside} outside ({end.direction})" if end.outside else ""
     )
-    return f"{end.value:.10g}{sure}{physical}: {how}"
+    return f"{value}{physical}: {how}"
