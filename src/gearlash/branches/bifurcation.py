@@ -20,6 +20,7 @@ from gearlash.orbits.shooting import Shot
 from gearlash.system import Family, Status
 
 from .kinds import SMOOTH
+from .steps import longest_step
 
 Array = NDArray[Any]
 ITERATIONS = 30
@@ -147,7 +148,7 @@ class _Problem:
             size = abs(float(step[-1]))
             if residual <= CLOSED and size >= 0.5 * change:
                 break  # rounding decides from here on
-            limit = min(1.0, 0.05 * abs(unknown[-1]) / max(size, 1e-300))
+            limit = min(1.0, longest_step(self.family, self.name, float(unknown[-1])) / max(size, 1e-300))
             unknown = unknown + limit * step
             change = limit * size
             if change <= 1e-15 * abs(unknown[-1]):

@@ -23,6 +23,7 @@ from gearlash.orbits.grazing import KINDS
 from gearlash.system import Family, Status
 
 from .kinds import distance_to_unit, table2_type
+from .steps import longest_step
 
 Array = NDArray[np.float64]
 ITERATIONS = 40
@@ -208,9 +209,8 @@ class _Problem:
             elif residual <= 1e-13:
                 break
             step = np.linalg.lstsq(self.jacobian(props, unknown), -value, rcond=None)[0]
-            limit = min(
-                1.0, 0.05 * abs(unknown[-1]) / max(abs(step[-1]), 1e-300), 0.1 / max(abs(step[-2]), 1e-300)
-            )
+            longest = longest_step(self.family, self.name, float(unknown[-1]))
+            limit = min(1.0, longest / max(abs(step[-1]), 1e-300), 0.1 / max(abs(step[-2]), 1e-300))
             unknown = unknown + limit * step
             change = abs(float(limit * step[-1]))
             if residual <= 1e-14 or (residual <= 1e-12 and change <= 1e-14 * abs(unknown[-1])):
