@@ -1,0 +1,5 @@
+"""The independent integrator, as for the orbits."""
+
+from orbits.conftest import truth
+
+__all__ = ["truth"]
