@@ -17,7 +17,7 @@ import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import AutoMinorLocator, FixedLocator, NullLocator
+from matplotlib.ticker import AutoLocator, AutoMinorLocator, FixedLocator, MaxNLocator, NullLocator
 from matplotlib.transforms import ScaledTranslation
 
 P = ParamSpec("P")
@@ -95,12 +95,25 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
             made = draw(*args, **kwargs)
             engine = made.get_layout_engine()
             if engine is not None:
+                _major_ticks(made)
                 engine.execute(made)
                 made.set_layout_engine("none")
             _minor_ticks(made)
             return made
 
     return under_style
+
+
+def _major_ticks(made: Figure) -> None:
+    """As many ticks as fit the panel before the layout: if they changed with it, labels could grow again."""
+    for axes in made.axes:
+        box = axes.get_position()
+        width, height = box.width * made.get_figwidth() / MM, box.height * made.get_figheight() / MM
+        for panel in (axes, *axes.child_axes):
+            for axis, length, apart in ((panel.xaxis, width, 15.0), (panel.yaxis, height, 8.0)):
+                if isinstance(axis.get_major_locator(), AutoLocator):
+                    bins = int(min(9, max(2, length // apart)))
+                    axis.set_major_locator(MaxNLocator(bins, steps=[1, 2, 2.5, 5, 10]))
 
 
 def _minor_ticks(made: Figure) -> None:

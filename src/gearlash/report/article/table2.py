@@ -39,7 +39,11 @@ def _row(row: Table2Row) -> tuple[Cell, ...]:
         f"where: {row.reported_region}",
     ]
     found: Cell = [
-        f"{event}: {' → '.join(short(p) for p in pattern.split(' → '))}, λ₁ = {number(exponent, 3) if abs(exponent) > ROUNDING else 0}"
+        f"{event}: {' → '.join(short(p) for p in pattern.split(' → '))}, {_exponent(exponent)}"
         for event, pattern, exponent in zip(row.events, row.patterns, row.exponent, strict=True)
     ] or ["none located"]
     return Strong(row.type), said, found, [verdict(row.verdict), row.note]
+
+
+def _exponent(value: float) -> str:
+    return f"λ₁ = {number(value, 3) if abs(value) > ROUNDING else 0}"

@@ -1,0 +1,65 @@
+"""Real motions and a small real sweep to draw, computed once a process."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import xarray as xr
+
+from gearlash.branches import locate_grazing
+from gearlash.case import Case, load
+from gearlash.orbits import Orbit, attractor, grazing_checks
+from gearlash.results import Axis, sweep_dataset
+from gearlash.studies import sweeps
+from gearlash.studies.motion import Motion, motion, touching
+
+
+@cache
+def article() -> Case:
+    """The article's pair."""
+    return load("article")
+
+
+@cache
+def orbit(omega: float, gap: float) -> Orbit:
+    """The attractor from the cold start, which must be periodic here."""
+    family, _ = article().family()
+    values = {"omega": omega, "D": gap}
+    found = attractor(family.system(values), family.start(values))
+    assert isinstance(found, Orbit)
+    return found
+
+
+@cache
+def moving(omega: float, gap: float, value: float = float("nan")) -> Motion:
+    """That attractor as a motion."""
+    return motion(orbit(omega, gap), value=value)
+
+
+@cache
+def aperiodic() -> Motion:
+    """A motion that does not repeat."""
+    family, _ = article().family()
+    values = {"omega": 1.2, "D": 1.0}
+    found = attractor(family.system(values), family.start(values))
+    assert not isinstance(found, Orbit)
+    return motion(found, value=1.2)
+
+
+@cache
+def around_grazing() -> tuple[Motion, Motion, Motion]:
+    """Before, at and after the lower end of the 1-0 window."""
+    family, _ = article().family()
+    inside = orbit(0.98, 1.0)
+    values = family.complete({"omega": 0.98, "D": 1.0})
+    point = locate_grazing(family, values, "omega", inside, grazing_checks(inside)[0])
+    return moving(0.968, 1.0, 0.968), touching(family, point), moving(0.977, 1.0, 0.977)
+
+
+@cache
+def dataset(axis: str = "omega") -> xr.Dataset:
+    """A few values around the upper end of the window (ω), or with impacts on the back side (D)."""
+    values = np.linspace(1.08, 1.13, 6) if axis == "omega" else np.array([0.386, 0.39, 0.46, 0.48])
+    fixed = {"D": 1.0} if axis == "omega" else {"omega": 0.78}
+    return sweep_dataset(article(), sweeps(article(), Axis(axis, values), fixed=fixed))

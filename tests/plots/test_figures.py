@@ -1,0 +1,175 @@
+"""Every figure: labelled with symbols and units, nothing outside, self-contained, the same bytes always."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import matplotlib as mpl
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from gearlash import plots
+from gearlash.plots.units import MARK
+from plots.made import aperiodic, around_grazing, article, dataset, moving
+
+BARS = (
+    plots.Bar("article", 0.973, 1.112, "reported", "", "0.973", "1.112"),
+    plots.Bar(
+        "computed: every motion", 0.9725, 1.0922, "computed", "1-0-0", "0.9725  grazing", "1.0922  fold"
+    ),
+    plots.Bar("coexists: 2-1", 1.0922, 1.112, "coexisting", "2-1-0", "1.0922", "1.112"),
+)
+MARKS = (
+    plots.Mark(1.112, "grazing", "1.1120  1-0 → 1-1", True),
+    plots.Mark(1.1125, "doubling", "1.1125  1-1 → 2-2"),
+    plots.Mark(1.09, "fold", ""),
+)
+
+
+def units() -> plots.Units:
+    return plots.Units.of(article())
+
+
+FIGURES: dict[str, Callable[[], Figure]] = {
+    "diagram": lambda: plots.diagram(dataset(), MARKS, units()),
+    "diagram-back": lambda: plots.diagram(dataset("D"), (), units()),
+    "portrait": lambda: plots.portrait(moving(1.1, 1.0, 1.1), units()),
+    "portraits": lambda: plots.portrait_triple(around_grazing(), units()),
+    "gallery": lambda: plots.gallery((moving(1.05, 1.0, 1.05), aperiodic()), units()),
+    "history": lambda: plots.history(moving(1.1, 1.0, 1.1), units()),
+    "histories": lambda: plots.history_triple(around_grazing(), units()),
+    "histories-stacked": lambda: plots.history_triple((moving(0.78, 0.386), aperiodic()), units(), "D"),
+    "sections": lambda: plots.sections((moving(1.1, 1.0, 1.1), moving(0.78, 0.386, 0.386))),
+    "zones": lambda: plots.zones((plots.Panel("omega", "impact-free at D = 1", BARS),), units()),
+}
+
+
+@pytest.fixture(params=sorted(FIGURES))
+def figure(request: pytest.FixtureRequest) -> Figure:
+    return FIGURES[request.param]()
+
+
+def panels(figure: Figure) -> list[Axes]:
+    """Axes with a frame and numbers on them."""
+    return [a for a in figure.axes if a.spines["left"].get_visible() and a.xaxis.get_visible()]
+
+
+def words(figure: Figure) -> set[str]:
+    shown = [t for t in figure.findobj(Text) if isinstance(t, Text) and t.get_visible()]
+    return {t.get_text() for t in shown if t.get_text()}
+
+
+def test_nothing_written_lies_outside(figure: Figure) -> None:
+    figure.draw_without_rendering()
+    renderer = figure.canvas.get_renderer()  # pyright: ignore[reportAttributeAccessIssue]
+    box = figure.bbox
+    pixel = figure.dpi / 100.0
+    for axes in (*figure.axes, *(child for a in figure.axes for child in a.child_axes)):
+        for axis in (axes.xaxis, axes.yaxis):
+            if not axis.get_visible():
+                continue
+            low, high = sorted(axis.get_view_interval())
+            ticks = zip(axis.get_majorticklocs(), axis.get_majorticklabels(), strict=False)
+            shown = [label for place, label in ticks if low <= place <= high]
+            for text in (axis.label, axes.title, *shown):
+                if text.get_visible() and text.get_text():
+                    extent = text.get_window_extent(renderer)
+                    assert extent.x0 >= box.x0 - pixel, text.get_text()
+                    assert extent.x1 <= box.x1 + 6 * pixel, text.get_text()
+                    assert extent.y0 >= box.y0 - pixel, text.get_text()
+                    assert extent.y1 <= box.y1 + pixel, text.get_text()
+
+
+def test_an_svg_asks_no_host_and_carries_no_date(figure: Figure) -> None:
+    text = plots.to_bytes(figure, "svg").decode()
+    without_names = re.sub(r'xmlns(:\w+)?="[^"]*"', "", re.sub(r"<!DOCTYPE[^>]*>", "", text))
+    assert "http" not in without_names
+    assert "<script" not in text
+    assert "<metadata" not in text
+    assert re.findall(r'href="(?!#|data:image/png;base64,)', text) == []
+    assert "<text" not in text, "text as outlines needs no font of the reader"
+
+
+@pytest.mark.parametrize("form", ["svg", "pdf", "png"])
+def test_the_same_figure_gives_the_same_bytes_under_any_settings(form: str) -> None:
+    first = plots.to_bytes(FIGURES["portraits"](), form, dpi=60)
+    with mpl.rc_context(
+        {"font.size": 30, "lines.linewidth": 9, "svg.hashsalt": None, "font.family": "serif"}
+    ):
+        assert plots.to_bytes(FIGURES["portraits"](), form, dpi=60) == first
+        assert mpl.rcParams["font.size"] == 30, "the caller's settings are left alone"
+
+
+def test_a_bifurcation_diagram_says_what_and_in_which_units() -> None:
+    figure = FIGURES["diagram"]()
+    said = words(figure)
+    for label in (
+        r"mesh frequency  $\omega$",
+        r"$X_n$  on  $\sigma_t$",
+        r"$F$  on  $\sigma_d$",
+        r"$\lambda_1$  [per $\tau$]",
+    ):
+        assert label in said
+    assert "pinion speed  [rpm]" in said
+    assert {"cold", "up", "down", "1-0"} <= said
+    assert "1.1120  1-0 → 1-1" in said
+    assert any("no impact in any of these sweeps" in text for text in said), "Σ2 is not met at D = 1"
+
+
+def test_the_back_side_is_shown_with_impacts_and_releases() -> None:
+    said = words(FIGURES["diagram-back"]())
+    assert r"$F$  on  $\sigma_b$" in said
+    assert any(text.startswith("impacts, S2") for text in said)
+    assert any(text.startswith("releases, S3") for text in said)
+    assert f"backlash  $b$  [µm] {MARK}" in said
+
+
+def test_second_scales_agree_with_the_case_and_mark_what_is_assumed() -> None:
+    own, scales = units(), article().scales
+    assert own.speed is not None
+    assert own.length is not None
+    assert own.force is not None
+    assert own.speed(1.047) == pytest.approx(float(scales.pinion_rpm(1.047)), rel=1e-14)
+    assert own.speed.back(own.speed(0.7)) == pytest.approx(0.7, rel=1e-14)
+    assert not own.speed.label.endswith(MARK), "the speed rests on inferred values only"
+    assert own.length.label.endswith(MARK), "the length rests on the assumed backlash"
+    assert own.force.label.endswith(MARK)
+    assert plots.Units().of_parameter("omega") is None
+
+
+@pytest.mark.parametrize(
+    "name", ["portrait", "portraits", "gallery", "history", "histories", "histories-stacked", "sections"]
+)
+def test_axes_of_motions_carry_symbols_and_units(name: str) -> None:
+    figure = FIGURES[name]()
+    said = words(figure)
+    expected = {
+        "port": ("displacement  $X_n$", "velocity  $X_n'$", f"$x_n$  [µm] {MARK}"),
+        "gall": ("displacement  $X_n$", "velocity  $X_n'$", f"$x_n$  [µm] {MARK}"),
+        "hist": (r"time  $\theta/2\pi$  [mesh cycles]", r"mesh force  $\Phi$", f"$F_n$  [N] {MARK}"),
+        "sect": (r"phase in the mesh cycle  $\theta/2\pi$", r"$F$  on  $\sigma_d$", r"$F$  on  $\sigma_b$"),
+    }[name[:4]]
+    for label in expected:
+        assert label in said
+
+
+def test_boundaries_of_the_gap_are_drawn_where_they_are() -> None:
+    motions = around_grazing()
+    figure = FIGURES["portraits"]()
+    for axes, motion in zip(panels(figure)[:3], motions, strict=True):
+        places = {float(line.get_xdata()[0]) for line in axes.lines if len(set(line.get_xdata())) == 1}  # pyright: ignore
+        assert motion.gap_plus in places
+        assert -motion.gap_minus in places
+
+
+def test_a_zoom_holds_the_touch_in_its_middle_and_what_is_missed_beside_it() -> None:
+    before, at, after = around_grazing()
+    zoom = panels(FIGURES["portraits"]())[3:]
+    assert at.touch is not None
+    for axes in zoom:
+        low, high = axes.get_xlim()
+        assert (low + high) / 2 == pytest.approx(at.touch.displacement, abs=1e-9)
+        assert low < before.displacement.min() < after.displacement.min() < high

@@ -1,0 +1,169 @@
+"""The article's report, from a small reproduction that was computed."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+from math import nan
+from pathlib import Path
+
+import pytest
+
+from gearlash import report
+from gearlash.plots.regimes import short
+from gearlash.report.article import document
+from gearlash.report.page import html
+from gearlash.studies.article import NOT_FOUND, Reproduction
+from report.reading import Reading
+from report.study import small
+
+DRAWING = b'<svg width="510pt" height="9pt" viewBox="0 0 510 9" xmlns="http://www.w3.org/2000/svg"></svg>'
+
+
+def read(done: Reproduction) -> tuple[str, Reading]:
+    """The page with a stand-in for every figure: what is said, not what is drawn."""
+    page, pictures = document(done)
+    text = html(page, {picture.stem: DRAWING for picture in pictures})
+    return text, Reading(text)
+
+
+def folded(text: str) -> str:
+    return " ".join(re.sub(r"([A-Za-zΑ-ω])_([A-Za-zα-ω0-9]{1,2})(?!\w)", r"\1\2", text).split())
+
+
+@pytest.fixture(scope="module")
+def page() -> Reading:
+    return read(small())[1]
+
+
+def test_it_is_sound_and_asks_no_host() -> None:
+    text, seen = read(small())
+    assert seen.problems == []
+    assert not {"script", "link", "iframe", "img"} & set(seen.tags)
+    links = [v for v in seen.values("href", "src", "xlink:href") if not v.startswith("#")]
+    assert links
+    assert all(re.fullmatch(r"figures/[\w.-]+\.(svg|pdf)", link) for link in links), links
+    assert "@import" not in text
+    assert "url(http" not in text
+    ids = seen.values("id")
+    assert len(ids) == len(set(ids))
+    assert {v[1:] for v in seen.values("href") if v.startswith("#")} <= set(ids), (
+        "every reference leads somewhere"
+    )
+
+
+def test_every_claim_stands_beside_its_computed_counterpart(page: Reading) -> None:
+    for claim in small().claims:
+        for part in (
+            claim.quantity,
+            claim.sentence,
+            claim.printed,
+            claim.verdict,
+            claim.computed,
+            claim.branch,
+        ):
+            assert folded(part) in page.text, part
+    verdicts = [claim.verdict for claim in small().claims]
+    for verdict in set(verdicts):
+        assert page.text.count(verdict) >= verdicts.count(verdict)
+
+
+def test_every_event_is_shown_found_or_not(page: Reading) -> None:
+    assert any(e.found for e in small().events)
+    assert any(not e.found for e in small().events)
+    for event in small().events:
+        assert event.title in page.text
+        assert event.digits in page.text
+        if event.found:
+            assert f"{event.value:.8g}" in page.text
+            assert f"{short(event.label_below)} → {short(event.label_above)}" in page.text
+        else:
+            assert event.note.split(":")[0] in page.text
+    missing = sum(not e.found for e in small().events)
+    assert page.text.count("No such event was found") == missing
+
+
+def test_zones_stand_in_rpm_and_micrometres(page: Reading) -> None:
+    scales = small().case.scales
+    for zone in small().zones:
+        low, high = zone.lower.value, zone.upper.value
+        if zone.parameter == "omega":
+            rpm = [float(scales.pinion_rpm(v)) for v in (low, high)]
+            assert f"{rpm[0]:.0f} to {rpm[1]:.0f} rpm" in page.text
+        else:
+            um = [float(scales.backlash_um(v)) for v in (low, high)]
+            assert re.search(rf"{um[0]:.1f} to {um[1]:.1f} µm ?†|{um[0]:.0f} to {um[1]:.0f} µm ?†", page.text)
+
+
+def test_what_was_not_given_is_listed_with_its_reason(page: Reading) -> None:
+    values = [v for v in small().case.values() if v.provenance in ("inferred", "assumed")]
+    assert values
+    for value in values:
+        assert value.path in page.text
+        assert folded(value.reason) in page.text
+    assert f"{len(values)} values of this case are not stated" in page.text
+
+
+def test_physical_numbers_on_assumed_values_are_marked_and_others_not() -> None:
+    text, _ = read(small())
+    assert re.search(r'class="marked">[\d.]+ to [\d.]+ µm', text)
+    assert not re.search(r'class="marked">[^<]*rpm', text), "the speed scale rests on inferred values"
+
+
+def test_the_summary_counts_what_the_table_says(page: Reading) -> None:
+    claims = small().claims
+    start = (
+        page.text.index("Of 15 claims") if len(claims) == 15 else page.text.index(f"Of {len(claims)} claims")
+    )
+    sentence = page.text[start : start + 200]
+    lost = sum(c.verdict == NOT_FOUND for c in claims)
+    assert f"{lost} were ✗ not found" in sentence
+
+
+def test_a_run_that_found_nothing_still_makes_a_report() -> None:
+    done = small()
+    nowhere = replace(done.zones[0].lower, value=nan, how="none", next_label="")
+    zone = replace(
+        done.zones[0], lower=nowhere, upper=nowhere, labels=(), margin=nan, coexisting=(), verdict=NOT_FOUND
+    )
+    empty = replace(done, events=(), zones=(zone,), window=(), table2=(), claims=())
+    _, seen = read(empty)
+    assert seen.problems == []
+    assert "no interval without any impact was found" in seen.text
+    _, seen = read(replace(empty, zones=()))
+    assert seen.problems == []
+
+
+def test_an_incomplete_run_says_so() -> None:
+    done = small()
+    _, seen = read(replace(done, run=replace(done.run, complete=False)))
+    assert "stopped early" in seen.text
+
+
+@pytest.mark.slow
+def test_a_folder_holds_page_numbers_and_figures(tmp_path: Path) -> None:
+    done = replace(small(), events=small().events[:1])
+    path = report.render(done, tmp_path / "out")
+    text = path.read_text(encoding="utf-8")
+    seen = Reading(text)
+    assert path == tmp_path / "out" / "report.html"
+    assert seen.problems == []
+    assert seen.tags.count("svg") == seen.tags.count("figure") > 4
+    for link in {v for v in seen.values("href") if not v.startswith("#")}:
+        file = path.parent / link
+        head = file.read_bytes()[:100]
+        assert head.startswith(b"%PDF") if link.endswith(".pdf") else b"<?xml" in head
+    used = set(re.findall(r'(?:href="#|url\(#)([^")]+)', text))
+    assert used <= set(seen.values("id")), "every part of a drawing that is used is there"
+    names = re.sub(r'xmlns(:\w+)?="[^"]*"', "", text)
+    assert "http://" not in names
+    assert "https://" not in names
+
+    data = json.loads((path.parent / "report.json").read_text(encoding="utf-8"))
+    assert [c["computed_value"] for c in data["claims"]] == [
+        c.computed_value if c.computed_value == c.computed_value else None for c in done.claims
+    ]
+    assert data["events"][0]["value"] == done.events[0].value
+    assert len(data["frequency"]["dataset"]["variables"]["label"][0]) == len(done.frequency.dataset["omega"])
+    assert data["case"]["hash"] == done.case.hash
