@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators
-from gearlash.orbits import Orbit
+from gearlash.orbits import Orbit, shoot
 from gearlash.orbits.floquet import ordered
 from gearlash.orbits.shooting import Shot
 from gearlash.system import Family, Status
@@ -26,6 +26,7 @@ Array = NDArray[Any]
 ITERATIONS = 30
 STEP = 1e-6  # of state and parameter: for derivatives
 CLOSED = 1e-10  # residual of a solution
+NEAR = 1e-2  # distance of an orbit of half the period, and of its multiplier from -1, at a doubling
 NAMES = {-1: "period doubling", 1: "fold"}
 
 
@@ -69,7 +70,7 @@ def locate_multiplier(
     props = problem.system_at(mu)
     _, jacobian = problem.equations(props, state)
     status = Status.OK if residual <= CLOSED else Status.NOT_CONVERGED
-    if status.ok and multiplier == 1 and _runs_twice(props, state, orbit.shot.period):
+    if status.ok and multiplier == 1 and _born_by_doubling(props, state, orbit.shot.period):
         status = Status.NOT_ADMISSIBLE  # a doubled orbit is born here, which is no fold
     shot = Shot(state, orbit.shot.period, residual, jacobian, residual, 0, status)
     return BifurcationPoint(
@@ -87,13 +88,15 @@ def locate_multiplier(
     )
 
 
-def _runs_twice(props: Propagators, state: Array, period: int) -> bool:
-    """Whether the orbit goes twice through one of half its period."""
+def _born_by_doubling(props: Propagators, state: Array, period: int) -> bool:
+    """Whether an orbit of half the period lies close by, with a multiplier close to -1."""
     if period % 2:
         return False
-    strobes = flow.march(props, state, period // 2).states
-    size = max(float(np.ptp(strobes, axis=0).max()), 1e-3)
-    return float(np.abs(strobes[-1] - strobes[0]).max()) < 1e-3 * size
+    half = shoot(props, state, period // 2)
+    if half.residual > CLOSED:
+        return False
+    near = np.abs(half.state - state).max() <= NEAR * max(1.0, float(np.abs(state).max()))
+    return bool(near and np.abs(np.linalg.eigvals(half.monodromy) + 1.0).min() <= NEAR)
 
 
 @dataclass(frozen=True, eq=False)
