@@ -7,7 +7,9 @@ styles, hatches or words say the same, so that a grey print can be read.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import logging
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import wraps
 from io import BytesIO
 from pathlib import Path
@@ -151,11 +153,23 @@ def to_bytes(made: Figure, form: str, dpi: float = RASTER_DPI) -> bytes:
         "png": {"Software": None},
     }
     out = BytesIO()
-    with mpl.rc_context():
+    with mpl.rc_context(), _quiet("fontTools"):
         mpl.rcdefaults()
         mpl.rcParams.update(RC)
         made.savefig(out, format=form, dpi=dpi, metadata=empty[form])
     return out.getvalue()
+
+
+@contextmanager
+def _quiet(name: str) -> Iterator[None]:
+    """Without the remarks of a library on the dates inside the fonts it puts into a PDF."""
+    logger = logging.getLogger(name)
+    level = logger.level
+    logger.setLevel(logging.ERROR)
+    try:
+        yield
+    finally:
+        logger.setLevel(level)
 
 
 def save(
