@@ -20,7 +20,7 @@ from gearlash.orbits.shooting import Shot
 from gearlash.system import Family, Status
 
 from .kinds import SMOOTH
-from .steps import longest_step
+from .steps import check_name, longest_step
 
 Array = NDArray[Any]
 ITERATIONS = 30
@@ -64,6 +64,7 @@ def locate_multiplier(
 
     Status `not-admissible`: a multiplier +1 where the orbit is born from one of half its period, no fold.
     """
+    check_name(family, name)
     problem = _Problem(family, values, name, float(orbit.period), multiplier)
     unknown, residual, change = problem.solve(np.append(orbit.state, float(values[name])))
     state, mu = unknown[:-1], float(unknown[-1])

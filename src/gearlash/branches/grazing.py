@@ -23,7 +23,7 @@ from gearlash.orbits.grazing import KINDS
 from gearlash.system import Family, Status
 
 from .kinds import distance_to_unit, table2_type
-from .steps import longest_step
+from .steps import check_name, longest_step
 
 Array = NDArray[np.float64]
 ITERATIONS = 40
@@ -82,6 +82,7 @@ def locate_grazing(
     """The value of parameter ``name`` at which the extremum ``check`` of ``orbit`` (found at ``values``)
     touches its boundary. The value is good to about 1e-12 of itself where the status is ok; `not-converged`
     and `not-admissible` (the labels beside it do not differ by one contact) say that it is no result."""
+    check_name(family, name)
     problem = _Problem.of(family, values, name, orbit, check)
     unknown, residual, change = problem.solve()
     mu = float(unknown[-1])
@@ -98,7 +99,7 @@ def locate_grazing(
     return GrazingPoint(
         name=name,
         value=mu,
-        error=change,
+        error=max(change, problem.uncertainty(props, unknown, residual)),
         values={**values, name: mu},
         boundary=check.boundary,
         phase=float(unknown[-2] % orbit.period),
@@ -218,6 +219,17 @@ class _Problem:
             if not self.family_takes(float(unknown[-1])):
                 break
         return best, residual, change
+
+    def uncertainty(self, props: Propagators, unknown: Array, residual: float) -> float:
+        """Of the parameter, from residual and rounding of the equations; infinite where it does not enter."""
+        last = np.zeros(len(unknown))
+        last[-1] = 1.0
+        try:
+            gains = np.linalg.solve(self.jacobian(props, unknown).T, last)
+        except np.linalg.LinAlgError:
+            return float("inf")
+        rounding = 4.0 * np.finfo(float).eps * max(1.0, float(np.abs(unknown[:-2]).max()))
+        return float(np.abs(gains).sum() * (residual + rounding))
 
     def family_takes(self, mu: float) -> bool:
         parameter = next(p for p in self.family.parameters if p.name == self.name)

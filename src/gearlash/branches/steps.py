@@ -1,11 +1,18 @@
-"""How far Newton's method may move a parameter in one step."""
+"""The parameter that is solved for: its name, and how far Newton's method may move it in one step."""
 
 from __future__ import annotations
 
-from gearlash.system import Family
+from gearlash.system import Family, UnknownNameError
 
 PART = 0.05  # of the parameter
 SIGNED = 1.0  # a parameter that may change its sign (a load, a phase) is taken for this large at least
+
+
+def check_name(family: Family, name: str) -> None:
+    """Raises `UnknownNameError` for a name that is no parameter of the family."""
+    names = [p.name for p in family.parameters]
+    if name not in names:
+        raise UnknownNameError("parameter", name, names)
 
 
 def longest_step(family: Family, name: str, value: float) -> float:
