@@ -177,3 +177,12 @@ def test_phase_zero_state_in_physical_units(gearlash: Gearlash):
     rpm, hz = answer["physical"]["pinion_speed_rpm"], answer["physical"]["mesh_frequency_Hz"]
     assert hz == pytest.approx(rpm / 60.0 * 16.0, rel=1e-13)
     assert hz == pytest.approx(answer["parameters"]["omega"] * scales.omega_n / (2.0 * pi), rel=1e-13)
+
+
+def test_ctrl_c_ends_with_130_and_no_traceback(gearlash: Gearlash, monkeypatch: pytest.MonkeyPatch):
+    def interrupted(*arguments: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("gearlash.orbits.attractor", interrupted)
+    ran = gearlash("run", "article")
+    assert (ran.code, ran.out, ran.err) == (130, "", "interrupted\n")

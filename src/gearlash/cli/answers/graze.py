@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
@@ -99,18 +99,19 @@ def graze_answer(
     family: Family,
     parameters: Mapping[str, float],
     over: str,
+    named: str,
     start: Point,
     paths: tuple[Path, ...],
     found: list[GrazingPoint],
 ) -> GrazeAnswer:
-    """The record of what was found on the paths from ``start``."""
+    """The record of what was found on the paths from ``start``; ``named`` is the parameter as typed."""
     near = parameters[over]
     touches = tuple(_touch(case, family, p) for p in sorted(found, key=lambda p: abs(p.value - near)))
     status = Status.OK if touches else Status.NOT_FOUND if start.periodic else Status(start.status)
     if not touches and status is Status.OK:  # an aperiodic motion: nothing to follow
         status = Status.NOT_FOUND
     return GrazeAnswer(
-        sentence=_sentence(over, near, start, touches),
+        sentence=_sentence(case, over, named, near, start, touches),
         status=str(status),
         message=_message(start, paths),
         advice=status.advice,
@@ -183,16 +184,25 @@ def _curvature(point: GrazingPoint) -> str:
     return "> 0 (at Σ2, seen from S2)" if above else "< 0 (at Σ2: the mirror image of the article's)"
 
 
-def _sentence(over: str, near: float, start: Point, touches: tuple[Touch, ...]) -> str:
-    here = f"{over} = {near:.10g}, {start.label or start.status}"
+def _sentence(
+    case: Case, over: str, named: str, near: float, start: Point, touches: tuple[Touch, ...]
+) -> str:
+    asked = _named(physical_values(case, over, near, computed=False), named)
+    here = f"{over} = {near:.10g}" if asked is None else physical_text(replace(asked, rests_on=()), 6)
+    here += f", {start.label or start.status}"
     if not touches:
         return f"{here}: no grazing was found"
     first = touches[0]
-    what = f"{first.kind.partition(' (')[0]} at {over} = {first.value:.10g}"
-    shown = f" ({physical_text(first.physical[0], 6)})" if first.physical else ""
-    return (
-        f"{here}: nearest grazing is {what}{shown}, {first.label_below} below and {first.label_above} above"
-    )
+    shown = _named(first.physical, named) or (first.physical[0] if first.physical else None)
+    value = f"{over} = {first.value:.10g}" + (f" ({physical_text(shown, 6)})" if shown else "")
+    what = first.kind.partition(" (")[0]
+    sides = f"{first.label_below} below and {first.label_above} above"
+    return f"{here}: nearest grazing is {what} at {value}, {sides}"
+
+
+def _named(values: tuple[PhysicalValue, ...], named: str) -> PhysicalValue | None:
+    """The one that the parameter was named by."""
+    return next((p for p in values if p.name == named.rpartition(".")[2]), None)
 
 
 def _message(start: Point, paths: tuple[Path, ...]) -> str:

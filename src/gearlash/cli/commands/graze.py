@@ -63,7 +63,9 @@ def graze(
         else []
     )
     found = [touch for _, touch in walks if touch is not None]
-    answer = graze_answer(chosen, family, parameters, short, first, tuple(path for path, _ in walks), found)
+    answer = graze_answer(
+        chosen, family, parameters, short, over, first, tuple(path for path, _ in walks), found
+    )
     if folder:
         write_file(answer, folder.file("graze.json"))
     if as_json:

@@ -19,7 +19,8 @@ RESONANCE = re.compile(r"derived\.(natural_frequency|critical_speed)_(\d+)(_hz)?
 def check_view(answer: CheckAnswer, width: int) -> Iterator[Text]:
     """Stated values, derived numbers, remarks."""
     yield from headline(f"{answer.name}: {answer.kind}, nothing to correct", width)
-    yield from map(Text, wrapped(answer.description, width))
+    if answer.description:
+        yield from map(Text, wrapped(answer.description, width))
     if answer.source:
         rows = [
             (n, ", ".join(t) if isinstance(t, tuple) else " ".join(t.split()))
