@@ -90,7 +90,7 @@ def _bar(axes: Axes, row: int, bar: Bar, wide: float) -> None:
     )
     middle = (bar.lower + bar.upper) / 2.0
     box = {"facecolor": "white", "edgecolor": "none", "pad": 1.2} if plain else None
-    if bar.upper - bar.lower > 0.012 * len(bar.label) * wide:
+    if bar.upper - bar.lower > (0.02 * len(short(bar.label)) + 0.012) * wide:
         axes.text(
             middle,
             row,

@@ -17,10 +17,11 @@ class Regime:
     ink: str = style.INK
 
 
-FREE = Regime("no impacts", "#b7e0d2")
-DRIVE = Regime("drive-side impacts", style.SKY)
-BACK = Regime("drive- and back-side impacts", style.ORANGE)
-APERIODIC = Regime("aperiodic", style.GREY, ink="white")
+# From light to dark, so that a grey print tells them apart: lightness (CIE L*) 90, 75, 59 and 33.
+FREE = Regime("no impacts", "#c9ebdd")
+DRIVE = Regime("drive-side impacts", "#74c0ee")
+BACK = Regime("drive- and back-side impacts", "#cd7f00")
+APERIODIC = Regime("aperiodic", "#4d4d4d", ink="white")
 UNRESOLVED = Regime("unresolved", "white", "xxxx")
 ALL = (FREE, DRIVE, BACK, APERIODIC, UNRESOLVED)
 

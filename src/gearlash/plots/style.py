@@ -75,6 +75,7 @@ RC: Any = {  # matplotlib types these names as literals only in newer versions
     "legend.borderaxespad": 0.3,
     "figure.facecolor": "white",
     "savefig.facecolor": "white",
+    "text.hinting": "none",  # hinted letters are narrower at a coarse resolution: labels would not fit
     "svg.fonttype": "path",  # text as outlines: the file needs no font of the reader's machine
     "svg.hashsalt": "gearlash",
     "pdf.fonttype": 42,
@@ -128,7 +129,6 @@ def _minor_ticks(made: Figure) -> None:
 
 def figure(width: float, height: float) -> Figure:
     """An empty figure of a size in mm, with a layout that leaves no label outside."""
-    # The layout measures text in pixels of this resolution; at a coarse one hinting makes it too narrow.
     made = Figure(figsize=(width * MM, height * MM), dpi=RASTER_DPI, layout="constrained")
     FigureCanvasAgg(made)
     pads = {"w_pad": 1.0 * MM, "h_pad": 0.8 * MM, "wspace": 0.02, "hspace": 0.02}

@@ -10,7 +10,7 @@ from gearlash.report.blocks import Block, Cell, Figure, Inline, Section, Strong,
 from gearlash.report.numbers import NOTHING, interval, number, uncertainty
 from gearlash.report.pictures import Picture
 from gearlash.studies.article import Reproduction, Zone
-from gearlash.studies.article.reproduction import End
+from gearlash.studies.article.reproduction import Coexisting, End
 
 from .quantities import Quantities, fixed_words, symbol
 from .words import verdict
@@ -35,7 +35,8 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
             )
         )
     blocks.append(_table(done.zones, quantities))
-    blocks += [Text.of(note) for note in dict.fromkeys(zone.note for zone in done.zones) if note]
+    notes = dict.fromkeys(f"In {symbol(zone.parameter)}: {zone.note}" for zone in done.zones if zone.note)
+    blocks += [Text.of(note) for note in notes]
     inner: tuple[Section, ...] = ()
     if done.window:
         made, picture = _window(done, quantities)
@@ -81,22 +82,27 @@ def panel(readings: list[Zone]) -> plots.Panel:
                     _end(zone.upper),
                 )
             )
-    widest = max(readings, key=lambda z: len(z.coexisting))
-    for other in widest.coexisting[:MOST_BARS]:
-        bars.append(
-            plots.Bar(
-                f"coexists: {short(other.label)}",
-                *other.interval,
-                "coexisting",
-                other.label,
-                number(other.interval[0], 5),
-                number(other.interval[1], 5),
-            )
+    others = _together(max((z.coexisting for z in readings), key=len))
+    bars += [
+        plots.Bar(
+            f"coexists: {short(label)}", low, high, "coexisting", label, number(low, 5), number(high, 5)
         )
+        for label, low, high in others[:MOST_BARS]
+    ]
     title = f"{first.kind}, at {fixed_words(first.fixed)}"
-    if len(widest.coexisting) > MOST_BARS:
-        title += f"  ({len(widest.coexisting) - MOST_BARS} more coexisting motions are in the table)"
+    if len(others) > MOST_BARS:
+        title += f"  ({len(others) - MOST_BARS} more coexisting motions are in the table)"
     return plots.Panel(first.parameter, title, tuple(bars))
+
+
+def _together(found: tuple[Coexisting, ...]) -> list[tuple[str, float, float]]:
+    """(label, lower, upper), the intervals of one label as one: which direction found which part is in the
+    table."""
+    spans: dict[str, tuple[float, float]] = {}
+    for each in found:
+        low, high = spans.get(each.label, each.interval)
+        spans[each.label] = min(low, each.interval[0]), max(high, each.interval[1])
+    return [(label, low, high) for label, (low, high) in spans.items()]
 
 
 def _end(end: End) -> str:
