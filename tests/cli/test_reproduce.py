@@ -99,7 +99,7 @@ def test_table_of_claims_and_path_are_printed(
     ran = gearlash("reproduce", "--workers", "1", "--out", str(tmp_path))
     lines = [" ".join(line.split()) for line in ran.out.splitlines()]
     assert lines[0] == "3 claims of the article: 2 reproduced, 1 not found"
-    assert lines.count("reproduced 1.112 1.1120 A grazing ends the 1-0 window") == 2
+    assert lines.count("reproduced 1.112 1.1120 omega, D = 1; 1-0 → 1-1, computed 1-0-0 → 1-1-0") == 2
     assert "1e-13 ≤ 1e-11 holds largest residual" in lines
     assert "time 1 min 15 s with 2 workers" in lines
     assert str(tmp_path / "report.html") in "".join(ran.out.split())

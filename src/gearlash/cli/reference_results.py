@@ -43,6 +43,11 @@ FOLDER = """\
 
 `.gearlash.json` lists the names that gearlash wrote or was about to write there. Before anything is
 computed, a command stops with exit code 2 if one of its files is already there and is not listed.
+
+`report.json` holds every number of the report: `format` (1), `case`, `frequency` and `backlash` (the two
+sweeps with what was located along them), `events`, `zones`, `window`, `table2`, `claims`, `checks`, `run`.
+Its records have the fields of `gearlash.studies.article.reproduction`; curves are thinned, and complex
+numbers are `{"re", "im"}`.
 """
 NETCDF = """\
 ## NetCDF

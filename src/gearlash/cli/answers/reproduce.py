@@ -16,7 +16,8 @@ class Claim:
     """One claim of the article."""
 
     id: str
-    sentence: Annotated[str, "the claim in words"]
+    sentence: Annotated[str, "the claim in the words of the article"]
+    quantity: Annotated[str, "what was reported and computed"]
     where: Annotated[str, "parameters it was made at"]
     reported: Annotated[str, "as printed in the article"]
     computed: Annotated[str, "ready to print"]
@@ -82,6 +83,7 @@ def _claim(row: article.ClaimRow) -> Claim:
     return Claim(
         id=row.id,
         sentence=row.sentence,
+        quantity=row.quantity,
         where=row.where,
         reported=row.printed,
         computed=row.computed,

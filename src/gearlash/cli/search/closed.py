@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from itertools import pairwise
 from math import inf
 
 from gearlash import flow
@@ -21,6 +20,9 @@ from gearlash.system import Family, GearlashError, Status, System
 STEP = 1.01  # factor from one speed of the search to the next
 REACH = 2.0  # factor to which it goes, up and down
 TOLERANCE = 1e-9  # relative, of an end
+NARROW = 1e-3  # of a bracket: no step is nearer to its ends, so that both close in
+
+Sample = tuple[float, float]  # speed, margin there
 
 
 def impact_free_speeds(family: Family, parameters: Mapping[str, float]) -> ImpactFree | None:
@@ -37,15 +39,19 @@ def impact_free_speeds(family: Family, parameters: Mapping[str, float]) -> Impac
             family.system({**parameters, "omega": at}), 1 if parameters["load"] > 0.0 else -1
         )
 
-    here = margin(omega) > 0.0
-    up, down = (_change(margin, omega, factor) for factor in (STEP, 1.0 / STEP))
+    known = margin(omega)
+    here = known > 0.0
+    up = _change(margin, omega, known, STEP, omega * (REACH - 1.0))
+    farthest = omega * (1.0 - 1.0 / REACH)
+    if not here and up is not None:  # what lies farther off than this one is not the nearest
+        farthest = min(farthest, up - omega)
+    down = _change(margin, omega, known, 1.0 / STEP, farthest)
     ends = [end for end in (down, up) if end is not None]
-    nearest = min(ends, key=lambda end: abs(end - omega), default=None)
     return ImpactFree(
         here=here,
         lower=down if here else None,
         upper=up if here else None,
-        nearest=None if here else nearest,
+        nearest=None if here else min(ends, key=lambda end: abs(end - omega), default=None),
         searched_from=omega / REACH,
         searched_to=omega * REACH,
     )
@@ -81,25 +87,33 @@ def _closed(system: System, side: int) -> System:
     return replace(system, clearances=(closed,))
 
 
-def _change(margin: Callable[[float], float], start: float, factor: float) -> float | None:
-    """The first change of sign of the margin from ``start`` on, as the value on its positive side."""
-    speeds = [start]
-    while speeds[-1] < REACH * start and speeds[-1] > start / REACH:
-        speeds.append(speeds[-1] * factor)
-    known = margin(start)
-    for here, there in pairwise(speeds):
+def _change(
+    margin: Callable[[float], float], start: float, known: float, factor: float, farthest: float
+) -> float | None:
+    """The first change of sign of the margin from ``start`` on, as a value on its positive side."""
+    at = start
+    while abs(at - start) < farthest:
+        there = at * factor
         found = margin(there)
         if (found > 0.0) != (known > 0.0):
-            return _bisected(margin, here, there, known > 0.0)
-        known = found
+            return _narrowed(margin, (at, known), (there, found))
+        at, known = there, found
     return None
 
 
-def _bisected(margin: Callable[[float], float], here: float, there: float, positive_here: bool) -> float:
-    while abs(there - here) > TOLERANCE * abs(here):
-        middle = 0.5 * (here + there)
-        if (margin(middle) > 0.0) == positive_here:
-            here = middle
+def _narrowed(margin: Callable[[float], float], here: Sample, there: Sample) -> float:
+    """Illinois method between two samples of different sign, halving where one is infinite: M. Dowell and
+    P. Jarratt, BIT 11 (1971) 168-174."""
+    inside, outside = (here, there) if here[1] > 0.0 else (there, here)
+    last = 0
+    while abs(inside[0] - outside[0]) > TOLERANCE * abs(inside[0]):
+        share = inside[1] / (inside[1] - outside[1]) if outside[1] > -inf else 0.5
+        at = inside[0] + min(max(share, NARROW), 1.0 - NARROW) * (outside[0] - inside[0])
+        found = margin(at)
+        if found > 0.0:
+            inside, outside = (at, found), (outside[0], outside[1] / 2.0 if last > 0 else outside[1])
+            last = 1
         else:
-            there = middle
-    return here if positive_here else there
+            outside, inside = (at, found), (inside[0], inside[1] / 2.0 if last < 0 else inside[1])
+            last = -1
+    return inside[0]

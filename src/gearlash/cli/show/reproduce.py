@@ -6,18 +6,17 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
-from gearlash.cli.answers.reproduce import ReproduceAnswer
+from gearlash.cli.answers.reproduce import Claim, ReproduceAnswer
 from gearlash.jobs import seconds_as_text
 
-from .layout import facts, headline, table
+from .layout import facts, headline, remarks, table
 
 
 def reproduce_view(answer: ReproduceAnswer, width: int) -> Iterator[Text]:
     """Sentence, the table of claims, what was measured, where the report is."""
     yield from headline(answer.sentence, width)
-    columns = [("verdict", "left"), ("reported", "left"), ("computed", "left"), ("claim", "left")]
-    rows = [(c.verdict, c.reported, c.computed, c.sentence) for c in answer.claims]
-    yield from table("Claims", columns, rows, width)
+    claims = [(c.verdict, c.reported, c.computed, _about(c)) for c in answer.claims]
+    yield from remarks("Claims: verdict, reported, computed", claims, width)
     checks = [(c.value, c.bound, _held(c.holds), c.what) for c in answer.checks]
     yield from table(
         "Measured in this run",
@@ -30,6 +29,14 @@ def reproduce_view(answer: ReproduceAnswer, width: int) -> Iterator[Text]:
     if answer.status != "ok":
         rows.insert(0, ("status", answer.status))
     yield from facts("", [*rows, ("report", answer.report)], width)
+
+
+def _about(claim: Claim) -> str:
+    """What the numbers are of, and the labels where the article gives them."""
+    about = f"{claim.quantity}, {claim.where}" if claim.where else claim.quantity
+    if claim.reported_labels and claim.reported_labels != claim.reported:
+        about += f"; {claim.reported_labels}, computed {claim.computed_labels or '–'}"
+    return about
 
 
 def _held(holds: bool | None) -> str:
