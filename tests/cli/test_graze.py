@@ -96,3 +96,17 @@ def test_the_end_of_the_search_is_said(gearlash: Gearlash):
     assert ran.answer["status"] == "not-found"
     assert {path["ended"] for path in ran.answer["paths"]} == {"end of the search"}
     assert problems(ran.answer, SCHEMA) == []
+
+
+def test_a_system_that_cannot_be_built_is_said_to_be(gearlash: Gearlash):
+    ran = gearlash("graze", "article", "--near", "1e-6", "--json")
+    assert ran.code == 3
+    assert problems(ran.answer, SCHEMA) == []
+    assert ran.answer["status"] == "failed"
+    assert "too far below" in ran.answer["message"]
+
+
+def test_advice_is_given_once(gearlash: Gearlash):
+    ran = gearlash("graze", "article", "--near", "0.9", "--periods", "200")
+    assert ran.code == 3
+    assert " ".join(ran.out.split()).count("allow more periods") == 1

@@ -9,12 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
 from gearlash.case import load
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
-from gearlash.orbits import Orbit, attractor, motion_statistics
+from gearlash.orbits import Orbit, Unresolved, attractor, motion_statistics
+from gearlash.system import Status
 
 SCHEMA = answer_schema(answer_kind("run"))
 AT_3600 = ("run", "article", "--set", "pinion_speed=3600rpm")
@@ -186,3 +188,25 @@ def test_ctrl_c_ends_with_130_and_no_traceback(gearlash: Gearlash, monkeypatch: 
     monkeypatch.setattr("gearlash.orbits.attractor", interrupted)
     ran = gearlash("run", "article")
     assert (ran.code, ran.out, ran.err) == (130, "", "interrupted\n")
+
+
+def test_a_motion_that_ran_away_is_told_without_numbers(gearlash: Gearlash, monkeypatch: pytest.MonkeyPatch):
+    family = load("article").family()[0]
+    nowhere = np.full(10, np.nan)
+    lost = Unresolved(
+        gl.propagators(family.system()),
+        nowhere,
+        np.nan,
+        np.nan,
+        24,
+        Status.DIVERGED,
+        "the motion could not be carried on",
+    )
+    monkeypatch.setattr("gearlash.orbits.attractor", lambda *arguments: lost)
+    ran = gearlash("run", "article")
+    assert ran.code == 3
+    assert ran.out.startswith("4000 rpm: unresolved, the motion could not be carried on")
+    assert "check damping" in ran.out
+    answer = gearlash("run", "article", "--json").answer
+    assert problems(answer, SCHEMA) == []
+    assert answer["numbers"] is answer["physical"] is None

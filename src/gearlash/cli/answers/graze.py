@@ -107,14 +107,12 @@ def graze_answer(
     """The record of what was found on the paths from ``start``; ``named`` is the parameter as typed."""
     near = parameters[over]
     touches = tuple(_touch(case, family, p) for p in sorted(found, key=lambda p: abs(p.value - near)))
-    status = Status.OK if touches else Status.NOT_FOUND if start.periodic else Status(start.status)
-    if not touches and status is Status.OK:  # an aperiodic motion: nothing to follow
-        status = Status.NOT_FOUND
+    status, advice = _outcome(start, bool(touches))
     return GrazeAnswer(
         sentence=_sentence(case, over, named, near, start, touches),
-        status=str(status),
+        status=status,
         message=_message(start, paths),
-        advice=status.advice,
+        advice=advice,
         case=case_used(case),
         parameters=dict(parameters),
         over=over,
@@ -205,7 +203,21 @@ def _named(values: tuple[PhysicalValue, ...], named: str) -> PhysicalValue | Non
     return next((p for p in values if p.name == named.rpartition(".")[2]), None)
 
 
+def _outcome(start: Point, found: bool) -> tuple[str, str]:
+    """Status and advice: those of the attractor where it could not be followed."""
+    if found:
+        return str(Status.OK), Status.OK.advice
+    if start.periodic or start.status == Status.OK:  # followed in vain, or aperiodic
+        return str(Status.NOT_FOUND), Status.NOT_FOUND.advice
+    if start.status in tuple(Status):
+        return start.status, Status(start.status).advice
+    return start.status, "change what the message names"
+
+
 def _message(start: Point, paths: tuple[Path, ...]) -> str:
-    if not start.periodic:
-        return f"{start.message}; only a periodic motion can be followed to a grazing"
-    return "; ".join(f"{path.direction} to {path.reached:.6g}: {path.ended}" for path in paths)
+    if start.periodic:
+        return "; ".join(f"{path.direction} to {path.reached:.6g}: {path.ended}" for path in paths)
+    said = start.message
+    for status in Status:
+        said = said.removesuffix(f": {status.advice}")
+    return f"{said}; only a periodic motion can be followed to a grazing"

@@ -37,7 +37,10 @@ class RunAnswer:
     label: Annotated[str, "P-Q-R, aperiodic or unresolved"]
     signature: Annotated[SignatureCounts | None, "null where nothing periodic was proved"]
     stable: Annotated[bool | None, "all multipliers inside the unit circle; null without an orbit"]
-    state: Annotated[dict[str, float], "state at phase zero by name; of an orbit, one point of it"]
+    state: Annotated[
+        Mapping[str, float | None],
+        "state at phase zero by name; of an orbit, one point of it (null: it ran away beyond every number)",
+    ]
     residual: Annotated[float | None, "largest component of P(z) - z over max(1, |z|)"]
     multipliers: Annotated[
         tuple[Multiplier, ...], "all Floquet multipliers, by modulus, descending; of an orbit only"
