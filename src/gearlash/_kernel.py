@@ -1,10 +1,14 @@
 """The one decorator for compiled kernels, and their cache.
 
-A kernel is a plain function of arrays, NamedTuples of arrays and scalars. It is compiled by numba without the
-GIL and without fastmath (only contraction to fused multiply-add is allowed, which keeps results the same for
-any number of workers on one kind of processor). The cache key is a hash of *all* kernel sources: numba alone
-looks at the file of the function only and would keep a caller whose callee has changed. Where no cache folder
-is writable, kernels are compiled in memory; `GEARLASH_CACHE_DIR` names another folder."""
+A kernel is a plain function of arrays, NamedTuples of arrays and scalars. It is compiled by numba without
+the GIL and without fastmath. Not even contraction to fused multiply-add is left to the compiler: it keeps a
+vector and a scalar version of many loops, chooses by the addresses of arrays, and contracts the two
+differently, so that the last bit would depend on where memory happened to lie. Fused operations are written
+out (`fma`), and every version of a loop then gives the same bytes. The cache key is a hash of *all* kernel
+sources: numba alone looks at the file of the function only and would keep a caller whose callee has
+changed. Where no cache folder is writable, kernels are compiled in memory; `GEARLASH_CACHE_DIR` names
+another folder.
+"""
 
 from __future__ import annotations
 
@@ -23,10 +27,12 @@ if TYPE_CHECKING:
 
     def kernel(signature: Any) -> Callable[[F], F]: ...
     def inner(function: F) -> F: ...
+    def fma(a: float, b: float, c: float) -> float: ...
 
 else:
     import numba
     from numba.core import caching
+    from numba.extending import intrinsic
 
     def kernel(signature):
         """An entry point: compiled for one explicit signature when its module is imported, or read from the
@@ -35,7 +41,7 @@ else:
         def wrap(function):
             if numba.config.DISABLE_JIT:
                 return function
-            dispatcher = numba.jit(nogil=True, fastmath={"contract"}, error_model="numpy")(function)
+            dispatcher = numba.jit(nogil=True, error_model="numpy")(function)
             _enable_cache(dispatcher)
             with _slp_vectoriser():
                 dispatcher.compile(signature)
@@ -46,7 +52,25 @@ else:
 
     def inner(function):
         """A helper that only kernels call: compiled into its callers and cached with them."""
-        return numba.jit(nogil=True, fastmath={"contract"}, error_model="numpy")(function)
+        return numba.jit(nogil=True, error_model="numpy")(function)
+
+    if numba.config.DISABLE_JIT:
+
+        def fma(a, b, c):
+            """a·b + c; with compiled kernels rounded once."""
+            return a * b + c
+
+    else:
+
+        @intrinsic
+        def fma(typing_context, a, b, c):
+            """a·b + c, rounded once, wherever it is written and nowhere else."""
+            signature = numba.float64(numba.float64, numba.float64, numba.float64)
+
+            def generate(context, builder, signature, arguments):
+                return builder.fma(*arguments)
+
+            return signature, generate
 
     @contextlib.contextmanager
     def _slp_vectoriser():

@@ -37,13 +37,42 @@ def test_start_on_a_boundary_goes_the_way_it_moves(pair, side):
 
 
 def test_start_beside_a_boundary_crosses_it_once():
-    """One rounding unit on the wrong side is still a side."""
+    """Beyond rounding a side is a side; within rounding of the boundary the direction decides, because the
+    crossing belongs to the span that ended there."""
     props = flow.propagators(spur(Mesh()))
-    inside, outside = np.nextafter(1.0, 0.0), np.nextafter(1.0, 2.0)
+    inside, outside = 1.0 - 1e-12, 1.0 + 1e-12
     assert _crossings(flow.trace(props, [inside, 0.1], 0.01).events) == [(1, True)]
     assert _crossings(flow.trace(props, [outside, 0.1], 0.01).events) == []
     assert _crossings(flow.trace(props, [outside, -0.1], 0.01).events) == [(1, False)]
     assert _crossings(flow.trace(props, [inside, -0.1], 0.01).events) == []
+    for start in (np.nextafter(1.0, 0.0), 1.0, np.nextafter(1.0, 2.0)):
+        for velocity in (0.1, -0.1):
+            assert _crossings(flow.trace(props, [start, velocity], 0.01).events) == []
+
+
+def test_a_span_includes_the_event_at_its_end():
+    """Cut at an event, a motion has it once: in the span that ends there, whatever carries it."""
+    props = flow.propagators(spur(replace(Mesh(), gap_plus=0.4, gap_minus=0.3)))
+    rng = np.random.default_rng(7)
+    cuts = 0
+    for start in rng.normal(scale=0.5, size=(40, 2)):
+        whole = flow.trace(props, start, 2.0)
+        for i, phase in enumerate(whole.events.phase[:3]):
+            first = flow.trace(props, start, phase)
+            rest = flow.trace(props, first.end, 2.0 - phase, phase)
+            assert len(first.events) == i + 1
+            assert len(first.events) + len(rest.events) == len(whole.events)
+            carried = flow.carry(props, start, phase)
+            onward = flow.carry(props, carried.state, 2.0 - phase, phase)
+            assert (carried.contacts + onward.contacts).sum() == len(whole.events)
+            cuts += 1
+    assert cuts > 50
+
+
+def test_a_trace_answers_inside_its_span_only():
+    trace = flow.trace(flow.propagators(spur(Mesh())), [1.1, 0.0], 1.0)
+    with pytest.raises(GearlashError, match="0 to 1"):
+        trace.at([0.5, 1.5])
 
 
 def test_several_events_in_one_cell(oracle):

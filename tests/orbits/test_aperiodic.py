@@ -40,7 +40,7 @@ def test_chaos(family, place):
 def test_trace_identity_in_chaos(family, place):
     """The sum of the whole spectrum is the divergence of the field, exactly, whatever the motion."""
     found = cold(family(), **place)
-    spectrum = lyapunov(found.propagators, found.final_state, 800)
+    spectrum = lyapunov(found.propagators, found.final_state, 2_400)
     expected = divergence(found.propagators.system)
     assert abs(spectrum.values.sum() - expected) <= 1e-10 * abs(expected)
     assert abs(spectrum.trace_defect) <= 1e-10 * abs(expected)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel import inner
+from gearlash._kernel import fma, inner
 
 LANES = 8
 # Unsigned indices: a signed one may be negative, counting from the end, and testing for it keeps eight
@@ -27,14 +27,14 @@ def map_cell(maps, shift, region, cell, z, n, out):
         a6, a7 = shift[region, cell, o + U6], shift[region, cell, o + U7]
         for k in range(n):
             x = z[k]
-            a0 += maps[region, cell, k, o] * x
-            a1 += maps[region, cell, k, o + U1] * x
-            a2 += maps[region, cell, k, o + U2] * x
-            a3 += maps[region, cell, k, o + U3] * x
-            a4 += maps[region, cell, k, o + U4] * x
-            a5 += maps[region, cell, k, o + U5] * x
-            a6 += maps[region, cell, k, o + U6] * x
-            a7 += maps[region, cell, k, o + U7] * x
+            a0 = fma(maps[region, cell, k, o], x, a0)
+            a1 = fma(maps[region, cell, k, o + U1], x, a1)
+            a2 = fma(maps[region, cell, k, o + U2], x, a2)
+            a3 = fma(maps[region, cell, k, o + U3], x, a3)
+            a4 = fma(maps[region, cell, k, o + U4], x, a4)
+            a5 = fma(maps[region, cell, k, o + U5], x, a5)
+            a6 = fma(maps[region, cell, k, o + U6], x, a6)
+            a7 = fma(maps[region, cell, k, o + U7], x, a7)
         out[o], out[o + U1], out[o + U2], out[o + U3] = a0, a1, a2, a3
         out[o + U4], out[o + U5], out[o + U6], out[o + U7] = a4, a5, a6, a7
 
@@ -47,14 +47,14 @@ def map_tangent(maps, region, cell, tangents, v, n, out):
         a0 = a1 = a2 = a3 = a4 = a5 = a6 = a7 = 0.0
         for k in range(n):
             x = tangents[v, k]
-            a0 += maps[region, cell, k, o] * x
-            a1 += maps[region, cell, k, o + U1] * x
-            a2 += maps[region, cell, k, o + U2] * x
-            a3 += maps[region, cell, k, o + U3] * x
-            a4 += maps[region, cell, k, o + U4] * x
-            a5 += maps[region, cell, k, o + U5] * x
-            a6 += maps[region, cell, k, o + U6] * x
-            a7 += maps[region, cell, k, o + U7] * x
+            a0 = fma(maps[region, cell, k, o], x, a0)
+            a1 = fma(maps[region, cell, k, o + U1], x, a1)
+            a2 = fma(maps[region, cell, k, o + U2], x, a2)
+            a3 = fma(maps[region, cell, k, o + U3], x, a3)
+            a4 = fma(maps[region, cell, k, o + U4], x, a4)
+            a5 = fma(maps[region, cell, k, o + U5], x, a5)
+            a6 = fma(maps[region, cell, k, o + U6], x, a6)
+            a7 = fma(maps[region, cell, k, o + U7], x, a7)
         out[o], out[o + U1], out[o + U2], out[o + U3] = a0, a1, a2, a3
         out[o + U4], out[o + U5], out[o + U6], out[o + U7] = a4, a5, a6, a7
 
@@ -68,14 +68,14 @@ def next_coefficient(matrix, region, gain, push, scale, zc, j, n):
         a4, a5, a6, a7 = gain[o + U4] * push, gain[o + U5] * push, gain[o + U6] * push, gain[o + U7] * push
         for k in range(n):
             x = zc[j, k]
-            a0 += matrix[region, k, o] * x
-            a1 += matrix[region, k, o + U1] * x
-            a2 += matrix[region, k, o + U2] * x
-            a3 += matrix[region, k, o + U3] * x
-            a4 += matrix[region, k, o + U4] * x
-            a5 += matrix[region, k, o + U5] * x
-            a6 += matrix[region, k, o + U6] * x
-            a7 += matrix[region, k, o + U7] * x
+            a0 = fma(matrix[region, k, o], x, a0)
+            a1 = fma(matrix[region, k, o + U1], x, a1)
+            a2 = fma(matrix[region, k, o + U2], x, a2)
+            a3 = fma(matrix[region, k, o + U3], x, a3)
+            a4 = fma(matrix[region, k, o + U4], x, a4)
+            a5 = fma(matrix[region, k, o + U5], x, a5)
+            a6 = fma(matrix[region, k, o + U6], x, a6)
+            a7 = fma(matrix[region, k, o + U7], x, a7)
         zc[j + 1, o], zc[j + 1, o + U1] = a0 * scale, a1 * scale
         zc[j + 1, o + U2], zc[j + 1, o + U3] = a2 * scale, a3 * scale
         zc[j + 1, o + U4], zc[j + 1, o + U5] = a4 * scale, a5 * scale
@@ -91,14 +91,14 @@ def bernstein_range(check, region, cell, z, n):
     a6, a7 = check[region, cell, n, U6], check[region, cell, n, U7]
     for k in range(n):
         x = z[k]
-        a0 += check[region, cell, k, U0] * x
-        a1 += check[region, cell, k, U1] * x
-        a2 += check[region, cell, k, U2] * x
-        a3 += check[region, cell, k, U3] * x
-        a4 += check[region, cell, k, U4] * x
-        a5 += check[region, cell, k, U5] * x
-        a6 += check[region, cell, k, U6] * x
-        a7 += check[region, cell, k, U7] * x
+        a0 = fma(check[region, cell, k, U0], x, a0)
+        a1 = fma(check[region, cell, k, U1], x, a1)
+        a2 = fma(check[region, cell, k, U2], x, a2)
+        a3 = fma(check[region, cell, k, U3], x, a3)
+        a4 = fma(check[region, cell, k, U4], x, a4)
+        a5 = fma(check[region, cell, k, U5], x, a5)
+        a6 = fma(check[region, cell, k, U6], x, a6)
+        a7 = fma(check[region, cell, k, U7], x, a7)
     lowest = min(min(min(a0, a1), min(a2, a3)), min(min(a4, a5), min(a6, a7)))
     highest = max(max(max(a0, a1), max(a2, a3)), max(max(a4, a5), max(a6, a7)))
     return lowest, highest

@@ -9,7 +9,7 @@ from gearlash._kernel import inner, kernel
 from ._roots import DEPTH, all_roots
 from ._series import copy, copy_first, polynomial
 from ._tables import FLOATS, INTS, MATRIX, ORDER, TABLES, Tables
-from ._walk import OK, Record, region_of, scratch, walk
+from ._walk import OK, TOO_MANY, Record, arrives, cross, region_of, scratch, walk
 
 if True:
     from numba import float64, int64, types
@@ -90,7 +90,7 @@ def run(
     record = Record(used, piece, poly, event, state)
     cell = int(np.floor(start))
     s = start - cell
-    region = region_of(t, w, z, cell, s)
+    region, on = region_of(t, w, z, cell, s)
     copy(state_in, strobes[0])
     for i in range(len(counts)):
         for j in range(counts.shape[1]):
@@ -99,8 +99,15 @@ def run(
         stop_cell = int(np.floor(cell + s + length))
         stop_s = (s + length) - (stop_cell - cell)
         outcome, region = walk(
-            t, w, z, tangents, region, cell, s, stop_cell, stop_s, hold, counts[stretch], record
+            t, w, z, tangents, region, on, cell, s, stop_cell, stop_s, hold, counts[stretch], record
         )
+        on = 0
+        # A span includes its end: a crossing just there is this span's, and the next starts behind it.
+        at_end = arrives(t, w, region, z, stop_cell % t.maps.shape[1], stop_s) if outcome == OK else 0
+        if at_end != 0 and not (at_end == hold[0] and hold[1] <= stop_cell + stop_s <= hold[2]):
+            kept, region = cross(region, at_end, stop_cell + stop_s, z, counts[stretch], record)
+            on = at_end
+            outcome = OK if kept else TOO_MANY
         copy_first(z, n, state_in)
         copy(state_in, strobes[stretch + 1])
         if outcome != OK:

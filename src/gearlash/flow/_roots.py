@@ -15,7 +15,7 @@ import functools
 
 import numpy as np
 
-from gearlash._kernel import inner
+from gearlash._kernel import fma, inner
 
 NONE = 2.0  # "no root in [0, 1]"
 DEPTH = 44  # subdivisions: an interval of 2^-44 of a cell is below the rounding of its ends
@@ -37,7 +37,7 @@ def first_exit(c, deflate, bound, basis, stack, limits):
     for i in range(m + 1):
         value = 0.0
         for j in range(i + 1):
-            value += table[i, j] * q[j]
+            value = fma(table[i, j], q[j], value)
         stack[0, i] = value
     limits[0, 0], limits[0, 1] = 0.0, 1.0
     undecided = False
@@ -134,8 +134,8 @@ def _polish(q, lo, hi):
     for _ in range(100):
         value, slope = 0.0, 0.0
         for j in range(len(q) - 1, -1, -1):
-            slope = slope * s + value
-            value = value * s + q[j]
+            slope = fma(slope, s, value)
+            value = fma(value, s, q[j])
         if value > 0.0:
             lo = s
         elif value < 0.0:
@@ -159,7 +159,7 @@ def all_roots(c, basis, stack, limits, out):
     for i in range(m + 1):
         value = 0.0
         for j in range(i + 1):
-            value += basis[i, j] * c[j]
+            value = fma(basis[i, j], c[j], value)
         stack[0, i] = value
     limits[0, 0], limits[0, 1] = 0.0, 1.0
     count, top = 0, 1

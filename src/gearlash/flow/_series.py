@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel import inner
+from gearlash._kernel import fma, inner
 
 from ._blocks import next_coefficient
 from ._tables import ORDER, Tables
@@ -57,13 +57,13 @@ def product(a, b, j):
     s0 = s1 = s2 = s3 = 0.0
     i = 0
     while i + 3 <= j:
-        s0 += a[i] * b[j - i]
-        s1 += a[i + 1] * b[j - i - 1]
-        s2 += a[i + 2] * b[j - i - 2]
-        s3 += a[i + 3] * b[j - i - 3]
+        s0 = fma(a[i], b[j - i], s0)
+        s1 = fma(a[i + 1], b[j - i - 1], s1)
+        s2 = fma(a[i + 2], b[j - i - 2], s2)
+        s3 = fma(a[i + 3], b[j - i - 3], s3)
         i += 4
     while i <= j:
-        s0 += a[i] * b[j - i]
+        s0 = fma(a[i], b[j - i], s0)
         i += 1
     return (s0 + s1) + (s2 + s3)
 
@@ -123,7 +123,7 @@ def horner(coefficients, s, out):
     copy(coefficients[degree], out)
     for j in range(degree - 1, -1, -1):
         for i in range(len(out)):
-            out[i] = out[i] * s + coefficients[j, i]
+            out[i] = fma(out[i], s, coefficients[j, i])
 
 
 @inner
@@ -131,5 +131,5 @@ def polynomial(coefficients, s):
     """Value at s of one polynomial."""
     value = 0.0
     for j in range(len(coefficients) - 1, -1, -1):
-        value = value * s + coefficients[j]
+        value = fma(value, s, coefficients[j])
     return value

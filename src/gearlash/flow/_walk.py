@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearlash._kernel import inner
+from gearlash._kernel import fma, inner
 
 from ._blocks import bernstein_range, map_cell, map_tangent
 from ._roots import DEPTH, NONE, first_exit
@@ -65,16 +65,54 @@ def scratch(t: Tables):
 
 @inner
 def region_of(t: Tables, w: Scratch, z, cell, s):
-    """Region of a state; on a boundary exactly, the first derivative of X that is not zero decides."""
-    h = t.scalars[1]
-    expand_state(t, FREE, (cell + s) * t.scalars[2], h, z, w.zc, w.xc, w.eta, w.series)
+    """Region of a state, and the boundary ±1 it starts on (0: none).
+
+    Within rounding of a boundary the direction decides; a crossing there belongs to the span that ends in it
+    (`arrives`). At rest on a boundary exactly, the curvature decides."""
+    theta = (cell + s) * t.scalars[2]
+    expand_state(t, FREE, theta, t.scalars[1], z, w.zc, w.xc, w.eta, w.series)
+    bound = ROUNDING * (abs(w.xc[0]) + abs(w.xc[1]) + t.gaps[0] + t.gaps[1])
     plus, minus = w.xc[0] - t.gaps[0], -w.xc[0] - t.gaps[1]
-    heading = w.xc[1] if w.xc[1] != 0.0 else w.xc[2]
+    speed = w.xc[1]
+    if abs(plus) <= bound and abs(speed) > bound:
+        return (PLUS if speed > 0.0 else FREE), 1
+    if abs(minus) <= bound and abs(speed) > bound:
+        return (MINUS if speed < 0.0 else FREE), -1
+    heading = speed if speed != 0.0 else w.xc[2]
     if plus > 0.0 or (plus == 0.0 and heading > 0.0):
-        return PLUS
+        return PLUS, 0
     if minus > 0.0 or (minus == 0.0 and heading < 0.0):
-        return MINUS
-    return FREE
+        return MINUS, 0
+    return FREE, 0
+
+
+@inner
+def arrives(t: Tables, w: Scratch, region, z, cell, s):
+    """The boundary ±1 of `region` that a state is on, within rounding, and moving out through (0: none)."""
+    n = t.maps.shape[2]
+    x, size = 0.0, 0.0
+    for i in range(len(t.reads)):
+        x += t.read[i] * z[t.reads[i]]
+    for i in range(n):
+        size += abs(z[i])
+    near = 1e-9 * (size + t.gaps[0] + t.gaps[1])
+    if len(t.offset) == 1:  # most states are nowhere near; with a moving gap the polynomials tell
+        x -= t.offset[0]
+        if abs(x - t.gaps[0]) > near and abs(x + t.gaps[1]) > near:
+            return 0
+    theta = (cell + s) * t.scalars[2]
+    expand_state(t, region, theta, t.scalars[1], z, w.zc, w.xc, w.eta, w.series)
+    x = w.xc[0] + t.edge[region]
+    bound = ROUNDING * (abs(w.xc[0]) + abs(w.xc[1]) + t.gaps[0] + t.gaps[1])
+    if region != MINUS and abs(x - t.gaps[0]) <= bound:
+        outward = w.xc[1] if region == FREE else -w.xc[1]
+        if outward > bound:
+            return 1
+    if region != PLUS and abs(x + t.gaps[1]) <= bound:
+        outward = -w.xc[1] if region == FREE else w.xc[1]
+        if outward > bound:
+            return -1
+    return 0
 
 
 @inner
@@ -89,10 +127,10 @@ def cell_is_clear(check, slack, bend, region, cell, z, n, lower, upper):
     for i in range(n):
         zi = z[i]
         size = abs(zi)
-        bow += bend[region, cell, i] * size
-        rest += slack[region, cell, i] * size
-        x0 += check[region, cell, i, 0] * zi
-        x1 += check[region, cell, i, CHECK] * zi
+        bow = fma(bend[region, cell, i], size, bow)
+        rest = fma(slack[region, cell, i], size, rest)
+        x0 = fma(check[region, cell, i, 0], zi, x0)
+        x1 = fma(check[region, cell, i, CHECK], zi, x1)
     if min(x0, x1) - bow - rest > lower and max(x0, x1) + bow + rest < upper:
         return True
     lowest, highest = bernstein_range(check, region, cell, z, n)
@@ -129,12 +167,39 @@ def next_exit(t: Tables, region, on, held, z, w: Scratch):
 
 
 @inner
-def walk(t: Tables, w: Scratch, z, tangents, region, cell, s, stop_cell, stop_s, hold, counts, record):
+def _keep_event(record: Record, position, boundary, engaging, z):
+    i = record.used[1]
+    if i >= len(record.event):
+        return False
+    record.event[i, 0] = position
+    record.event[i, 1] = boundary
+    record.event[i, 2] = 1.0 if engaging else 0.0
+    for v in range(record.state.shape[1]):
+        record.state[i, v] = z[v]
+    record.used[1] = i + 1
+    return True
+
+
+@inner
+def cross(region, boundary, position, z, counts, record):
+    """Counts and records one crossing; returns whether there was room, and the region behind it."""
+    engaging = region == FREE
+    counts[(0 if engaging else 2) + (0 if boundary > 0 else 1)] += 1
+    behind = FREE
+    if engaging:
+        behind = PLUS if boundary > 0 else MINUS
+    if record.used[0] >= 0:
+        return _keep_event(record, position, boundary, engaging, z), behind
+    return True, behind
+
+
+@inner
+def walk(t: Tables, w: Scratch, z, tangents, region, on, cell, s, stop_cell, stop_s, hold, counts, record):
     """Carries z (and tangents (m, n)) in place from (cell, s) to (stop_cell, stop_s); returns (outcome,
     region).
 
-    `hold` (3): a boundary ±1 that is not crossed between two positions (0: none). `counts` (5) int is added
-    to. `record` with used[0] < 0 keeps nothing."""
+    `on` is the boundary ±1 it starts on (0: none). `hold` (3): a boundary that is not crossed between two
+    positions (0: none). `counts` (5) int is added to. `record` with used[0] < 0 keeps nothing."""
     cells = t.maps.shape[1]
     n, m = t.maps.shape[2], tangents.shape[0]
     keep = record.used[0] >= 0
@@ -145,7 +210,7 @@ def walk(t: Tables, w: Scratch, z, tangents, region, cell, s, stop_cell, stop_s,
         k = cell % cells
         end = 1.0 if cell < stop_cell else stop_s
         holding = hold[0] != 0.0 and hold[1] < cell + 1.0 and hold[2] > cell
-        if s == 0.0 and end == 1.0 and not keep and not holding:
+        if s == 0.0 and end == 1.0 and on == 0 and not keep and not holding:
             lower = plus if region == PLUS else (minus if region == FREE else -np.inf)
             upper = minus if region == MINUS else (plus if region == FREE else np.inf)
             if cell_is_clear(check, slack, bend, region, k, z, n, lower, upper):
@@ -158,9 +223,10 @@ def walk(t: Tables, w: Scratch, z, tangents, region, cell, s, stop_cell, stop_s,
                 continue
         if not _bounded(z, n):  # no polynomial of infinities can be subdivided to an end
             return DIVERGED, region
-        outcome, region = _cell_by_pieces(t, w, z, tangents, region, cell, s, end, hold, counts, record)
+        outcome, region = _cell_by_pieces(t, w, z, tangents, region, on, cell, s, end, hold, counts, record)
         if outcome != OK:
             return outcome, region
+        on = 0
         s = 0.0
         cell += 1
     return (OK if _bounded(z, n) else DIVERGED), region
@@ -175,9 +241,8 @@ def _bounded(z, n):
 
 
 @inner
-def _cell_by_pieces(t: Tables, w: Scratch, z, tangents, region, cell, s, end, hold, counts, record):
+def _cell_by_pieces(t: Tables, w: Scratch, z, tangents, region, on, cell, s, end, hold, counts, record):
     """One cell, or the part of it from s to `end`, event by event."""
-    on = 0
     events = 0
     width, duration = t.scalars[2], t.scalars[1]
     while s < end:
@@ -208,13 +273,8 @@ def _cell_by_pieces(t: Tables, w: Scratch, z, tangents, region, cell, s, end, ho
             continue
         s = s + length * part
         on = boundary
-        engaging = region == FREE
-        if engaging:
-            region = PLUS if boundary > 0 else MINUS
-        else:
-            region = FREE
-        counts[(0 if engaging else 2) + (0 if boundary > 0 else 1)] += 1
-        if keep and not _keep_event(record, cell + s, boundary, engaging, z):
+        kept, region = cross(region, boundary, cell + s, z, counts, record)
+        if not kept:
             return TOO_MANY, region
         events += 1
         if events > EVENTS_PER_CELL:
@@ -237,18 +297,4 @@ def _keep_piece(record: Record, position, length, region, zc, part):
             record.poly[i, j, v] = zc[j, v] * power
         power *= part
     record.used[0] = i + 1
-    return True
-
-
-@inner
-def _keep_event(record: Record, position, boundary, engaging, z):
-    i = record.used[1]
-    if i >= len(record.event):
-        return False
-    record.event[i, 0] = position
-    record.event[i, 1] = boundary
-    record.event[i, 2] = 1.0 if engaging else 0.0
-    for v in range(record.state.shape[1]):
-        record.state[i, v] = z[v]
-    record.used[1] = i + 1
     return True

@@ -9,13 +9,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import Status, System, derivative, evaluate
+from gearlash.system import GearlashError, Status, System, derivative, evaluate
 
 from . import _march
 from ._tables import FREE, MINUS, ORDER, PLUS, Array
 
 if TYPE_CHECKING:
     from .propagators import Propagators
+
+
+SLACK = 1e-9  # mesh cycles beyond its ends at which a trace is still read
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,9 +118,16 @@ class Trace:
         return Extrema(phase, found[:, 1], found[:, 2] / duration**2, state, self.regions[index])
 
     def at(self, phase: ArrayLike) -> Samples:
-        """The motion at phases (mesh cycles, within the trace), one or many."""
+        """The motion at phases (mesh cycles, within the trace), one or many.
+
+        Raises `GearlashError` for a phase outside the trace: its polynomials say nothing there.
+        """
         system = self.propagators.system
         phase = np.atleast_1d(np.asarray(phase, dtype=np.float64))
+        last = self.start + self.cycles
+        if phase.size and not (phase.min() >= self.start - SLACK and phase.max() <= last + SLACK):
+            span = f"{self.start:g} to {last:g}"
+            raise GearlashError(f"phases {phase.min():g} to {phase.max():g}: the trace goes from {span}")
         cell = (phase - self.base) * self.propagators.cells_per_cycle
         index = np.clip(np.searchsorted(self.positions, cell, side="right") - 1, 0, len(self.positions) - 1)
         local = (cell - self.positions[index]) / self.lengths[index]

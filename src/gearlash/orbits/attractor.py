@@ -36,6 +36,7 @@ FIRST = 24  # base periods before the first attempt
 NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
 WINDOW = 1_024  # base periods of each window that a persistent motion is compared in
 STEADY, GROWTH = 0.02, 0.25  # change of size from window to window of a quasi-periodic, of a chaotic motion
+STILL = 1e-6  # size of σ_t, of the state, below which a motion is as good as an orbit
 FAR = 0.1  # the best return is worth one up to here
 SLOW = 1e-2  # a return this close that Newton cannot use is asked at half its period too: beside a doubling
 CAPTURED = (
@@ -247,6 +248,8 @@ class _Search:
             gaps = [np.abs(states[p:] - states[:-p]).max(axis=1).mean() for p in range(1, longest + 1)]
             returns.append(min(gaps))
         grows, parts = (late / max(early, 1e-300) - 1.0 for early, late in (sizes, returns))
+        if sizes[1] < STILL * max(1.0, float(np.abs(self.state).max())):
+            return False  # held on an unstable orbit by rounding
         return abs(grows) < within and abs(parts) < 5.0 * within and returns[1] > 1e-3 * sizes[1]
 
     def exponent(self, periods: int) -> Exponents | None:
