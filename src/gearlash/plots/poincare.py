@@ -48,6 +48,7 @@ def sections(motions: Sequence[Motion], parameter: str = "omega") -> Figure:
     panels[0].set(xlabel=r"$X_n$  on  $\sigma_t$", ylabel=VELOCITY)
     panels[0].xaxis.set_major_locator(MaxNLocator(5))
     for panel, symbol in zip(panels[1:], ("d", "b"), strict=False):
+        panel.xaxis.set_major_locator(MaxNLocator(6))
         panel.axhline(0.0, color=style.GREY, lw=0.5, zorder=0.5)
         panel.set(xlabel=IN_CYCLE, xlim=(-0.02, 1.02), ylabel=f"{ARTICLE_FORCE}  on  $\\sigma_{symbol}$")
     figure.legend(handles=_key(motions, parameter), loc="outside lower center", ncols=3)

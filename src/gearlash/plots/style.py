@@ -113,7 +113,7 @@ def _major_ticks(made: Figure) -> None:
         box = axes.get_position()
         width, height = box.width * made.get_figwidth() / MM, box.height * made.get_figheight() / MM
         for panel in (axes, *axes.child_axes):
-            for axis, length, apart in ((panel.xaxis, width, 15.0), (panel.yaxis, height, 8.0)):
+            for axis, length, apart in ((panel.xaxis, width, 12.0), (panel.yaxis, height, 8.0)):
                 if isinstance(axis.get_major_locator(), AutoLocator):
                     bins = int(min(9, max(2, length // apart)))
                     axis.set_major_locator(MaxNLocator(bins, steps=[1, 2, 2.5, 5, 10]))
