@@ -7,12 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from gearlash import flow
 from gearlash.branches import GrazingPoint, locate_grazing, locate_multiplier
 from gearlash.branches.kinds import CODIMENSION_TWO, STANDARD, distance_to_unit, table2_type
 from gearlash.orbits import Orbit, Shot, attractor, grazing_checks, shoot
 from gearlash.system import Family, Status, System, UnknownNameError
 from oracles import closed_forms
-from orbits.members import article, built, one_dof, orbit
+from orbits.members import article, built, count_by_marching, one_dof, orbit
 
 
 def touching(family: Family, name: str, place: dict[str, float], boundary: int = 1) -> GrazingPoint:
@@ -171,6 +172,35 @@ def test_every_extremum_of_an_orbit_gives_a_result_or_says_that_it_is_none():
         assert np.abs(below - above).sum() == 1
         assert below[0] == above[0]
     assert good >= 2
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_random_pairs(seed):
+    """Whatever is called ok: brute marching beside it counts the contacts that its labels say."""
+    rng = np.random.default_rng([20, seed])
+    family, verified = one_dof(ripple=0.1, back_stiffness=2.0, back_gap=0.5), 0
+    for _ in range(5):
+        place = {"omega": rng.uniform(0.4, 1.6), "D": 10 ** rng.uniform(-1.3, 0.2)}
+        place |= {"error": rng.uniform(0.05, 0.4), "mesh_damping": rng.uniform(0.03, 0.1)}
+        start = attractor(built(family, **place), family.start(place))
+        if not isinstance(start, Orbit) or start.period > 12:
+            continue
+        for name, boundary in (("load", 1), ("omega", 1), ("D", -1)):
+            check = next(c for c in grazing_checks(start) if c.boundary == boundary)
+            point = locate_grazing(family, family.complete(place), name, start, check)
+            if point.status is Status.OK and abs(point.multipliers[0]) < 0.9:
+                counted_as_labelled(family, point)
+                verified += 1
+    assert verified >= 2
+
+
+def counted_as_labelled(family: Family, point: GrazingPoint) -> None:
+    assert point.error <= 1e-10 * abs(point.value)
+    for side, label in ((-1, point.label_below), (1, point.label_above)):
+        props = built(family, **{**point.values, point.name: point.value + side * 1e-5 * abs(point.value)})
+        settled = flow.march(props, point.state_zero, 300 * point.period).states[-1]
+        drive, back = count_by_marching(props, settled, point.period)
+        assert label == f"{point.period}-{drive}-{back}", f"{point.name} = {point.value}"
 
 
 def test_unknown_names_are_named():

@@ -213,10 +213,11 @@ class _Problem:
             longest = longest_step(self.family, self.name, float(unknown[-1]))
             limit = min(1.0, longest / max(abs(step[-1]), 1e-300), 0.1 / max(abs(step[-2]), 1e-300))
             unknown = unknown + limit * step
+            unknown[-2] = max(unknown[-2], self.origin + 1e-4)  # a touch on the orbit, not before it
             change = abs(float(limit * step[-1]))
             if residual <= 1e-14 or (residual <= 1e-12 and change <= 1e-14 * abs(unknown[-1])):
                 break
-            if not self.family_takes(float(unknown[-1])):
+            if not self.takes(float(unknown[-1])):
                 break
         return best, residual, change
 
@@ -231,7 +232,8 @@ class _Problem:
         rounding = 4.0 * np.finfo(float).eps * max(1.0, float(np.abs(unknown[:-2]).max()))
         return float(np.abs(gains).sum() * (residual + rounding))
 
-    def family_takes(self, mu: float) -> bool:
+    def takes(self, mu: float) -> bool:
+        """Whether the parameter is in its range."""
         parameter = next(p for p in self.family.parameters if p.name == self.name)
         return bool(np.isfinite(mu) and parameter.lower <= mu <= parameter.upper)
 
