@@ -142,8 +142,7 @@ class _Search:
         return list(dict.fromkeys(chosen))
 
     def attempt(self, state: Array, period: int) -> Orbit | None:
-        """A neighbour's orbit as a first guess, without a transient. Also tries the doubled and the halved
-        orbit where the neighbour's own has lost its stability."""
+        """A neighbour's orbit as a first guess, without a transient; None if it is no longer stable."""
         shot = shoot(self.props, state, period, iterations=12)
         if shot.residual > TOLERANCE:
             return None
