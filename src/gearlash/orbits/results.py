@@ -115,8 +115,8 @@ class Orbit:
 @dataclass(frozen=True, eq=False)
 class Aperiodic:
     """A motion that does not repeat, so that it has no P. Either its largest exponent is above zero by more
-    than its error bar (chaos), or it is zero within it (quasi-periodic motion); either way the motion was seen
-    to persist. A chaotic transient longer than ``periods_used`` looks the same."""
+    than its error bar (chaos), or it is zero within it (quasi-periodic motion); either way the motion was
+    seen to persist. A chaotic transient longer than ``periods_used`` looks the same."""
 
     propagators: Propagators
     final_state: NDArray[np.float64]
