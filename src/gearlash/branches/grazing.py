@@ -34,8 +34,8 @@ CLOSED = 1e-11  # residual of a solution
 
 @dataclass(frozen=True, eq=False)
 class GrazingPoint:
-    """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles)
-    and state (n,) of the touch, ``a0`` = X'', multipliers of the one-sided orbit, labels just below and above
+    """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles
+    from ``state_zero``) and state (n,) of the touch, ``a0`` = X'', multipliers of the one-sided orbit, labels just below and above
     ``value``. ``state_zero`` is the orbit at phase zero, a start for either side."""
 
     name: str
@@ -102,7 +102,7 @@ def locate_grazing(
         error=max(change, problem.uncertainty(props, unknown, residual)),
         values={**values, name: mu},
         boundary=check.boundary,
-        phase=float(unknown[-2] % orbit.period),
+        phase=float((unknown[-2] - problem.zero) % orbit.period),
         a0=problem.curvature(props, unknown),
         period=orbit.period,
         state=touch.state,
@@ -118,8 +118,9 @@ def locate_grazing(
 
 @dataclass(frozen=True, eq=False)
 class _Problem:
-    """The equations of one touch. ``origin``: phase of z0; ``cycles``: length of the orbit; ``hold``: where
-    the boundary is not crossed; ``first``: the starting point (z0, t, μ)."""
+    """The equations of one touch. ``origin``: phase of z0; ``cycles``: length of the orbit; ``zero``: first
+    whole number of base periods after the origin, from which phases are told; ``hold``: where the boundary
+    is not crossed; ``first``: the starting point (z0, t, μ)."""
 
     family: Family
     values: Mapping[str, float]
@@ -127,6 +128,7 @@ class _Problem:
     boundary: int
     origin: float
     cycles: float
+    zero: float
     hold: Hold
     first: Array
 
@@ -138,7 +140,9 @@ class _Problem:
         before, after = _neighbours(orbit.extrema.phase, check.phase, cycles)
         window = Hold(check.boundary, touch - 0.9 * before, touch + 0.9 * after)
         first = np.concatenate([orbit.trace.at([origin]).state[0], [touch, float(values[name])]])
-        return _Problem(family, values, name, check.boundary, origin, cycles, window, first)
+        base = orbit.propagators.system.cycles
+        zero = float(ceil(origin / base - 1e-12) * base)
+        return _Problem(family, values, name, check.boundary, origin, cycles, zero, window, first)
 
     def system_at(self, mu: float, reuse: Propagators | None = None) -> Propagators:
         return flow.propagators(self.family.system({**self.values, self.name: mu}), reuse)
@@ -251,9 +255,8 @@ def _neighbours(phases: Array, touch: float, cycles: float) -> tuple[float, floa
 
 def _state_zero(props: Propagators, problem: _Problem, z0: Array) -> Array:
     """The held orbit at the next phase that is a whole number of base periods."""
-    cycles = props.system.cycles
-    ahead = ceil(problem.origin / cycles - 1e-12) * cycles - problem.origin
-    return flow.carry(props, z0, max(0.0, ahead), problem.origin, hold=problem.hold).state
+    ahead = max(0.0, problem.zero - problem.origin)
+    return flow.carry(props, z0, ahead, problem.origin, hold=problem.hold).state
 
 
 def _label(problem: _Problem, mu: float, zero: Array, side: int) -> Signature | None:

@@ -25,8 +25,11 @@ class ForceStatistics:
 
     @property
     def dynamic_factor(self) -> float:
-        """Largest force over mean force (the static load); infinite without load."""
-        return self.maximum / abs(self.mean) if self.mean else np.inf
+        """Peak in the direction of the load over the mean force (the static load); NaN without load."""
+        if abs(self.mean) <= 1e-9 * self.rms:
+            return np.nan
+        peak = self.maximum if self.mean > 0.0 else -self.minimum
+        return peak / abs(self.mean)
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isnan
 from typing import TYPE_CHECKING, Annotated, Literal
 
 if TYPE_CHECKING:  # answers are described without the engine
@@ -96,11 +97,7 @@ def motion_numbers(attractor: Attractor) -> MotionNumbers:
 
 
 def _dynamic_factor(force: ForceStatistics) -> float | None:
-    """Peak in the direction of the load over the mean."""
-    if abs(force.mean) <= 1e-9 * force.rms:
-        return None
-    peak = force.maximum if force.mean > 0.0 else -force.minimum
-    return peak / abs(force.mean)
+    return None if isnan(force.dynamic_factor) else force.dynamic_factor
 
 
 def _force(force: ForceStatistics) -> ForceNumbers:
