@@ -35,8 +35,9 @@ CLOSED = 1e-11  # residual of a solution
 @dataclass(frozen=True, eq=False)
 class GrazingPoint:
     """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles
-    from ``state_zero``) and state (n,) of the touch, ``a0`` = X'', multipliers of the one-sided orbit, labels just below and above
-    ``value``. ``state_zero`` is the orbit at phase zero, a start for either side."""
+    from ``state_zero``) and state (n,) of the touch, ``a0`` = X'', multipliers of the one-sided orbit,
+    labels just below and above ``value``. ``state_zero`` is the orbit at phase zero, a start for either side.
+    """
 
     name: str
     value: float
