@@ -105,6 +105,28 @@ def test_labels_one_contact_apart_and_a0_at_the_point():
     assert point.a0 > 1e-2
 
 
+@pytest.mark.parametrize(
+    ("place", "name", "boundary"),
+    [
+        ({"omega": 0.98}, "omega", 1),
+        ({"omega": 0.78, "D": 0.389}, "D", -1),
+        ({"omega": 0.78, "D": 0.38}, "D", -1),
+        ({"omega": 0.78, "D": 0.399}, "D", -1),
+    ],
+    ids=str,
+)
+def test_phase_is_told_from_the_state_at_phase_zero(place, name, boundary):
+    """Also in an orbit of twelve cycles: carried over ``phase``, ``state_zero`` is the touching state."""
+    family = article()
+    point = touching(family, name, place, boundary)
+    assert point.status is Status.OK
+    assert 0.0 <= point.phase < point.period
+    there = flow.carry(built(family, **point.values), point.state_zero, point.phase).state
+    assert np.abs(there - point.state).max() < 1e-11
+    edge = boundary * point.values.get("D", 1.0)
+    assert abs(there[8] - edge) < 1e-12
+
+
 def test_error_estimate_covers():
     """The stated error is no smaller than the true one, and far below 1e-10."""
     family = one_dof()
