@@ -7,6 +7,7 @@ amplitudes of such inputs, so changing them rebuilds nothing (`combine`)."""
 from __future__ import annotations
 
 import numpy as np
+from numba import float64, types
 
 from gearlash._kernel import inner, kernel
 
@@ -14,11 +15,8 @@ from ._blocks import next_coefficient
 from ._series import copy, fill, fourier_taylor, product
 from ._tables import CHECK, FLOATS, INTS, MATRIX, ORDER
 
-if True:  # numba types exist at run time only; the type checker never needs them
-    from numba import float64, types
-
-    _CUBE, _FOUR = types.Array(float64, 3, "C"), types.Array(float64, 4, "C")
-    _UNITS = types.Array(types.int64, 2, "C")
+_CUBE = types.Array(float64, 3, "C")
+_UNITS = types.Array(types.int64, 2, "C")
 
 EDGE, OFFSET = -1, -2  # kinds of unit input; a kind >= 0 is a forced state
 TAIL = 24  # further terms of the majorant that bounds the Taylor remainder

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numba import float64, int64, types
 
 from gearlash._kernel import inner, kernel
 
@@ -11,11 +12,8 @@ from ._series import copy, copy_first, polynomial
 from ._tables import FLOATS, INTS, MATRIX, ORDER, TABLES, Tables
 from ._walk import OK, TOO_MANY, Record, arrives, cross, region_of, scratch, walk
 
-if True:
-    from numba import float64, int64, types
-
-    _CUBE = types.Array(float64, 3, "C")
-    _COUNTS = types.Array(int64, 2, "C")
+_CUBE = types.Array(float64, 3, "C")
+_COUNTS = types.Array(int64, 2, "C")
 
 
 @inner

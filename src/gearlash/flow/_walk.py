@@ -49,6 +49,7 @@ class Record(NamedTuple):
 
 @inner
 def scratch(t: Tables):
+    """Work space for one walk."""
     p = len(t.gain)
     return Scratch(
         np.zeros((ORDER + 1, p)),
