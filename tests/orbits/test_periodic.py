@@ -11,6 +11,7 @@ import pytest
 from gearlash import flow
 from gearlash.orbits import Orbit, Settings, Signature, attractor, shoot
 from gearlash.orbits.shooting import minimal
+from gearlash.studies import summary
 from gearlash.system import Family, GearlashError, Status
 from oracles.impacts import exact_impacts
 from orbits.members import article, built, cold, count_by_marching, displaced, one_dof, orbit
@@ -235,6 +236,9 @@ def test_a_side_without_stiffness_is_no_stop():
     )
     assert wide.label == found.label
     assert np.abs(wide.strobes - found.strobes).max() < 1e-9
+    near, far = summary(found), summary(wide)
+    assert (len(near.back_force), len(near.back_release_force), len(near.drive_force)) == (0, 0, 7)
+    assert near.share_without_contact == pytest.approx(far.share_without_contact, abs=1e-9)
 
 
 @pytest.mark.parametrize(

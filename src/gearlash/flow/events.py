@@ -95,6 +95,16 @@ class Trace:
     undecided: int
     status: Status
 
+    @property
+    def free(self) -> Array:
+        """Which pieces (pieces,) run without contact: in the gap, or where there is nothing to hit."""
+        clearance = self.propagators.system.clearances[0]
+        free = self.regions == FREE
+        for boundary, region in ((1, PLUS), (-1, MINUS)):
+            if not clearance.stops(boundary):
+                free = free | (self.regions == region)
+        return free
+
     @cached_property
     def gap(self) -> Array:
         """Taylor coefficients of X per piece (pieces, degree+1), in local time."""

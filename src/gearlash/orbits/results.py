@@ -63,9 +63,9 @@ class Orbit:
     def signature(self) -> Signature:
         """P-Q-R. A side of stiffness zero is no stop: what crosses its boundary is no impact."""
         events, clearance = self.events, self.propagators.system.clearances[0]
-        stops = {1: bool(clearance.stiffness_plus.any()), -1: bool(clearance.stiffness_minus.any())}
         drive, back = (
-            int((events.engaging & (events.boundary == b)).sum()) if stops[b] else 0 for b in (1, -1)
+            int((events.engaging & (events.boundary == b)).sum()) if clearance.stops(b) else 0
+            for b in (1, -1)
         )
         return Signature(self.period, drive, back)
 

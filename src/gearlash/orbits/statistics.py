@@ -62,7 +62,7 @@ def motion_statistics(attractor: Attractor) -> MotionStatistics:
     average = float(weight @ x)
     extremes = trace.extrema.displacement
     low, high = (extremes.min(), extremes.max()) if len(extremes) else (x.min(), x.max())
-    free = float(trace.lengths[trace.regions == 1].sum() / trace.lengths.sum())
+    free = float(trace.lengths[trace.free].sum() / trace.lengths.sum())
     rms = float(np.sqrt(max(float(weight @ (x - average) ** 2), 0.0)))
     return MotionStatistics(force, rms, float(high - low), float(low), float(high), free)
 

@@ -35,7 +35,7 @@ def force_figures(trace: Trace) -> dict[str, float]:
         "force_min": low,
         "force_max": high,
         "force_rms": square**0.5,
-        "share_without_contact": float(weight[trace.regions == 1].sum()),
+        "share_without_contact": float(weight[trace.free].sum()),
     }
 
 

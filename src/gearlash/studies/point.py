@@ -89,9 +89,10 @@ def _sections(found: Attractor) -> dict[str, np.ndarray]:
     system, events, strobes = found.propagators.system, found.events, found.strobes
     phase = np.arange(len(strobes), dtype=np.float64) * system.cycles
     engaging = np.asarray(events.engaging, dtype=np.bool_)
-    drive = engaging & (events.boundary > 0)
-    back = engaging & (events.boundary < 0)
-    release = ~engaging & (events.boundary < 0)
+    clearance = system.clearances[0]  # a side without stiffness is no stop, and its crossings are no contacts
+    drive = engaging & (events.boundary > 0) & clearance.stops(1)
+    back = engaging & (events.boundary < 0) & clearance.stops(-1)
+    release = ~engaging & (events.boundary < 0) & clearance.stops(-1)
     return {
         "strobes": gap_displacement(system, phase, strobes),
         "drive_force": -events.force[drive],

@@ -47,6 +47,10 @@ class Clearance:
     contact: ContactRule = ContactRule.ALWAYS
     name: str = "mesh"
 
+    def stops(self, boundary: int) -> bool:
+        """Is there anything to hit behind a boundary (+1, -1)? A side of stiffness zero is no stop."""
+        return bool((self.stiffness_plus if boundary > 0 else self.stiffness_minus).any())
+
 
 @dataclass(frozen=True, eq=False)
 class System:
