@@ -85,7 +85,7 @@ class Scene:
             exponent=point.exponent,
             distance_to_fold=point.to_fold,
             distance_to_doubling=point.to_doubling,
-            conditions=_conditions(point, at),
+            conditions=_conditions(point, at, self.gradient(point)),
             residual=point.residual,
             method="solved together with orbit and time of the touch (Newton, one-sided system)",
             branch=_branch(directions),
@@ -93,6 +93,10 @@ class Scene:
             note="",
             motions=(before, at, after),
         )
+
+    def gradient(self, point: GrazingPoint) -> float:
+        """|∂H/∂X| of the boundary: the length of what reads the gap from the state."""
+        return float(np.linalg.norm(self.family.system(point.values).clearances[0].h))
 
     def beside(self, claim: Claim, point: GrazingPoint, side: int) -> Motion:
         """The orbit at a distance from the grazing at which it still has the label of that side."""
@@ -163,14 +167,14 @@ def _reported(claim: Claim) -> dict:
     }
 
 
-def _conditions(point: GrazingPoint, at: Motion) -> tuple[tuple[str, float, bool], ...]:
+def _conditions(point: GrazingPoint, at: Motion, gradient: float) -> tuple[tuple[str, float, bool], ...]:
     """The article's four conditions with their values at the computed point."""
     assert at.touch is not None
     gap = at.gap_plus if point.boundary > 0 else -at.gap_minus
     distance = at.touch.displacement - gap
     return (
         ("H(X*) = X ∓ D = 0: the orbit meets the boundary", distance, abs(distance) <= 1e-9),
-        ("|∂H/∂X| ≠ 0: the boundary is smooth", 1.0, True),
+        ("|∂H/∂X| ≠ 0: the boundary is smooth", gradient, gradient > 0.0),
         ("∂H/∂X · F = X′ = 0: no normal velocity", at.touch.velocity, abs(at.touch.velocity) <= 1e-7),
         ("a0 = X″ ≠ 0; its sign names the side", point.a0, abs(point.a0) > ZERO),
     )
