@@ -1,7 +1,7 @@
 """The systems that the engine knows: periodically forced, piecewise linear, with clearances.
 
     z' = M z + b(θ) + Σ_j g_j Φ_j,                                θ = ω τ
-    Φ_j = η_j(θ) · deadzone(X_j; -D_j⁻, D_j⁺) + ζ_j X_j',         X_j = h_j·z - e_j(θ),  h_j·g_k = 0
+    Φ_j = η_j^±(θ) · deadzone(X_j; -D_j⁻, D_j⁺) + ζ_j^± X_j',         X_j = h_j·z - e_j(θ),  h_j·g_k = 0
 
 Nothing here knows about gears.
 """
@@ -34,7 +34,9 @@ class Clearance:
 
     ``h`` (n,) reads the gap coordinate X = h·z - offset(θ); ``g`` (n,) is how the contact force Φ enters the
     state equations. Contact is X > ``gap_plus`` (side +) and X < -``gap_minus`` (side -). Stiffness and
-    offset are Fourier arrays; a side of stiffness zero is no stop at all."""
+    offset are Fourier arrays over the base period; a side of stiffness zero is no stop at all. ``damping`` is
+    that of both sides, unless ``damping_minus`` gives side - its own (not with the rule `always`, under which
+    it acts in the gap too)."""
 
     h: Vector
     g: Vector
@@ -46,6 +48,12 @@ class Clearance:
     offset: Fourier = field(default_factory=lambda: constant(0.0))
     contact: ContactRule = ContactRule.ALWAYS
     name: str = "mesh"
+    damping_minus: float | None = None
+
+    @property
+    def dampings(self) -> tuple[float, float]:
+        """Damping in contact on side + and on side -."""
+        return self.damping, self.damping if self.damping_minus is None else self.damping_minus
 
     def stops(self, boundary: int) -> bool:
         """Is there anything to hit behind a boundary (+1, -1)? A side of stiffness zero is no stop."""
@@ -97,6 +105,23 @@ def _problems(system: System) -> list[str]:
         found.append("matrix or forcing holds NaN or infinity")
     for clearance in system.clearances:
         found += [f"clearance {clearance.name!r}: {text}" for text in _clearance_problems(clearance, n)]
+    return found or _couplings(system.clearances)
+
+
+def _couplings(clearances: tuple[Clearance, ...]) -> list[str]:
+    """h_j·g_k = 0 for all pairs: a contact force acts on accelerations, on no gap's velocity directly."""
+    found = []
+    for reader in clearances:
+        for actor in clearances:
+            size = float(np.abs(reader.h) @ np.abs(actor.g))
+            if abs(float(reader.h @ actor.g)) > 1e-14 * size:
+                found.append(
+                    f"h of clearance {reader.name!r} times g of {actor.name!r} is not zero: contact forces "
+                    "must act on accelerations, not on the velocity of a gap"
+                )
+    names = [c.name for c in clearances]
+    if len(set(names)) < len(names):
+        found.append(f"two clearances have the same name: {', '.join(names)}")
     return found
 
 
@@ -111,7 +136,7 @@ def _clearance_problems(clearance: Clearance, n: int) -> list[str]:
         clearance.h,
         clearance.g,
         *series,
-        [clearance.gap_plus, clearance.gap_minus, clearance.damping],
+        [clearance.gap_plus, clearance.gap_minus, *clearance.dampings],
     ]
     if not all(np.isfinite(x).all() for x in numbers):
         found.append("a number is NaN or infinite")
@@ -119,9 +144,6 @@ def _clearance_problems(clearance: Clearance, n: int) -> list[str]:
         found.append(f"gap has width {clearance.gap_plus + clearance.gap_minus}, expected 0 or more")
     if not clearance.h.any():
         found.append("h is zero: the gap coordinate reads no state")
-    size = float(np.abs(clearance.h) @ np.abs(clearance.g))
-    if abs(float(clearance.h @ clearance.g)) > 1e-14 * size:
-        found.append(
-            "h·g is not zero: the contact force must act on accelerations, not on the gap's velocity"
-        )
+    if clearance.contact is ContactRule.ALWAYS and len(set(clearance.dampings)) > 1:
+        found.append("damping_minus differs from damping, which the rule 'always' does not allow")
     return found
