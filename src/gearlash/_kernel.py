@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     def kernel(signature: Any) -> Callable[[F], F]: ...
     def inner(function: F) -> F: ...
+    def allocating(function: F) -> F: ...
     def fma(a: float, b: float, c: float) -> float: ...
 
 else:
@@ -34,14 +35,15 @@ else:
     from numba.core import caching
     from numba.extending import intrinsic
 
-    def kernel(signature):
+    def kernel(signature, allocates=False):
         """An entry point: compiled for one explicit signature when its module is imported, or read from the
-        cache."""
+        cache. Unless it ``allocates`` arrays it is compiled without reference counts, which cost more than the
+        arithmetic of a small product."""
 
         def wrap(function):
             if numba.config.DISABLE_JIT:
                 return function
-            dispatcher = numba.jit(nogil=True, error_model="numpy")(function)
+            dispatcher = numba.jit(nogil=True, error_model="numpy", _nrt=allocates)(function)
             _enable_cache(dispatcher)
             with _slp_vectoriser():
                 dispatcher.compile(signature)
@@ -51,7 +53,11 @@ else:
         return wrap
 
     def inner(function):
-        """A helper that only kernels call: compiled into its callers and cached with them."""
+        """A helper that only kernels call: compiled into its callers and cached with them; allocates nothing."""
+        return numba.jit(nogil=True, error_model="numpy", _nrt=False)(function)
+
+    def allocating(function):
+        """A helper that makes arrays."""
         return numba.jit(nogil=True, error_model="numpy")(function)
 
     if numba.config.DISABLE_JIT:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numba import float64, int64, types
 
-from gearlash._kernel import inner, kernel
+from gearlash._kernel import allocating, inner, kernel
 
 from ._series import fill, fourier_taylor, pressing
 from ._tables import CHECK, CUBE, FREE, INTS, MATRIX, MUTABLE, NO_TENSION, ORDER, SHAPE, TABLE, TERMS, Shape
@@ -97,7 +97,7 @@ def _start(n, lanes, units, centres, z, total):
                 z[i * lanes + n + u] = centres[units[u, 1], i]
 
 
-@inner
+@allocating
 def _majorant(equations, readers, last, known, eta, duration, rate):
     """Bound on the sum of all Taylor terms above ORDER of a unit column's states, and on that sum with every
     term times its order. The recurrence is repeated with absolute values, from the computed terms on.
@@ -165,7 +165,7 @@ def _closed(value, derived, size, equations, readers, eta, n, duration, rate):
     )
 
 
-@inner
+@allocating
 def _eta_bounds(shape: Shape, memory, active, sides, width):
     """(gaps, ORDER+TAIL+1): bounds on the Taylor coefficients of the stiffness that acts in this region."""
     out, series = np.zeros((shape.clearances, ORDER + TAIL + 1)), 2 * shape.harmonics + 1
@@ -204,7 +204,8 @@ def _keep_forward(shape: Shape, memory, at, cell, lanes, total, x, ends, gaps):
 @kernel(
     types.UniTuple(float64, 2)(
         SHAPE, MUTABLE, int64, MATRIX, MATRIX, MATRIX, MATRIX, INTS, TABLE, CUBE, types.Array(float64, 4, "C")
-    )
+    ),
+    allocates=True,
 )
 def respond(shape: Shape, memory, at, matrix, readers, actors, centres, sides, units, ends, gaps):
     """Fills the columns of unit starts of `step`, `gap` and `pull` in the slot at ``at``, and the unit
@@ -297,7 +298,7 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, check, watch
             stiff += abs(memory[eta + j])
         size = stiff * size + rate * ORDER * bulk
         tail = stiff * tail + rate * memory[tails + 2 + own]
-        pressing(memory, eta, memory, x, watched[0], rate, watched, 0)
+        pressing(memory, eta, memory, x, memory[x], rate, watched, TERMS, 0)
     rest = tail
     for j in range(CHECK + 1, ORDER + 1):
         rest += abs(watched[j])
@@ -311,7 +312,8 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, check, watch
 @kernel(
     types.void(
         SHAPE, MUTABLE, int64, MUTABLE, CUBE, types.Array(float64, 4, "C"), INTS, INTS, MUTABLE, types.boolean
-    )
+    ),
+    allocates=True,
 )
 def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, check, all_columns):
     """Sums unit responses to the constant columns of the slot at ``at``, and writes for them (or for all
@@ -319,7 +321,7 @@ def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, che
 
     amplitudes (u); check (64): Taylor to Bernstein of degree CHECK, by columns."""
     n, count, cells = shape.n, shape.clearances, shape.cells
-    watched, out = np.zeros(TERMS), np.zeros(8)
+    watched, out = np.zeros(3 * TERMS), np.zeros(8)
     for cell in range(cells):
         place = at + shape.step + cell * (1 + n) * shape.rows
         for i in range(shape.rows):
@@ -339,7 +341,7 @@ def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, che
                 _watch(shape, memory, at, cell, c, column, sides, rules, check, watched, out)
 
 
-@kernel(float64(MATRIX, types.int64))
+@kernel(float64(MATRIX, types.int64), allocates=True)
 def spectral_radius(matrix, squarings):
     """Estimate of the largest |eigenvalue| as ‖A^(2^k)‖^(1/2^k), by plain loops so that it is the same
     everywhere."""

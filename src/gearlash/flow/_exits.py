@@ -15,10 +15,10 @@ from __future__ import annotations
 
 from gearlash._kernel import fma, inner
 
-from ._series import recentre
+from ._series import powers, recentre, scale
 from ._tables import ORDER, TERMS, Shape
 from ._vector import linear, weigh
-from ._work import DEPTH, LIMITS, LOCAL, ONES, SCALED, STACK, SURFACE
+from ._work import DEPTH, LIMITS, LOCAL, ONES, POWERS, SCALED, STACK, SURFACE
 
 NONE = 2.0  # "no root in [0, 1]"
 CLEAR, ONE, OPEN = 0, 1, 2
@@ -33,7 +33,7 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
     within the bound of the surface goes by its direction: it leaves inward, or exits at once. ``on``: it has just
     been crossed there, and is left inward."""
     length = end - start
-    recentre(memory, shape.pascal, work, SURFACE, start, SCALED, work, LOCAL)
+    recentre(memory, shape.pascal, work, SURFACE, start, POWERS, SCALED, work, LOCAL)
     here, speed = work[LOCAL], work[LOCAL + 1]
     leaving, undecided = False, False
     if here < -bound and not on:
@@ -50,10 +50,9 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
         leaving = True
     if length <= 0.0:
         return NONE, undecided
-    power = 1.0
-    for j in range(ORDER + 1):
-        work[LOCAL + j] *= power
-        power *= length
+    if length != 1.0:
+        powers(length, work, POWERS)
+        scale(work, POWERS, work, LOCAL)
     size = weigh(work, ONES, TERMS, work, LOCAL)
     first, limit = 0, bound
     if leaving:
@@ -84,7 +83,7 @@ def _isolate(shape: Shape, memory, work, first, bound):
                 return lo, undecided  # at the beginning, within rounding
             fall = work[b + place] - work[b + place + 1]
             guess = lo + (hi - lo) * (place + work[b + place] / fall) / m
-            return _polish(work, LOCAL + first, m, lo, hi, guess), undecided
+            return _polish(work, LOCAL + first, m, lo, hi, guess, 1.0), undecided
         last = work[b + m]
         if last >= -bound and _falling(work, b, m, bound):
             continue  # one root at most, and it lies at or behind the end: the next interval has it
@@ -158,25 +157,32 @@ def _split(work, right, left, m):
 
 
 @inner
-def _polish(work, at, degree, lo, hi, guess):
-    """The one root in [lo, hi], where the polynomial falls from + to -: Newton's method kept inside a
-    shrinking bracket."""
+def _polish(work, at, degree, lo, hi, guess, sign):
+    """The one root in [lo, hi], where sign times the polynomial falls from + to -: Halley's method kept inside a
+    shrinking bracket. It ends where the next step, of third order, would be below rounding."""
     s = guess if lo < guess < hi else 0.5 * (lo + hi)
     for _ in range(100):
-        value, slope = work[at + degree], 0.0
+        value, slope, bend = work[at + degree], 0.0, 0.0
         for j in range(degree - 1, -1, -1):
+            bend = fma(bend, s, slope)
             slope = fma(slope, s, value)
             value = fma(value, s, work[at + j])
-        if value > 0.0:
+        if sign * value > 0.0:
             lo = s
-        elif value < 0.0:
+        elif sign * value < 0.0:
             hi = s
         else:
             return s
-        step = s - value / slope if slope != 0.0 else 0.5 * (lo + hi)
+        divisor = slope * slope - value * bend
+        change = -value * slope / divisor if divisor > 0.0 else 2.0
+        step = s + change
         if not lo < step < hi:
             step = 0.5 * (lo + hi)
-        if abs(step - s) <= 2.3e-16 * s or step in (lo, hi):
+            if step in (lo, hi):
+                return step
+        elif abs(change) <= 2.3e-16 * s or (
+            abs(change) <= 1e-6 and abs(change * bend) <= 1e-6 * abs(slope)
+        ):
             return step
         s = step
     return s
@@ -200,7 +206,8 @@ def all_roots(c, at, degree, basis, table, stack, limits, out):
                 count += 1
             continue
         if changes == 1 and stack[b] * stack[b + degree] < 0.0:
-            out[count] = _bracketed(c, at, degree, lo, hi, stack[b])
+            sign = 1.0 if stack[b] > 0.0 else -1.0
+            out[count] = _polish(c, at, degree, lo, hi, 0.5 * (lo + hi), sign)
             count += 1
             continue
         if hi - lo < 2.0**-DEPTH or top + 2 > DEPTH:
@@ -222,13 +229,6 @@ def _sign_changes(b, at, m):
                 changes += 1
             last = 1.0 if b[i] > 0.0 else -1.0
     return changes
-
-
-@inner
-def _bracketed(c, at, degree, lo, hi, start):
-    if start > 0.0:
-        return _polish(c, at, degree, lo, hi, 0.5 * (lo + hi))
-    return _polish(-c, at, degree, lo, hi, 0.5 * (lo + hi))
 
 
 @inner

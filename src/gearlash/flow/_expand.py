@@ -14,7 +14,7 @@ def expand(shape: Shape, memory, slot, sides, theta, duration, u, zc, series, fa
     """Fills zc (ORDER+1, p) with the Taylor coefficients of (1, z - c) over ``duration`` (it may be negative) from
     phase ``theta``, in the region of the slot.
 
-    sides (clearances): its `PLUS`, `FREE`, `MINUS`; u (p): the state there; series (2·clearances + n, TERMS)
+    sides (clearances): its `PLUS`, `FREE`, `MINUS`; u (p): the state there; series (4·clearances + n, TERMS)
     and factors (n + clearances): work. One step of the recurrence is
     z_{j+1} = duration/(j+1) · (M z_j + Σ g Σ_i η_i x_{j-i} + b_j)."""
     n, p, count = shape.n, shape.p, shape.clearances
@@ -74,12 +74,6 @@ def horner(zc, p, s, out):
     for j in range(ORDER - 1, -1, -1):
         for i in range(p):
             out[i] = fma(out[i], s, zc[j * p + i])
-
-
-@inner
-def series_length(shape: Shape):
-    """Of the work space `series` of `expand`."""
-    return (4 * shape.clearances + shape.n) * TERMS
 
 
 @inner

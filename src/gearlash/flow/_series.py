@@ -79,40 +79,60 @@ def fourier_value(series, at, harmonics, theta):
 
 
 @inner
-def recentre(pascal, table, c, at, start, powers, out, to):
-    """out[to:to+TERMS] ← coefficients of the polynomial c about ``start``; ``powers`` is a place in out."""
-    if start == 0.0:
-        for j in range(TERMS):
-            out[to + j] = c[at + j]
-    elif start < NEAR_ZERO:  # powers of the start would vanish, and so would terms of second order
-        for j in range(TERMS):
-            out[to + j] = c[at + j]
-        for j in range(ORDER):
-            out[to + j] += (j + 1) * start * c[at + j + 1]
-    else:
-        power, step = 1.0, 1.0 / start
-        for j in range(ORDER + 1):
-            out[powers + j] = c[at + j] * power
-            power *= start
-        # Σ_m C(m, i) start^(m-i) c_m
-        linear(pascal, table, TERMS, TERMS, ORDER + 1, out, powers, out, to)
-        power = 1.0
-        for j in range(ORDER + 1):
-            out[to + j] *= power
-            power *= step
+def powers(s, out, to):
+    """out[to:to+TERMS] ← 1, s, s², …: by blocks, not one after the other."""
+    s2 = s * s
+    s3, s4 = s2 * s, s2 * s2
+    s5, s6, s7, s8 = s4 * s, s4 * s2, s4 * s3, s4 * s4
+    block = 1.0
+    for b in range(TERMS // 8):
+        o = to + 8 * b
+        out[o], out[o + 1], out[o + 2], out[o + 3] = block, block * s, block * s2, block * s3
+        out[o + 4], out[o + 5], out[o + 6], out[o + 7] = block * s4, block * s5, block * s6, block * s7
+        block *= s8
 
 
 @inner
-def pressing(eta, eta_at, x, x_at, first, rate, out, to):
-    """out[to:to+TERMS] ← η·(X - edge) + rate·dX/ds, cut off behind ORDER; ``first`` is X - edge at s = 0."""
+def scale(factors, at, out, to):
+    """out[to + j] ← out[to + j] · factors[at + j]."""
     for j in range(TERMS):
-        out[to + j] = 0.0
-    for i in range(ORDER + 1):
-        factor = eta[eta_at + i]
-        if factor != 0.0:
-            out[to + i] = fma(factor, first, out[to + i])
-            for j in range(1, ORDER + 1 - i):
-                out[to + i + j] = fma(factor, x[x_at + j], out[to + i + j])
+        out[to + j] *= factors[at + j]
+
+
+@inner
+def recentre(pascal, table, c, at, start, powers_at, scaled, out, to):
+    """out[to:to+TERMS] ← coefficients of the polynomial c about ``start``; ``powers_at``, ``scaled`` are places
+    in out for work."""
+    for j in range(TERMS):
+        out[to + j] = c[at + j]
+    if start == 0.0:
+        return
+    if start < NEAR_ZERO:  # powers of the start would vanish, and so would terms of second order
+        for j in range(ORDER):
+            out[to + j] += (j + 1) * start * c[at + j + 1]
+        return
+    powers(start, out, powers_at)
+    for j in range(TERMS):
+        out[scaled + j] = c[at + j] * out[powers_at + j]
+    # Σ_m C(m, i) start^(m-i) c_m
+    linear(pascal, table, TERMS, TERMS, ORDER + 1, out, scaled, out, to)
+    powers(1.0 / start, out, powers_at)
+    scale(out, powers_at, out, to)
+
+
+@inner
+def pressing(eta, eta_at, x, x_at, first, rate, out, buffer, to):
+    """out[to:to+TERMS] ← η·(X - edge) + rate·dX/ds, cut off behind ORDER; ``first`` is X - edge at s = 0.
+
+    ``buffer``: a place for (2, TERMS) in out, the first half of which stays zero: the product is a sum of X
+    moved along by 0, 1, 2, … places."""
+    for j in range(TERMS):
+        out[buffer + j] = 0.0
+        out[buffer + TERMS + j] = x[x_at + j]
+    out[buffer + TERMS] = first
+    linear(out, buffer + TERMS, -1, TERMS, ORDER + 1, eta, eta_at, out, to)
     if rate != 0.0:
         for j in range(ORDER):
             out[to + j] += rate * (j + 1) * x[x_at + j + 1]
+    for j in range(ORDER + 1, TERMS):
+        out[to + j] = 0.0

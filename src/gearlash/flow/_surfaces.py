@@ -6,10 +6,10 @@ from gearlash._kernel import inner
 
 from ._cells import UNIT_ROUNDING
 from ._exits import NONE, first_exit
-from ._series import fourier_value, pressing
-from ._tables import FREE, MINUS, NO_TENSION, ORDER, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Shape
+from ._series import fourier_value, polynomial, pressing
+from ._tables import FREE, MINUS, NO_TENSION, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Shape
 from ._vector import linear, weigh
-from ._work import GAPS, SURFACE
+from ._work import BUFFER, GAPS, ONES, SURFACE
 
 ROUNDING = 24.0 * UNIT_ROUNDING  # of a boundary's place
 DERIVED = 84.0  # a bound on the derivative of what is bounded by 1: at most this (remainder: see `_majorant`)
@@ -32,6 +32,7 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
     place = slot + shape.bound + (cell * shape.clearances + c) * shape.p
     bound = weigh(memory, place, shape.p, u, 0)
     x, gaps = GAPS + c * TERMS, shape.gaps + 4 * c
+    swing = weigh(work, ONES, TERMS, work, x) - abs(work[x])
     best, through, behind, undecided = NONE, 0, mode, False
     for boundary in (1, -1):
         beyond = PLUS if boundary > 0 else MINUS
@@ -41,9 +42,12 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
             continue
         edge = 0.0 if mode == beyond else boundary * gap  # where it is in X - (edge of the contact)
         near = bound + ROUNDING * memory[shape.reach + c]
-        if mode != beyond or rule != NO_TENSION:  # the place of the boundary
-            inward = -boundary if mode == FREE else boundary
-            for j in range(ORDER + 1):
+        damping = memory[gaps + 2 + (0 if boundary > 0 else 1)]
+        inward = -boundary if mode == FREE else boundary
+        if (mode != beyond or rule != NO_TENSION or damping == 0.0) and (
+            inward * (work[x] - edge) - swing <= near
+        ):  # the place of the boundary, which is within reach
+            for j in range(TERMS):
                 work[SURFACE + j] = inward * work[x + j]
             work[SURFACE] -= inward * edge
             s, open_case = first_exit(shape, memory, work, start, end, near, DERIVED * near, on == boundary)
@@ -51,17 +55,23 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
             if s < best:
                 best, through = s, boundary
                 behind = beyond if mode == FREE else FREE
+                if mode == FREE and rule == NO_TENSION and damping == 0.0:
+                    eta = shape.eta + ((cell * shape.clearances + c) * 2 + (0 if boundary > 0 else 1)) * TERMS
+                    behind = beyond if polynomial(memory, eta, s) >= 0.0 else over
         if rule == NO_TENSION and mode != FREE:  # the force, which must press
             side = 0 if boundary > 0 else 1
             eta = shape.eta + ((cell * shape.clearances + c) * 2 + side) * TERMS
-            rate = memory[gaps + 2 + side] / memory[shape.scalars + 1]
-            pressing(memory, eta, work, x, work[x] - edge, rate, work, SURFACE)
-            inward = boundary if mode == beyond else -boundary
-            stiff = 0.0
-            for j in range(ORDER + 1):
-                stiff += abs(memory[eta + j])
-                work[SURFACE + j] *= inward
-            far = stiff * near + rate * DERIVED * near
+            rate, pushing = damping / memory[shape.scalars + 1], 1.0 if mode == beyond else -1.0
+            stiff = weigh(work, ONES, TERMS, memory, eta)
+            if damping == 0.0:  # Φ = η δ presses where η does
+                for j in range(TERMS):
+                    work[SURFACE + j] = pushing * memory[eta + j]
+                far = ROUNDING * stiff
+            else:
+                pressing(memory, eta, work, x, work[x] - edge, rate, work, BUFFER, SURFACE)
+                for j in range(TERMS):
+                    work[SURFACE + j] *= pushing * boundary
+                far = stiff * near + rate * DERIVED * near
             s, open_case = first_exit(shape, memory, work, start, end, far, DERIVED * far, on == boundary)
             undecided = undecided or open_case
             if s < best:

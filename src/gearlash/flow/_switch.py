@@ -15,10 +15,10 @@ from __future__ import annotations
 
 from gearlash._kernel import inner
 
-from ._series import polynomial, pressing
+from ._series import polynomial, powers, pressing, scale
 from ._tables import ALWAYS, FREE, IN_CONTACT, MINUS, NO_TENSION, ORDER, TERMS, Shape
 from ._vector import linear
-from ._work import GAPS, MOMENTS, OTHER, PUSH
+from ._work import BUFFER, GAPS, MOMENTS, OTHER, POWERS, PUSH
 
 
 @inner
@@ -46,7 +46,7 @@ def switch_state(shape: Shape, memory, source, target, cell, c, boundary, sign, 
     x = GAPS + c * TERMS
     edge = boundary * memory[shape.gaps + 4 * c + side] if sign > 0.0 else 0.0
     rate = 0.0 if rule == ALWAYS else memory[shape.gaps + 4 * c + 2 + side] / memory[shape.scalars + 1]
-    pressing(memory, eta, work, x, work[x] - edge, rate, work, PUSH)
+    pressing(memory, eta, work, x, work[x] - edge, rate, work, BUFFER, PUSH)
     _moments(shape, memory, sign, s, work)
     _pull(shape, memory, target, cell, c, u, work, change)
     for i in range(shape.p):
@@ -64,7 +64,7 @@ def switch_tangent(
     linear(memory, place, TERMS, TERMS, 1 + shape.n, v, 0, work, OTHER)
     damping = 0.0 if rule == ALWAYS else memory[shape.gaps + 4 * c + 2 + side]
     rate = damping / memory[shape.scalars + 1]
-    pressing(memory, eta, work, OTHER, work[OTHER], rate, work, PUSH)
+    pressing(memory, eta, work, OTHER, work[OTHER], rate, work, BUFFER, PUSH)
     _moments(shape, memory, sign, s, work)
     if rule == IN_CONTACT or (rule == NO_TENSION and not overlapping):
         jump = sign * damping * polynomial(work, OTHER, s)
@@ -77,15 +77,12 @@ def switch_tangent(
 @inner
 def _moments(shape: Shape, memory, sign, s, work):
     """MOMENTS ← ∫_0^s σ^i PUSH(σ) dσ · cell duration · sign."""
-    power = sign * memory[shape.scalars + 1] * s
-    scale = 1.0
-    for k in range(ORDER + 1):
-        work[PUSH + k] *= scale
-        scale *= s
+    factor = sign * memory[shape.scalars + 1] * s
+    powers(s, work, POWERS)
+    scale(work, POWERS, work, PUSH)
     linear(memory, shape.hilbert, TERMS, TERMS, ORDER + 1, work, PUSH, work, MOMENTS)
-    for i in range(ORDER + 1):
-        work[MOMENTS + i] *= power
-        power *= s
+    for i in range(TERMS):
+        work[MOMENTS + i] *= factor * work[POWERS + i]
 
 
 @inner

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
         table: Any, at: int, stride: int, rows: int, count: int, x: Any, first: int, out: Any, to: int
     ) -> None: ...
     def peak(values: Any, at: int, count: int) -> float: ...
+    def least(values: Any, at: int) -> float: ...
+    def greatest(values: Any, at: int) -> float: ...
     def weigh(weights: Any, at: int, count: int, x: Any, first: int) -> float: ...
 
 else:
@@ -43,6 +45,12 @@ else:
 
         def peak(values, at, count):
             return float(max(abs(values[at + i]) for i in range(count)))
+
+        def least(values, at):
+            return float(min(values[at : at + LANES]))
+
+        def greatest(values, at):
+            return float(max(values[at : at + LANES]))
 
         def weigh(weights, at, count, x, first):
             return float(sum(weights[at + i] * abs(x[first + i]) for i in range(count)))
@@ -88,36 +96,62 @@ else:
                     x = _pointer(context, builder, signature.args[4], x)
                     out = _pointer(context, builder, signature.args[6], out)
                     places = [_INDEX(LANES * b) for b in range(blocks)]
-                    start = [ir.Constant(_VECTOR, [0.0] * LANES)] * blocks
+                    zero = ir.Constant(_VECTOR, [0.0] * LANES)
+
+                    def column(k, here, sums):
+                        factor = _splat(builder, builder.load(builder.gep(x, [builder.add(first, k)])))
+                        return [
+                            _call(
+                                builder,
+                                "llvm.fma.v8f64",
+                                [_load(builder, table, builder.add(here, place)), factor, total],
+                            )
+                            for place, total in zip(places, sums, strict=True)
+                        ]
+
+                    # Even and odd columns in sums of their own: half the wait of one chain.
                     before = builder.block
-                    loop, end = (builder.append_basic_block(name) for name in ("columns", "stored"))
-                    builder.cbranch(builder.icmp_signed(">", count, _INDEX(0)), loop, end)
+                    names = ("pairs", "paired", "single", "stored")
+                    loop, paired, single, end = (builder.append_basic_block(name) for name in names)
+                    pairs = builder.and_(count, _INDEX(-2))
+                    builder.cbranch(builder.icmp_signed(">", pairs, _INDEX(0)), loop, paired)
                     builder.position_at_end(loop)
                     k, here = builder.phi(_INDEX), builder.phi(_INDEX)
-                    sums = [builder.phi(_VECTOR) for _ in places]
-                    factor = _splat(builder, builder.load(builder.gep(x, [builder.add(first, k)])))
-                    new = [
-                        _call(
-                            builder,
-                            "llvm.fma.v8f64",
-                            [_load(builder, table, builder.add(here, place)), factor, total],
-                        )
-                        for place, total in zip(places, sums, strict=True)
-                    ]
-                    after, there = builder.add(k, _INDEX(1)), builder.add(here, stride)
-                    for phi, first_value, next_value in [
+                    sums = [builder.phi(_VECTOR) for _ in range(2 * blocks)]
+                    even = column(k, here, sums[:blocks])
+                    beside = builder.add(here, stride)
+                    odd = column(builder.add(k, _INDEX(1)), beside, sums[blocks:])
+                    after, there = builder.add(k, _INDEX(2)), builder.add(beside, stride)
+                    for phi, none, some in [
                         (k, _INDEX(0), after),
                         (here, at, there),
-                        *zip(sums, start, new, strict=True),
+                        *zip(sums, [zero] * (2 * blocks), even + odd, strict=True),
                     ]:
-                        phi.add_incoming(first_value, before)
-                        phi.add_incoming(next_value, loop)
-                    builder.cbranch(builder.icmp_signed("<", after, count), loop, end)
+                        phi.add_incoming(none, before)
+                        phi.add_incoming(some, loop)
+                    builder.cbranch(builder.icmp_signed("<", after, pairs), loop, paired)
+
+                    builder.position_at_end(paired)
+                    place_here = builder.phi(_INDEX)
+                    joined = [builder.phi(_VECTOR) for _ in range(2 * blocks)]
+                    for phi, none, some in [
+                        (place_here, at, there),
+                        *zip(joined, [zero] * (2 * blocks), even + odd, strict=True),
+                    ]:
+                        phi.add_incoming(none, before)
+                        phi.add_incoming(some, loop)
+                    totals = [builder.fadd(a, b) for a, b in zip(joined[:blocks], joined[blocks:], strict=True)]
+                    builder.cbranch(builder.icmp_signed("<", pairs, count), single, end)
+
+                    builder.position_at_end(single)
+                    last = column(pairs, place_here, totals)
+                    builder.branch(end)
+
                     builder.position_at_end(end)
                     results = [builder.phi(_VECTOR) for _ in places]
-                    for result, none, some in zip(results, start, new, strict=True):
-                        result.add_incoming(none, before)
-                        result.add_incoming(some, loop)
+                    for result, none, some in zip(results, totals, last, strict=True):
+                        result.add_incoming(none, paired)
+                        result.add_incoming(some, single)
                     for result, place in zip(results, places, strict=True):
                         builder.store(result, _lanes(builder, out, builder.add(to, place)), align=8)
                     return context.get_dummy_value()
@@ -168,6 +202,37 @@ else:
         def _larger(builder, a, b):
             kind = ir.FunctionType(_DOUBLE, [_DOUBLE, _DOUBLE])
             return builder.call(builder.module.declare_intrinsic("llvm.maximum.f64", (), kind), [a, b])
+
+        def _extreme(test):
+            """The extreme lane of one block; NaN may get lost."""
+
+            def generate(context, builder, signature, arguments):
+                pointer = _pointer(context, builder, signature.args[0], arguments[0])
+                value, width = _load(builder, pointer, arguments[1]), LANES
+                while width > 1:
+                    width //= 2
+                    half = [
+                        builder.shuffle_vector(
+                            value,
+                            value,
+                            ir.Constant(ir.VectorType(ir.IntType(32), width), list(range(start, start + width))),
+                        )
+                        for start in (0, width)
+                    ]
+                    value = builder.select(builder.fcmp_ordered(test, *half), *half)
+                return builder.extract_element(value, ir.IntType(32)(0))
+
+            return generate
+
+        @intrinsic
+        def least(typing, values, at):
+            """Least of the eight values from a place on."""
+            return types.float64(values, types.int64), _extreme("<")
+
+        @intrinsic
+        def greatest(typing, values, at):
+            """Largest of the eight values from a place on."""
+            return types.float64(values, types.int64), _extreme(">")
 
         @intrinsic
         def peak(typing, values, at, count):

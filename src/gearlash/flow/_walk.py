@@ -18,7 +18,7 @@ from ._expand import carry_inside, expand
 from ._surfaces import next_exit
 from ._switch import region_code, side_of, switch_state, switch_tangent
 from ._tables import FREE, MINUS, NO_TENSION, ORDER, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Array, Shape
-from ._vector import linear, weigh
+from ._vector import greatest, least, linear, weigh
 
 OK, TOO_MANY, DIVERGED, WRONG_SIDE, NEED_REGION = 0, 1, 2, 3, 4
 ENGAGE_PLUS, ENGAGE_MINUS, RELEASE_PLUS, RELEASE_MINUS = 0, 1, 2, 3  # of each clearance; last: undecided
@@ -67,19 +67,12 @@ def _clear(shape: Shape, memory, slot, cell, c, mode, u, moved):
     place = slot + shape.rest + (cell * shape.clearances + c) * shape.p
     rest = weigh(memory, place, shape.p, u, 0)
     first = shape.p + 8 * c
-    low01, low23 = min(moved[first], moved[first + 1]), min(moved[first + 2], moved[first + 3])
-    low45, low67 = min(moved[first + 4], moved[first + 5]), min(moved[first + 6], moved[first + 7])
-    high01, high23 = max(moved[first], moved[first + 1]), max(moved[first + 2], moved[first + 3])
-    high45, high67 = max(moved[first + 4], moved[first + 5]), max(moved[first + 6], moved[first + 7])
-    lowest, highest = min(min(low01, low23), min(low45, low67)), max(max(high01, high23), max(high45, high67))
-    plus, minus = memory[shape.gaps + 4 * c], -memory[shape.gaps + 4 * c + 1]
-    if mode == FREE:
-        return lowest - rest > minus and highest + rest < plus
     if mode == PLUS:
-        return lowest - rest > 0.0
+        return least(moved, first) - rest > 0.0
     if mode == MINUS:
-        return highest + rest < 0.0
-    return False
+        return greatest(moved, first) + rest < 0.0
+    plus, minus = memory[shape.gaps + 4 * c], -memory[shape.gaps + 4 * c + 1]
+    return mode == FREE and least(moved, first) - rest > minus and greatest(moved, first) + rest < plus
 
 
 @inner
@@ -102,11 +95,10 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
     keep = record.used[0] >= 0
     cell, s = int(motion.position[0]), motion.position[1]
     slot, plain = slot_place(shape, slot_of, modes), False
+    k, whole = cell % cells, not keep and hold[1] == 0.0
     while cell < stop_cell or (cell == stop_cell and s < stop_s):
-        k = cell % cells
         end = 1.0 if cell < stop_cell else stop_s
-        holding = hold[1] != 0.0 and hold[2] < cell + 1.0 and hold[3] > cell
-        if s == 0.0 and end == 1.0 and not keep and not holding:
+        if s == 0.0 and end == 1.0 and (whole or not (keep or (hold[2] < cell + 1.0 and hold[3] > cell))):
             step = slot + shape.step + k * (1 + n) * rows
             linear(memory, step, rows, rows, 1 + n, u, 0, moved, 0)
             clear = True
@@ -125,6 +117,7 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
                     for i in range(p):
                         tangents[v * p + i] = moved[i]
                 cell += 1
+                k = k + 1 if k + 1 < cells else 0
                 continue
         if not _bounded(u, p):  # no polynomial of infinities can be subdivided to an end
             return DIVERGED
@@ -144,6 +137,7 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
                 for i in range(p):
                     tangents[v * p + i] = moved[i]
             cell += 1
+            k = k + 1 if k + 1 < cells else 0
             s, plain = 0.0, False
             for c in range(count):
                 motion.on[c] = 0

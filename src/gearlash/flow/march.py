@@ -211,11 +211,12 @@ def _run(
     modes, on = np.zeros((2, shape.clearances), dtype=np.int64)
     position = np.zeros(6)
     progress, flat, held = np.zeros(2, dtype=np.int64), frame.reshape(-1), _hold(props, hold, base)
+    space = _march.scratch(shape)
     while True:
         tables = props.tables
         code = _march.run(
             shape, tables.memory, tables.slot_of, props.rules, u, flat, modes, on, position, progress, start,
-            length, held, strobes, counts, np.empty(0) if sums is None else sums, *record,
+            length, held, strobes, counts, np.empty(0) if sums is None else sums, *record, *space,
         )  # fmt: skip
         if code != NEED_REGION:
             break
