@@ -80,7 +80,7 @@ class Case:
         short = place.key if isinstance(place, Quantity) else place.path
         known = self.family()[0].defaults
         if short not in known or not isinstance(place, Quantity):
-            raise UnknownNameError("parameter to vary", name, [*known, *self._physical_names(known)])
+            raise UnknownNameError("parameter to vary", name, {*known, *self._physical_names(known)})
         try:
             stated = read_stated(value, place)
         except ValueRefusedError as error:

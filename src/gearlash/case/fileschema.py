@@ -202,6 +202,8 @@ def _problem(kind: str, error: Any) -> Problem:
             return Problem(path, value, "a name that exists here", _nearest_path(kind, path))
         case "model_type" | "model_attributes_type" | "dict_type":
             return Problem(path, value, f"a table [{path}]")
+        case "list_type":
+            return Problem(path, value, "a list of texts")
         case "string_type" | "string_too_long":
             return Problem(path, value, "a text of at most 20,000 characters")
         case _:
