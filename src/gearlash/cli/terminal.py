@@ -38,12 +38,31 @@ def prepare_streams() -> None:
     closed.
     """
     codecs.register_error("gearlash", _spell)
+    codecs.register(_spelled_ascii)
     for name in ("stdout", "stderr"):
         stream = getattr(sys, name)
         if stream is None:  # started with the stream closed
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: PTH123, SIM115
         elif isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="gearlash")
+            bare = codecs.lookup(stream.encoding).name == "ascii"
+            stream.reconfigure(encoding=_ASCII if bare else None, errors="gearlash")
+
+
+_ASCII = "gearlash_ascii"
+
+
+def _spelled_ascii(name: str) -> codecs.CodecInfo | None:
+    """ASCII by another name: what prints help takes plain ASCII for a mistake and would write UTF-8."""
+    if name != _ASCII:
+        return None
+    known = codecs.lookup("ascii")
+    return codecs.CodecInfo(
+        known.encode,
+        known.decode,
+        incrementalencoder=known.incrementalencoder,
+        incrementaldecoder=known.incrementaldecoder,
+        name=_ASCII,
+    )
 
 
 def _spell(error: UnicodeError) -> tuple[str, int]:
@@ -85,7 +104,9 @@ def complain(text: str) -> None:
         console = errors()
         for line in harmless(text).splitlines():
             indent = " " * (len(line) - len(line.lstrip()) + 2)
-            wrapper = textwrap.TextWrapper(console.width, subsequent_indent=indent, break_on_hyphens=False)
+            wrapper = textwrap.TextWrapper(
+                console.width, subsequent_indent=indent, break_on_hyphens=False, break_long_words=False
+            )
             for row in wrapper.wrap(line) or [""]:
                 console.print(row, style="red", soft_wrap=True)
 
@@ -117,5 +138,9 @@ def _console(stderr: bool) -> Console:
             raise BrokenPipeError
 
     stream = sys.stderr if stderr else sys.stdout
-    width = None if stream.isatty() or "COLUMNS" in os.environ else PIPED_WIDTH
+    wanted = os.environ.get("COLUMNS", "")
+    if wanted.isascii() and wanted.isdigit():
+        width = int(wanted) or PIPED_WIDTH
+    else:
+        width = None if stream.isatty() else PIPED_WIDTH
     return Unbroken(stderr=stderr, highlight=False, markup=False, emoji=False, width=width)
