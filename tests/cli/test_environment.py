@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import resource
 import shutil
 import signal
 import subprocess
@@ -21,6 +20,7 @@ from gearlash._kernel import cache_folder, sources_hash
 from gearlash.cli.folder import MARKER
 from gearlash.results import load
 
+resource = pytest.importorskip("resource")
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="devices and limits of Linux")
 
 COMMAND = [sys.executable, "-c", "from gearlash.cli import main; main()"]

@@ -6,8 +6,8 @@ import json
 import re
 from pathlib import Path
 
-import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 import gearlash as gl
 from case.corpus import SPUR
@@ -23,6 +23,7 @@ HOSTILE = [
     "CON",
     "a/b\\c:d*e?",
     r"$\frac{",
+    "$x$ and $y$",
     "[bold red]x[/bold] [link=http://x]y[/link] :smile:",
     "{{ 7 * 7 }} {% raw %} %s {0}",
     "emoji 🦷⚙️ zero\u200bwidth עברית",
@@ -130,19 +131,15 @@ def test_a_folder_holds_the_names_of_the_program_and_no_other(gearlash: Gearlash
     assert "<script" not in (out / "sweep.svg").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("name", HOSTILE[:10])
-def test_a_parameter_of_that_name_can_be_drawn(name: str):
-    import matplotlib as mpl
-    from matplotlib.figure import Figure
+@pytest.mark.parametrize("name", [name for name in HOSTILE if name.isascii()])
+def test_a_parameter_of_that_name_is_drawn_letter_by_letter(name: str):
+    def width(text: str, formulas: bool) -> float:
+        figure = Figure(dpi=100)
+        label = figure.text(0.0, 0.0, text, parse_math=formulas, family="DejaVu Sans")
+        figure.draw_without_rendering()
+        return label.get_window_extent().width
 
-    figure = Figure()
-    label = figure.subplots().set_xlabel(units.name(name))
-    with mpl.rc_context({"font.family": "DejaVu Sans"}):
-        if name.isascii():
-            figure.draw_without_rendering()
-            assert np.isfinite(label.get_window_extent().width)
-    shown, is_formula = label._preprocess_math(label.get_text())
-    assert (shown, is_formula) == (name.replace("_", " "), False)
+    assert width(units.name(name), True) == width(name.replace("_", " "), False) > 0.0
 
 
 def test_the_program_starts_no_shell():
