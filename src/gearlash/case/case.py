@@ -25,6 +25,7 @@ from .quantities import Quantity, quantities, two_way
 from .read import parse, source_text
 from .scales import Scales
 from .stated import Provenance, ValueRefusedError, read_stated
+from .texts import name_of_file
 from .units import NUMBER, TORQUE, unit
 from .values import Value, values
 
@@ -79,7 +80,7 @@ class Case:
         short = place.key if isinstance(place, Quantity) else place.path
         known = self.family()[0].defaults
         if short not in known or not isinstance(place, Quantity):
-            raise UnknownNameError("parameter to vary", name, [*known, *self._physical_names(known)])
+            raise UnknownNameError("parameter to vary", name, {*known, *self._physical_names(known)})
         try:
             stated = read_stated(value, place)
         except ValueRefusedError as error:
@@ -182,7 +183,7 @@ def from_tables(
         raise CaseError(label, problems)
     entries, clashes = collect(kind, stated)
     entries, wrong_overrides = override(kind, freeze_reference(entries), overrides or {})
-    name = str(rest.get("name") or Path(label).stem)
+    name = str(rest.get("name") or name_of_file(Path(label).stem))
     source = rest.get("source")
     draft = Case(
         name, kind, str(rest.get("description", "")), source if isinstance(source, Mapping) else {}, entries

@@ -3,11 +3,12 @@ Schema."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, partial
 from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import (
+    AfterValidator,
     BaseModel,
     BeforeValidator,
     ConfigDict,
@@ -23,9 +24,19 @@ from .errors import Problem, nearest_name, shown
 from .quantities import KINDS, PLANNED_KINDS, choices, quantities
 from .quantity import Choice, Quantity
 from .stated import Provenance, Stated, ValueRefusedError, read_stated
+from .texts import refused, refused_name
 from .units import NAMES
 
-Text = Annotated[str, Field(max_length=20_000)]
+
+def _held(text: str, rule: Callable[[str], str | None]) -> str:
+    expected = rule(text)
+    if expected:
+        raise PydanticCustomError("value", "expected {expected}", {"expected": expected, "nearest": ""})
+    return text
+
+
+Text = Annotated[str, Field(max_length=20_000), AfterValidator(partial(_held, rule=refused))]
+Name = Annotated[str, Field(max_length=20_000), AfterValidator(partial(_held, rule=refused_name))]
 
 
 class Source(BaseModel):
@@ -53,7 +64,7 @@ def case_model(kind: str) -> type[BaseModel]:
     }
     head: dict[str, Any] = {
         "kind": (Literal[kind], ...),  # pyright: ignore[reportInvalidTypeForm]
-        "name": (Text, ""),
+        "name": (Name, ""),
         "description": (Text, ""),
         "source": (Source, Field(default_factory=Source)),
     }
@@ -191,6 +202,8 @@ def _problem(kind: str, error: Any) -> Problem:
             return Problem(path, value, "a name that exists here", _nearest_path(kind, path))
         case "model_type" | "model_attributes_type" | "dict_type":
             return Problem(path, value, f"a table [{path}]")
+        case "list_type":
+            return Problem(path, value, "a list of texts")
         case "string_type" | "string_too_long":
             return Problem(path, value, "a text of at most 20,000 characters")
         case _:

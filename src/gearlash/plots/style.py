@@ -22,6 +22,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, AutoMinorLocator, FixedLocator, MaxNLocator, NullLocator
 from matplotlib.transforms import ScaledTranslation
 
+from gearlash.results.store import write_whole
+
 P = ParamSpec("P")
 
 COLUMN, PAGE = 88.0, 180.0  # mm: one column and the whole width of a journal page
@@ -179,6 +181,6 @@ def save(
     written = []
     for form in forms:
         path = stem.with_name(f"{stem.name}.{form}")
-        path.write_bytes(to_bytes(made, form, dpi))
+        write_whole(path, to_bytes(made, form, dpi))
         written.append(path)
     return written
