@@ -32,8 +32,9 @@ UNUSED_DAYS = 30.0
 
 if TYPE_CHECKING:
 
-    def kernel(signature: Any) -> Callable[[F], F]: ...
+    def kernel(signature: Any, allocates: bool = False) -> Callable[[F], F]: ...
     def inner(function: F) -> F: ...
+    def inlined(function: F) -> F: ...
     def allocating(function: F) -> F: ...
     def fma(a: float, b: float, c: float) -> float: ...
 
@@ -41,6 +42,7 @@ else:
     import numba
     from numba.core import caching
     from numba.extending import intrinsic
+    from numba.np import arrayobj
 
     def kernel(signature, allocates=False):
         """An entry point: compiled for one explicit signature when its module is imported, or read from the
@@ -52,20 +54,45 @@ else:
                 return function
             dispatcher = numba.jit(nogil=True, error_model="numpy", _nrt=allocates)(function)
             _enable_cache(dispatcher)
-            with _slp_vectoriser():
+            with _plain_indices():
                 dispatcher.compile(signature)
             dispatcher.disable_compile()
             return dispatcher
 
         return wrap
 
+    # Helpers are never called from Python: no wrapper and no machine code of their own, half the compiling time.
+    _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+
     def inner(function):
         """A helper that only kernels call: compiled into its callers and cached with them; allocates nothing."""
-        return numba.jit(nogil=True, error_model="numpy", _nrt=False)(function)
+        return numba.jit(nogil=True, error_model="numpy", _nrt=False, **_INNER)(function)
+
+    def inlined(function):
+        """A helper on the hot path, with one place that calls it: no call is left of it. (A call passes every
+        array as seven numbers, which can cost more than its work.)"""
+        return numba.jit(nogil=True, error_model="numpy", _nrt=False, forceinline=True, **_INNER)(function)
 
     def allocating(function):
         """A helper that makes arrays."""
-        return numba.jit(nogil=True, error_model="numpy")(function)
+        return numba.jit(nogil=True, error_model="numpy", **_INNER)(function)
+
+    @contextlib.contextmanager
+    def _plain_indices():
+        """Indices as they are, while kernels are compiled: none of theirs counts from the end, and a test for
+        that at every access keeps loops from becoming vector instructions (and doubles the compiling time). A
+        numba without this function compiles as usual."""
+        before = getattr(arrayobj, "fix_integer_index", None)
+        if before is not None:
+            arrayobj.fix_integer_index = _plain_index
+        try:
+            yield
+        finally:
+            if before is not None:
+                arrayobj.fix_integer_index = before
+
+    def _plain_index(context, builder, kind, index, size):
+        return context.cast(builder, index, kind, numba.types.intp if kind.signed else numba.types.uintp)
 
     if numba.config.DISABLE_JIT:
 
@@ -84,17 +111,6 @@ else:
                 return builder.fma(*arguments)
 
             return signature, generate
-
-    @contextlib.contextmanager
-    def _slp_vectoriser():
-        """Lets the compiler join neighbouring scalar operations into vector ones (numba leaves that off): the
-        blocks of eight rows in `flow._blocks` are written for it."""
-        before = numba.config.SLP_VECTORIZE
-        numba.config.SLP_VECTORIZE = 1
-        try:
-            yield
-        finally:
-            numba.config.SLP_VECTORIZE = before
 
     class _Locator:
         """Puts compiled kernels of this version of all kernel sources into one folder of their own."""

@@ -12,19 +12,18 @@ Source: G. Farin, Curves and Surfaces for CAGD, 5th ed. (2002); B. Mourrain, F. 
 
 from __future__ import annotations
 
+from gearlash._kernel import fma, inlined, inner
 
-from gearlash._kernel import fma, inner
-
-from ._series import powers, recentre, scale
+from ._series import powers, recentre
 from ._tables import ORDER, TERMS, Shape
-from ._vector import linear, weigh
+from ._vector import linear, times, weigh
 from ._work import DEPTH, LIMITS, LOCAL, ONES, POWERS, SCALED, STACK, SURFACE
 
 NONE = 2.0  # "no root in [0, 1]"
 CLEAR, ONE, OPEN = 0, 1, 2
 
 
-@inner
+@inlined
 def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
     """First s in [start, end] at which the distance polynomial in `SURFACE` turns negative, or `NONE`, and
     whether anything stayed undecided.
@@ -43,7 +42,9 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
             undecided = speed <= slope_bound
         elif speed < -slope_bound:
             return start, False
-        elif speed <= slope_bound:  # at rest on the surface: the curvature decides, surely only if it is exact
+        elif (
+            speed <= slope_bound
+        ):  # at rest on the surface: the curvature decides, surely only if it is exact
             if work[LOCAL + 2] < 0.0:
                 return start, not (here == 0.0 and speed == 0.0)
             undecided = not (here == 0.0 and speed == 0.0)
@@ -52,7 +53,7 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
         return NONE, undecided
     if length != 1.0:
         powers(length, work, POWERS)
-        scale(work, POWERS, work, LOCAL)
+        times(work, POWERS, work, LOCAL, TERMS)
     size = weigh(work, ONES, TERMS, work, LOCAL)
     first, limit = 0, bound
     if leaving:
@@ -64,7 +65,7 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
     return (start + length * s if s < NONE else NONE), undecided or open_case
 
 
-@inner
+@inlined
 def _isolate(shape: Shape, memory, work, first, bound):
     """First root in [0, 1] of the polynomial in `LOCAL`, divided by s if ``first`` is 1."""
     m = ORDER - first
@@ -103,7 +104,7 @@ def _isolate(shape: Shape, memory, work, first, bound):
     return NONE, undecided
 
 
-@inner
+@inlined
 def _verdict(work, b, m, bound):
     """(CLEAR, 0): all coefficients above the bound. (ONE, i): above it up to i, then below it, with one at
     most between them that may be either: exactly one root (i = -1: at the beginning). Else (OPEN, 0)."""
@@ -156,7 +157,7 @@ def _split(work, right, left, m):
         # entry m - i of the right half is now final
 
 
-@inner
+@inlined
 def _polish(work, at, degree, lo, hi, guess, sign):
     """The one root in [lo, hi], where sign times the polynomial falls from + to -: Halley's method kept inside a
     shrinking bracket. It ends where the next step, of third order, would be below rounding."""
@@ -180,9 +181,7 @@ def _polish(work, at, degree, lo, hi, guess, sign):
             step = 0.5 * (lo + hi)
             if step in (lo, hi):
                 return step
-        elif abs(change) <= 2.3e-16 * s or (
-            abs(change) <= 1e-6 and abs(change * bend) <= 1e-6 * abs(slope)
-        ):
+        elif abs(change) <= 2.3e-16 * s or (abs(change) <= 1e-6 and abs(change * bend) <= 1e-6 * abs(slope)):
             return step
         s = step
     return s
@@ -236,5 +235,3 @@ def ones(work):
     """Writes the weights of a plain sum of absolute values."""
     for j in range(TERMS):
         work[ONES + j] = 1.0
-
-

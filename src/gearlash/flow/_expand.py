@@ -6,7 +6,7 @@ from gearlash._kernel import fma, inner
 
 from ._series import fourier_taylor
 from ._tables import FREE, ORDER, TERMS, Shape
-from ._vector import linear
+from ._vector import add, linear, move, multiple
 
 
 @inner
@@ -69,11 +69,10 @@ def _any(values, at, count):
 @inner
 def horner(zc, p, s, out):
     """out (p) ← values at s of the polynomials in zc (ORDER+1, p)."""
-    for i in range(p):
-        out[i] = zc[ORDER * p + i]
+    move(zc, ORDER * p, out, 0, p)
     for j in range(ORDER - 1, -1, -1):
-        for i in range(p):
-            out[i] = fma(out[i], s, zc[j * p + i])
+        multiple(s, out, 0, out, 0, p)
+        add(1.0, zc, j * p, out, 0, p)
 
 
 @inner

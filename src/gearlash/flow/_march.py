@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import float64, int64, types
+from numba import float64, int64
 
 from gearlash._kernel import inner, kernel
 
@@ -11,10 +11,11 @@ from ._exits import all_roots, ones
 from ._expand import carry_inside
 from ._series import polynomial
 from ._surfaces import first_mode
-from ._tables import CUBE, FLOATS, INTS, MATRIX, MUTABLE, ORDER, SHAPE, TABLE, TERMS, Shape
 from ._switch import region_code
-from ._walk import FRESH, NEED_REGION, NEEDED, OK, Motion, Record, arrivals, sides_of, slot_place, walk
+from ._tables import CUBE, FLOATS, INTS, MATRIX, MUTABLE, ORDER, SHAPE, TABLE, TERMS, Shape
+from ._walk import FRESH, NEED_REGION, NEEDED, OK, Motion, Record, sides_of, slot_place, walk
 from ._work import DEPTH, GAPS
+
 
 def scratch(shape: Shape) -> tuple[np.ndarray, ...]:
     """Work space of one call of `run`."""
@@ -89,6 +90,10 @@ def _ahead(cell, s, length):
 def _strobe(shape: Shape, memory, slot_of, motion, row, strobes):
     """The state that the motion is in now; u itself stays the virtual start of its cell."""
     slot, s = slot_place(shape, slot_of, motion.modes), motion.position[1]
+    if s == 0.0:
+        for i in range(shape.n):
+            strobes[row, i] = motion.u[1 + i] + memory[slot + shape.centre + 1 + i]
+        return
     sides_of(motion)
     k = int(motion.position[0]) % shape.cells
     carry_inside(
@@ -150,8 +155,6 @@ def run(
         outcome = walk(
             shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hold, counts[stretch], record
         )
-        if outcome == OK:
-            outcome = arrivals(shape, memory, slot_of, rules, motion, m, hold, counts[stretch], record)
         if outcome != OK:
             if outcome != NEED_REGION:
                 _strobe(shape, memory, slot_of, motion, stretch + 1, strobes)

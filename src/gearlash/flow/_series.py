@@ -7,7 +7,7 @@ import numpy as np
 from gearlash._kernel import fma, inner
 
 from ._tables import ORDER, TERMS
-from ._vector import linear
+from ._vector import linear, move, multiple, times
 
 NEAR_ZERO = 1e-9
 
@@ -82,29 +82,19 @@ def fourier_value(series, at, harmonics, theta):
 def powers(s, out, to):
     """out[to:to+TERMS] ← 1, s, s², …: by blocks, not one after the other."""
     s2 = s * s
-    s3, s4 = s2 * s, s2 * s2
-    s5, s6, s7, s8 = s4 * s, s4 * s2, s4 * s3, s4 * s4
-    block = 1.0
-    for b in range(TERMS // 8):
-        o = to + 8 * b
-        out[o], out[o + 1], out[o + 2], out[o + 3] = block, block * s, block * s2, block * s3
-        out[o + 4], out[o + 5], out[o + 6], out[o + 7] = block * s4, block * s5, block * s6, block * s7
-        block *= s8
-
-
-@inner
-def scale(factors, at, out, to):
-    """out[to + j] ← out[to + j] · factors[at + j]."""
-    for j in range(TERMS):
-        out[to + j] *= factors[at + j]
+    s4 = s2 * s2
+    out[to], out[to + 1], out[to + 2], out[to + 3] = 1.0, s, s2, s2 * s
+    out[to + 4], out[to + 5], out[to + 6], out[to + 7] = s4, s4 * s, s4 * s2, s4 * s2 * s
+    s8 = s4 * s4
+    multiple(s8, out, to, out, to + 8, 8)
+    multiple(s8 * s8, out, to, out, to + 16, 8)
 
 
 @inner
 def recentre(pascal, table, c, at, start, powers_at, scaled, out, to):
     """out[to:to+TERMS] ← coefficients of the polynomial c about ``start``; ``powers_at``, ``scaled`` are places
     in out for work."""
-    for j in range(TERMS):
-        out[to + j] = c[at + j]
+    move(c, at, out, to, TERMS)
     if start == 0.0:
         return
     if start < NEAR_ZERO:  # powers of the start would vanish, and so would terms of second order
@@ -112,23 +102,21 @@ def recentre(pascal, table, c, at, start, powers_at, scaled, out, to):
             out[to + j] += (j + 1) * start * c[at + j + 1]
         return
     powers(start, out, powers_at)
-    for j in range(TERMS):
-        out[scaled + j] = c[at + j] * out[powers_at + j]
+    move(c, at, out, scaled, TERMS)
+    times(out, powers_at, out, scaled, TERMS)
     # Σ_m C(m, i) start^(m-i) c_m
     linear(pascal, table, TERMS, TERMS, ORDER + 1, out, scaled, out, to)
     powers(1.0 / start, out, powers_at)
-    scale(out, powers_at, out, to)
+    times(out, powers_at, out, to, TERMS)
 
 
 @inner
 def pressing(eta, eta_at, x, x_at, first, rate, out, buffer, to):
     """out[to:to+TERMS] ← η·(X - edge) + rate·dX/ds, cut off behind ORDER; ``first`` is X - edge at s = 0.
 
-    ``buffer``: a place for (2, TERMS) in out, the first half of which stays zero: the product is a sum of X
+    ``buffer``: a place for (2, TERMS) in out, the first half of which is zero: the product is a sum of X
     moved along by 0, 1, 2, … places."""
-    for j in range(TERMS):
-        out[buffer + j] = 0.0
-        out[buffer + TERMS + j] = x[x_at + j]
+    move(x, x_at, out, buffer + TERMS, TERMS)
     out[buffer + TERMS] = first
     linear(out, buffer + TERMS, -1, TERMS, ORDER + 1, eta, eta_at, out, to)
     if rate != 0.0:

@@ -59,6 +59,10 @@ class Shape(NamedTuple):
     forcing: int  # (n, 2H+1)
     tail: int  # (clearances, 4): Taylor remainder of X, of dX/ds: per unit of Σ|z|, constant
     centre: int  # (p): (0, c); the state of a motion here is z - c, and X that from the contact's edge
+    lap: int  # (1+n, p): state at the end of a whole base period without contact
+    centred: int  # (p): start of the motion that repeats under it
+    swing: int  # (clearances, p): largest change of what is watched, per unit of each state at the start
+    margin: int  # (clearances, 2): how far it stays above its lower, below its upper limit on that motion
     lag: int  # (clearances): h·c - edge - mean of e, zero wherever a centre can be had
 
 
@@ -106,7 +110,7 @@ def lay_out(plan: Plan) -> Shape:
         size += padded(length)
     inside, slot = [], 0
     for length in (cells * (1 + n) * rows, cells * j * p, cells * j * (1 + n) * TERMS,
-                   cells * j * p, cells * j * (ORDER + 1) * p, (n + j) * p, n * width, 4 * j, p, j):  # fmt: skip
+                   cells * j * p, cells * j * (ORDER + 1) * p, (n + j) * p, n * width, 4 * j, p, (1 + n) * p, p, j * p, 2 * j, j):  # fmt: skip
         inside.append(slot)
         slot += padded(length)
     return Shape(n, p, j, cells, rows, plan.harmonics, *places, size, slot, *inside)

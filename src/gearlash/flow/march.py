@@ -85,9 +85,7 @@ def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) ->
         contacts.append(counts)
         done += block
     table = np.concatenate(contacts)
-    return Strobes(
-        np.concatenate(states), table[:, :-1], int(table[:, -1].sum()), _with_doubt(status, table)
-    )
+    return Strobes(np.concatenate(states), table[:, :-1], int(table[:, -1].sum()), _with_doubt(status, table))
 
 
 def carry(

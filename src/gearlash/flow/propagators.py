@@ -13,7 +13,7 @@ import numpy as np
 from gearlash.system import Clearance, ContactRule, GearlashError, System, derivative, padded
 from gearlash.system.harmonics import harmonics
 
-from ._cells import EDGE, FORCED, OFFSET, assemble, respond, spectral_radius, stiffness_series
+from ._cells import EDGE, FORCED, OFFSET, assemble, laps, respond, spectral_radius, stiffness_series
 from ._surfaces import NO_STOP
 from ._tables import (
     ALWAYS,
@@ -248,6 +248,7 @@ def _assemble(
         shape, memory, at, amplitudes, ends, gaps, np.array(sides, dtype=np.int64), props.rules,
         _TO_CHECK.copy(), everything,
     )  # fmt: skip
+    laps(shape, memory, at, np.array(sides, dtype=np.int64))
 
 
 def _to_check() -> Array:
@@ -289,9 +290,7 @@ def _write_system(system: System, shape: Shape, memory: Array) -> None:
             memory[place : place + width] = padded(series, shape.harmonics)
 
 
-def _write_region(
-    system: System, shape: Shape, memory: Array, at: int, sides: Sides, matrix: Array
-) -> None:
+def _write_region(system: System, shape: Shape, memory: Array, at: int, sides: Sides, matrix: Array) -> None:
     """The equations of one region, for expansions of the state."""
     columns = memory[at + shape.matrix : at + shape.matrix + (shape.n + shape.clearances) * shape.p]
     columns = columns.reshape(shape.n + shape.clearances, shape.p)
