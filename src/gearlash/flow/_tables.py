@@ -10,6 +10,8 @@ cell, and digits lost."""
 
 from __future__ import annotations
 
+from functools import cache
+from math import comb
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -117,17 +119,19 @@ def lay_out(plan: Plan) -> Shape:
 
 
 def constants(shape: Shape, memory: Array) -> None:
-    """Writes the tables that are the same for every system."""
-    from math import comb
+    """Writes the tables that are the same for every system (they lie side by side)."""
+    table = _constants()
+    memory[shape.bernstein : shape.bernstein + len(table)] = table
 
-    def columns(place: int) -> Array:
-        return memory[place : place + (ORDER + 1) * TERMS].reshape(ORDER + 1, TERMS)
 
-    second = shape.bernstein + (ORDER + 1) * TERMS
-    for place, degree in ((shape.bernstein, ORDER), (second, ORDER - 1)):
+@cache
+def _constants() -> Array:
+    bernstein, pascal, hilbert = np.zeros((2, ORDER + 1, TERMS)), *np.zeros((2, ORDER + 1, TERMS))
+    for which, degree in enumerate((ORDER, ORDER - 1)):
         for k in range(degree + 1):
             for i in range(k, degree + 1):
-                columns(place)[k, i] = comb(i, k) / comb(degree, k)
+                bernstein[which, k, i] = comb(i, k) / comb(degree, k)
     for k in range(ORDER + 1):
-        columns(shape.pascal)[k, : k + 1] = [comb(k, i) for i in range(k + 1)]
-        columns(shape.hilbert)[k, : ORDER + 1] = 1.0 / (np.arange(ORDER + 1) + k + 1)
+        pascal[k, : k + 1] = [comb(k, i) for i in range(k + 1)]
+        hilbert[k, : ORDER + 1] = 1.0 / (np.arange(ORDER + 1) + k + 1)
+    return np.concatenate([part.ravel() for part in (bernstein, pascal, hilbert)])
