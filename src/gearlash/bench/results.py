@@ -1,87 +1,81 @@
-"""What a run of the benchmark found: rows, bars, curves, machine. Plain data."""
+"""What a run of the benchmark found: rows, bars, curves, machine. Plain data, and the schema of its JSON."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 OWN = "gearlash"
 
 
 @dataclass(frozen=True)
 class Row:
-    """One solver at one piece of work. ``seconds`` (median) and ``best`` are per ``unit``; ``ratio`` is how
-    many times longer than gearlash; errors are the largest seen against the reference: of the state after
-    one period (dimensionless), of crossing times (τ), or of the number asked for. What was not measured is
-    None, and ``note`` says why."""
+    """One solver at one piece of work. What was not measured is null, and the note says why."""
 
     task: str
     work: str
     solver: str
-    unit: str
-    seconds: float | None = None
-    best: float | None = None
-    ratio: float | None = None
-    error: float | None = None
-    time_error: float | None = None
+    unit: Annotated[str, "what the times are per"]
+    seconds: Annotated[float | None, "median of the repeats"] = None
+    best: Annotated[float | None, "least of the repeats, seconds"] = None
+    ratio: Annotated[float | None, "how many times longer than gearlash, median over the repeats"] = None
+    error: Annotated[
+        float | None,
+        "largest error against the reference: of a component of the state after one period "
+        "(dimensionless), of a multiplier, of the value located",
+    ] = None
+    time_error: Annotated[float | None, "largest error of a crossing time, in τ"] = None
     note: str = ""
 
 
 @dataclass(frozen=True)
 class Bar:
-    """What was aimed at, and what came out. ``met`` is None where it could not be measured."""
+    """What was aimed at, and what came out."""
 
     sentence: str
     aim: float
     measured: float | None
-    at_least: bool  # the aim is a least value, else a greatest
+    at_least: Annotated[bool, "the aim is the least value wanted, else the greatest"]
+    met: Annotated[bool | None, "null where it could not be measured"]
 
-    @property
-    def met(self) -> bool | None:
-        if self.measured is None:
-            return None
-        return self.measured >= self.aim if self.at_least else self.measured <= self.aim
+    @staticmethod
+    def judged(sentence: str, aim: float, measured: float | None, at_least: bool = True) -> Bar:
+        """The bar, held against what was measured."""
+        met = None if measured is None else measured >= aim if at_least else measured <= aim
+        return Bar(sentence, aim, measured, at_least, met)
 
 
 @dataclass(frozen=True)
 class Curve:
-    """Cost against one size: at each value of ``axis``, seconds per period and to build the propagators,
-    cells and crossings per period."""
+    """Cost against one size; the lists go together."""
 
     axis: str
     sizes: tuple[float, ...]
-    seconds: tuple[float, ...]
-    building: tuple[float, ...]
-    cells: tuple[int, ...]
-    crossings: tuple[float, ...]
-    note: str = ""
+    seconds: Annotated[tuple[float, ...], "per period, median"]
+    building: Annotated[tuple[float, ...], "seconds to build the propagators"]
+    cells: Annotated[tuple[int, ...], "of a period"]
+    crossings: Annotated[tuple[float, ...], "of boundaries, per period"]
+    note: Annotated[str, "where the curve ends, and why"] = ""
 
 
 @dataclass(frozen=True)
 class Limit:
-    """Least arithmetic and bytes of one period of one work, beside what it took. ``peak`` in fused
-    multiply-adds per second and ``bandwidth`` in bytes per second are those of this core, measured."""
+    """Least arithmetic and bytes of one period, beside what it took."""
 
     work: str
     states: int
     cells: int
     crossings: float
-    multiply_adds: float
-    crossing_multiply_adds: float
-    table_bytes: int
-    peak: float
-    bandwidth: float
-    seconds: float
-
-    @property
-    def least(self) -> float:
-        """Seconds that no implementation of this method can undercut on this core: the slower of the two."""
-        arithmetic = (self.multiply_adds + self.crossing_multiply_adds) / self.peak
-        return max(arithmetic, self.table_bytes / self.bandwidth)
-
-    @property
-    def share(self) -> float:
-        """Of the core's peak that the necessary arithmetic reaches."""
-        return (self.multiply_adds + self.crossing_multiply_adds) / self.peak / self.seconds
+    multiply_adds: Annotated[float, "fused, of the cells' maps"]
+    crossing_multiply_adds: Annotated[float, "fused, of the expansions on both sides of the crossings"]
+    table_bytes: Annotated[int, "numbers of the cells' maps"]
+    peak: Annotated[float, "fused multiply-adds per second of this core, measured"]
+    bandwidth: Annotated[float, "bytes per second that this core reads from such a table, measured"]
+    seconds: Annotated[float, "what a period took, least of the repeats"]
+    least: Annotated[
+        float, "seconds that the arithmetic or the reading needs at the peak, the longer of the two"
+    ]
+    share: Annotated[float, "of the core's peak that the necessary arithmetic reaches"]
 
 
 @dataclass(frozen=True)
@@ -92,19 +86,20 @@ class Machine:
     cores: int
     system: str
     python: str
-    versions: dict[str, str]  # "not installed" where a peer is missing
+    versions: Annotated[dict[str, str], "by package; 'not installed' where a peer is missing"]
 
 
 @dataclass(frozen=True)
 class Benchmark:
-    """The whole run."""
+    """A run of the benchmark."""
 
-    quick: bool
+    quick: Annotated[bool, "small work, few repeats: the times mean little"]
     repeats: int
     machine: Machine
     rows: tuple[Row, ...]
     bars: tuple[Bar, ...]
     curves: tuple[Curve, ...]
     limits: tuple[Limit, ...]
-    pixels: tuple[tuple[str, float], ...]  # facts about the map: name, value
-    seconds: float
+    pixels: Annotated[dict[str, float], "facts about the map"]
+    threads: Annotated[dict[str, float], "what two threads do in the time that one takes"]
+    seconds: Annotated[float, "of the whole run"]

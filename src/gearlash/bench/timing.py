@@ -36,9 +36,9 @@ class Times:
         return median(mine / theirs for mine, theirs in zip(self.each, other.each, strict=True))
 
 
-def in_turns(runners: Sequence[Runner], repeats: int) -> dict[str, Times]:
-    """A B A B …: each runner once to warm up, then once in each of the repeats."""
-    for runner in runners:
+def in_turns(runners: Sequence[Runner], repeats: int, warm: bool = True) -> dict[str, Times]:
+    """A B A B …: each runner once to warm up (if asked for), then once in each of the repeats."""
+    for runner in runners if warm else ():
         runner.run()
     spent: dict[str, list[float]] = {runner.name: [] for runner in runners}
     for _ in range(repeats):

@@ -157,11 +157,14 @@ def _single(box: list, boundary: int, edge: float, kept: list | None) -> Callabl
         pars[EDGE] = level if outward else 0.0
         return True
 
+    if kept is None:
+        return switch
+
     def switch_and_keep(ta, sign):
         kept.append((ta.time, boundary, sign == boundary))
         return switch(ta, sign)
 
-    return switch if kept is None else switch_and_keep
+    return switch_and_keep
 
 
 def _lane(box: list, boundary: int, edge: float) -> Callable:

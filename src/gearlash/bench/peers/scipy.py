@@ -1,9 +1,11 @@
 """scipy: solve_ivp, DOP853, stopped at every crossing and started anew, with a jitted right-hand side.
 
-Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, 1993, sec. II.5, doi:10.1007/978-3-540-78862-1.
+Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, 1993, doi:10.1007/978-3-540-78862-1.
 """
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -12,6 +14,18 @@ from .plain import Array, Pair, rates_at
 
 RTOL, ATOL = 1e-12, 1e-13
 HOW = f"DOP853, rtol {RTOL:g}, atol {ATOL:g}, terminal events, jitted right-hand side"
+
+
+@dataclass(frozen=True)
+class _Exit:
+    """An event as solve_ivp wants it: X reaches ``edge`` in one direction, and the integration ends."""
+
+    edge: float
+    direction: int
+    terminal: bool = True
+
+    def __call__(self, t: float, z: Array) -> float:
+        return z[-2] - self.edge
 
 
 class Scipy:
@@ -26,7 +40,13 @@ class Scipy:
         region, self.crossings = self.pair.region(state), []
         while True:
             found = solve_ivp(
-                self._rates(region), (t, end), state, "DOP853", events=self._exits(region), rtol=RTOL, atol=ATOL
+                self._rates(region),
+                (t, end),
+                state,
+                "DOP853",
+                events=self._exits(region),
+                rtol=RTOL,
+                atol=ATOL,
             )
             t, state = float(found.t[-1]), found.y[:, -1]
             if found.status != 1:
@@ -52,11 +72,5 @@ class Scipy:
             return [self._exit(region, -region)]
         return [self._exit(1, 1), self._exit(-1, -1)]
 
-    def _exit(self, boundary: int, direction: int):
-        edge = boundary * self.pair.edge
-
-        def gap(t, z):
-            return z[-2] - edge
-
-        gap.terminal, gap.direction = True, direction
-        return gap
+    def _exit(self, boundary: int, direction: int) -> _Exit:
+        return _Exit(boundary * self.pair.edge, direction)

@@ -1,0 +1,62 @@
+"""The pieces of work: pairs at chosen points, on their attractors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearlash import flow
+from gearlash.case import load
+from gearlash.flow import Propagators
+from gearlash.system import Family, System
+
+from .peers.plain import Array, Pair
+
+SETTLING = 4_000  # base periods
+KEPT = 200  # strobes of the attractor
+
+
+@dataclass(frozen=True, eq=False)
+class Work:
+    """One point of one case: its system for both sides, and states (KEPT, n) of its attractor at phase
+    zero; ``crossings`` a period, releases and engagements."""
+
+    name: str
+    system: System
+    pair: Pair
+    props: Propagators
+    states: Array
+    crossings: float
+
+
+POINTS = (
+    ("article", 1.05, 1.0, "no impact"),
+    ("article", 0.95, 1.0, "1-1"),
+    ("article", 0.78, 0.38, "12-12-2"),
+    ("article", 0.78, 0.45, "near 6-6-0"),
+    ("article", 0.78, 0.60, "6-6-0"),
+    ("article", 0.78, 0.25, "aperiodic"),
+    ("kahraman-singh", 0.90, 1.0, "one degree of freedom, 1-1"),
+)
+FEW = (0, 1, 6)  # of a quick run
+
+
+def family(case: str) -> Family:
+    """Of a bundled case."""
+    return load(case).family()[0]
+
+
+def works(quick: bool) -> list[Work]:
+    """All pieces of work, settled."""
+    return [_work(*POINTS[i]) for i in (FEW if quick else range(len(POINTS)))]
+
+
+def _work(case: str, omega: float, D: float, about: str) -> Work:
+    pairs, values = family(case), {"omega": omega, "D": D}
+    system = pairs.system(values)
+    props = flow.propagators(system)
+    run = flow.march(props, pairs.start(values), SETTLING)
+    name = f"{case} ω = {omega:g}, D = {D:g} ({about})"
+    crossings = float(np.mean(run.contacts[-1000:].sum(axis=1)))
+    return Work(name, system, Pair.of(system), props, run.states[-KEPT:].copy(), crossings)
