@@ -55,8 +55,8 @@ def _sum(a, rounds):
     total = 0.0
     for i in range(rounds):
         a[i % len(a)] = i  # so that every round has something new to read
-        for x in a:
-            total += x
+        for k in range(len(a)):
+            total += a[k]
     return total
 
 

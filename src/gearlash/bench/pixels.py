@@ -68,7 +68,7 @@ def pixel_rows(count: int, repeats: int) -> tuple[list[Row], dict[str, float]]:
     rows = [
         Row(
             TASK, work, name, "pixel", t.median, t.best,
-            None if name == OWN else t.over(times[OWN]), note=notes[name],
+            None if name == OWN else t.over(times[OWN]), how=notes[name],
         )
         for name, t in times.items()
     ]  # fmt: skip

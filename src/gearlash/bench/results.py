@@ -25,6 +25,7 @@ class Row:
         "(dimensionless), of a multiplier, of the value located",
     ] = None
     time_error: Annotated[float | None, "largest error of a crossing time, in τ"] = None
+    how: Annotated[str, "how the solver was used"] = ""
     note: str = ""
 
 

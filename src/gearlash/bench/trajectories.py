@@ -79,10 +79,10 @@ def _many(work: Work, repeats: int, reference: Solver | None) -> list[Row]:
     together = getattr(flow, "march_many", None)
     each = PERIODS // 8
 
-    def own() -> Array:
+    def own(periods: int = each) -> Array:
         if together is not None:
-            return together(work.props, states, each).states[-1]
-        return np.array([flow.march(work.props, z, each).states[-1] for z in states])
+            return together(work.props, states, periods).states[-1]
+        return np.array([flow.march(work.props, z, periods).states[-1] for z in states])
 
     how = {OWN: "march_many" if together is not None else "one after the other"}
     runners, batches = [Runner(OWN, own, each * TOGETHER)], {}
@@ -95,13 +95,10 @@ def _many(work: Work, repeats: int, reference: Solver | None) -> list[Row]:
             batches[name], how[name] = (batch, start), HOW
             runners.append(Runner(name, lambda b=batch, s=start: b.carry(s, each), each * width))
     times = in_turns(runners, repeats)
-    rows = [_row(MANY, work, OWN, times, how[OWN])]
+    truth = None if reference is None else np.array([reference.carry(z, 1) for z in states])
+    rows = [_row(MANY, work, OWN, times, how[OWN], _worst(own(1), truth))]
     for name, (batch, start) in batches.items():
-        error = None
-        if reference is not None:
-            ends = batch.carry(start, 1)
-            error = max(_distance(end, reference.carry(z, 1)) for end, z in zip(ends, start, strict=True))
-        rows.append(_row(MANY, work, name, times, how[name], error))
+        rows.append(_row(MANY, work, name, times, how[name], _worst(batch.carry(start, 1), truth)))
     return rows if batches else [*rows, Row(MANY, work.name, "heyoka batch", "period", note=MISSING)]
 
 
@@ -172,6 +169,11 @@ def _errors(solver: Solver, states: Array, truth: list) -> tuple[float | None, f
     return state, time, different
 
 
+def _worst(ends: Array, truth: Array | None) -> float | None:
+    """Largest error of end states that belong to the last of the reference's."""
+    return None if truth is None else _distance(ends, truth[-len(ends) :])
+
+
 def _distance(a: Array, b: Array) -> float:
     return float(np.abs(a - b).max())
 
@@ -189,5 +191,4 @@ def _row(
     mine = times[name]
     ratio = None if name == OWN else mine.over(times[OWN])
     odd = f"other crossings in {different} of the periods compared" if different else ""
-    note = "; ".join(part for part in (how, odd) if part)
-    return Row(task, work.name, name, "period", mine.median, mine.best, ratio, error, time_error, note)
+    return Row(task, work.name, name, "period", mine.median, mine.best, ratio, error, time_error, how, odd)
