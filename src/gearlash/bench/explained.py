@@ -30,13 +30,14 @@ def _harmonics(curve: Curve) -> str:
 
 
 def _states(curve: Curve) -> str:
+    first, last = _micro(curve.seconds[0]), _micro(curve.seconds[-1])
     power = _slope(np.log(curve.sizes), np.log(curve.seconds))
     upper = len(curve.sizes) // 2
     late = _slope(np.log(curve.sizes[upper:]), np.log(curve.seconds[upper:])) if upper > 1 else power
     return (
         f"A map has n² numbers. From {curve.sizes[0]:.0f} to {curve.sizes[-1]:.0f} states a period goes from "
-        f"{_micro(curve.seconds[0])} to {_micro(curve.seconds[-1])} µs, as n to the power {power:.2f} overall "
-        f"and {late:.2f} over the larger half: below a dozen states what does not depend on n weighs most."
+        f"{first} to {last} µs, as n to the power {power:.2f}, and {late:.2f} over the larger half: among small "
+        "systems what does not depend on n weighs most."
     )
 
 
@@ -49,20 +50,26 @@ def _clearances(curve: Curve) -> str:
 
 
 def _impacts(curve: Curve) -> str:
+    first, each = _micro(curve.seconds[0]), 1e6 * _slope(curve.sizes, curve.seconds)
     return (
-        "One degree of freedom, always the same cells, and less and less load: a period with "
-        f"{curve.sizes[0]:.3g} impacts takes {_micro(curve.seconds[0])} µs in {curve.cells[0]} cells, and each "
-        f"impact with its release adds {1e6 * _slope(curve.sizes, curve.seconds):.2f} µs: two crossings "
-        "located, the state expanded on both sides of each. Cost is a straight line in the count."
+        f"One degree of freedom in {curve.cells[0]} cells, and less and less load: a period with "
+        f"{curve.sizes[0]:.3g} impacts takes {first} µs, and each impact with its release adds {each:.2f} µs: "
+        "two crossings located, the state expanded on both sides of each. Cells without a crossing do not "
+        "become dearer."
     )
 
 
 def _speeds(curve: Curve) -> str:
-    slow, fast = curve.sizes[0], curve.sizes[-1]
+    quiet = [
+        f"{s:g}: {_micro(t)} µs, {cells} cells"
+        for s, t, cells, c in zip(curve.sizes, curve.seconds, curve.cells, curve.crossings, strict=True)
+        if c == 0.0
+    ]
     return (
-        f"The article's pair. A slow period is long: {curve.cells[0]} cells at ω = {slow:g}, "
-        f"{curve.cells[-1]} at {fast:g}, where the harmonics of the forcing decide and no longer the natural frequencies. "
-        f"{_micro(curve.seconds[0])} µs become {_micro(curve.seconds[-1])} µs; bumps are impacts."
+        "The article's pair. A slow period is long and has many cells; a fast one has few, and then the "
+        "harmonics of the forcing decide their number and no longer the natural frequencies. Without "
+        f"crossings: {'; '.join(quiet) or 'none of these'}. Where teeth hit, crossings outweigh cells, and "
+        "the curve jumps."
     )
 
 

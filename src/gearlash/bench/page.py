@@ -79,7 +79,8 @@ def _machine(found: Benchmark) -> Iterator[str]:
 def _bars(found: Benchmark) -> Iterator[str]:
     yield "## Bars\n"
     yield from _table(
-        ("bar", "aim", "here", ""), [(b.sentence, aim(b), measured(b), verdict(b)) for b in found.bars]
+        ("bar", "aim", "here", "", "worst at"),
+        [(b.sentence, aim(b), measured(b), verdict(b), b.where) for b in found.bars],
     )
 
 

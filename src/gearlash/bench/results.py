@@ -38,12 +38,15 @@ class Bar:
     measured: float | None
     at_least: Annotated[bool, "the aim is the least value wanted, else the greatest"]
     met: Annotated[bool | None, "null where it could not be measured"]
+    where: Annotated[str, "the work of the worst value, where there are several"] = ""
 
     @staticmethod
-    def judged(sentence: str, aim: float, measured: float | None, at_least: bool = True) -> Bar:
+    def judged(
+        sentence: str, aim: float, measured: float | None, at_least: bool = True, where: str = ""
+    ) -> Bar:
         """The bar, held against what was measured."""
         met = None if measured is None else measured >= aim if at_least else measured <= aim
-        return Bar(sentence, aim, measured, at_least, met)
+        return Bar(sentence, aim, measured, at_least, met, where)
 
 
 @dataclass(frozen=True)

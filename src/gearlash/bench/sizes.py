@@ -103,7 +103,7 @@ AXES: dict[str, tuple[Model, Sequence[float]]] = {
     "stiffness harmonics": (harmonics, (1, 2, 3, 5, 8, 12, 16, 20)),
     "states": (states, (2, 4, 6, 8, 10, 14, 18, 24, 32, 40)),
     "clearances": (clearances, (1, 2, 3)),
-    "impacts per period": (impacts, (2.0, 0.6, 0.45, 0.35, 0.25, 0.15, 0.08, 0.02)),
+    "impacts per period": (impacts, (2.0, 0.6, 0.55, 0.5, 0.45, 0.4, 0.35, 0.25, 0.15)),
     "speed ω": (speeds, (0.05, 0.1, 0.2, 0.4, 0.7, 1.05, 1.5, 2.5, 5.0)),
 }
 

@@ -19,15 +19,9 @@ def time(seconds: float | None) -> str:
 
 def ratio(value: float | None) -> str:
     """Times as long."""
-    return (
-        NOTHING
-        if value is None
-        else f"{value:,.0f}"
-        if value >= 100.0
-        else f"{value:.2g}"
-        if value < 10.0
-        else f"{value:.1f}"
-    )
+    if value is None:
+        return NOTHING
+    return f"{value:,.0f}" if value >= 100.0 else f"{value:.2g}" if value < 10.0 else f"{value:.1f}"
 
 
 def error(value: float | None) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 from gearlash import flow
 from gearlash.case import load
 from gearlash.flow import Propagators
+from gearlash.orbits import attractor
 from gearlash.system import Family, System
 
 from .peers.plain import Array, Pair
@@ -31,13 +32,13 @@ class Work:
 
 
 POINTS = (
-    ("article", 1.05, 1.0, "no impact"),
-    ("article", 0.95, 1.0, "1-1"),
-    ("article", 0.78, 0.38, "12-12-2"),
-    ("article", 0.78, 0.45, "near 6-6-0"),
-    ("article", 0.78, 0.60, "6-6-0"),
-    ("article", 0.78, 0.25, "aperiodic"),
-    ("kahraman-singh", 0.90, 1.0, "one degree of freedom, 1-1"),
+    ("article", 1.05, 1.0),  # no impact
+    ("article", 0.95, 1.0),  # 1-1
+    ("article", 0.78, 0.38),  # both sides
+    ("article", 0.78, 0.45),
+    ("article", 0.78, 0.60),
+    ("article", 0.78, 0.25),  # aperiodic
+    ("kahraman-singh", 0.90, 1.0),  # one degree of freedom
 )
 FEW = (0, 1, 6)  # of a quick run
 
@@ -52,11 +53,11 @@ def works(quick: bool) -> list[Work]:
     return [_work(*POINTS[i]) for i in (FEW if quick else range(len(POINTS)))]
 
 
-def _work(case: str, omega: float, D: float, about: str) -> Work:
+def _work(case: str, omega: float, D: float) -> Work:
     pairs, values = family(case), {"omega": omega, "D": D}
     system = pairs.system(values)
     props = flow.propagators(system)
     run = flow.march(props, pairs.start(values), SETTLING)
-    name = f"{case} ω = {omega:g}, D = {D:g} ({about})"
+    name = f"{case} ω = {omega:g}, D = {D:g} ({attractor(props, run.states[-1]).label})"
     crossings = float(np.mean(run.contacts[-1000:].sum(axis=1)))
     return Work(name, system, Pair.of(system), props, run.states[-KEPT:].copy(), crossings)

@@ -22,7 +22,15 @@ def bench_view(answer: BenchAnswer, width: int) -> Iterator[Text]:
     """Bars, then a table for every piece of work, then what was not about other solvers."""
     found = answer.benchmark
     yield from headline(answer.sentence, width)
-    bars = [(verdict(bar), measured(bar), aim(bar), bar.sentence) for bar in found.bars]
+    bars = [
+        (
+            verdict(bar),
+            measured(bar),
+            aim(bar),
+            bar.sentence + (f" (worst: {bar.where})" if bar.where else ""),
+        )
+        for bar in found.bars
+    ]
     yield from table("Bars", [("", "left"), ("here", "right"), ("aim", "right"), ("", "left")], bars, width)
     groups = dict.fromkeys((row.task, row.work) for row in found.rows if row.task != "start-up")
     for task, work in groups:
