@@ -8,13 +8,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from typer.testing import CliRunner
 
-from cli.conftest import Gearlash, Ran, gearlash  # noqa: F401  (a fixture)
+from cli.conftest import Ran
 from cli.schema_check import problems
 from gearlash.bench import OWN, Curve
 from gearlash.bench.explained import WORDS, sizes_explained
 from gearlash.bench.peers import MISSING, installed
 from gearlash.bench.sizes import AXES
+from gearlash.cli.app import app
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 
@@ -23,10 +25,11 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory: pytest.TempPathFactory) -> tuple[Ran, Path]:
-    with pytest.MonkeyPatch.context() as patch:
-        folder = tmp_path_factory.mktemp("bench")
-        call = gearlash.__wrapped__(patch)  # pyright: ignore[reportFunctionMemberAccess]
-        return call("bench", "--quick", "--json", "--out", str(folder)), folder
+    folder = tmp_path_factory.mktemp("bench")
+    found = CliRunner().invoke(app, ["bench", "--quick", "--json", "--out", str(folder)])
+    if found.exception is not None and not isinstance(found.exception, SystemExit):
+        raise found.exception
+    return Ran(found.exit_code, found.stdout, found.stderr), folder
 
 
 @pytest.fixture(scope="module")

@@ -22,8 +22,8 @@ def sizes_explained(curves: Sequence[Curve]) -> Iterator[str]:
 def _harmonics(curve: Curve) -> str:
     return (
         "The article's pair at 1-1; amplitudes fall as 1/k². The cells follow the highest harmonic "
-        f"({curve.cells[0]} to {curve.cells[-1]}), so that each is resolved to rounding, and every cell costs "
-        f"the same: {_micro(curve.seconds[0])} to {_micro(curve.seconds[-1])} µs, "
+        f"({curve.cells[0]} to {curve.cells[-1]}), so that each is resolved to rounding, and every cell "
+        f"costs the same: {_micro(curve.seconds[0])} to {_micro(curve.seconds[-1])} µs, "
         f"{1e9 * _slope(curve.cells, curve.seconds):.0f} ns a cell. "
         "The series themselves are summed while building only, and inside a cell with a crossing."
     )
@@ -36,8 +36,8 @@ def _states(curve: Curve) -> str:
     late = _slope(np.log(curve.sizes[upper:]), np.log(curve.seconds[upper:])) if upper > 1 else power
     return (
         f"A map has n² numbers. From {curve.sizes[0]:.0f} to {curve.sizes[-1]:.0f} states a period goes from "
-        f"{first} to {last} µs, as n to the power {power:.2f}, and {late:.2f} over the larger half: among small "
-        "systems what does not depend on n weighs most."
+        f"{first} to {last} µs, as n to the power {power:.2f}, and {late:.2f} over the larger half: among "
+        "small systems what does not depend on n weighs most."
     )
 
 
@@ -53,9 +53,8 @@ def _impacts(curve: Curve) -> str:
     first, each = _micro(curve.seconds[0]), 1e6 * _slope(curve.sizes, curve.seconds)
     return (
         f"One degree of freedom in {curve.cells[0]} cells, and less and less load: a period with "
-        f"{curve.sizes[0]:.3g} impacts takes {first} µs, and each impact with its release adds {each:.2f} µs: "
-        "two crossings located, the state expanded on both sides of each. Cells without a crossing do not "
-        "become dearer."
+        f"{curve.sizes[0]:.3g} impacts takes {first} µs, and each impact with its release adds {each:.2f} "
+        "µs: two crossings located, the state expanded on both sides of each."
     )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from .explained import sizes_explained
 from .results import OWN, Benchmark, Limit, Row
-from .words import aim, error, measured, ratio, time, verdict
+from .words import NOTHING, aim, error, measured, ratio, time, verdict
 
 FIGURE = "images/benchmark-cost.png"
 HEAD = """\
@@ -24,8 +24,7 @@ Building a model, compiling and settling on the attractor are not timed, except 
 builds its propagators anew for every pixel. Trajectories run on the attractor, thousands of periods in one
 call (ten for those that call Python at every evaluation). Errors are largest ones over one period from up to
 100 states of the attractor, against heyoka's Taylor method in 80-bit arithmetic with tolerance 1e-20, an
-integrator that shares nothing with gearlash. Its error estimate and that of the tables is of the size of
-rounding: errors of some 1e-16 rank nobody.
+integrator that shares nothing with gearlash. Errors of some 1e-16 are rounding and rank nobody.
 
 gearlash's certificate is on: every cell without a crossing is proved to have none.
 """
@@ -110,7 +109,8 @@ def _task(task: str, rows: Sequence[Row]) -> Iterator[str]:
         cells.append(
             (work, solver, time(r.seconds), ratio(r.ratio), error(r.error), error(r.time_error), r.note)
         )
-    yield from _table(head, cells)
+    used = [k for k in range(len(head)) if any(row[k] not in ("", NOTHING) for row in cells)]
+    yield from _table([head[k] for k in used], [[row[k] for k in used] for row in cells])
 
 
 def _starts(rows: Iterable[Row]) -> Iterator[str]:
@@ -120,7 +120,7 @@ def _starts(rows: Iterable[Row]) -> Iterator[str]:
 
 
 def _facts(title: str, facts: dict[str, float]) -> str:
-    return "\n".join(_table((title, ""), [(name, f"{value:.6g}") for name, value in facts.items()]))
+    return "\n".join(_table((title, ""), [(name, f"{value:.4g}") for name, value in facts.items()]))
 
 
 def _limit(limits: Sequence[Limit]) -> Iterator[str]:

@@ -55,7 +55,7 @@ class Curve:
 
     axis: str
     sizes: tuple[float, ...]
-    seconds: Annotated[tuple[float, ...], "per period, median"]
+    seconds: Annotated[tuple[float, ...], "per period, least of the repeats"]
     building: Annotated[tuple[float, ...], "seconds to build the propagators"]
     cells: Annotated[tuple[int, ...], "of a period"]
     crossings: Annotated[tuple[float, ...], "of boundaries, per period"]
