@@ -10,6 +10,7 @@ import pytest
 from gearlash.bench import OWN, Bar, Row
 from gearlash.bench.bars import bars
 from gearlash.bench.pixels import TASK
+from gearlash.bench.questions import DIFFERENT, MARCH
 from gearlash.bench.trajectories import MANY, ONE
 
 
@@ -37,7 +38,7 @@ ROWS = [
 
 @pytest.fixture
 def found() -> dict[str, Bar]:
-    return {bar.sentence: bar for bar in bars(ROWS, WORKS, 1.95)}
+    return {bar.sentence: bar for bar in bars(ROWS, WORKS, {MARCH: 1.95, DIFFERENT: 0.0})}
 
 
 def test_the_worst_work_counts_and_is_named(found: dict[str, Bar]):
@@ -61,3 +62,4 @@ def test_errors_are_those_of_gearlash_and_of_crossing_times_too(found: dict[str,
     bar = found["largest error of any row of gearlash"]
     assert (bar.measured, bar.met, bar.where) == (2e-11, False, "hit")
     assert found["import gearlash, warm, seconds"].met
+    assert found["bytes that differ between one thread and two"].met

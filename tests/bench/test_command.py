@@ -61,6 +61,10 @@ def test_gearlash_is_exact_on_every_row(found: dict[str, Any]):
     assert max(e for e in errors if e is not None) < 1e-11
 
 
+def test_two_threads_give_the_same_bytes(found: dict[str, Any]):
+    assert found["threads"]["bytes that differ"] == 0.0
+
+
 def test_curves_reach_what_the_engine_takes(found: dict[str, Any]):
     assert [curve["axis"] for curve in found["curves"]] == list(AXES)
     assert all(len(curve["sizes"]) == 2 or curve["note"] for curve in found["curves"])

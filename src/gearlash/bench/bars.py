@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from .pixels import TASK as PIXELS
+from .questions import DIFFERENT, MARCH
 from .results import OWN, Bar, Row
+from .startup import FRESH, IMPORT, RUN, STUDY, TASK
 from .trajectories import MANY, ONE
 from .works import Work
 
 ERROR = 1e-11
 
 
-def bars(rows: Sequence[Row], found: Sequence[Work], speedup: float) -> tuple[Bar, ...]:
+def bars(rows: Sequence[Row], found: Sequence[Work], threads: Mapping[str, float]) -> tuple[Bar, ...]:
     """Every bar with the worst value over the works that it speaks of."""
     free = {w.name for w in found if w.crossings == 0.0}
     hit = {w.name for w in found} - free
     errors = [(e, r.work) for r in rows if r.solver == OWN for e in (r.error, r.time_error) if e is not None]
-    own = {r.work: r.seconds for r in rows if r.task == "start-up" and r.solver == OWN}
+    own = {r.work: r.seconds for r in rows if r.task == TASK and r.solver == OWN}
     worst, where = max(errors, default=(None, ""))
     one, many, batch = "one trajectory", "many trajectories", "times heyoka's batch mode"
     return (
@@ -26,10 +28,13 @@ def bars(rows: Sequence[Row], found: Sequence[Work], speedup: float) -> tuple[Ba
         _ratio(f"{many} with impacts: {batch}", 6.0, _ratios(rows, MANY, hit)),
         _ratio(f"{many} without impacts: {batch}", 12.0, _ratios(rows, MANY, free)),
         _ratio("map pixels: times 500 brute-force periods of heyoka", 30.0, _ratios(rows, PIXELS)),
-        Bar.judged("two threads: times one", 1.9, speedup),
+        Bar.judged("two threads: times one", 1.9, threads[MARCH]),
+        Bar.judged("bytes that differ between one thread and two", 0.0, threads[DIFFERENT], False),
         Bar.judged("largest error of any row of gearlash", ERROR, worst, False, where),
-        Bar.judged("import gearlash, warm, seconds", 0.3, own.get("import gearlash"), False),
-        Bar.judged("gearlash run, warm, seconds", 1.0, own.get("gearlash run article"), False),
+        Bar.judged("import gearlash, warm, seconds", 0.3, own.get(IMPORT), False),
+        Bar.judged("gearlash run, warm, seconds", 1.0, own.get(RUN), False),
+        Bar.judged("gearlash run on a new machine, with compilation, seconds", 30.0, own.get(FRESH), False),
+        Bar.judged("gearlash reproduce, warm, seconds", 60.0, own.get(STUDY), False),
     )
 
 

@@ -115,7 +115,7 @@ def _task(task: str, rows: Sequence[Row]) -> Iterator[str]:
 
 def _starts(rows: Iterable[Row]) -> Iterator[str]:
     yield "## Start-up\n"
-    yield "New processes, kernels compiled before.\n"
+    yield "New processes, kernels compiled before where nothing else is said.\n"
     yield from _table(("process", "time"), [(r.work, time(r.seconds)) for r in rows if r.task == "start-up"])
 
 

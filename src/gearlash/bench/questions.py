@@ -1,9 +1,7 @@
-"""Single questions: multipliers of an orbit, the speed at which one grazes, two threads, start-up."""
+"""Single questions: multipliers of an orbit, the speed at which one grazes, two threads."""
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
@@ -23,6 +21,7 @@ from .timing import Runner, in_turns
 from .works import Work, family
 
 GUESS, GAP = 0.98, 1.0  # impact-free; the orbit grazes at 0.9725
+MARCH, DIFFERENT = "march", "bytes that differ"
 STEP = 1e-6  # of the central differences that give scipy's monodromy
 
 
@@ -72,48 +71,32 @@ def grazing_rows(repeats: int) -> list[Row]:
 
 def thread_speedup(work: Work, repeats: int, periods: int) -> dict[str, float]:
     """What two threads do in the time that one takes: marches of independent states, and beside it a loop of
-    multiply-adds alone, which is what this machine's two cores can give at the most."""
+    multiply-adds alone, which is what this machine's two cores can give at the most. `bytes that differ`:
+    in the strobes of the two marches, side by side and one after the other."""
     halves = work.states[-2:]
 
-    def march(which: int) -> None:
-        flow.march(work.props, halves[which], periods)
+    def march(which: int):
+        return flow.march(work.props, halves[which], periods).states
 
     def loop(_which: int) -> None:
         multiply_adds(40 * periods)
 
-    return {"march": _twice(march, repeats), "multiply-adds alone": _twice(loop, repeats)}
+    with ThreadPoolExecutor(2) as pool:
+        side_by_side = np.array(list(pool.map(march, (0, 1))))
+    one_by_one = np.array([march(0), march(1)])
+    return {
+        MARCH: _twice(march, repeats),
+        "multiply-adds alone": _twice(loop, repeats),
+        DIFFERENT: float(np.count_nonzero(side_by_side.view(np.uint8) != one_by_one.view(np.uint8))),
+    }
 
 
-def _twice(task: Callable[[int], None], repeats: int) -> float:
+def _twice(task: Callable[[int], object], repeats: int) -> float:
     with ThreadPoolExecutor(2) as pool:
         alone = Runner("1", lambda: task(0), 1)
         both = Runner("2", lambda: list(pool.map(task, (0, 1))), 2)
         times = in_turns([alone, both], repeats)
     return times["1"].over(times["2"])
-
-
-COMMANDS = {
-    "python alone": "pass",
-    "import gearlash": "import gearlash",
-    "gearlash run article": "import sys; sys.argv = ['gearlash', 'run', 'article']\n"
-    "from gearlash.cli import main; main()",
-}
-
-
-def start_rows(repeats: int) -> list[Row]:
-    """New processes, kernels in the cache."""
-    runners = [Runner(name, lambda c=code: _process(c)) for name, code in COMMANDS.items()]
-    times = in_turns(runners, repeats)
-    return [
-        Row("start-up", name, OWN, "process", times[name].median, times[name].best, note="warm")
-        for name in COMMANDS
-    ]
-
-
-def _process(code: str) -> None:
-    subprocess.run(
-        [sys.executable, "-c", code], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-    )
 
 
 def _orbit(found: Any) -> Orbit:

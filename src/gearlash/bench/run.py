@@ -9,9 +9,10 @@ from .bars import bars
 from .limits import limits
 from .machine import this_machine
 from .pixels import pixel_rows
-from .questions import grazing_rows, multiplier_rows, start_rows, thread_speedup
+from .questions import grazing_rows, multiplier_rows, thread_speedup
 from .results import OWN, Benchmark, Row
 from .sizes import curves
+from .startup import long_rows, start_rows
 from .trajectories import ONE, trajectory_rows
 from .works import works
 
@@ -23,7 +24,7 @@ def _silent(stage: str) -> None:
 
 
 def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) -> Benchmark:
-    """Runs all of it, about five minutes; ``quick``: everything once through on small work, some twenty
+    """Runs all of it, about five minutes on two cores; ``quick``: everything once through on small work, some twenty
     seconds, with times that mean little. ``progress`` is told every stage."""
     began, repeats = monotonic(), QUICK_REPEATS if quick else REPEATS
     progress("attractors")
@@ -41,7 +42,11 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
     progress("map")
     mapped, facts = pixel_rows(10 if quick else 400, 1 if quick else 3)
     progress("start-up")
-    rows = [*one, *many, *questions, *mapped, *start_rows(1 if quick else 5)]
+    starts = start_rows(1 if quick else 5)
+    if not quick:
+        progress("first run and whole study")
+        starts += long_rows()
+    rows = [*one, *many, *questions, *mapped, *starts]
     progress("sizes")
     sizes = curves(repeats, quick)
     progress("limits")
@@ -51,7 +56,7 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
         repeats=repeats,
         machine=this_machine(),
         rows=tuple(rows),
-        bars=bars(rows, found, threads["march"]),
+        bars=bars(rows, found, threads),
         curves=tuple(sizes),
         limits=limits(found, spent),
         pixels=facts,

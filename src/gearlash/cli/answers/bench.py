@@ -23,5 +23,5 @@ def bench_answer(found: Benchmark) -> BenchAnswer:
     met = sum(bool(bar.met) for bar in judged)
     sentence = f"{met} of {len(judged)} bars met"
     if len(judged) < len(found.bars):
-        sentence += f", {len(found.bars) - len(judged)} not measured for want of a peer"
+        sentence += f", {len(found.bars) - len(judged)} not measured"
     return BenchAnswer(sentence + (" (quick: the times mean little)" if found.quick else ""), found)

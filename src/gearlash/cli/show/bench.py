@@ -37,11 +37,9 @@ def bench_view(answer: BenchAnswer, width: int) -> Iterator[Text]:
         rows = [row for row in found.rows if (row.task, row.work) == (task, work)]
         yield from table(f"{task}: {work}, per {rows[0].unit}", COLUMNS, [_cells(r) for r in rows], width)
     starts = [(row.work, time(row.seconds)) for row in found.rows if row.task == "start-up"]
-    yield from facts("Start-up, warm", starts, width)
+    yield from facts("Start-up", starts, width)
     yield from facts("The map", [(name, f"{value:.4g}") for name, value in found.pixels.items()], width)
-    yield from facts(
-        "Two threads", [(name, f"{value:.2f} ×") for name, value in found.threads.items()], width
-    )
+    yield from facts("Two threads", [(name, f"{value:.4g}") for name, value in found.threads.items()], width)
     limits = [
         (x.work, f"{100 * x.share:.1f} % of the core's peak, {x.seconds / x.least:.1f} × the least time")
         for x in found.limits
