@@ -24,8 +24,8 @@ def _silent(stage: str) -> None:
 
 
 def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) -> Benchmark:
-    """Runs all of it, about five minutes on two cores; ``quick``: everything once through on small work, some twenty
-    seconds, with times that mean little. ``progress`` is told every stage."""
+    """Runs all of it, some five minutes on two cores; ``quick``: everything once through on small work, some
+    twenty seconds, with times that mean little. ``progress`` is told every stage."""
     began, repeats = monotonic(), QUICK_REPEATS if quick else REPEATS
     progress("attractors")
     found = works(quick)
