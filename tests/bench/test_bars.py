@@ -10,7 +10,7 @@ import pytest
 from gearlash.bench import OWN, Bar, Row
 from gearlash.bench.bars import bars
 from gearlash.bench.pixels import TASK
-from gearlash.bench.questions import DIFFERENT, MARCH
+from gearlash.bench.questions import DIFFERENT, LOOP, MARCH
 from gearlash.bench.trajectories import MANY, ONE
 
 
@@ -36,9 +36,12 @@ ROWS = [
 ]
 
 
+THREADS = {MARCH: 1.95, LOOP: 2.0, DIFFERENT: 0.0}
+
+
 @pytest.fixture
 def found() -> dict[str, Bar]:
-    return {bar.sentence: bar for bar in bars(ROWS, WORKS, {MARCH: 1.95, DIFFERENT: 0.0})}
+    return {bar.sentence: bar for bar in bars(ROWS, WORKS, THREADS)}
 
 
 def test_the_worst_work_counts_and_is_named(found: dict[str, Bar]):
@@ -63,3 +66,9 @@ def test_errors_are_those_of_gearlash_and_of_crossing_times_too(found: dict[str,
     assert (bar.measured, bar.met, bar.where) == (2e-11, False, "hit")
     assert found["import gearlash, warm, seconds"].met
     assert found["bytes that differ between one thread and two"].met
+
+
+@pytest.mark.parametrize(("march", "loop", "met"), [(1.95, 2.0, True), (1.5, 2.0, False), (1.1, 1.2, None)])
+def test_threads_are_judged_only_where_a_core_is_free(march: float, loop: float, met: bool | None):
+    judged = bars(ROWS, WORKS, {MARCH: march, LOOP: loop, DIFFERENT: 0.0})
+    assert next(bar for bar in judged if bar.sentence == "two threads: times one").met is met

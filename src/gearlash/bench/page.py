@@ -78,7 +78,7 @@ def _machine(found: Benchmark) -> Iterator[str]:
 def _bars(found: Benchmark) -> Iterator[str]:
     yield "## Bars\n"
     yield from _table(
-        ("bar", "aim", "here", "", "worst at"),
+        ("bar", "aim", "here", "", "worst at, or why not"),
         [(b.sentence, aim(b), measured(b), verdict(b), b.where) for b in found.bars],
     )
 

@@ -38,7 +38,7 @@ class Bar:
     measured: float | None
     at_least: Annotated[bool, "the aim is the least value wanted, else the greatest"]
     met: Annotated[bool | None, "null where it could not be measured"]
-    where: Annotated[str, "the work of the worst value, where there are several"] = ""
+    where: Annotated[str, "the work of the worst value, where there are several, or why there is none"] = ""
 
     @staticmethod
     def judged(

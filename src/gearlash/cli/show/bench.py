@@ -27,7 +27,7 @@ def bench_view(answer: BenchAnswer, width: int) -> Iterator[Text]:
             verdict(bar),
             measured(bar),
             aim(bar),
-            bar.sentence + (f" (worst: {bar.where})" if bar.where else ""),
+            bar.sentence + (f" ({bar.where})" if bar.where else ""),
         )
         for bar in found.bars
     ]
