@@ -125,7 +125,10 @@ def _minor_ticks(made: Figure) -> None:
     """Minor ticks on every axis of numbers; after the layout, which they only slow down."""
     panels = [each for axes in made.axes for each in (axes, *axes.child_axes)]
     for axis in (axis for panel in panels for axis in (panel.xaxis, panel.yaxis)):
-        if axis.get_visible() and not isinstance(axis.get_major_locator(), FixedLocator | NullLocator):
+        even = axis.get_scale() == "linear" and not isinstance(
+            axis.get_major_locator(), FixedLocator | NullLocator
+        )
+        if axis.get_visible() and even:
             axis.set_minor_locator(AutoMinorLocator())
 
 
