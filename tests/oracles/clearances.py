@@ -98,3 +98,21 @@ def sides(system: System) -> list[Side]:
             if series.any():
                 found.append(Side(j, sign, float(edge), series, damping, c.contact))
     return found
+
+
+def contact_forces(system: System, state, phase) -> list:
+    """Φ_j of every clearance, its contacts told from the state alone."""
+    at, forces = angle(system, phase), []
+    for c in system.clearances:
+        always = c.contact is ContactRule.ALWAYS
+        forces.append(Real(c.damping) * gap_velocity(system, c, state, phase) if always else Real(0))
+    for side in sides(system):
+        c = system.clearances[side.clearance]
+        delta = side.sign * gap(system, c, state, phase) - Real(side.edge)
+        if delta > 0:
+            push = series_value(side.stiffness, at) * delta
+            if side.rule is not ContactRule.ALWAYS:
+                push += Real(side.damping) * side.sign * gap_velocity(system, c, state, phase)
+            none = side.rule is ContactRule.NO_TENSION and push < 0
+            forces[side.clearance] += Real(0) if none else side.sign * push
+    return forces

@@ -1,7 +1,7 @@
 """The whole class in 80-bit arithmetic: several clearances, every contact rule, one region after another.
 
 heyoka integrates inside a region and knows of no events. Its Taylor polynomials give those of δ (overlap)
-and, under `no-tension`, of P = η δ + ζ δ′ (what presses); `polynomials` finds every sign change of them. Zeros
+and, under `no-tension`, of P = η δ + ζ δ′ (what presses); `polynomials` finds all sign changes of them. Zeros
 of several surfaces closer than 1e-17 of a cycle are one instant. A zero that was just crossed is divided out
 of its polynomial, so the next one can be arbitrarily near. The same forwards and backwards, since no rule has
 a memory: a side is in contact where δ > 0, under `no-tension` where P > 0 besides.
