@@ -14,8 +14,8 @@ from oracles.members import RULES, random_member
 from oracles.pairs import KINDS, random_system
 from oracles.polynomials import sign_changes
 
-hy = pytest.importorskip("heyoka", reason="heyoka has wheels for Linux only")
-from oracles import region_oracle  # noqa: E402  (needs heyoka)
+pytest.importorskip("heyoka", reason="heyoka has wheels for Linux only")
+from oracles import region_oracle
 
 
 def test_sign_changes_of_known_polynomials():

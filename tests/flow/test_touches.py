@@ -17,7 +17,7 @@ from gearlash.system import ContactRule, Status
 from oracles.matches import match
 
 pytest.importorskip("heyoka", reason="heyoka has wheels for Linux only")
-from oracles.touches import touches  # noqa: E402  (needs heyoka)
+from oracles.touches import touches
 
 TOUCHES = int(os.environ.get("GEARLASH_GRAZES", "2000")) // 5
 

@@ -257,7 +257,23 @@ class _Motion:
             if abs(rate) <= START * max(1.0, float(np.abs(self.state).max())):
                 self.flags.beyond[k] = bool(side.sign * self.acceleration(side.clearance) > 0)
                 self.flags.pressing[k] = self.flags.beyond[k] and self.forward
+                self.crossed.add((k, True))
+        for k, side in enumerate(self.sides):
+            if side.releases_early and self.flags.beyond[k] and k not in on:
+                self._begin_on_press(k)
         self._switch()
+
+    def _begin_on_press(self, k: int) -> None:
+        """A start at P = 0 goes the way P goes."""
+        side, (delta, rate) = self.sides[k], self.overlap(self.sides[k])
+        at, turn = angle(self.system, self.now), Real(self.system.omega) / self.system.cycles
+        eta, slope = series_taylor(side.stiffness, at, turn, 1)
+        if abs(self.force(k)) > START * max(1.0, abs(eta * delta)):
+            return
+        bend = side.sign * self.acceleration(side.clearance)
+        growth = slope * delta + eta * rate + Real(side.damping) * bend
+        self.flags.pressing[k] = bool(growth > 0) == self.forward
+        self.crossed.add((k, True))
 
     def acceleration(self, clearance: int) -> Any:
         """X″ of a clearance now, with the contacts that the flags say."""

@@ -110,10 +110,12 @@ def random_touch(rng: np.random.Generator, system: System, depths) -> Touch | No
     truth = region_oracle.run(system, start, span, begin)
     period = 2 * np.pi / system.omega
     window = 2 * np.sqrt(2 * abs(depth) / min(abs(float(c)) for c in curvature)) / period
-    known = early or rising or not side.releases_early
+    known = (early or rising or not side.releases_early) and window < 0.004
     return Touch(
         system, start, begin, span, side, early, rising, depth, float(curvature[0]), phase, window,
-        (2 if depth > 0 else 0) if known and window < 0.004 else None, companion and companion.clearance, truth,
+        events=2 * int(depth > 0) if known else None,
+        companion=companion and companion.clearance,
+        truth=truth,
     )  # fmt: skip
 
 
