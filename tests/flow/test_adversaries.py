@@ -180,7 +180,7 @@ def test_events_at_cell_edges(rule):
 
 @pytest.mark.parametrize("rule", RULES)
 def test_a_touch_from_the_gap_within_rounding(rule):
-    """X = −0.3 cos θ under a harmonic force alone touches D = 0.3 at θ = π: undecided there, not beside it."""
+    """X = −0.3 cos θ under a harmonic force alone touches D = 0.3 at θ = π: undecided there alone."""
     for push, sure in ((0.0, None), (1e-12, 0), (-1e-12, 2)):
         system = oscillator(
             gap=(0.3 + push, 0.5), stiffness=(2.0, 1.0), damping=0.2, rule=rule, force=(0.0, 0.3, 0.0)

@@ -110,15 +110,21 @@ def oracle(size: int, clearances: int, harmonics: int, variational: bool = False
 
 
 def run(
-    system: System, state, cycles: SupportsFloat, phase: SupportsFloat = 0.0, variational: bool = False
+    system: System,
+    state,
+    cycles: SupportsFloat,
+    phase: SupportsFloat = 0.0,
+    variational: bool = False,
+    held: tuple[int, int, bool] | None = None,
 ) -> Walk:
-    """Integrate ``cycles`` mesh cycles (negative: backwards) from ``phase``."""
+    """Integrate ``cycles`` mesh cycles (negative: backwards) from ``phase``. ``held``: (clearance, boundary,
+    in contact or not) of one side that stays as it is: the one-sided, smooth system of a touch."""
     widths = [system.forcing.shape[1]]
     for c in system.clearances:
         widths += [len(c.stiffness_plus), len(c.stiffness_minus), len(c.offset)]
     harmonics = max(3, (max(widths) - 1) // 2)
     return oracle(system.size, len(system.clearances), harmonics, variational).run(
-        system, state, cycles, phase
+        system, state, cycles, phase, held
     )
 
 
@@ -184,7 +190,7 @@ class RegionOracle:
             write(pars, f"g{j}", c.g)
             write(pars, f"offset{j}", c.offset)
 
-    def run(self, system: System, state, cycles, phase) -> Walk:
+    def run(self, system: System, state, cycles, phase, held) -> Walk:
         """See `run`."""
         self._load(system)
         integrator, n = self._integrator, self.size
@@ -192,7 +198,7 @@ class RegionOracle:
         integrator.state[:n] = np.asarray(state, dtype=Real)
         integrator.state[n:] = np.eye(n).ravel()[: integrator.state.size - n]
         motion = _Motion(system, integrator, self._slots, forward=cycles >= 0)
-        motion.begin()
+        motion.begin(held)
         end = Real(phase) + Real(cycles)
         while motion.now != end:
             motion.advance(end)
@@ -206,6 +212,8 @@ class _Motion:
     def __init__(self, system: System, integrator, slots: Slots, forward: bool):
         self.system, self.integrator, self.slots = system, integrator, slots
         self.forward, self.events, self.largest = forward, [], 0.0
+        self.held: int | None = None
+        self.holding = False
         self.sides = sides(system)
         self.flags = _Flags([False] * len(self.sides), [False] * len(self.sides))
         self.crossed: set[tuple[int, bool]] = set()
@@ -241,9 +249,12 @@ class _Motion:
         eta = series_value(side.stiffness, angle(self.system, self.now))
         return eta * delta + Real(side.damping) * rate
 
-    def begin(self) -> None:
+    def begin(self, held: tuple[int, int, bool] | None) -> None:
         """Flags from the state. On a boundary it goes the way it moves, or will move."""
         on = []
+        for k, side in enumerate(self.sides):
+            if held is not None and held[:2] == (side.clearance, side.sign):
+                self.held, self.holding = k, held[2]
         for k, side in enumerate(self.sides):
             delta, rate = self.overlap(side)
             self.flags.beyond[k] = bool(delta > 0)
@@ -258,8 +269,10 @@ class _Motion:
                 self.flags.beyond[k] = bool(side.sign * self.acceleration(side.clearance) > 0)
                 self.flags.pressing[k] = self.flags.beyond[k] and self.forward
                 self.crossed.add((k, True))
+        if self.held is not None:
+            self.flags.beyond[self.held] = self.flags.pressing[self.held] = self.holding
         for k, side in enumerate(self.sides):
-            if side.releases_early and self.flags.beyond[k] and k not in on:
+            if side.releases_early and self.flags.beyond[k] and k not in on and k != self.held:
                 self._begin_on_press(k)
         self._switch()
 
@@ -332,7 +345,7 @@ class _Motion:
         for j, c in enumerate(system.clearances):
             x = c.h.astype(Real) @ z - series_taylor(c.offset, at, turn, order)
             for k, side in enumerate(self.sides):
-                if side.clearance != j:
+                if side.clearance != j or k == self.held:
                     continue
                 delta = side.sign * x
                 delta[0] -= Real(side.edge)

@@ -94,9 +94,9 @@ def random_touch(rng: np.random.Generator, system: System, depths) -> Touch | No
     state = random_start(rng, system, phase).astype(Real)
     extra = [] if companion is None else [_on_boundary(rng, system, companion, phase)]
     if early:
-        state = _early_touch(rng, system, side, state, phase, height, extra)
+        state = place_early_touch(rng, system, side, state, phase, height, extra)
     else:
-        state = _placed(state, [*_touch(system, side, phase, height), *extra])
+        state = place_touch(system, side, state, phase, height, extra)
     if state is None or np.abs(state).max() > 20.0:
         return None
     curvature = _curvatures(system, side, early, state, phase)
@@ -122,14 +122,14 @@ def random_touch(rng: np.random.Generator, system: System, depths) -> Touch | No
 Row = tuple[np.ndarray, np.longdouble]  # coefficients and wanted value of an affine condition on the state
 
 
-def _touch(system: System, side: Side, phase: float, height: float) -> list[Row]:
-    """δ = height, δ′ = 0."""
+def place_touch(system: System, side: Side, state, phase: float, height: float, extra: list[Row]):
+    """The state moved to δ = height, δ′ = 0, or None."""
     read, level = _rows(system, side.clearance, phase)
     x = side.sign * (Real(side.edge) + Real(height))
-    return [(read[0], x - level[0]), (read[1], -level[1])]
+    return _placed(state, [(read[0], x - level[0]), (read[1], -level[1]), *extra])
 
 
-def _early_touch(rng, system: System, side: Side, state, phase: float, height: float, extra: list[Row]):
+def place_early_touch(rng, system: System, side: Side, state, phase: float, height: float, extra: list[Row]):
     """The state moved to P = height, P′ = 0 at some overlap: conditions on X, X′ and X″. The contact forces
     in X″ are those of the last state, until they stay. None if they do not."""
     rate = Real(system.omega) / system.cycles
@@ -179,7 +179,7 @@ def _placed(state: np.ndarray, wanted: list[Row]) -> np.ndarray | None:
     return state if np.abs(values - rows @ state).max() < 1e-16 else None
 
 
-def _height(system: System, side: Side, early: bool, state, phase):
+def surface_height(system: System, side: Side, early: bool, state, phase):
     """δ, or P."""
     c = system.clearances[side.clearance]
     delta = side.sign * gap(system, c, state, phase) - Real(side.edge)
@@ -191,11 +191,11 @@ def _height(system: System, side: Side, early: bool, state, phase):
 
 def _curvatures(system: System, side: Side, early: bool, state, phase: float):
     """Second derivative (d²/dτ²) of the surface just after and just before."""
-    here, cycles = _height(system, side, early, state, phase), NEAR * Real(system.omega) / TAU
+    here, cycles = surface_height(system, side, early, state, phase), NEAR * Real(system.omega) / TAU
     out = []
     for way in (1, -1):
         there = region_oracle.run(system, state, way * cycles, phase)
-        out.append(2 * (_height(system, side, early, there.state, there.end) - here) / NEAR**2)
+        out.append(2 * (surface_height(system, side, early, there.state, there.end) - here) / NEAR**2)
     return out
 
 
@@ -206,8 +206,8 @@ def _companion(rng, system: System, side: Side) -> Side | None:
 
 def _nearest(system: System, state, phase: float) -> float:
     """Least distance to any surface."""
-    found = [abs(_height(system, s, False, state, phase)) for s in sides(system)]
-    found += [abs(_height(system, s, True, state, phase)) for s in sides(system) if s.releases_early]
+    found = [abs(surface_height(system, s, False, state, phase)) for s in sides(system)]
+    found += [abs(surface_height(system, s, True, state, phase)) for s in sides(system) if s.releases_early]
     return float(min(found))
 
 
