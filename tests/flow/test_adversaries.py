@@ -119,12 +119,16 @@ def test_start_on_the_boundaries_of_both(truth, rule, side):
 @pytest.mark.parametrize("rule", RULES)
 @pytest.mark.parametrize("load", [0.4, -0.4])
 def test_start_at_an_extremum_on_the_boundary(truth, rule, load):
-    """X = D and X′ = 0: the acceleration decides. Truth for small times: X − D = load τ²/2."""
+    """X = D and X′ = 0: the acceleration decides, or the status says that rounding does. The motion is the
+    same either way; for small times X − D = load τ²/2."""
     system = oscillator(
         omega=0.7, gap=(0.5, 0.25), stiffness=(2.0, 1.0), damping=0.2, rule=rule, force=(load,)
     )
     walk = truth(system, [0.5, 0.0], 0.5, 0.0)
-    _agrees(system, [0.5, 0.0], 0.5, 0.0, walk)
+    trace = flow.trace(flow.propagators(system), [0.5, 0.0], 0.5)
+    far = match(system, trace, walk)
+    assert trace.status in (Status.OK, Status.UNCERTAIN)
+    assert far.holds(), far.told
     early = flow.trace(flow.propagators(system), [0.5, 0.0], 1e-4)
     tau = 1e-4 * system.period
     assert len(early.events) == 0
