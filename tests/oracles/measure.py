@@ -78,7 +78,7 @@ def _grazes(pair: str, oracle: Oracle, count: int):
 
 
 def _class(rule: ContactRule | None, sets: int) -> str:
-    """Random members with one to three clearances and 1 to 12 states, and the derivative of the small ones."""
+    """Random members with 1 to 3 clearances and 1 to 12 states, and the derivative of the small ones."""
     rng, worst, bad, unsure, derivative = np.random.default_rng(2028), [0.0, 0.0], 0, 0, 0.0
     for index in range(sets):
         size, rules = 1 + index % 12, RULES if rule is None else (rule,)
