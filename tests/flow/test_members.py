@@ -67,7 +67,7 @@ def test_derivative(rule, count):
     for _ in range(6):
         system, state = random_member(rng, int(rng.choice([2, 4, 6])), count, (rule,))
         events += _agrees(system, state, 1.5, float(rng.uniform(0.0, 2.0)), variational=True)
-    assert events > 8
+    assert events > 5
 
 
 def test_strobes():

@@ -82,8 +82,8 @@ class Side:
 
     @property
     def releases_early(self) -> bool:
-        """Does contact end while there is still overlap? Without damping it cannot pull."""
-        return self.rule is ContactRule.NO_TENSION and self.damping != 0.0
+        """Can contact end while there is still overlap?"""
+        return self.rule is ContactRule.NO_TENSION
 
 
 def sides(system: System) -> list[Side]:

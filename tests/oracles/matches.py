@@ -12,7 +12,7 @@ from gearlash.flow import Trace
 from gearlash.system import System
 
 if TYPE_CHECKING:
-    from .region_oracle import Event, Walk
+    from .motion import Event, Walk
 
 EPSILON = np.finfo(float).eps
 Kind = tuple[int, int, bool]  # clearance, boundary, engaging

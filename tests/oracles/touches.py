@@ -18,7 +18,7 @@ from gearlash.system import System
 from . import region_oracle
 from .clearances import TAU, Real, Side, angle, contact_forces, gap, gap_velocity, series_taylor, sides
 from .members import RULES, random_member, random_start
-from .region_oracle import Walk
+from .motion import Walk
 
 NEAR = Real(1e-4)  # τ over which the curvature at the touch is measured
 SIZES = (2, 3, 4, 6, 9, 12)
@@ -29,7 +29,8 @@ class Touch:
     """A start from which one surface comes to an extremum at ``depth`` beyond (+) or short of (−) zero.
 
     ``events``: how many there are of this side within ``window`` mesh cycles of ``at``, known from the depth;
-    None where that does not tell (under `no-tension` a minimum of δ lies between two zeros of P).
+    None where that does not tell: under `no-tension` a minimum of δ lies between two zeros of P, and the
+    contact of a companion bends what follows.
     """
 
     system: System
@@ -86,7 +87,7 @@ def random_touch(rng: np.random.Generator, system: System, depths) -> Touch | No
     side = sides(system)[int(rng.integers(len(sides(system))))] if sides(system) else None
     if side is None:
         return None
-    early = side.releases_early and system.size > 2 and rng.uniform() < 0.8
+    early = side.releases_early and side.damping > 0.0 and system.size > 2 and rng.uniform() < 0.8
     rising = bool(rng.integers(2))
     depth = float(rng.choice([-1, 1])) * 10 ** rng.uniform(*np.log10(depths))
     height = depth if rising else -depth
@@ -110,7 +111,7 @@ def random_touch(rng: np.random.Generator, system: System, depths) -> Touch | No
     truth = region_oracle.run(system, start, span, begin)
     period = 2 * np.pi / system.omega
     window = 2 * np.sqrt(2 * abs(depth) / min(abs(float(c)) for c in curvature)) / period
-    known = (early or rising or not side.releases_early) and window < 0.004
+    known = (early or rising or not side.releases_early) and window < 0.004 and companion is None
     return Touch(
         system, start, begin, span, side, early, rising, depth, float(curvature[0]), phase, window,
         events=2 * int(depth > 0) if known else None,
