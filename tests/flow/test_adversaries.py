@@ -213,6 +213,7 @@ def test_gear_pairs_under_every_rule(truth, rule, kind):
         _agrees(system, state, cycles, phase, walk)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("omega", [0.02, 0.05, 0.2, 3.0, 15.0, 50.0])
 def test_every_speed(truth, omega):
     """Up to 15 units of τ: a twentieth of a cycle at 0.02, forty cycles at 50."""

@@ -7,6 +7,8 @@ out, so the change is ζ d to leading order, and the derivative of the flow jump
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -40,6 +42,7 @@ def _draws(name: str, depth: float, count: int):
             yield found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TOUCHES)
 def test_law_in_80_bits(name):
     """Within 1 % at d = 1e-8, and the rest falls with d: that coefficient, no other."""
@@ -68,6 +71,21 @@ def test_law_in_the_flow(name):
         assert held.contacts.sum() == 0
         apart = np.linalg.norm((real.state - held.state) - e.predicted)
         assert apart < 0.01 * np.linalg.norm(e.predicted)
+
+
+def test_hold_of_the_second_clearance():
+    """The same where another clearance is listed first: the hold names the one that is meant."""
+    (e,) = _draws("in-contact, from the gap", 1e-8, 1)
+    (c,) = e.system.clearances
+    idle = replace(c, gap_plus=50.0, gap_minus=50.0, name="far")
+    both = replace(e.system, clearances=(idle, c))
+    start, span, props = e.start.astype(float), e.end - e.begin, flow.propagators(both)
+    hold = replace(flow.Hold(e.side.sign, e.begin - 1e-3, e.end + 1e-3), clearance=1)
+    real, held = flow.carry(props, start, span, e.begin), flow.carry(props, start, span, e.begin, hold=hold)
+    assert real.contacts.reshape(-1, 4).sum(axis=1).tolist() == [0, 2]
+    assert held.contacts.sum() == 0
+    apart = np.linalg.norm((real.state - held.state) - e.predicted)
+    assert apart < 0.01 * np.linalg.norm(e.predicted)
 
 
 @pytest.mark.parametrize("name", TOUCHES)
