@@ -178,7 +178,7 @@ def test_three_clearances_meet_at_one_instant():
         for j, c in enumerate(system.clearances):
             side = rng.choice([-1, 1])
             there[2 * j] = c.gap_plus if side > 0 else -c.gap_minus
-            there[2 * j + 1] = -side * rng.uniform(0.2, 1.0)  # backwards it goes into contact
+            there[2 * j + 1] = rng.choice([-1, 1]) * rng.uniform(0.2, 1.0)  # into contact, or out of it
         back = region_oracle.run(system, there.astype(np.longdouble), -0.05, 0.3)
         start, begin = back.state.astype(float), float(back.end)
         truth = region_oracle.run(system, start, 0.2, begin)
