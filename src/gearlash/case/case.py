@@ -168,7 +168,8 @@ class Case:
                 for e in data["entries"]
             ]
             head = (data["name"], data["kind"], data["description"], data["source"])
-            return cls(*head, {e.key: e for e in entries}, data.get("structure", {}))
+            structure = data["structure"] if data["kind"] == PIECEWISE else {}
+            return cls(*head, {e.key: e for e in entries}, structure)
         except (ValueError, KeyError, TypeError) as error:
             raise GearlashError(f"not the JSON of a case: {error!r}") from None
 

@@ -131,7 +131,7 @@ def _refuse(node: ast.expr, known: Collection[str], depth: int) -> None:
             _refuse(inner, known, depth + 1)
         case ast.Call(func=ast.Name(id=name)):
             one = f"one of {', '.join(FUNCTIONS)} of one number"
-            raise ExpressionError(one, nearest_name(name, FUNCTIONS))
+            raise ExpressionError(one, None if name in FUNCTIONS else nearest_name(name, FUNCTIONS))
         case _:
             raise ExpressionError(f"an expression ({GRAMMAR})")
 

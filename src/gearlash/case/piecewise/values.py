@@ -61,9 +61,11 @@ def _rests_on(scalars: Iterable[Scalar], roots: dict[str, tuple[str, ...]]) -> t
 
 def _closed(model: Model, system: System, roots: dict[str, tuple[str, ...]]) -> Iterator[Value]:
     """Natural frequencies with every clearance closed on its side +."""
-    arrays = [model.matrix, *(gap.arrays[key] for gap in model.gaps for key in ("h", "g", "stiffness_plus"))]
+    arrays = [model.matrix, *(gap.arrays[key] for gap in model.gaps for key in ("h", "g"))]
     scalars = [part for array in arrays for part in array.parts]
-    scalars += [gap.numbers["damping"] for gap in model.gaps]
+    for gap in model.gaps:
+        scalars += [part for index, part in gap.arrays["stiffness_plus"].scalars if index == (0,)]
+        scalars.append(gap.numbers["damping"])
     rests_on = _rests_on(scalars, roots)
     for i, frequency in enumerate(closed_frequencies(system), start=1):
         what = f"natural frequency {i} with every clearance closed on side + at its mean stiffness"
