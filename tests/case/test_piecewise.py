@@ -6,15 +6,24 @@ import json
 import pickle
 import subprocess
 import sys
+import tomllib
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import gearlash as gl
 from case.piecewise_texts import TEXT, dense
-from gearlash.case import Case, CaseError, loads
+from cli.schema_check import problems
+from gearlash.case import Case, CaseError, bundled, load, loads, schema
+from gearlash.case.quantities import PIECEWISE
+from gearlash.case.read import source_text
+from gearlash.jobs import Pool
 from gearlash.system import ContactRule, GearlashError, System, UnknownNameError, evaluate
+
+OWN = [name for name in bundled() if load(name).kind == PIECEWISE]
 
 
 @pytest.fixture(scope="module")
@@ -265,3 +274,59 @@ def test_a_worker_that_reads_case_json_needs_neither_pydantic_nor_the_engine(cas
         [sys.executable, "-c", script], input=case.to_json(), capture_output=True, text=True, check=True
     )
     assert ran.stdout.strip() == "[]"
+
+
+BOUNDS = {"minimum", "maximum", "minItems", "maxItems", "maxLength", "default"}
+
+
+def plain(part: Any) -> Any:
+    """A schema without its bounds, which the validator does not know and other tests hold."""
+    if isinstance(part, list):
+        return [plain(item) for item in part]
+    if not isinstance(part, dict):
+        return part
+    found = {key: plain(item) for key, item in part.items() if key not in BOUNDS or isinstance(item, dict)}
+    if "const" in found:
+        found["enum"] = [found.pop("const")]
+    return found
+
+
+def schema_problems(raw: dict[str, Any]) -> list[str]:
+    whole = plain(schema())
+    return problems(raw, whole["$defs"]["piecewise-linear"], whole)
+
+
+@pytest.mark.parametrize("text", [TEXT, dense(), *(source_text(name)[1] for name in OWN)])
+def test_good_files_fit_the_json_schema(text: str):
+    assert schema_problems(tomllib.loads(text)) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("cycles = 2", "cyles = 2"),
+        ("cycles = 2", "cycles = 2.5"),
+        ("omega = 0.9", "omga = 0.9"),
+        ("gap_minus = 2", "gap_mius = 2"),
+        ("lower = 0.0", 'lower = "0"'),
+        ("sin = [0.5]", "sine = [0.5]"),
+        ("orders = [4]", "orders = 4"),
+        ('"in-contact"', '"in contact"'),
+        ('damping = "zeta"', "damping = true"),
+        ("h = [1, 0, 0, 0]", "h = 1"),
+    ],
+)
+def test_bad_files_do_not_fit_the_json_schema(old: str, new: str):
+    assert schema_problems(tomllib.loads(TEXT.replace(old, new, 1)))
+
+
+def test_workers_sweep_a_case_of_this_kind_to_the_same_points():
+    case = load("shaw-holmes", {"clearance.stop.contact": "always"})
+    axis = gl.Axis.even("stop_stiffness", [1.0, 9.0], 5)
+    alone = gl.sweep(case, axis)
+    with Pool(2) as pool:
+        shared = gl.sweep(case, axis, executor=pool, chunk=2)
+    assert [point.status for point in alone.points] == ["ok"] * 5
+    assert [point.state.tobytes() for point in shared.points] == [
+        point.state.tobytes() for point in alone.points
+    ]
