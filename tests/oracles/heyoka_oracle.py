@@ -261,12 +261,13 @@ class Oracle:
         outcome = integrator.propagate_until(Real(phase) + Real(cycles), max_steps=1_000_000)[0]
         if outcome != hy.taylor_outcome.time_limit:
             raise RuntimeError(f"heyoka stopped early: {outcome}")
-        result = self._result(system)
-        check_walk(system, result, region, forward=cycles >= 0)
-        return result
+        check_walk(system, self._result(system, everything=True), region, forward=cycles >= 0)
+        return self._result(system)
 
-    def _result(self, system: System) -> Run:
-        crossings, turns, n = self._record.crossings, self._record.turns, self.size
+    def _result(self, system: System, *, everything: bool = False) -> Run:
+        (clearance,), n, turns = system.clearances, self.size, self._record.turns
+        # crossing the boundary of a side without stiffness is no contact
+        crossings = [c for c in self._record.crossings if everything or clearance.stops(c[1])]
         states = np.array([c[3] for c in crossings], dtype=Real).reshape(-1, n)
         phase = np.array([c[0] for c in crossings], dtype=Real)
         return Run(

@@ -1,4 +1,4 @@
-"""Entry points of the march: strobes and counts, tangents, traces, extrema."""
+"""Entry points of the march: strobes and counts, tangents, traces; extrema."""
 
 from __future__ import annotations
 
@@ -7,148 +7,195 @@ from numba import float64, int64, types
 
 from gearlash._kernel import inner, kernel
 
-from ._roots import DEPTH, all_roots
-from ._series import copy, copy_first, polynomial
-from ._tables import FLOATS, INTS, MATRIX, ORDER, TABLES, Tables
-from ._walk import OK, TOO_MANY, Record, arrives, cross, region_of, scratch, walk
+from ._exits import all_roots, ones
+from ._expand import carry_inside, series_length
+from ._series import polynomial
+from ._surfaces import first_mode
+from ._tables import CUBE, FLOATS, INTS, MATRIX, MUTABLE, ORDER, SHAPE, TABLE, TERMS, Shape
+from ._switch import region_code
+from ._walk import FRESH, NEED_REGION, NEEDED, OK, Motion, Record, arrivals, sides_of, slot_place, walk
+from ._work import DEPTH, work_length
 
-_CUBE = types.Array(float64, 3, "C")
-_COUNTS = types.Array(int64, 2, "C")
+STARTED, STRETCH = 0, 1  # in `progress`: how far a call came that ran into an unbuilt region
 
 
 @inner
-def _orthonormalise(tangents, sums):
+def _orthonormalise(tangents, m, p, sums):
     """Modified Gram-Schmidt, twice, on the rows of `tangents`; adds the logarithms of their lengths to
     `sums`."""
-    m, n = tangents.shape
     for i in range(m):
         for _twice in range(2):
             for j in range(i):
                 dot = 0.0
-                for k in range(n):
-                    dot += tangents[i, k] * tangents[j, k]
-                for k in range(n):
-                    tangents[i, k] -= dot * tangents[j, k]
+                for k in range(1, p):
+                    dot += tangents[i * p + k] * tangents[j * p + k]
+                for k in range(1, p):
+                    tangents[i * p + k] -= dot * tangents[j * p + k]
         size = 0.0
-        for k in range(n):
-            size += tangents[i, k] ** 2
+        for k in range(1, p):
+            size += tangents[i * p + k] ** 2
         size = np.sqrt(size)
         sums[i] += np.log(size)
-        for k in range(n):
-            tangents[i, k] /= size
+        for k in range(1, p):
+            tangents[i * p + k] /= size
+
+
+@inner
+def _inside(shape: Shape, memory, slot, motion, start, end, vector):
+    """vector (p) ← what the present flow makes of it from ``start`` to ``end`` of the cell."""
+    sides_of(motion)
+    k = int(motion.position[0]) % shape.cells
+    carry_inside(
+        shape, memory, slot, motion.sides, k, start, end, vector, motion.zc, motion.series, motion.factors,
+        motion.moved,
+    )  # fmt: skip
+    for i in range(shape.p):
+        vector[i] = motion.moved[i]
+
+
+@inner
+def _tangents_inside(shape: Shape, memory, slot, motion, m, start, end):
+    """The same for tangents: differences of the affine flow, which the state's own part cancels in."""
+    p = shape.p
+    if start == end or m == 0:
+        return
+    origin = np.zeros(p)
+    origin[0] = 1.0
+    _inside(shape, memory, slot, motion, start, end, origin)
+    for v in range(m):
+        tangent = motion.tangents[v * p : (v + 1) * p]
+        tangent[0] = 1.0
+        _inside(shape, memory, slot, motion, start, end, tangent)
+        for i in range(p):
+            tangent[i] -= origin[i]
+        tangent[0] = 0.0
+
+
+@inner
+def _ahead(cell, s, length):
+    stop_cell = np.floor(cell + s + length)
+    return stop_cell, (s + length) - (stop_cell - cell)
+
+
+@inner
+def _strobe(shape: Shape, memory, slot_of, motion, row, strobes):
+    """The state that the motion is in now; u itself stays the virtual start of its cell."""
+    slot, s = slot_place(shape, slot_of, motion.modes), motion.position[1]
+    sides_of(motion)
+    k = int(motion.position[0]) % shape.cells
+    carry_inside(
+        shape, memory, slot, motion.sides, k, 0.0, s, motion.u, motion.zc, motion.series, motion.factors,
+        motion.moved,
+    )  # fmt: skip
+    for i in range(shape.n):
+        strobes[row, i] = motion.moved[1 + i] + memory[slot + shape.centre + 1 + i]
 
 
 @kernel(
     int64(
-        TABLES,
-        FLOATS,
-        MATRIX,
-        float64,
-        float64,
-        FLOATS,
-        MATRIX,
-        _COUNTS,
-        FLOATS,
-        INTS,
-        MATRIX,
-        _CUBE,
-        MATRIX,
-        MATRIX,
+        SHAPE, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE, MATRIX,
+        TABLE, MUTABLE, INTS, MATRIX, CUBE, MATRIX, MATRIX,
     )
-)
+)  # fmt: skip
 def run(
-    t: Tables,
-    state_in,
-    tangents_in,
-    start,
-    length,
-    hold,
-    strobes,
-    counts,
-    sums,
-    used,
-    piece,
-    poly,
-    event,
-    state,
-):
-    """The one march: carries state and tangents (m, n) in place over len(counts) stretches of `length` cells.
+    shape: Shape, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold, strobes,
+    counts, sums, used, piece, poly, event, state,
+):  # fmt: skip
+    """The one march: carries u (p) = (1, z) and tangents (m·p) = (0, v) in place over len(counts) stretches of
+    `length` cells.
 
-    strobes (stretches+1, n) receives the state at every start and at the end, counts (stretches, 5) what
-    happened in each stretch. With sums (m) the tangents are orthonormalised after each stretch. used[0] = -1
-    records nothing, else piece, poly, event and state are filled (see `Record`). One entry point, because
-    compiling each variant of the march apart would cost a new user half a minute. Returns an outcome code.
-    """
-    w = scratch(t)
-    n, m = len(state_in), tangents_in.shape[0]
-    z, tangents = np.zeros(len(t.gain)), np.zeros((m, len(t.gain)))
-    copy(state_in, z)
-    for v in range(m):
-        copy(tangents_in[v], tangents[v])
+    strobes (stretches+1, n) receives the state at every start and at the end, counts (stretches,
+    4·clearances+1) what happened in each stretch. With sums (m) the tangents are orthonormalised after each
+    stretch. used[0] = -1 records nothing, else piece, poly, event and state are filled (see `Record`). modes, on
+    (clearances), position (6) and progress (2), zero at first, let a call that returned `NEED_REGION` be repeated once the
+    region of `modes` is built. One entry point, because compiling each variant of the march apart would cost
+    a new user half a minute. Returns an outcome code."""
+    n, p = shape.n, shape.p
+    m = len(tangents) // p
+    work = np.zeros(work_length(shape.clearances, p))
+    ones(work)
+    motion = Motion(
+        u, tangents, modes, position, work, np.zeros(max(shape.rows, p)), np.zeros((ORDER + 1) * p),
+        np.zeros(series_length(shape)), np.zeros(n + shape.clearances), np.zeros(shape.clearances, np.int64),
+        on,
+    )  # fmt: skip
     record = Record(used, piece, poly, event, state)
-    cell = int(np.floor(start))
-    s = start - cell
-    region, on = region_of(t, w, z, cell, s)
-    copy(state_in, strobes[0])
-    for i in range(len(counts)):
-        for j in range(counts.shape[1]):
-            counts[i, j] = 0
-    for stretch in range(len(counts)):
-        stop_cell = int(np.floor(cell + s + length))
-        stop_s = (s + length) - (stop_cell - cell)
-        outcome, region = walk(
-            t, w, z, tangents, region, on, cell, s, stop_cell, stop_s, hold, counts[stretch], record
+    if progress[STARTED] == 0:
+        cell = int(np.floor(start))
+        s = start - cell
+        for c in range(shape.clearances):
+            modes[c] = first_mode(shape, memory, c, rules[c], (cell + s) * memory[shape.scalars + 2], u)
+        slot = slot_place(shape, slot_of, modes)
+        if slot < 0:
+            position[NEEDED] = region_code(modes)
+            return NEED_REGION
+        for i in range(n):
+            strobes[0, i] = u[1 + i]
+        for i in range(len(counts)):
+            for j in range(counts.shape[1]):
+                counts[i, j] = 0
+        position[0], position[1], position[FRESH] = cell, s, 1.0
+        for i in range(p):
+            u[i] -= memory[slot + shape.centre + i]
+        _inside(shape, memory, slot, motion, s, 0.0, u)
+        _tangents_inside(shape, memory, slot, motion, m, s, 0.0)
+        progress[STARTED], progress[STRETCH] = 1, 0
+        position[2], position[3] = _ahead(cell, s, length)
+    while progress[STRETCH] < len(counts):
+        stretch = progress[STRETCH]
+        stop_cell, stop_s = int(position[2]), position[3]
+        outcome = walk(
+            shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hold, counts[stretch], record
         )
-        on = 0
-        # A span includes its end: a crossing just there is this span's, and the next starts behind it.
-        at_end = arrives(t, w, region, z, stop_cell % t.maps.shape[1], stop_s) if outcome == OK else 0
-        if at_end != 0 and not (at_end == hold[0] and hold[1] <= stop_cell + stop_s <= hold[2]):
-            kept, region = cross(region, at_end, stop_cell + stop_s, z, counts[stretch], record)
-            on = at_end
-            outcome = OK if kept else TOO_MANY
-        copy_first(z, n, state_in)
-        copy(state_in, strobes[stretch + 1])
+        if outcome == OK:
+            outcome = arrivals(shape, memory, slot_of, rules, motion, m, hold, counts[stretch], record)
         if outcome != OK:
+            if outcome != NEED_REGION:
+                _strobe(shape, memory, slot_of, motion, stretch + 1, strobes)
             return outcome
+        _strobe(shape, memory, slot_of, motion, stretch + 1, strobes)
         if len(sums) > 0:
-            _orthonormalise(tangents, sums)
-        cell, s = stop_cell % t.maps.shape[1], stop_s
-        if used[0] >= 0:
-            cell = stop_cell
-    for v in range(m):
-        copy_first(tangents[v], n, tangents_in[v])
+            _orthonormalise(tangents, m, p, sums)
+        if used[0] < 0:
+            position[0] = stop_cell % shape.cells
+        position[2], position[3] = _ahead(int(position[0]), position[1], length)
+        progress[STRETCH] = stretch + 1
+    slot = slot_place(shape, slot_of, modes)
+    _tangents_inside(shape, memory, slot, motion, m, 0.0, position[1])
+    for i in range(n):
+        u[1 + i] = strobes[len(counts), i]
     return OK
 
 
 @inner
-def _second(c, s):
+def _second(c, at, s):
     value = 0.0
-    for j in range(len(c) - 1, 1, -1):
-        value = value * s + j * (j - 1) * c[j]
+    for j in range(ORDER, 1, -1):
+        value = value * s + j * (j - 1) * c[at + j]
     return value
 
 
-@kernel(int64(MATRIX, MATRIX, MATRIX, MATRIX))
-def extrema(piece, gap, basis, found):
+@kernel(int64(MATRIX, MUTABLE, FLOATS, int64, MATRIX))
+def extrema(piece, gap, basis, table, found):
     """Simple zeros of X' over all pieces.
 
-    gap (pieces, ORDER+1): Taylor coefficients of X per piece in its own local time; basis: Taylor to
-    Bernstein of degree ORDER-1. found (m, 4) receives position, X, second derivative in local time, piece
-    index."""
-    slope, roots = np.empty(ORDER), np.empty(ORDER)
-    stack, limits = np.empty((DEPTH + 2, ORDER + 1)), np.empty((DEPTH + 2, 2))
+    gap (pieces·TERMS): Taylor coefficients of X per piece in its own local time; basis from place ``table``:
+    Taylor to Bernstein of degree ORDER-1. found (m, 4) receives position, X, second derivative in local time,
+    piece index."""
+    slope, roots = np.zeros(TERMS), np.empty(ORDER)
+    stack, limits = np.empty((DEPTH + 2) * TERMS), np.empty(2 * (DEPTH + 2))
     count = 0
     for p in range(len(piece)):
         for j in range(ORDER):
-            slope[j] = (j + 1) * gap[p, j + 1]
-        number = all_roots(slope, basis, stack, limits, roots)
+            slope[j] = (j + 1) * gap[p * TERMS + j + 1]
+        number = all_roots(slope, 0, ORDER - 1, basis, table, stack, limits, roots)
         for r in range(number):
             if count >= len(found):
                 return count
             s = roots[r]
             found[count, 0] = piece[p, 0] + s * piece[p, 1]
-            found[count, 1] = polynomial(gap[p], s)
-            found[count, 2] = _second(gap[p], s)
+            found[count, 1] = polynomial(gap, p * TERMS, s)
+            found[count, 2] = _second(gap, p * TERMS, s)
             found[count, 3] = p
             count += 1
     return count

@@ -1,7 +1,12 @@
-"""The arrays that kernels read, and their compiled types.
+"""The memory that kernels read: one flat array, and the places in it.
 
-Regions are numbered 0 (contact on side +), 1 (free), 2 (contact on side -). A period of the system is divided
-into N cells of equal phase; inside a cell local time s runs from 0 to 1."""
+A base period is divided into N cells of equal phase; inside a cell local time s runs from 0 to 1. A *region*
+says for every clearance whether its side + or - is in contact or neither; its tables are built when a motion
+first comes there and lie in a *slot*. Inside a region everything that a motion does in a cell is affine in
+one state, its state at the start of the cell. States are kept as (1, z - c), so that affine is linear: a table
+has a column for the 1 and one for every state, and a tangent is (0, v). The centre c of a region puts every gap
+in contact on its edge: with z itself, stiffness times D would be subtracted from stiffness times X in every
+cell, and digits lost."""
 
 from __future__ import annotations
 
@@ -12,59 +17,113 @@ from numpy.typing import NDArray
 
 Array = NDArray[Any]  # of float64, where nothing else is said
 
-PLUS, FREE, MINUS = 0, 1, 2
+PLUS, FREE, MINUS = 0, 1, 2  # of a clearance: contact on side +, none, contact on side -
+OVER_PLUS, OVER_MINUS = 3, 4  # rule `no-tension`: still beyond the boundary, but nothing presses
+ALWAYS, IN_CONTACT, NO_TENSION = 0, 1, 2
+
 ORDER = 18  # degree of every Taylor polynomial
-CHECK = 7  # degree of the Bernstein polynomials that prove "no event in this cell"
+TERMS = 24  # its coefficients, padded to whole blocks
+CHECK = 7  # degree of the Bernstein polynomials that prove "no event in this cell": one block
 
 
-class Tables(NamedTuple):
-    """One system as the kernels see it: its equations, and its cell maps. All arrays are read-only."""
+class Shape(NamedTuple):
+    """Sizes, and places in the flat array `memory`."""
 
-    scalars: Array  # (3): ω, cell duration in τ, cell width in θ
-    matrix: (
-        Array  # (3, n, p): M + damping: [region, column, row]; rows padded to p = whole blocks (`_blocks`)
-    )
-    gain: Array  # (p): g
-    reads: NDArray[np.int64]  # (m): where h is not zero
-    read: Array  # (m): h there
-    edge: Array  # (3): Φ = η (X - edge): +D⁺, 0, -D⁻
-    gaps: Array  # (2): D⁺, D⁻
-    stiffness: Array  # (3, 2K+1): η per region
-    forcing: Array  # (rows, 2H+1): forced rows of b(θ)
-    rows: NDArray[np.int64]  # (rows): which states they force
-    offset: Array  # (2E+1): e(θ)
-    to_bernstein: Array  # (2, ORDER+1, ORDER+1): Taylor to Bernstein, of degree ORDER and ORDER-1
-    maps: Array  # (3, N, n, p): cell propagators: [region, cell, column, row]
-    shift: Array  # (3, N, p): their forced part
-    check: Array  # (3, N, n+1, CHECK+1): Bernstein coefficients of X as functions of (z, 1)
-    slack: Array  # (3, N, n+1): bound on what `check` leaves out, per |z_j| and constant
-    bend: Array  # (3, N, n+1): bound on max|X''|/8 in the cell, per |z_j| and constant
-    tail: Array  # (3, n+1): bound on the Taylor remainder of X, per |z_j| and constant
+    n: int  # states
+    p: int  # 1 + n, padded
+    clearances: int
+    cells: int
+    rows: int  # of a column of `step`: state, then one block a clearance of Bernstein coefficients
+    harmonics: int  # of the longest series
+    scalars: int  # ω/N (of the phase per τ), cell duration in τ, cell width in θ
+    gaps: int  # (clearances, 4): D⁺, D⁻, ζ⁺, ζ⁻
+    reach: int  # (clearances): |D⁺| + |D⁻| + Σ|e|, whose rounding is that of a boundary's place
+    reads: int  # (clearances, p): (0, h)
+    offset: int  # (clearances, 2H+1): e(θ)
+    speed: int  # (clearances, p): (0, h·M)
+    drift: int  # (clearances, 2H+1): h·b - e'
+    stiffness: int  # (clearances, 2, 2H+1): η(θ) of side +, side -
+    eta: int  # (cells, clearances, 2, TERMS): its Taylor coefficients over each cell
+    bernstein: int  # (2, ORDER+1, TERMS): Taylor to Bernstein, of degree ORDER and ORDER-1
+    pascal: int  # (ORDER+1, TERMS): column m holds C(m, i)
+    hilbert: int  # (ORDER+1, TERMS): column k holds 1/(i+k+1)
+    slots: int  # where the first slot begins
+    slot: int  # length of a slot
+    # inside a slot:
+    step: int  # (cells, 1+n, rows): state at the end of the cell, Bernstein coefficients of what is watched
+    rest: int  # (cells, clearances, p): bound on what those coefficients leave out
+    gap: int  # (cells, clearances, 1+n, TERMS): Taylor coefficients of X - edge
+    bound: int  # (cells, clearances, p): bound on the error of X: remainder and rounding
+    pull: int  # (cells, clearances, ORDER+1, p): flow from s back to 0, applied to g: coefficients in s
+    matrix: int  # (n + clearances, p): columns of M with its damping, then of g
+    forcing: int  # (n, 2H+1)
+    tail: int  # (clearances, 4): Taylor remainder of X, of dX/ds: per unit of Σ|z|, constant
+    centre: int  # (p): (0, c); the state of a motion here is z - c, and X that from the contact's edge
+    lag: int  # (clearances): h·c - edge - mean of e, zero wherever a centre can be had
 
-
-INTEGER = ("reads", "rows")
 
 if TYPE_CHECKING:
-    TABLES: Any
+    SHAPE: Any
     FLOATS: Any
+    MUTABLE: Any
     MATRIX: Any
+    CUBE: Any
     INTS: Any
+    TABLE: Any
 else:
     import numba
     from numba import types
 
-    _DIMENSIONS = (1, 3, 1, 1, 1, 1, 1, 2, 2, 1, 1, 3, 4, 3, 4, 3, 3, 2)
-
-    def _sample() -> Tables:
-        """Empty tables: numba matches a NamedTuple reliably only by the type of an instance."""
-        arrays = []
-        for name, dimensions in zip(Tables._fields, _DIMENSIONS, strict=True):
-            array = np.zeros((1,) * dimensions, dtype=np.int64 if name in INTEGER else np.float64)
-            array.setflags(write=False)
-            arrays.append(array)
-        return Tables(*arrays)
-
-    TABLES = numba.typeof(_sample())
-    FLOATS = types.float64[::1]
+    SHAPE = numba.typeof(Shape(*range(len(Shape._fields))))
+    FLOATS = types.Array(types.float64, 1, "C", readonly=True)
+    MUTABLE = types.float64[::1]
     MATRIX = types.float64[:, ::1]
+    CUBE = types.Array(types.float64, 3, "C")
     INTS = types.int64[::1]
+    TABLE = types.int64[:, ::1]
+
+
+class Plan(NamedTuple):
+    """Sizes of a system from which a `Shape` is laid out."""
+
+    n: int
+    clearances: int
+    cells: int
+    harmonics: int
+
+
+def lay_out(plan: Plan) -> Shape:
+    """The places of everything, in the order of `Shape`."""
+    from ._vector import padded
+
+    n, j, cells, width = plan.n, plan.clearances, plan.cells, 2 * plan.harmonics + 1
+    p = padded(n + 1)
+    rows = p + 8 * j
+    places, size = [], 0
+    for length in (3, 4 * j, j, j * p, j * width, j * p, j * width, 2 * j * width, cells * j * 2 * TERMS,
+                   2 * (ORDER + 1) * TERMS, (ORDER + 1) * TERMS, (ORDER + 1) * TERMS):  # fmt: skip
+        places.append(size)
+        size += padded(length)
+    inside, slot = [], 0
+    for length in (cells * (1 + n) * rows, cells * j * p, cells * j * (1 + n) * TERMS,
+                   cells * j * p, cells * j * (ORDER + 1) * p, (n + j) * p, n * width, 4 * j, p, j):  # fmt: skip
+        inside.append(slot)
+        slot += padded(length)
+    return Shape(n, p, j, cells, rows, plan.harmonics, *places, size, slot, *inside)
+
+
+def constants(shape: Shape, memory: Array) -> None:
+    """Writes the tables that are the same for every system."""
+    from math import comb
+
+    def columns(place: int) -> Array:
+        return memory[place : place + (ORDER + 1) * TERMS].reshape(ORDER + 1, TERMS)
+
+    second = shape.bernstein + (ORDER + 1) * TERMS
+    for place, degree in ((shape.bernstein, ORDER), (second, ORDER - 1)):
+        for k in range(degree + 1):
+            for i in range(k, degree + 1):
+                columns(place)[k, i] = comb(i, k) / comb(degree, k)
+    for k in range(ORDER + 1):
+        columns(shape.pascal)[k, : k + 1] = [comb(k, i) for i in range(k + 1)]
+        columns(shape.hilbert)[k, : ORDER + 1] = 1.0 / (np.arange(ORDER + 1) + k + 1)

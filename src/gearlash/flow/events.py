@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import GearlashError, Status, System, derivative, evaluate
+from gearlash.system import ContactRule, GearlashError, Status, System, derivative, evaluate
 
 from . import _march
-from ._tables import FREE, MINUS, ORDER, PLUS, Array
+from ._tables import FREE, MINUS, ORDER, PLUS, TERMS, Array
 
 if TYPE_CHECKING:
     from .propagators import Propagators
@@ -23,27 +23,42 @@ SLACK = 1e-9  # mesh cycles beyond its ends at which a trace is still read
 
 @dataclass(frozen=True, eq=False)
 class Events:
-    """Contact events in order: phase (mesh cycles, θ/2π), state (m, n), velocity X', force Φ, boundary (+1:
-    Σ1 at +D, -1: Σ2 at -D), engaging (True: into contact)."""
+    """Contact events in order: phase (mesh cycles, θ/2π), state (m, n), velocity X' of the gap, force Φ of the
+    contact that begins or ends, clearance (its index), boundary (+1: Σ1 at +D, -1: Σ2 at -D), engaging (True:
+    into contact)."""
 
     phase: Array
     state: Array
     velocity: Array
     force: Array
+    clearance: Array
     boundary: Array
     engaging: Array
 
     @staticmethod
     def build(system: System, phase: Array, state: Array, kind: Array) -> Events:
-        velocity = gap_velocity(system, phase, state)
-        # On its boundaries the elastic part is zero, so the force is that of damping alone, exactly.
-        force = system.clearances[0].damping * velocity
-        return Events(phase, state, velocity, force, kind[:, 0].astype(np.int64), kind[:, 1] == 1.0)
+        clearance, boundary = kind[:, 0].astype(np.int64), kind[:, 1].astype(np.int64)
+        engaging = kind[:, 2] == 1.0
+        velocity, force = np.empty(len(phase)), np.empty(len(phase))
+        for j in np.unique(clearance):
+            chosen = clearance == j
+            velocity[chosen] = gap_velocity(system, phase[chosen], state[chosen], int(j))
+            force[chosen] = _event_force(
+                system, int(j), phase[chosen], state[chosen], velocity[chosen], boundary[chosen],
+                engaging[chosen],
+            )  # fmt: skip
+        return Events(phase, state, velocity, force, clearance, boundary, engaging)
 
     def where(self, mask: Array) -> Events:
         """The events selected by a boolean mask (m,)."""
-        parts = (self.phase, self.state, self.velocity, self.force, self.boundary, self.engaging)
+        parts = (
+            self.phase, self.state, self.velocity, self.force, self.clearance, self.boundary, self.engaging
+        )  # fmt: skip
         return Events(*(part[mask] for part in parts))
+
+    def of(self, clearance: int) -> Events:
+        """The events of one clearance."""
+        return self.where(self.clearance == clearance)
 
     def __len__(self) -> int:
         return len(self.phase)
@@ -51,7 +66,7 @@ class Events:
 
 @dataclass(frozen=True, eq=False)
 class Extrema:
-    """Simple zeros of X': phase (mesh cycles), displacement X, curvature X'' (d²/dτ²), state (m, n), region
+    """Simple zeros of X' of one clearance: phase (mesh cycles), displacement X, curvature X'' (d²/dτ²), state (m, n), region
     (0: side +, 1: free, 2: side -)."""
 
     phase: Array
@@ -66,7 +81,8 @@ class Extrema:
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """The motion at chosen phases: state (m, n), gap X, velocity X', contact force Φ, region."""
+    """The motion at chosen phases: state (m, n); of one clearance gap X, velocity X', contact force Φ, and
+    region (0: side +, 1: free, 2: side -)."""
 
     phase: Array
     state: Array
@@ -79,8 +95,10 @@ class Samples:
 @dataclass(frozen=True, eq=False)
 class Trace:
     """A motion as polynomials: piece i starts at `positions[i]` (cells after phase `base`), has length
-    `lengths[i]` (cells), runs in `regions[i]` and is `polynomials[i]` (degree+1, n) in its own local time
-    from 0 to 1."""
+    `lengths[i]` (cells), and is `polynomials[i]` (degree+1, n) in its own local time from 0 to 1. `modes`
+    (pieces, clearances) says in which contact it runs: 0 side +, 1 free, 2 side -; with the rule `no-tension`
+    also 3, 4: beyond + or -, but nothing presses. What is told of "the gap" is of the first clearance, unless
+    another is named."""
 
     propagators: Propagators
     base: float
@@ -88,7 +106,7 @@ class Trace:
     cycles: float
     positions: Array
     lengths: Array
-    regions: Array
+    modes: Array
     polynomials: Array
     events: Events
     end: Array
@@ -96,38 +114,56 @@ class Trace:
     status: Status
 
     @property
+    def regions(self) -> Array:
+        """Per piece (pieces,) the side in contact of the first clearance: 0 side +, 1 free, 2 side -."""
+        return self.regions_of(0)
+
+    def regions_of(self, clearance: int) -> Array:
+        """Per piece (pieces,) the side in contact of a clearance."""
+        modes = self.modes[:, clearance]
+        return np.where(modes > MINUS, FREE, modes)
+
+    @property
     def free(self) -> Array:
-        """Which pieces (pieces,) run without contact: in the gap, or where there is nothing to hit."""
-        clearance = self.propagators.system.clearances[0]
-        free = self.regions == FREE
-        for boundary, region in ((1, PLUS), (-1, MINUS)):
-            if not clearance.stops(boundary):
-                free = free | (self.regions == region)
-        return free
+        """Which pieces (pieces,) run without contact in the first clearance: in its gap, or where there is
+        nothing to hit."""
+        return self.regions == FREE
 
     @cached_property
     def gap(self) -> Array:
         """Taylor coefficients of X per piece (pieces, degree+1), in local time."""
-        clearance = self.propagators.system.clearances[0]
-        out = self.polynomials @ clearance.h
-        return out - _local_series(self.propagators, clearance.offset, self.positions, self.lengths)
+        return self.gap_of(0)
+
+    def gap_of(self, clearance: int) -> Array:
+        """The same of any clearance."""
+        chosen = self.propagators.system.clearances[clearance]
+        out = self.polynomials @ chosen.h
+        return out - _local_series(self.propagators, chosen.offset, self.positions, self.lengths)
 
     @cached_property
     def extrema(self) -> Extrema:
         """Every place where X' vanishes with a sign change."""
+        return self.extrema_of(0)
+
+    def extrema_of(self, clearance: int) -> Extrema:
+        """The same of any clearance."""
+        props = self.propagators
         found = np.empty((64 + 8 * len(self.positions), 4))
-        pieces = np.column_stack([self.positions, self.lengths, self.regions.astype(float)])
-        basis = self.propagators.tables.to_bernstein[1].copy()
-        count = _march.extrema(pieces, np.ascontiguousarray(self.gap), basis, found)
+        regions = self.regions_of(clearance)
+        pieces = np.column_stack([self.positions, self.lengths, regions.astype(float)])
+        gap = np.zeros((len(pieces), TERMS))
+        gap[:, : ORDER + 1] = self.gap if clearance == 0 else self.gap_of(clearance)
+        table = props.shape.bernstein + (ORDER + 1) * TERMS
+        count = _march.extrema(pieces, gap.reshape(-1), props.tables.memory, table, found)
         found = found[:count]
         index = found[:, 3].astype(int)
         local = (found[:, 0] - self.positions[index]) / self.lengths[index]
-        duration = self.lengths[index] * self.propagators.tables.scalars[1]
+        duration = self.lengths[index] * props.cell_duration
         state = _values(self.polynomials[index], local)
-        phase = self.base + found[:, 0] / self.propagators.cells_per_cycle
-        return Extrema(phase, found[:, 1], found[:, 2] / duration**2, state, self.regions[index])
+        phase = self.base + found[:, 0] / props.cells_per_cycle
+        return Extrema(phase, found[:, 1], found[:, 2] / duration**2, state, regions[index])
 
-    def at(self, phase: ArrayLike) -> Samples:
+    def at(self, phase: ArrayLike, clearance: int = 0) -> Samples:
         """The motion at phases (mesh cycles, within the trace), one or many.
 
         Raises `GearlashError` for a phase outside the trace: its polynomials say nothing there.
@@ -141,35 +177,59 @@ class Trace:
         cell = (phase - self.base) * self.propagators.cells_per_cycle
         index = np.clip(np.searchsorted(self.positions, cell, side="right") - 1, 0, len(self.positions) - 1)
         local = (cell - self.positions[index]) / self.lengths[index]
-        state, region = _values(self.polynomials[index], local), self.regions[index]
-        x = gap_displacement(system, phase, state)
-        velocity = gap_velocity(system, phase, state)
-        return Samples(phase, state, x, velocity, contact_force(system, phase, x, velocity, region), region)
+        state, region = _values(self.polynomials[index], local), self.regions_of(clearance)[index]
+        x = gap_displacement(system, phase, state, clearance)
+        velocity = gap_velocity(system, phase, state, clearance)
+        force = contact_force(system, phase, x, velocity, region, clearance)
+        return Samples(phase, state, x, velocity, force, region)
 
     def samples(self, points: int) -> Samples:
         """The motion at ``points`` equally spaced phases from start to end, both included."""
         return self.at(self.start + np.linspace(0.0, self.cycles, points))
 
 
-def gap_displacement(system: System, phase: ArrayLike, state: Array) -> Array:
-    """X = h·z - e at phases (mesh cycles) and states (m, n)."""
-    c = system.clearances[0]
+def gap_displacement(system: System, phase: ArrayLike, state: Array, clearance: int = 0) -> Array:
+    """X = h·z - e of a clearance at phases (mesh cycles) and states (m, n)."""
+    c = system.clearances[clearance]
     return state @ c.h - evaluate(c.offset, _base_phase(system, phase))
 
 
-def gap_velocity(system: System, phase: ArrayLike, state: Array) -> Array:
-    """X' = h·(M z + b) - e' (the contact force does not enter, because h·g = 0)."""
-    c, theta = system.clearances[0], _base_phase(system, phase)
+def gap_velocity(system: System, phase: ArrayLike, state: Array, clearance: int = 0) -> Array:
+    """X' = h·(M z + b) - e' (contact forces do not enter, because h·g = 0)."""
+    c, theta = system.clearances[clearance], _base_phase(system, phase)
     drift = state @ (c.h @ system.matrix) + evaluate(c.h @ system.forcing, theta)
     return drift - system.omega / system.cycles * evaluate(derivative(c.offset), theta)
 
 
-def contact_force(system: System, phase: ArrayLike, x: Array, velocity: Array, region: Array) -> Array:
-    """Φ at given displacements, velocities and regions."""
-    c, theta = system.clearances[0], _base_phase(system, phase)
+def contact_force(
+    system: System, phase: ArrayLike, x: Array, velocity: Array, region: Array, clearance: int = 0
+) -> Array:
+    """Φ of a clearance at given displacements, velocities and regions (0: side +, 1: free, 2: side -)."""
+    c, theta = system.clearances[clearance], _base_phase(system, phase)
     elastic = np.where(region == PLUS, evaluate(c.stiffness_plus, theta) * (x - c.gap_plus), 0.0)
     elastic += np.where(region == MINUS, evaluate(c.stiffness_minus, theta) * (x + c.gap_minus), 0.0)
-    return elastic + c.damping * velocity
+    plus, minus = c.dampings
+    damping = np.where(region == PLUS, plus, np.where(region == MINUS, minus, 0.0))
+    if c.contact is ContactRule.ALWAYS:
+        damping = plus
+    return elastic + damping * velocity
+
+
+def _event_force(
+    system: System, j: int, phase: Array, state: Array, velocity: Array, boundary: Array, engaging: Array
+) -> Array:
+    """Φ where contact begins (just after) or ends (just before): on a boundary the elastic part is zero, so
+    that of damping alone, exactly. With the rule `no-tension` contact ends where Φ = 0, and begins there too
+    if the gap is still closed."""
+    c = system.clearances[j]
+    plus, minus = c.dampings
+    force = np.where(boundary > 0, plus, minus) * velocity
+    if c.contact is ContactRule.NO_TENSION:
+        x = gap_displacement(system, phase, state, j)
+        beyond = np.where(boundary > 0, x - c.gap_plus, -x - c.gap_minus)
+        size = np.abs(state) @ np.abs(c.h) + np.where(boundary > 0, c.gap_plus, c.gap_minus)
+        force = np.where(~engaging | (beyond > 1e-13 * size) & (boundary * velocity < 0.0), 0.0, force)
+    return force
 
 
 def _base_phase(system: System, phase: ArrayLike) -> Array:

@@ -13,7 +13,7 @@ from gearlash.system import GearlashError, Status
 
 from . import _march
 from ._tables import ORDER, Array
-from ._walk import DIVERGED, OK, TOO_MANY, UNDECIDED, WRONG_SIDE
+from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY, WRONG_SIDE
 from .events import Events, Trace
 from .propagators import Propagators
 
@@ -29,8 +29,9 @@ MOST_PIECES = 2_000_000
 
 @dataclass(frozen=True, eq=False)
 class Strobes:
-    """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4): engagements at +
-    and at -, releases at + and at -; `undecided` counts places where touching lies within rounding."""
+    """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4·clearances): of each
+    clearance engagements at + and at -, releases at + and at -; `undecided` counts places where touching lies
+    within rounding."""
 
     states: Array
     contacts: Array
@@ -41,7 +42,7 @@ class Strobes:
 @dataclass(frozen=True, eq=False)
 class Carried:
     """A state (n,) carried from one phase to another; `jacobian` (n, n) with respect to the start, or
-    None."""
+    None; `contacts` (4·clearances,) as in `Strobes`."""
 
     state: Array
     jacobian: Array | None
@@ -58,6 +59,7 @@ class Hold:
     boundary: int
     start: float
     stop: float
+    clearance: int = 0
 
 
 def start_state(z: ArrayLike, size: int) -> Array:
@@ -74,7 +76,7 @@ def start_state(z: ArrayLike, size: int) -> Array:
 def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) -> Strobes:
     """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times."""
     state = start_state(z, props.system.size)
-    states, contacts = [state[None].copy()], [np.zeros((0, 5), dtype=np.int64)]
+    states, contacts = [state[None].copy()], [np.zeros((0, _columns(props)), dtype=np.int64)]
     done, status = 0, Status.OK
     while done < stretches and status.ok:
         block = min(max(1, CALL // stretch), stretches - done)
@@ -84,7 +86,7 @@ def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) ->
         done += block
     table = np.concatenate(contacts)
     return Strobes(
-        np.concatenate(states), table[:, :4], int(table[:, UNDECIDED].sum()), _with_doubt(status, table)
+        np.concatenate(states), table[:, :-1], int(table[:, -1].sum()), _with_doubt(status, table)
     )
 
 
@@ -104,7 +106,7 @@ def carry(
     base, start, length = positions(props, phase, cycles)
     status, _, counts = _run(props, state, start, length, 1, tangents=tangents, hold=hold, base=base)
     flow = None if tangents is None else np.ascontiguousarray(tangents.T)
-    return Carried(state, flow, counts[0, :4], int(counts[0, UNDECIDED]), _with_doubt(status, counts))
+    return Carried(state, flow, counts[0, :-1], int(counts[0, -1]), _with_doubt(status, counts))
 
 
 def variational(props: Propagators, z: ArrayLike, cycles: float, phase: float = 0.0) -> Carried:
@@ -124,9 +126,9 @@ def trace(
         state[:] = begin
         record = _Record(
             np.zeros(2, dtype=np.int64),
-            np.empty((capacity, 3)),
+            np.empty((capacity, 2 + props.shape.clearances)),
             np.empty((capacity, ORDER + 1, n)),
-            np.empty((capacity, 3)),
+            np.empty((capacity, 4)),
             np.empty((capacity, n)),
         )
         status, _, counts = _run(props, state, start, length, 1, hold=hold, base=base, record=record)
@@ -146,11 +148,11 @@ def trace(
         cycles=cycles,
         positions=piece[:pieces, 0].copy(),
         lengths=piece[:pieces, 1].copy(),
-        regions=piece[:pieces, 2].astype(np.int64),
+        modes=piece[:pieces, 2:].astype(np.int64),
         polynomials=poly[:pieces].copy(),
         events=found,
         end=state,
-        undecided=int(counts[0, UNDECIDED]),
+        undecided=int(counts[0, -1]),
         status=_with_doubt(status, counts),
     )
 
@@ -175,6 +177,10 @@ _Record = namedtuple("_Record", "used piece poly event state")
 _NOTHING = np.array([-1, 0], dtype=np.int64)
 
 
+def _columns(props: Propagators) -> int:
+    return 4 * props.shape.clearances + 1
+
+
 def _run(
     props: Propagators,
     state: Array,
@@ -188,20 +194,35 @@ def _run(
     base: float = 0.0,
     record: _Record | None = None,
 ) -> tuple[Status, Array, Array]:
-    """Calls the kernel: state (n,) and the rows of tangents (m, n) are carried in place."""
-    n = state.size
+    """Calls the kernel: state (n,) and the rows of tangents (m, n) are carried in place. Where the motion comes
+    to a region without tables, they are built, and it goes on."""
+    shape, n = props.shape, state.size
     strobes = np.full((stretches + 1, n), np.nan)  # what is not reached stays NaN
-    counts = np.empty((stretches, 5), dtype=np.int64)
-    if tangents is None:
-        tangents = np.empty((0, n))
+    counts = np.zeros((stretches, _columns(props)), dtype=np.int64)
+    count = 0 if tangents is None else len(tangents)
+    u, frame = np.zeros(shape.p), np.zeros((count, shape.p))
+    u[0], u[1 : 1 + n] = 1.0, state
+    if tangents is not None:
+        frame[:, 1 : 1 + n] = tangents
     if record is None:
         record = _Record(
-            _NOTHING, np.empty((0, 3)), np.empty((0, ORDER + 1, n)), np.empty((0, 3)), np.empty((0, n))
+            _NOTHING, np.empty((0, 2)), np.empty((0, ORDER + 1, n)), np.empty((0, 4)), np.empty((0, n))
         )
-    code = _march.run(
-        props.tables, state, tangents, start, length, _hold(props, hold, base), strobes, counts,
-        np.empty(0) if sums is None else sums, *record,
-    )  # fmt: skip
+    modes, on = np.zeros((2, shape.clearances), dtype=np.int64)
+    position = np.zeros(6)
+    progress, flat, held = np.zeros(2, dtype=np.int64), frame.reshape(-1), _hold(props, hold, base)
+    while True:
+        tables = props.tables
+        code = _march.run(
+            shape, tables.memory, tables.slot_of, props.rules, u, flat, modes, on, position, progress, start,
+            length, held, strobes, counts, np.empty(0) if sums is None else sums, *record,
+        )  # fmt: skip
+        if code != NEED_REGION:
+            break
+        props.build(int(position[NEEDED]))
+    state[:] = u[1 : 1 + n] if code == OK else strobes[progress[1] + 1]
+    if tangents is not None:
+        tangents[:] = frame[:, 1 : 1 + n]
     return _STATUS[code], strobes, counts
 
 
@@ -213,10 +234,10 @@ def _snapped(position: float) -> float:
 
 def _hold(props: Propagators, hold: Hold | None, base: float) -> Array:
     if hold is None:
-        return np.zeros(3)
+        return np.zeros(4)
     window = (np.array([hold.start, hold.stop]) - base) * props.cells_per_cycle
-    return np.array([float(hold.boundary), *window])
+    return np.array([float(hold.clearance), float(hold.boundary), *window])
 
 
 def _with_doubt(status: Status, counts: Array) -> Status:
-    return Status.UNCERTAIN if status.ok and counts[..., UNDECIDED].any() else status
+    return Status.UNCERTAIN if status.ok and counts[..., -1].any() else status

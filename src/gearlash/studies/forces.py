@@ -47,7 +47,7 @@ def _read(trace: Trace, piece: NDArray[np.int64], local: Array) -> tuple[Array, 
     x = np.einsum("...j,...j->...", gap, powers)
     order = np.arange(1, gap.shape[-1])
     slope = np.einsum("...j,...j->...", gap[..., 1:] * order, powers[..., :-1])
-    velocity = slope / (trace.lengths[piece] * props.tables.scalars[1])
+    velocity = slope / (trace.lengths[piece] * props.cell_duration)
     phase = trace.base + (trace.positions[piece] + trace.lengths[piece] * local) / props.cells_per_cycle
     region = np.broadcast_to(trace.regions[piece], x.shape)
     return x, contact_force(props.system, phase, x, velocity, region), phase

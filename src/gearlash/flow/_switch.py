@@ -1,0 +1,98 @@
+"""Crossings: from the motion in one region to the motion in the next, without leaving the cell.
+
+A cell's tables start from the state at its beginning. After a crossing at s* the motion belongs to another
+region B, and what is sought is the state at the beginning of the cell from which B's flow would have come to
+the crossing. Both flows differ by one force only, q(s) = Φ_B - Φ_A along the motion in A, so that
+
+    z_B(0) = z_A(0) - ∫_0^s* [flow of B from s to 0] g q(s) ds,
+
+an integral of polynomials: `pull` times the moments of q. No series of the state is needed. Where the field
+jumps, the derivative of s* with respect to the start adds ± ζ g hᵀ at the crossing (never as a quotient, which
+would be 0/0 at grazing; M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008, ch. 2,
+doi:10.1007/978-1-84628-708-4)."""
+
+from __future__ import annotations
+
+from gearlash._kernel import inner
+
+from ._series import polynomial, pressing
+from ._tables import ALWAYS, FREE, IN_CONTACT, MINUS, NO_TENSION, ORDER, TERMS, Shape
+from ._vector import linear
+from ._work import GAPS, MOMENTS, OTHER, PUSH
+
+
+@inner
+def side_of(mode):
+    """The side in contact: `PLUS`, `MINUS` or `FREE`."""
+    return mode if mode <= MINUS else FREE
+
+
+@inner
+def region_code(modes):
+    """Number of the region in which these modes are."""
+    code, digit = 0, 1
+    for c in range(len(modes)):
+        code += side_of(modes[c]) * digit
+        digit *= 3
+    return code
+
+
+@inner
+def switch_state(shape: Shape, memory, source, target, cell, c, boundary, sign, rule, s, u, work, change):
+    """u (p) ← the virtual start in the region of the slot ``target``, behind a crossing at s; sign is +1 where
+    the force sets in, -1 where it ceases. GAPS holds X - edge of clearance c along u."""
+    side = 0 if boundary > 0 else 1
+    eta = shape.eta + ((cell * shape.clearances + c) * 2 + side) * TERMS
+    x = GAPS + c * TERMS
+    edge = boundary * memory[shape.gaps + 4 * c + side] if sign > 0.0 else 0.0
+    rate = 0.0 if rule == ALWAYS else memory[shape.gaps + 4 * c + 2 + side] / memory[shape.scalars + 1]
+    pressing(memory, eta, work, x, work[x] - edge, rate, work, PUSH)
+    _moments(shape, memory, sign, s, work)
+    _pull(shape, memory, target, cell, c, u, work, change)
+    for i in range(shape.p):
+        u[i] += memory[source + shape.centre + i] - memory[target + shape.centre + i]
+
+
+@inner
+def switch_tangent(
+    shape: Shape, memory, source, target, cell, c, boundary, sign, rule, overlapping, s, v, work, change
+):
+    """The same for a tangent v (p), in place; ``overlapping``: rule `no-tension`, crossing where Φ = 0."""
+    side = 0 if boundary > 0 else 1
+    eta = shape.eta + ((cell * shape.clearances + c) * 2 + side) * TERMS
+    place = source + shape.gap + (cell * shape.clearances + c) * (1 + shape.n) * TERMS
+    linear(memory, place, TERMS, TERMS, 1 + shape.n, v, 0, work, OTHER)
+    damping = 0.0 if rule == ALWAYS else memory[shape.gaps + 4 * c + 2 + side]
+    rate = damping / memory[shape.scalars + 1]
+    pressing(memory, eta, work, OTHER, work[OTHER], rate, work, PUSH)
+    _moments(shape, memory, sign, s, work)
+    if rule == IN_CONTACT or (rule == NO_TENSION and not overlapping):
+        jump = sign * damping * polynomial(work, OTHER, s)
+        for i in range(ORDER + 1):
+            work[MOMENTS + i] -= jump
+            jump *= s
+    _pull(shape, memory, target, cell, c, v, work, change)
+
+
+@inner
+def _moments(shape: Shape, memory, sign, s, work):
+    """MOMENTS ← ∫_0^s σ^i PUSH(σ) dσ · cell duration · sign."""
+    power = sign * memory[shape.scalars + 1] * s
+    scale = 1.0
+    for k in range(ORDER + 1):
+        work[PUSH + k] *= scale
+        scale *= s
+    linear(memory, shape.hilbert, TERMS, TERMS, ORDER + 1, work, PUSH, work, MOMENTS)
+    for i in range(ORDER + 1):
+        work[MOMENTS + i] *= power
+        power *= s
+
+
+@inner
+def _pull(shape: Shape, memory, target, cell, c, u, work, change):
+    place = target + shape.pull + (cell * shape.clearances + c) * (ORDER + 1) * shape.p
+    linear(memory, place, shape.p, shape.p, ORDER + 1, work, MOMENTS, change, 0)
+    for i in range(shape.p):
+        u[i] -= change[i]
+
+
