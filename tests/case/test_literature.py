@@ -247,6 +247,58 @@ def test_two_stage_train_rests_under_its_load():
     assert rate(family.build(still), family.initial(still), 1.0) == pytest.approx(np.zeros(4), abs=1e-15)
 
 
+# ---- all of them move
+
+
+def linear_motion(own: System, rest: np.ndarray) -> np.ndarray:
+    """State at phase 0 of the motion about a state of rest that meets no boundary, by complex amplitudes."""
+    step = 1e-6 * np.eye(own.size)
+    still = rate(own, rest, 0.0)
+    jacobian = np.array([(rate(own, rest + e, 0.0) - still) / 1e-6 for e in step]).T
+    state = rest.copy()
+    for order in range(1, (own.forcing.shape[1] - 1) // 2 + 1):
+        amplitude = own.forcing[:, 2 * order - 1] - 1j * own.forcing[:, 2 * order]
+        rotation = 1j * order * own.omega / own.cycles * np.eye(own.size)
+        state += np.linalg.solve(rotation - jacobian, amplitude).real
+    return state
+
+
+@pytest.mark.parametrize(
+    ("name", "values"),
+    [
+        ("geared-rotor", {"ripple": 0.0, "error": 0.02, "error_phase": 0.4}),
+        ("two-stage", {"ripple_1": 0.0, "ripple_2": 0.0, "error_1": 0.01, "error_2": 0.02, "phase": 0.7}),
+    ],
+)
+def test_with_every_contact_closed_the_motion_is_the_linear_one(name: str, values: dict[str, float]):
+    family, _ = load(name).family()
+    own, rest = family.system(values), family.start(values)
+    found = gl.attractor(gl.propagators(own), rest)
+    assert isinstance(found, gl.Orbit)
+    assert found.status == "ok"
+    assert found.period == own.cycles
+    assert found.state == pytest.approx(linear_motion(own, rest), abs=1e-8)  # of the quotients of differences
+
+
+@pytest.mark.parametrize("name", [*FOUR])
+def test_each_moves_as_its_file_says(name: str):
+    family, _ = load(name).family()
+    found = gl.attractor(gl.propagators(family.system()), family.start())
+    assert isinstance(found, gl.Orbit)
+    assert found.status == "ok"
+    assert found.stable
+
+
+def test_a_stop_without_damping_knows_no_difference_between_two_rules():
+    states = []
+    for rule in ("always", "in-contact"):
+        family, _ = load("shaw-holmes", {"clearance.stop.contact": rule}).family()
+        found = gl.attractor(gl.propagators(family.system()), family.start())
+        assert isinstance(found, gl.Orbit)
+        states.append(found.state)
+    assert states[0] == pytest.approx(states[1], abs=1e-11)
+
+
 @pytest.mark.parametrize("name", FOUR)
 def test_each_travels_as_json(name: str):
     case = load(name, {"omega": 0.77})
