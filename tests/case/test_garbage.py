@@ -18,13 +18,13 @@ from hypothesis import strategies as st
 from case.corpus import BAD_FILES, HELICAL, SPUR
 from gearlash.case import Case, CaseError, bundled, load, loads
 from gearlash.case.case import from_tables
-from gearlash.case.quantities import KINDS, choices, quantities
+from gearlash.case.quantities import GEAR_KINDS, KINDS, choices, quantities
 from gearlash.case.read import source_text
 from gearlash.cli.inputs import read_case, read_near, read_over, read_start
 from gearlash.system import GearlashError
 
 TIMES = int(os.environ.get("GEARLASH_GARBAGE", "1"))
-PATHS = sorted({path for kind in KINDS for path in (*quantities(kind), *choices(kind))})
+PATHS = sorted({path for kind in GEAR_KINDS for path in (*quantities(kind), *choices(kind))})
 TEXTS = [source_text(name)[1] for name in bundled()] + [HELICAL, SPUR]
 ARTICLE = load("article")
 

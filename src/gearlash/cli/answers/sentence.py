@@ -35,7 +35,9 @@ def run_sentence(
     if isinstance(attractor, Unresolved) or numbers is None:
         return f"{here}: {attractor.label}, {message_of(attractor)}"
     label = attractor.signature.short if isinstance(attractor, Orbit) else "aperiodic"
-    parts = [f"{here}: {label}, {contacts(numbers)}"]
+    own = case.structure.get("clearance")  # of a system that need not have teeth
+    doing = sides(numbers, own[0]["name"]) if own else contacts(numbers)
+    parts = [f"{here}: {label}, {doing}"]
     if impact_free is not None:
         parts += _quiet(impact_free, speed, free_now=not numbers.events)
     return "; ".join(parts)
@@ -61,6 +63,19 @@ def contacts(numbers: MotionNumbers) -> str:
     if not drive:
         return f"teeth separate on the back side {rate(back, cycles)}"
     return f"teeth hit the drive side {rate(drive, cycles)} and the back side {rate(back, cycles)}"
+
+
+def sides(numbers: MotionNumbers, name: str) -> str:
+    """The same of a clearance that need not be between teeth."""
+    plus = sum(e.event == "engagement" and e.side == "drive" for e in numbers.events)
+    minus = sum(e.event == "engagement" and e.side == "back" for e in numbers.events)
+    if not plus and not minus:
+        if numbers.share_without_contact == 1.0:
+            return f"{name} never in contact"
+        return f"{name} always in contact on side {'-' if numbers.distances.back.maximum <= 0.0 else '+'}"
+    counts = ((plus, "+"), (minus, "-"))
+    each = [f"on side {s} {rate(n, round(numbers.cycles))}" for n, s in counts if n]
+    return f"{name} met {' and '.join(each)}".replace("mesh cycle", "cycle")
 
 
 def rate(count: int, cycles: int) -> str:
