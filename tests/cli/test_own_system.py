@@ -50,6 +50,8 @@ def test_mistakes_are_told_as_the_page_shows(gearlash: Gearlash, case: Path):
 
 def test_the_family_takes_twenty_lines_and_moves():
     script = block("python")
+    readme = (Path(__file__).resolve().parents[2] / "README.md").read_text(encoding="utf-8")
+    assert f"```python\n{script}```" in readme.replace("\r", "")
     lines = [line for line in script.splitlines() if line.strip()]
     assert len(lines) <= LINES
     names: dict[str, Any] = {}
