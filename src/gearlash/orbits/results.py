@@ -61,13 +61,14 @@ class Orbit:
 
     @cached_property
     def signature(self) -> Signature:
-        """P-Q-R. A side of stiffness zero is no stop: what crosses its boundary is no impact."""
-        events, clearance = self.events, self.propagators.system.clearances[0]
-        drive, back = (
-            int((events.engaging & (events.boundary == b)).sum()) if clearance.stops(b) else 0
-            for b in (1, -1)
-        )
-        return Signature(self.period, drive, back)
+        """P-Q-R, and Q-R of every further clearance."""
+        counts = []
+        for clearance in range(len(self.propagators.system.clearances)):
+            events = self.events.of(clearance)
+            drive, back = (int((events.engaging & (events.boundary == b)).sum()) for b in (1, -1))
+            counts.append((drive, back))
+        (drive, back), *others = counts
+        return Signature(self.period, drive, back, tuple(others))
 
     @property
     def label(self) -> str:
