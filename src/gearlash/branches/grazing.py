@@ -1,11 +1,11 @@
 """The parameter value at which an extremum of a periodic orbit touches a boundary.
 
 Unknowns: the state z0 at a phase half an orbit before the touch, the phase t of the touch, and one parameter
-μ. Equations: the orbit closes, X(t) = ±D, X'(t) = 0 for the gap of one clearance. The grazing extremum is held,
-that is not treated as a crossing (the one-sided, smooth system), so Newton's method is regular and quadratic
-whatever side it starts from. With the contact rule `no-tension` contact is lost where its force falls to zero:
-the equations are then Φ(t) = 0, Φ'(t) = 0. Whether the solution is one of the real system is checked
-afterwards, from orbits on both sides."""
+μ. Equations: the orbit closes, X(t) = ±D, X'(t) = 0 for the gap of one clearance. The grazing extremum is
+held, that is not treated as a crossing (the one-sided, smooth system), so Newton's method is regular and
+quadratic whatever side it starts from. With the contact rule `no-tension` contact is lost where its force
+falls to zero: the equations are then Φ(t) = 0, Φ'(t) = 0. Whether the solution is one of the real system is
+checked afterwards, from orbits on both sides."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,9 @@ from gearlash.flow.events import gap_velocity
 from gearlash.system import ContactRule, System, evaluate
 
 from .pressing import force_extrema
-from .results import Attractor
+
+if TYPE_CHECKING:  # results examine themselves with what is here
+    from .results import Attractor
 
 Surface = Literal["gap", "force"]
 
@@ -38,10 +40,10 @@ class GrazingCheck:
     """One extremum beside one boundary (+1: Σ1, -1: Σ2) of one clearance (its index and name).
 
     For the surface "gap" the extremum is one of X, ``distance`` is H = X ∓ D there (condition 1 wants 0),
-    ``gradient`` = |∇H| (2: not 0), ``velocity`` = X' (3: 0, by construction of the extremum), ``a0`` = X'' (4).
-    The article asks a0 > 0, which is loss of contact seen from S1; a0 < 0 on Σ1 is engagement seen from S2, and
-    the signs are mirrored on Σ2: `kind` says which. For the surface "force" (rule `no-tension`) the same with H
-    = Φ, H' = Φ' and a0 = Φ''."""
+    ``gradient`` = |∇H| (2: not 0), ``velocity`` = X' (3: 0, by construction of the extremum), ``a0`` = X''
+    (4). The article asks a0 > 0, which is loss of contact seen from S1; a0 < 0 on Σ1 is engagement seen from
+    S2, and the signs are mirrored on Σ2: `kind` says which. For the surface "force" (rule `no-tension`) the
+    same with H = Φ, H' = Φ' and a0 = Φ''."""
 
     phase: float
     boundary: int

@@ -24,8 +24,8 @@ STUDENT = 2.093  # 95 % two-sided, 19 degrees of freedom
 class Exponents:
     """Exponents (k,) per unit of τ, descending, with the half-width (k,) of their 95 % intervals from batch
     means, over ``periods`` base periods, and the state (n,) at the end. For k = n, `trace_defect` is the sum
-    of the exponents minus the mean trace of the field over the same motion (exactly zero in theory); it is NaN
-    otherwise. Status `uncertain`: a contact lay within rounding of touching somewhere on the way."""
+    of the exponents minus the mean trace of the field over the same motion (exactly zero in theory); it is
+    NaN otherwise. Status `uncertain`: a contact lay within rounding of touching somewhere on the way."""
 
     values: NDArray[np.float64]
     errors: NDArray[np.float64]
@@ -72,7 +72,8 @@ def lyapunov(
 
 
 def _mean_trace(props: Propagators, z: NDArray[np.float64], periods: int) -> float:
-    """Mean over time of the trace of the field along the motion from z: contact damping counts while it acts."""
+    """Mean over time of the trace of the field along the motion from z: contact damping counts while it
+    acts."""
     if props.trace is not None:
         return props.trace
     system = props.system

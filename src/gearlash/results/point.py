@@ -29,12 +29,13 @@ class Point:
     ``label`` is P-Q-R of a proved orbit, else aperiodic, unresolved, or empty. ``period`` (mesh cycles),
     ``drive`` and ``back`` (impacts on either side of the first clearance in it) are 0 where nothing periodic
     was proved, and ``others`` has the same pair of every further clearance; ``leading`` is the multiplier of
-    largest modulus. ``certificate`` is certified, uncertain or failed, or empty where nothing was computed, and
-    ``certificate_reason`` says why. What follows is of the first clearance. ``state`` (n,) at phase zero starts other computations. Of one
-    period, or of 200 base periods of another motion: ``strobes`` X on σ_t; force F in the sign of the article
-    (F = -Φ) and phase (mesh cycles from zero) of the impacts on either side (S2 → S1, S2 → S3) and of the
-    releases of the back side (S3 → S2, the article's literal σ_b); extremes of X, of Φ and its rms, share of
-    time without contact (0 to 1).
+    largest modulus. ``certificate`` is certified, uncertain or failed, or empty where nothing was computed,
+    and ``certificate_reason`` says why. ``state`` (n,) at phase zero starts other computations.
+
+    Of the first clearance, over one period, or over 200 base periods of another motion: ``strobes`` X on
+    σ_t; force F in the sign of the article (F = -Φ) and phase (mesh cycles from zero) of the impacts on
+    either side (S2 → S1, S2 → S3) and of the releases of the back side (S3 → S2, the article's literal
+    σ_b); extremes of X, of Φ and its rms, share of time without contact (0 to 1).
     """
 
     value: float
@@ -99,4 +100,8 @@ class Point:
 
 def blank(value: float, status: str, message: str) -> Point:
     """A point of which nothing is known but why."""
-    return Point(float(value), status, message)
+    failed = status == FAILED
+    return Point(
+        float(value), status, message,
+        certificate=FAILED if failed else "", certificate_reason=message if failed else "",
+    )  # fmt: skip

@@ -80,6 +80,7 @@ def summary(found: Attractor, value: float = NOT_A_NUMBER) -> Point:
         about |= {"period": signature.period, "drive": signature.drive, "back": signature.back}
         about |= {"others": signature.others}
         about |= {"leading": orbit.leading, "residual": float(orbit.residual)}
+    about |= {"certificate": str(found.certificate.verdict), "certificate_reason": found.certificate.reason}
     if found.status in TRACEABLE and np.isfinite(found.final_state).all():
         about |= _sections(found) | force_figures(found.trace)
     return Point(**about)
