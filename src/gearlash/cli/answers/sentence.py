@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from gearlash.case import Case
 
 from .impact_free import ImpactFree
-from .motion import MotionNumbers
+from .motion import MotionNumbers, OtherClearance
 from .parts import PhysicalValue, rests_on
 
 if TYPE_CHECKING:  # answers are described without the engine
@@ -38,7 +38,7 @@ def run_sentence(
     parts = [f"{here}: {label}, {contacts(numbers)}"]
     if impact_free is not None:
         parts += _quiet(impact_free, speed, free_now=not numbers.events)
-    return "; ".join(parts)
+    return "; ".join([*parts, *(met(other, numbers.cycles) for other in numbers.others)])
 
 
 def message_of(attractor: Attractor) -> str:
@@ -61,6 +61,18 @@ def contacts(numbers: MotionNumbers) -> str:
     if not drive:
         return f"teeth separate on the back side {rate(back, cycles)}"
     return f"teeth hit the drive side {rate(drive, cycles)} and the back side {rate(back, cycles)}"
+
+
+def met(other: OtherClearance, cycles: float) -> str:
+    """What happens in a further clearance: ``bearing met on side + once per cycle``."""
+    counts = [(sum(e.event == "engagement" and e.side == side for e in other.events), sign)
+              for side, sign in (("drive", "+"), ("back", "-"))]  # fmt: skip
+    each = [f"on side {sign} {rate(n, round(cycles))}" for n, sign in counts if n]
+    if each:
+        return f"{other.name} met {' and '.join(each)}".replace("mesh cycle", "cycle")
+    if other.share_without_contact == 1.0:
+        return f"{other.name} never in contact"
+    return f"{other.name} always in contact on side {'-' if other.distances.back.maximum <= 0.0 else '+'}"
 
 
 def rate(count: int, cycles: int) -> str:

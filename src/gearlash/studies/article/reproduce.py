@@ -243,6 +243,6 @@ def _run(case: Case, clock: _Clock, workers: int | None, done: Sequence[Row]) ->
     seconds = {**clock.seconds, "total": sum(clock.seconds.values())}
     about = provenance(case)
     versions = {name: text for name, text in about.items() if "version" in name}
-    return Run(
-        seconds, workers or cores, cores, versions, dict(statuses), all(row.sweep.complete for row in done)
-    )
+    certificates = Counter(p.certificate for row in done for p in row.sweep.points if p.certificate)
+    complete = all(row.sweep.complete for row in done)
+    return Run(seconds, workers or cores, cores, versions, dict(statuses), complete, dict(certificates))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case
@@ -175,6 +175,7 @@ class Run:
     versions: Mapping[str, str]
     statuses: Mapping[str, int]
     complete: bool
+    certificates: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
