@@ -60,7 +60,8 @@ def test_json_holds_what_the_engine_computed(gearlash: Gearlash):
     assert problems(answer, SCHEMA) == []
     orbit = orbit_of("article", pinion_speed="3600 rpm")
     numbers = motion_statistics(orbit)
-    assert answer["signature"] == {"period": 1, "drive": 1, "back": 0}
+    assert answer["signature"] == {"period": 1, "drive": 1, "back": 0, "others": []}
+    assert answer["certificate"] == {"verdict": "certified", "reasons": []}
     assert answer["stable"] is True
     assert answer["residual"] == orbit.residual <= 1e-11
     assert list(answer["state"]) == list(load("article").family()[0].states)
