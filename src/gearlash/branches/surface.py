@@ -55,15 +55,19 @@ class Touching:
         """∂(H, H')/∂z0 (2, n)."""
         system = props.system
         if self.kind == "gap":
-            jacobian = self.carried(props, z0, phase, jacobian=True).jacobian
             h = system.clearances[self.clearance].h
-            return np.stack([h, h @ system.matrix]) @ jacobian
+            return np.stack([h, h @ system.matrix]) @ self._flow(props, z0, phase)
         below, here, above = (self._force_row(props, z0, phase + d) for d in (-STEP, 0.0, STEP))
         return np.stack([here, (above - below) / (2 * STEP * 2 * np.pi / system.omega)])
 
     def _force_row(self, props: Propagators, z0: Array, phase: float) -> Array:
+        gradient = force_gradient(props.system, self.clearance, phase, self.hold.boundary)
+        return gradient @ self._flow(props, z0, phase)
+
+    def _flow(self, props: Propagators, z0: Array, phase: float) -> Array:
         jacobian = self.carried(props, z0, phase, jacobian=True).jacobian
-        return force_gradient(props.system, self.clearance, phase, self.hold.boundary) @ jacobian
+        assert jacobian is not None
+        return jacobian
 
     def _force(self, props: Propagators, z0: Array, phase: float) -> Array:
         """Φ, Φ', Φ'' at the end of the held motion, from its last piece."""
