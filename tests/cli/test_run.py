@@ -13,10 +13,13 @@ import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
 from gearlash.case import load
+from gearlash.cli.answers.motion import motion_numbers
+from gearlash.cli.answers.sentence import met
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 from gearlash.orbits import Orbit, Unresolved, attractor, motion_statistics
 from gearlash.system import Status
+from orbits.contacts import two_gaps
 
 SCHEMA = answer_schema(answer_kind("run"))
 AT_3600 = ("run", "article", "--set", "pinion_speed=3600rpm")
@@ -60,7 +63,8 @@ def test_json_holds_what_the_engine_computed(gearlash: Gearlash):
     assert problems(answer, SCHEMA) == []
     orbit = orbit_of("article", pinion_speed="3600 rpm")
     numbers = motion_statistics(orbit)
-    assert answer["signature"] == {"period": 1, "drive": 1, "back": 0}
+    assert answer["signature"] == {"period": 1, "drive": 1, "back": 0, "others": []}
+    assert answer["certificate"] == {"verdict": "certified", "reasons": []}
     assert answer["stable"] is True
     assert answer["residual"] == orbit.residual <= 1e-11
     assert list(answer["state"]) == list(load("article").family()[0].states)
@@ -210,3 +214,40 @@ def test_a_motion_that_ran_away_is_told_without_numbers(gearlash: Gearlash, monk
     answer = gearlash("run", "article", "--json").answer
     assert problems(answer, SCHEMA) == []
     assert answer["numbers"] is answer["physical"] is None
+
+
+def test_the_certificate_is_a_line_of_its_own(gearlash: Gearlash):
+    lines = gearlash(*AT_3600).out.splitlines()
+    assert [line.split() for line in lines if line.strip().startswith("certificate")] == [
+        ["certificate", "certified"]
+    ]
+
+
+@pytest.mark.parametrize("rule", ["always", "in-contact", "no-tension"])
+def test_the_quiet_interval_ends_where_the_graze_is(gearlash: Gearlash, rule: str):
+    """Two ways: the margin of the closed mesh, and the touch that is solved for together with the orbit."""
+    answer = gearlash(
+        "run", "article", "--set", "omega=1.05", "--set", f"model.contact={rule}", "--json"
+    ).answer
+    touch = gearlash("graze", "article", "--near", "1.05", "--set", f"model.contact={rule}", "--json").answer
+    ends = sorted(point["value"] for point in touch["points"])
+    assert [answer["impact_free"]["lower"], answer["impact_free"]["upper"]] == pytest.approx(ends, rel=2e-9)
+    assert {point["surface"] for point in touch["points"]} == {"force" if rule == "no-tension" else "gap"}
+    assert all(c["holds"] for point in touch["points"] for c in point["conditions"])
+
+
+def test_further_gaps_are_told_by_name():
+    family = two_gaps()
+    found = attractor(family.system({"omega": 0.5}), family.start({}))
+    assert isinstance(found, Orbit)
+    assert found.label == "1-1-0/2-1"
+    numbers = motion_numbers(found)
+    (link,) = numbers.others
+    assert link.name == "link"
+    assert len(numbers.events) == 2
+    assert len(link.events) == 6
+    assert met(link, numbers.cycles) == "link met on side + twice per cycle and on side - once per cycle"
+    samples = found.trace.at(np.linspace(0.0, 1.0, 200_001), 1)
+    assert link.force.maximum == pytest.approx(samples.force.max(), abs=1e-4)
+    gap = samples.state @ [1.0, 0.0, -1.0, 0.0]
+    assert link.distances.drive.maximum == pytest.approx(gap.max() - 0.3, abs=1e-8)

@@ -11,5 +11,5 @@ from gearlash.studies.article import Reproduction, Scope, reproduce
 @cache
 def small() -> Reproduction:
     """Few values on short axes: both ends of the window are in it, the events in D are not."""
-    scope = Scope(omega=(0.96, 1.14, 10), backlash=(0.44, 0.5, 4))
+    scope = Scope(omega=(0.96, 1.14, 10), backlash=(0.44, 0.5, 4), rules_backlash=(0.385, 0.44, 0.5))
     return reproduce(load("article"), scope, workers=0)

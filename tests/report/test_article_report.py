@@ -116,6 +116,28 @@ def test_zones_stand_in_rpm_and_micrometres(page: Reading) -> None:
             assert re.search(rf"{um[0]:.1f} to {um[1]:.1f} µm ?†|{um[0]:.0f} to {um[1]:.0f} µm ?†", page.text)
 
 
+def test_contact_rules_are_compared_as_computed(page: Reading) -> None:
+    assert [e.rule for e in small().rules] == ["always", "in-contact", "no-tension"]
+    for effect in small().rules:
+        for end in (effect.lower, effect.upper):
+            assert end is not None
+            assert f"{end.value:.9g}" in page.text
+        for found in effect.backlash:
+            assert short(found.label) in page.text
+    assert "both ends are those of always" in page.text
+    assert "so the window is narrower" in page.text
+    _, without = read(replace(small(), rules=()))
+    assert without.problems == []
+    assert "What the contact rule changes" not in without.text
+
+
+def test_certificates_are_counted(page: Reading) -> None:
+    counts = small().run.certificates
+    assert sum(counts.values()) == 3 * (10 + 4)
+    for verdict, count in counts.items():
+        assert f"{verdict} {count}" in page.text
+
+
 def test_what_was_not_given_is_listed_with_its_reason(page: Reading) -> None:
     values = [v for v in small().case.values() if v.provenance in ("inferred", "assumed")]
     assert values

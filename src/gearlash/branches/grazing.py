@@ -1,9 +1,11 @@
 """The parameter value at which an extremum of a periodic orbit touches a boundary.
 
 Unknowns: the state z0 at a phase half an orbit before the touch, the phase t of the touch, and one parameter
-μ. Equations: the orbit closes, X(t) = ±D, X'(t) = 0. The grazing extremum is held, that is not treated as a
-crossing (the one-sided, smooth system), so Newton's method is regular and quadratic whatever side it starts
-from. Whether the solution is one of the real system is checked afterwards, from orbits on both sides."""
+μ. Equations: the orbit closes, X(t) = ±D, X'(t) = 0 for the gap of one clearance. The grazing extremum is
+held, that is not treated as a crossing (the one-sided, smooth system), so Newton's method is regular and
+quadratic whatever side it starts from. With the contact rule `no-tension` contact is lost where its force
+falls to zero: the equations are then Φ(t) = 0, Φ'(t) = 0. Whether the solution is one of the real system is
+checked afterwards, from orbits on both sides."""
 
 from __future__ import annotations
 
@@ -16,14 +18,15 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.flow import Hold, Propagators
-from gearlash.flow.events import gap_displacement, gap_velocity
 from gearlash.orbits import GrazingCheck, Orbit, Signature, shoot
 from gearlash.orbits.floquet import ordered
-from gearlash.orbits.grazing import KINDS
+from gearlash.orbits.grazing import KINDS, Surface, gap_extrema
+from gearlash.orbits.pressing import force_extrema
 from gearlash.system import Family, Status
 
 from .kinds import distance_to_unit, table2_type
 from .steps import check_name, longest_step
+from .surface import Touching
 
 Array = NDArray[np.float64]
 ITERATIONS = 40
@@ -37,7 +40,8 @@ class GrazingPoint:
     """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles
     from ``state_zero``) and state (n,) of the touch, ``a0`` = X'', multipliers of the one-sided orbit,
     labels just below and above ``value``. ``state_zero`` is the orbit at phase zero, a start for either side.
-    """
+    ``clearance`` is the index of the gap, ``clearance_name`` its name; for ``surface`` "force" the touch is
+    Φ = 0 and ``a0`` = Φ''."""
 
     name: str
     value: float
@@ -55,11 +59,14 @@ class GrazingPoint:
     label_above: str
     residual: float
     status: Status
+    clearance: int = 0
+    clearance_name: str = "mesh"
+    surface: Surface = "gap"
 
     @property
     def kind(self) -> str:
         """Loss of contact or engagement, drive or back side."""
-        return KINDS[(self.boundary, 1 if self.a0 > 0 else -1)]
+        return KINDS[(self.surface, self.boundary, 1 if self.a0 > 0 else -1)]
 
     @property
     def to_doubling(self) -> float:
@@ -88,12 +95,13 @@ def locate_grazing(
     unknown, residual, change = problem.solve()
     mu = float(unknown[-1])
     props = problem.system_at(mu)
-    touch = flow.carry(props, unknown[:-2], unknown[-2] - problem.origin, problem.origin, hold=problem.hold)
+    touch = problem.touching.carried(props, unknown[:-2], float(unknown[-2]))
     around = problem.around(props, unknown[:-2])
     zero = _state_zero(props, problem, unknown[:-2])
     below, above = (_label(problem, mu, zero, side) for side in (-1, 1))
     converged = residual <= CLOSED
-    admissible = below is not None and above is not None and _one_contact_apart(below, above)
+    here = check.clearance, check.boundary
+    admissible = below is not None and above is not None and below.one_impact_from(above) == here
     status = Status.NOT_CONVERGED if not converged else Status.OK if admissible else Status.NOT_ADMISSIBLE
     multipliers = ordered(np.linalg.eigvals(around))
     duration = orbit.period / props.system.cycles * props.system.period
@@ -104,7 +112,7 @@ def locate_grazing(
         values={**values, name: mu},
         boundary=check.boundary,
         phase=float((unknown[-2] - problem.zero) % orbit.period),
-        a0=problem.curvature(props, unknown),
+        a0=problem.touching.curvature(props, unknown[:-2], float(unknown[-2])),
         period=orbit.period,
         state=touch.state,
         state_zero=zero,
@@ -114,23 +122,25 @@ def locate_grazing(
         label_above=str(above) if above else "none",
         residual=residual,
         status=status,
+        clearance=check.clearance,
+        clearance_name=check.name,
+        surface=check.surface,
     )
 
 
 @dataclass(frozen=True, eq=False)
 class _Problem:
     """The equations of one touch. ``origin``: phase of z0; ``cycles``: length of the orbit; ``zero``: first
-    whole number of base periods after the origin, from which phases are told; ``hold``: where the boundary
-    is not crossed; ``first``: the starting point (z0, t, μ)."""
+    whole number of base periods after the origin, from which phases are told; ``touching``: the surface, and
+    where it is not crossed; ``first``: the starting point (z0, t, μ)."""
 
     family: Family
     values: Mapping[str, float]
     name: str
-    boundary: int
     origin: float
     cycles: float
     zero: float
-    hold: Hold
+    touching: Touching
     first: Array
 
     @staticmethod
@@ -138,12 +148,18 @@ class _Problem:
         cycles = float(orbit.period)
         origin = (check.phase - 0.5 * cycles) % cycles
         touch = origin + 0.5 * cycles
-        before, after = _neighbours(orbit.extrema.phase, check.phase, cycles)
-        window = Hold(check.boundary, touch - 0.9 * before, touch + 0.9 * after)
+        before, after = _neighbours(_extrema(orbit, check), check.phase, cycles)
+        window = Hold(check.boundary, touch - 0.9 * before, touch + 0.9 * after, check.clearance)
         first = np.concatenate([orbit.trace.at([origin]).state[0], [touch, float(values[name])]])
         base = orbit.propagators.system.cycles
         zero = float(ceil(origin / base - 1e-12) * base)
-        return _Problem(family, values, name, check.boundary, origin, cycles, zero, window, first)
+        return _Problem(
+            family, values, name, origin, cycles, zero, Touching(check.surface, origin, window), first
+        )
+
+    @property
+    def hold(self) -> Hold:
+        return self.touching.hold
 
     def system_at(self, mu: float, reuse: Propagators | None = None) -> Propagators:
         return flow.propagators(self.family.system({**self.values, self.name: mu}), reuse)
@@ -154,45 +170,22 @@ class _Problem:
         assert jacobian is not None
         return jacobian
 
-    def touch(self, props: Propagators, z0: Array, phase: float, jacobian: bool = False):
-        return flow.carry(props, z0, phase - self.origin, self.origin, jacobian=jacobian, hold=self.hold)
-
     def residual(self, props: Propagators, unknown: Array) -> Array:
         z0, phase = unknown[:-2], float(unknown[-2])
         end = flow.carry(props, z0, self.cycles, self.origin, hold=self.hold)
-        return np.concatenate([end.state - z0, self.gap(props, self.touch(props, z0, phase).state, phase)])
-
-    def gap(self, props: Propagators, state: Array, phase: float) -> Array:
-        """(X ∓ D, X') at the touch."""
-        clearance = props.system.clearances[0]
-        edge = clearance.gap_plus if self.boundary > 0 else -clearance.gap_minus
-        x = gap_displacement(props.system, [phase], state[None])[0]
-        return np.array([x - edge, gap_velocity(props.system, [phase], state[None])[0]])
-
-    def curvature(self, props: Propagators, unknown: Array) -> float:
-        """X'' at the touch, from X' on both sides."""
-        step = 1e-5
-        speeds = [
-            self.gap(props, self.touch(props, unknown[:-2], unknown[-2] + d).state, unknown[-2] + d)[1]
-            for d in (-step, step)
-        ]
-        return float((speeds[1] - speeds[0]) / (2 * step * 2 * np.pi / props.system.omega))
+        return np.concatenate([end.state - z0, self.touching.values(props, z0, phase)])
 
     def jacobian(self, props: Propagators, unknown: Array) -> Array:
         z0, phase, mu = unknown[:-2], float(unknown[-2]), float(unknown[-1])
         n = len(z0)
         out = np.zeros((n + 2, n + 2))
         end = flow.carry(props, z0, self.cycles, self.origin, jacobian=True, hold=self.hold)
-        there = self.touch(props, z0, phase, jacobian=True)
         assert end.jacobian is not None
-        assert there.jacobian is not None
-        h = props.system.clearances[0].h
         out[:n, :n] = end.jacobian - np.eye(n)
-        out[n, :n] = h @ there.jacobian
-        out[n + 1, :n] = h @ props.system.matrix @ there.jacobian
+        out[n:, :n] = self.touching.rows(props, z0, phase)
         cycle = 2 * np.pi / props.system.omega
-        out[n, n] = self.gap(props, there.state, phase)[1] * cycle
-        out[n + 1, n] = self.curvature(props, unknown) * cycle
+        out[n, n] = self.touching.values(props, z0, phase)[1] * cycle
+        out[n + 1, n] = self.touching.curvature(props, z0, phase) * cycle
         step = STEP * max(abs(mu), 1e-3)
         up, down = (self.residual(self.system_at(mu + d, props), unknown) for d in (step, -step))
         out[:, n + 1] = (up - down) / (2 * step)
@@ -243,6 +236,16 @@ class _Problem:
         return bool(np.isfinite(mu) and parameter.lower <= mu <= parameter.upper)
 
 
+def _extrema(orbit: Orbit, check: GrazingCheck) -> Array:
+    """Phases of the extrema between which the surface is held. The force turns just before X does: there the
+    extrema of X of the same kind do not bound it."""
+    extrema = gap_extrema(orbit.trace, check.clearance)
+    if check.surface == "gap":
+        return extrema.phase
+    away = extrema.phase[extrema.curvature * check.a0 < 0.0]
+    return np.concatenate([away, force_extrema(orbit.trace, check.clearance).phase])
+
+
 def _neighbours(phases: Array, touch: float, cycles: float) -> tuple[float, float]:
     """Distances (mesh cycles) from the touch to the extrema before and after it, at most 0.49 of the
     orbit."""
@@ -268,7 +271,3 @@ def _label(problem: _Problem, mu: float, zero: Array, side: int) -> Signature | 
     if shot.status not in (Status.OK, Status.UNCERTAIN):
         return None
     return Orbit(props, shot, 0, shot.status, "").signature
-
-
-def _one_contact_apart(below: Signature, above: Signature) -> bool:
-    return below.period == above.period and abs(below.drive - above.drive) + abs(below.back - above.back) == 1

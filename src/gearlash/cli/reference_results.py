@@ -46,7 +46,8 @@ FOLDER = """\
 computed, a command stops with exit code 2 if one of its files is already there and is not listed.
 
 `report.json` holds every number of the report: `format` (1), `case`, `frequency` and `backlash` (the two
-sweeps with what was located along them), `events`, `zones`, `window`, `table2`, `claims`, `checks`, `run`.
+sweeps with what was located along them), `events`, `zones`, `window`, `table2`, `claims`, `checks`, `run`,
+`rules` (the small study under each contact rule).
 Its records have the fields of `gearlash.studies.article.reproduction`; curves are thinned, and complex
 numbers are `{"re", "im"}`.
 """
@@ -64,13 +65,43 @@ F has the article's sign, F = −Φ. Attributes: `case_json` (the whole case), `
 """
 
 
+CERTIFICATES = """\
+## Certificates
+
+Every attractor and every point of a sweep carries one, with its reasons.
+
+| certificate | what it means |
+|---|---|
+| `certified` | see below |
+| `uncertain` | something of it does not hold; the reason has the numbers. Or the motion is unresolved |
+| `failed` | the system could not be built or solved, the orbit does not close, or the motion ran away |
+
+A periodic orbit is certified if its residual is at most 1e-11, its period least, no contact undecided, no
+extremum within the error of a boundary that it could touch, and its leading multiplier farther from modulus
+1 than its own error. An aperiodic motion is certified if no contact was undecided in the transient and the
+stretch that is kept, and its exponent is farther from zero than its error bar.
+
+A certificate vouches for the motion of the model as given: that this orbit exists, with this signature and
+this stability. It says nothing about values of the case that are inferred or assumed, about other
+attractors that may coexist, about whether the model describes a real pair, nor (of aperiodic motion) that
+it is no transient longer than what was computed. What it rests on is in [theory.md](theory.md).
+"""
+
+
 def results_page() -> str:
     """The whole page, Markdown."""
     parts = [HEAD]
     seen: set[type] = set()
     for kind in KINDS:
         parts.append("\n".join(_answer(kind, answer_kind(kind), seen)))
-    parts += [FOLDER, NETCDF, "\n".join(_variables()), "\n".join(_statuses()), "\n".join(exit_codes())]
+    parts += [
+        FOLDER,
+        NETCDF,
+        "\n".join(_variables()),
+        "\n".join(_statuses()),
+        CERTIFICATES,
+        "\n".join(exit_codes()),
+    ]
     return "\n\n".join(part.strip() for part in parts) + "\n"
 
 

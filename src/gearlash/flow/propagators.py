@@ -202,7 +202,13 @@ def _with_amplitudes(system: System, reuse: Propagators) -> Propagators:
     memory = tables.memory.copy()
     _write_system(system, shape, memory)
     found = Propagators(
-        system, shape, reuse.rules, reuse.units, reuse.centres, reuse.key, {"now": tables},
+        system,
+        shape,
+        reuse.rules,
+        reuse.units,
+        reuse.centres,
+        reuse.key,
+        {"now": tables},
         dict(reuse.responses),
     )
     for code in map(int, np.flatnonzero(tables.slot_of >= 0)):

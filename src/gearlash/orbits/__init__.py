@@ -2,6 +2,7 @@
 conditions."""
 
 from .attractor import Settings, attractor
+from .certificate import Certificate, Verdict
 from .floquet import multipliers
 from .grazing import GrazingCheck, grazing_checks
 from .lyapunov import Exponents, lyapunov
@@ -14,6 +15,7 @@ from .statistics import ForceStatistics, MotionStatistics, motion_statistics
 __all__ = [
     "Aperiodic",
     "Attractor",
+    "Certificate",
     "Exponents",
     "ForceStatistics",
     "GrazingCheck",
@@ -25,6 +27,7 @@ __all__ = [
     "Shot",
     "Signature",
     "Unresolved",
+    "Verdict",
     "attractor",
     "grazing_checks",
     "lyapunov",

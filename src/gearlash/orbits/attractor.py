@@ -73,7 +73,7 @@ class _Search:
 
     def __init__(self, props: Propagators, settings: Settings, start: Array):
         self.props, self.settings, self.state = props, settings, start
-        self.used = 0
+        self.used = self.undecided = 0
         self.strobes = start[None]
 
     def run(self) -> Attractor:
@@ -100,6 +100,7 @@ class _Search:
         self.strobes = np.concatenate([self.strobes[:-1], progress.states])[-keep:]
         self.state = self.strobes[-1]
         self.used += periods
+        self.undecided += progress.undecided
         return progress
 
     @property
@@ -231,7 +232,9 @@ class _Search:
             )
         else:
             return None
-        return Aperiodic(self.props, self.state, value, error, self.used, found.status, message)
+        return Aperiodic(
+            self.props, self.state, value, error, self.used, found.status, message, self.undecided
+        )
 
     def persists(self, within: float) -> bool:
         """Whether size and returns of the motion are the same in two windows, but for the part ``within``,
@@ -239,8 +242,10 @@ class _Search:
         longest = self.settings.max_period
         sizes, returns = [], []
         for _ in range(2):
-            states = flow.march(self.props, self.state, WINDOW).states
+            progress = flow.march(self.props, self.state, WINDOW)
+            states = progress.states
             self.used += WINDOW
+            self.undecided += progress.undecided
             self.state = states[-1]
             self.strobes = states[-(2 * longest + 2) :]
             sizes.append(float(np.ptp(states, axis=0).max()))
@@ -291,6 +296,5 @@ class _Search:
         return shot.period if near and shot.period > limit and self.orbit(shot).stable else None
 
     def unresolved(self, status: Status, reason: str, value: float, error: float) -> Unresolved:
-        return Unresolved(
-            self.props, self.state, value, error, self.used, status, f"{reason}: {status.advice}"
-        )
+        message = f"{reason}: {status.advice}"
+        return Unresolved(self.props, self.state, value, error, self.used, status, message, self.undecided)

@@ -1,31 +1,49 @@
-"""The article's four grazing conditions, evaluated at every extremum of the gap."""
+"""The article's four grazing conditions, evaluated at every extremum of the gap.
+
+With the rule `no-tension` contact is not lost at the boundary of the gap but where the force falls to zero:
+there the conditions are those of H = Φ, at the extrema of the force."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
-from gearlash.flow import Extrema
+from gearlash.flow import Extrema, Trace
+from gearlash.flow.events import gap_velocity
+from gearlash.system import ContactRule, System, evaluate
 
-from .results import Attractor
+from .pressing import force_extrema
+
+if TYPE_CHECKING:  # results examine themselves with what is here
+    from .results import Attractor
+
+Surface = Literal["gap", "force"]
 
 KINDS = {
-    (1, 1): "loss of contact on the drive side (minimum of X in S1)",
-    (1, -1): "engagement on the drive side (maximum of X in S2)",
-    (-1, -1): "loss of contact on the back side (maximum of X in S3)",
-    (-1, 1): "engagement on the back side (minimum of X in S2)",
+    ("gap", 1, 1): "loss of contact on the drive side (minimum of X in S1)",
+    ("gap", 1, -1): "engagement on the drive side (maximum of X in S2)",
+    ("gap", -1, -1): "loss of contact on the back side (maximum of X in S3)",
+    ("gap", -1, 1): "engagement on the back side (minimum of X in S2)",
+    ("force", 1, 1): "loss of contact on the drive side (the force falls to zero in S1)",
+    ("force", 1, -1): "engagement on the drive side (the force rises to zero beyond +D)",
+    ("force", -1, -1): "loss of contact on the back side (the force falls to zero in S3)",
+    ("force", -1, 1): "engagement on the back side (the force rises to zero beyond -D)",
 }
 
 
 @dataclass(frozen=True)
 class GrazingCheck:
-    """One extremum of X beside one boundary (+1: Σ1, -1: Σ2).
+    """One extremum beside one boundary (+1: Σ1, -1: Σ2) of one clearance (its index and name).
 
-    ``distance`` is H = X ∓ D there (condition 1 wants 0), ``gradient`` = |∇H| (2: not 0), ``velocity`` = X'
-    (3: 0, by construction of the extremum), ``a0`` = X'' (4). The article asks a0 > 0, which is loss of
-    contact seen from S1; a0 < 0 on Σ1 is engagement seen from S2, and the signs are mirrored on Σ2: `kind`
-    says which."""
+    For the surface "gap" the extremum is one of X, ``distance`` is H = X ∓ D there (condition 1 wants 0),
+    ``gradient`` = |∇H| (2: not 0), ``velocity`` = X' (3: 0, by construction of the extremum), ``a0`` = X''
+    (4). The article asks a0 > 0, which is loss of contact seen from S1; a0 < 0 on Σ1 is engagement seen from
+    S2, and the signs are mirrored on Σ2: `kind` says which. For the surface "force" (rule `no-tension`) the
+    same with H = Φ, H' = Φ' and a0 = Φ''."""
 
     phase: float
     boundary: int
@@ -35,10 +53,13 @@ class GrazingCheck:
     velocity: float
     a0: float
     index: int
+    clearance: int = 0
+    name: str = "mesh"
+    surface: Surface = "gap"
 
     @property
     def kind(self) -> str:
-        return KINDS[(self.boundary, 1 if self.a0 > 0 else -1)]
+        return KINDS[(self.surface, self.boundary, 1 if self.a0 > 0 else -1)]
 
     def holds(self, tolerance: float = 1e-9) -> bool:
         """Whether all four conditions hold within ``tolerance`` (lengths in units of the reference
@@ -51,33 +72,77 @@ class GrazingCheck:
         )
 
 
-def grazing_checks(attractor: Attractor, within: float = np.inf) -> tuple[GrazingCheck, ...]:
-    """The conditions at every extremum whose distance to a boundary is at most ``within``, nearest first."""
-    extrema, system = attractor.extrema, attractor.propagators.system
-    clearance = system.clearances[0]
-    gradient = float(np.linalg.norm(clearance.h))
-    found = []
-    for boundary, gap in ((1, clearance.gap_plus), (-1, -clearance.gap_minus)):
-        for i in range(len(extrema)):
-            distance = float(extrema.displacement[i] - gap)
-            if abs(distance) <= within:
-                found.append(_check(extrema, i, boundary, distance, gradient, attractor))
+def grazing_checks(
+    attractor: Attractor, within: float = np.inf, clearance: int | None = None
+) -> tuple[GrazingCheck, ...]:
+    """The conditions at every extremum whose distance to a boundary is at most ``within``, nearest first; of
+    all clearances, or of one. Sides without stiffness are no boundaries."""
+    trace, count = attractor.trace, len(attractor.propagators.system.clearances)
+    found: list[GrazingCheck] = []
+    for j in range(count) if clearance is None else (clearance,):
+        found += (check for check in _of_gap(trace, j) if abs(check.distance) <= within)
+        if trace.propagators.system.clearances[j].contact is ContactRule.NO_TENSION:
+            found += (check for check in _of_force(trace, j) if abs(check.distance) <= within)
     return tuple(sorted(found, key=lambda check: abs(check.distance)))
 
 
-def _check(
-    extrema: Extrema, i: int, boundary: int, distance: float, gradient: float, attractor: Attractor
-) -> GrazingCheck:
-    from gearlash.flow.events import gap_velocity
+def _of_gap(trace: Trace, j: int) -> Iterator[GrazingCheck]:
+    """Extrema of X against both boundaries; with `no-tension` only those seen from inside the gap, as contact
+    does not end at them."""
+    c, extrema = trace.propagators.system.clearances[j], gap_extrema(trace, j)
+    velocity = gap_velocity(trace.propagators.system, extrema.phase, extrema.state, j)
+    tension = c.contact is not ContactRule.NO_TENSION
+    for boundary, gap in ((1, c.gap_plus), (-1, -c.gap_minus)):
+        if not c.stops(boundary):
+            continue
+        for i in range(len(extrema)):
+            if tension or boundary * extrema.curvature[i] < 0.0:
+                yield GrazingCheck(
+                    phase=float(extrema.phase[i]),
+                    boundary=boundary,
+                    displacement=float(extrema.displacement[i]),
+                    distance=float(extrema.displacement[i] - gap),
+                    gradient=float(np.linalg.norm(c.h)),
+                    velocity=float(velocity[i]),
+                    a0=float(extrema.curvature[i]),
+                    index=i,
+                    clearance=j,
+                    name=c.name,
+                )
 
-    velocity = gap_velocity(attractor.propagators.system, extrema.phase[i : i + 1], extrema.state[i : i + 1])
-    return GrazingCheck(
-        phase=float(extrema.phase[i]),
-        boundary=boundary,
-        displacement=float(extrema.displacement[i]),
-        distance=distance,
-        gradient=gradient,
-        velocity=float(velocity[0]),
-        a0=float(extrema.curvature[i]),
-        index=i,
-    )
+
+def _of_force(trace: Trace, j: int) -> Iterator[GrazingCheck]:
+    """Extrema of Φ at which contact may be lost (a least force, whether it still presses there or not), or
+    come back before the gap opens."""
+    system, extrema = trace.propagators.system, force_extrema(trace, j)
+    c = system.clearances[j]
+    for i in range(len(extrema)):
+        boundary = int(extrema.boundary[i])
+        if extrema.pressing[i] and boundary * extrema.curvature[i] < 0.0:
+            continue  # the largest force: nothing ends there
+        yield GrazingCheck(
+            phase=float(extrema.phase[i]),
+            boundary=boundary,
+            displacement=float(extrema.displacement[i]),
+            distance=float(extrema.force[i]),
+            gradient=float(np.linalg.norm(force_gradient(system, j, float(extrema.phase[i]), boundary))),
+            velocity=0.0,
+            a0=float(extrema.curvature[i]),
+            index=i,
+            clearance=j,
+            name=c.name,
+            surface="force",
+        )
+
+
+def gap_extrema(trace: Trace, clearance: int) -> Extrema:
+    """Extrema of X of a clearance; of the first one, from what the trace keeps."""
+    return trace.extrema if clearance == 0 else trace.extrema_of(clearance)
+
+
+def force_gradient(system: System, j: int, phase: float, boundary: int) -> NDArray[np.float64]:
+    """∂Φ/∂z (n,) of a side at a phase (mesh cycles): η h + ζ h M."""
+    c = system.clearances[j]
+    stiffness = c.stiffness_plus if boundary > 0 else c.stiffness_minus
+    eta = evaluate(stiffness, 2.0 * np.pi / system.cycles * phase)
+    return eta * c.h + c.dampings[0 if boundary > 0 else 1] * (c.h @ system.matrix)

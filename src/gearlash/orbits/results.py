@@ -13,6 +13,7 @@ from gearlash.flow import Events, Extrema, Propagators, Trace
 from gearlash.system import Status
 
 from . import floquet
+from .certificate import Certificate, certify_motion, certify_orbit
 from .shooting import Shot
 from .signature import Signature
 
@@ -61,13 +62,14 @@ class Orbit:
 
     @cached_property
     def signature(self) -> Signature:
-        """P-Q-R. A side of stiffness zero is no stop: what crosses its boundary is no impact."""
-        events, clearance = self.events, self.propagators.system.clearances[0]
-        drive, back = (
-            int((events.engaging & (events.boundary == b)).sum()) if clearance.stops(b) else 0
-            for b in (1, -1)
-        )
-        return Signature(self.period, drive, back)
+        """P-Q-R, and Q-R of every further clearance."""
+        counts = []
+        for clearance in range(len(self.propagators.system.clearances)):
+            events = self.events.of(clearance)
+            drive, back = (int((events.engaging & (events.boundary == b)).sum()) for b in (1, -1))
+            counts.append((drive, back))
+        (drive, back), *others = counts
+        return Signature(self.period, drive, back, tuple(others))
 
     @property
     def label(self) -> str:
@@ -106,6 +108,11 @@ class Orbit:
     def exponent_error(self) -> float:
         return 0.0
 
+    @cached_property
+    def certificate(self) -> Certificate:
+        """Whether all that is said of the orbit holds within its error; see `certificate`."""
+        return certify_orbit(self)
+
     @property
     def duration(self) -> float:
         """Of the whole orbit, in τ."""
@@ -116,7 +123,8 @@ class Orbit:
 class Aperiodic:
     """A motion that does not repeat, so that it has no P. Either its largest exponent is above zero by more
     than its error bar (chaos), or it is zero within it (quasi-periodic motion); either way the motion was
-    seen to persist. A chaotic transient longer than ``periods_used`` looks the same."""
+    seen to persist. A chaotic transient longer than ``periods_used`` looks the same. ``undecided`` counts the
+    contacts of the search that lay within rounding of touching."""
 
     propagators: Propagators
     final_state: NDArray[np.float64]
@@ -125,10 +133,16 @@ class Aperiodic:
     periods_used: int
     status: Status
     message: str
+    undecided: int = 0
 
     @property
     def label(self) -> str:
         return "aperiodic"
+
+    @cached_property
+    def certificate(self) -> Certificate:
+        """Whether no contact was in doubt and the exponent stands beyond its error bar."""
+        return certify_motion(self, resolved=True)
 
     @cached_property
     def trace(self) -> Trace:
@@ -156,6 +170,11 @@ class Unresolved(Aperiodic):
     @property
     def label(self) -> str:
         return "unresolved"
+
+    @cached_property
+    def certificate(self) -> Certificate:
+        """Never `certified`: says why."""
+        return certify_motion(self, resolved=False)
 
 
 Attractor = Orbit | Aperiodic | Unresolved

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.flow.events import Events, contact_force, gap_displacement, gap_velocity
+from gearlash.flow.events import contact_force, gap_displacement, gap_velocity
+from gearlash.system import ContactRule, System
 
 from .results import Attractor
 
@@ -52,31 +53,45 @@ class Section:
 
 @dataclass(frozen=True, eq=False)
 class Sections:
-    """σ_t (every base period), σ_d (all crossings of Σ1: X = +D) and σ_b (all crossings of Σ2: X = -D)."""
+    """σ_t (every base period), σ_d (all contact events at Σ1: X = +D) and σ_b (all at Σ2: X = -D). With the
+    rule `no-tension` contact ends where the force does, so beyond the boundary."""
 
     time: Section
     drive: Section
     back: Section
 
 
-def sections(attractor: Attractor) -> Sections:
-    """The sections of one orbit, or of the stretch kept of another motion."""
-    events = attractor.events
-    return Sections(_strobes(attractor), _crossings(attractor, events, 1), _crossings(attractor, events, -1))
+def sections(attractor: Attractor, clearance: int = 0) -> Sections:
+    """The sections of one orbit, or of the stretch kept of another motion, in the gap of a clearance."""
+    drive, back = (_crossings(attractor, clearance, boundary) for boundary in (1, -1))
+    return Sections(_strobes(attractor, clearance), drive, back)
 
 
-def _strobes(attractor: Attractor) -> Section:
+def _strobes(attractor: Attractor, clearance: int) -> Section:
     system, state = attractor.propagators.system, attractor.strobes
-    clearance = system.clearances[0]
     phase = np.arange(len(state), dtype=np.float64) * system.cycles
-    x, velocity = gap_displacement(system, phase, state), gap_velocity(system, phase, state)
-    region = np.where(x > clearance.gap_plus, 0, np.where(x < -clearance.gap_minus, 2, 1))
-    force = -contact_force(system, phase, x, velocity, region)
+    x = gap_displacement(system, phase, state, clearance)
+    velocity = gap_velocity(system, phase, state, clearance)
+    force = -_force(system, clearance, phase, x, velocity)
     return Section(phase, state, x, velocity, force, np.zeros(len(phase), dtype=np.int64))
 
 
-def _crossings(attractor: Attractor, events: Events, boundary: int) -> Section:
+def _force(
+    system: System, clearance: int, phase: NDArray, x: NDArray, velocity: NDArray
+) -> NDArray[np.float64]:
+    """Φ of a state: contact is where there is a stop beyond its boundary, and with `no-tension` presses."""
+    c = system.clearances[clearance]
+    plus, minus = (x > c.gap_plus) & c.stops(1), (x < -c.gap_minus) & c.stops(-1)
+    region = np.where(plus, 0, np.where(minus, 2, 1))
+    force = contact_force(system, phase, x, velocity, region, clearance)
+    if c.contact is ContactRule.NO_TENSION:
+        force = np.where(plus, np.maximum(force, 0.0), np.where(minus, np.minimum(force, 0.0), force))
+    return force
+
+
+def _crossings(attractor: Attractor, clearance: int, boundary: int) -> Section:
+    events = attractor.events.of(clearance)
     chosen = events.where(events.boundary == boundary)
-    x = gap_displacement(attractor.propagators.system, chosen.phase, chosen.state)
+    x = gap_displacement(attractor.propagators.system, chosen.phase, chosen.state, clearance)
     direction = np.where(chosen.engaging, ENTERING, LEAVING)
     return Section(chosen.phase, chosen.state, x, chosen.velocity, -chosen.force, direction)

@@ -1,38 +1,80 @@
-"""The impact signature P-Q-R."""
+"""The impact signature P-Q-R, and P-Q-R/Q-R of several clearances."""
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from gearlash.system import GearlashError
+
+PATTERN = re.compile(r"[0-9]+-[0-9]+(-[0-9]+)?(/[0-9]+-[0-9]+)*")
 
 
 @dataclass(frozen=True, order=True)
 class Signature:
     """``period`` mesh cycles with ``drive`` impacts on the drive side (Q) and ``back`` on the back side (R)
-    in them.
+    of the first clearance in them, and (Q, R) of every further clearance in ``others``.
 
-    An impact is an engagement: X rises through +D, or falls through -D.
+    An impact is a beginning of contact: X rises through +D, or falls through -D. With the rule `no-tension`
+    it is also a contact that presses again before the gap had opened.
     """
 
     period: int
     drive: int
     back: int = 0
+    others: tuple[tuple[int, int], ...] = ()
+
+    @property
+    def counts(self) -> tuple[tuple[int, int], ...]:
+        """(Q, R) of every clearance, in the order of the system's."""
+        return ((self.drive, self.back), *self.others)
+
+    @property
+    def impacts(self) -> int:
+        """Of all clearances and sides together."""
+        return sum(drive + back for drive, back in self.counts)
+
+    @property
+    def back_impacts(self) -> int:
+        """On side - of all clearances together."""
+        return sum(back for _, back in self.counts)
+
+    @property
+    def twice(self) -> Signature:
+        """The same motion, run through twice."""
+        others = tuple((2 * drive, 2 * back) for drive, back in self.others)
+        return Signature(2 * self.period, 2 * self.drive, 2 * self.back, others)
+
+    def one_impact_from(self, other: Signature) -> tuple[int, int] | None:
+        """(clearance, boundary ±1) of the one count that differs, by one, at the same period; else None."""
+        if self.period != other.period or len(self.counts) != len(other.counts):
+            return None
+        differing = [
+            (clearance, boundary, abs(mine - its))
+            for clearance, pair in enumerate(zip(self.counts, other.counts, strict=True))
+            for boundary, mine, its in zip((1, -1), *pair, strict=True)
+            if mine != its
+        ]
+        return differing[0][:2] if len(differing) == 1 and differing[0][2] == 1 else None
 
     def __str__(self) -> str:
-        return f"{self.period}-{self.drive}-{self.back}"
+        rest = "".join(f"/{drive}-{back}" for drive, back in self.others)
+        return f"{self.period}-{self.drive}-{self.back}{rest}"
 
     @property
     def short(self) -> str:
         """As the article prints it: without R where the back side is not met."""
-        return str(self) if self.back else f"{self.period}-{self.drive}"
+        return str(self) if self.back or self.others else f"{self.period}-{self.drive}"
 
     @staticmethod
     def parse(text: str) -> Signature:
-        """``"6-6-1"`` or ``"1-0"``. Raises `GearlashError` for anything else."""
-        parts = text.split("-")
-        if len(parts) not in (2, 3) or not all(p.isdigit() for p in parts):
+        """``"6-6-1"``, ``"1-0"``, or ``"3-2-0/1-1"`` of two clearances. Raises `GearlashError` for anything
+        else."""
+        if not PATTERN.fullmatch(text):
             raise GearlashError(
-                f"signature {text!r}: expected P-Q or P-Q-R with whole numbers, for example 6-6-1"
+                f"signature {text!r}: expected P-Q or P-Q-R with whole numbers, for example 6-6-1, and /Q-R "
+                "for every further clearance"
             )
-        return Signature(*(int(p) for p in parts))
+        first, *rest = text.split("/")
+        others = [tuple(map(int, part.split("-"))) for part in rest]
+        return Signature(*map(int, first.split("-")), others=tuple((q, r) for q, r in others))

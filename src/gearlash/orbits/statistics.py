@@ -7,8 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .grazing import gap_extrema
 from .results import Attractor
 
+FREE = 1  # region of a trace
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
@@ -45,24 +47,24 @@ class MotionStatistics:
     share_without_contact: float
 
 
-def motion_statistics(attractor: Attractor) -> MotionStatistics:
-    """By Gauss quadrature on every exact piece, with extremes of X from its exact extrema; extremes of the
-    force are taken on 48 points a piece and at its ends."""
+def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatistics:
+    """Of one clearance, by Gauss quadrature on every exact piece, with extremes of X from its exact extrema;
+    extremes of the force are taken on 48 points a piece and at its ends."""
     trace = attractor.trace
     weight = (trace.lengths[:, None] * WEIGHTS[None, :] / 2.0).ravel()
-    samples = trace.at(_phases(trace, (NODES + 1.0) / 2.0))
+    samples = trace.at(_phases(trace, (NODES + 1.0) / 2.0), clearance)
     weight = weight / weight.sum()
     mean, square = float(weight @ samples.force), float(weight @ samples.force**2)
-    dense = trace.at(_phases(trace, np.linspace(1e-12, 1.0 - 1e-12, 48)))
+    dense = trace.at(_phases(trace, np.linspace(1e-12, 1.0 - 1e-12, 48)), clearance)
     force = ForceStatistics(
         float(dense.force.min()), float(dense.force.max()), mean, float(np.sqrt(square)),
         float(np.sqrt(max(square - mean**2, 0.0))),
     )  # fmt: skip
     x = samples.displacement
     average = float(weight @ x)
-    extremes = trace.extrema.displacement
+    extremes = gap_extrema(trace, clearance).displacement
     low, high = (extremes.min(), extremes.max()) if len(extremes) else (x.min(), x.max())
-    free = float(trace.lengths[trace.free].sum() / trace.lengths.sum())
+    free = float(trace.lengths[trace.regions_of(clearance) == FREE].sum() / trace.lengths.sum())
     rms = float(np.sqrt(max(float(weight @ (x - average) ** 2), 0.0)))
     return MotionStatistics(force, rms, float(high - low), float(low), float(high), free)
 

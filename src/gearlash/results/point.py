@@ -27,12 +27,15 @@ class Point:
     dimensionless.
 
     ``label`` is P-Q-R of a proved orbit, else aperiodic, unresolved, or empty. ``period`` (mesh cycles),
-    ``drive`` and ``back`` (impacts on either side in it) are 0 where nothing periodic was proved; ``leading``
-    is the multiplier of largest modulus. ``state`` (n,) at phase zero starts other computations. Of one
-    period, or of 200 base periods of another motion: ``strobes`` X on σ_t; force F in the sign of the article
-    (F = -Φ) and phase (mesh cycles from zero) of the impacts on either side (S2 → S1, S2 → S3) and of the
-    releases of the back side (S3 → S2, the article's literal σ_b); extremes of X, of Φ and its rms, share of
-    time without contact (0 to 1).
+    ``drive`` and ``back`` (impacts on either side of the first clearance in it) are 0 where nothing periodic
+    was proved, and ``others`` has the same pair of every further clearance; ``leading`` is the multiplier of
+    largest modulus. ``certificate`` is certified, uncertain or failed, or empty where nothing was computed,
+    and ``certificate_reason`` says why. ``state`` (n,) at phase zero starts other computations.
+
+    Of the first clearance, over one period, or over 200 base periods of another motion: ``strobes`` X on
+    σ_t; force F in the sign of the article (F = -Φ) and phase (mesh cycles from zero) of the impacts on
+    either side (S2 → S1, S2 → S3) and of the releases of the back side (S3 → S2, the article's literal
+    σ_b); extremes of X, of Φ and its rms, share of time without contact (0 to 1).
     """
 
     value: float
@@ -61,6 +64,9 @@ class Point:
     force_max: float = NAN
     force_rms: float = NAN
     share_without_contact: float = NAN
+    others: tuple[tuple[int, int], ...] = ()
+    certificate: str = ""
+    certificate_reason: str = ""
 
     @property
     def periodic(self) -> bool:
@@ -74,13 +80,18 @@ class Point:
 
     @property
     def impact_free(self) -> bool:
-        """A proved orbit without any impact?"""
-        return self.periodic and self.drive == 0 and self.back == 0
+        """A proved orbit without any impact, in any clearance?"""
+        return self.periodic and self.drive == 0 and self.back == 0 and self.other_impacts == 0
+
+    @property
+    def other_impacts(self) -> int:
+        """Impacts in all further clearances together, in one period."""
+        return sum(drive + back for drive, back in self.others)
 
     @property
     def drive_side_only(self) -> bool:
-        """A proved orbit without an impact on the back side?"""
-        return self.periodic and self.back == 0
+        """A proved orbit without an impact on the back side of any clearance?"""
+        return self.periodic and self.back == 0 and not any(back for _, back in self.others)
 
     def at(self, value: float) -> Point:
         """The same, with the value of the parameter."""
@@ -89,4 +100,8 @@ class Point:
 
 def blank(value: float, status: str, message: str) -> Point:
     """A point of which nothing is known but why."""
-    return Point(float(value), status, message)
+    failed = status == FAILED
+    return Point(
+        float(value), status, message,
+        certificate=FAILED if failed else "", certificate_reason=message if failed else "",
+    )  # fmt: skip

@@ -43,6 +43,11 @@ class Sweep:
         """How many points have which status."""
         return dict(Counter(point.status for point in self.points))
 
+    @property
+    def certificates(self) -> dict[str, int]:
+        """How many of the computed points are certified, uncertain, failed."""
+        return dict(Counter(point.certificate for point in self.points if point.certificate))
+
     def runs(self) -> list[tuple[int, int, str]]:
         """Maximal stretches of one label: (first index, last index, label), in the order of the axis."""
         found: list[tuple[int, int, str]] = []

@@ -29,10 +29,15 @@ def _plain(name: str, long_name: str, dtype: str = "f8", units: str = "1", quant
 SCALARS = (
     _plain("status", "outcome of the computation", "U"),
     _plain("message", "what is known about the motion", "U"),
-    _plain("label", "signature P-Q-R, or aperiodic, or unresolved", "U"),
+    _plain(
+        "label", "signature P-Q-R (and /Q-R of every further clearance), or aperiodic, or unresolved", "U"
+    ),
     _plain("period", "least period P, 0 where none was proved", "i4", "mesh cycles"),
-    _plain("drive", "impacts Q on the drive side per period", "i4"),
-    _plain("back", "impacts R on the back side per period", "i4"),
+    _plain("drive", "impacts Q on the drive side per period (first clearance)", "i4"),
+    _plain("back", "impacts R on the back side per period (first clearance)", "i4"),
+    _plain("other_impacts", "impacts in all further clearances per period", "i4"),
+    _plain("certificate", "certified, uncertain or failed; empty where nothing was computed", "U"),
+    _plain("certificate_reason", "why it is not certified", "U"),
     _plain("largest_exponent", "largest Lyapunov exponent", quantity="rate"),
     _plain("exponent_error", "half-width of its 95 % interval, 0 on periodic orbits", quantity="rate"),
     Variable("leading_real", "multiplier of largest modulus, real part", lambda point: point.leading.real),

@@ -83,20 +83,22 @@ def motion(
     value: float = float("nan"),
     touch: tuple[float, int] | None = None,
     label: str | None = None,
+    clearance: int = 0,
 ) -> Motion:
-    """The motion of an attractor; ``touch`` is (phase in mesh cycles, boundary ±1) of a grazing in it."""
+    """The motion of an attractor in one of its gaps; ``touch`` is (phase in mesh cycles, boundary ±1) of a
+    grazing in it."""
     trace = attractor.trace
-    system, clearance = trace.propagators.system, trace.propagators.system.clearances[0]
+    system, gap = trace.propagators.system, trace.propagators.system.clearances[clearance]
     orbit = attractor if isinstance(attractor, Orbit) else None
     cycles = trace.cycles if orbit else min(trace.cycles, float(MOST_CYCLES))
-    samples = trace.at(_phases(trace, cycles))
-    events, strobes = trace.events, attractor.strobes
-    hits = _hits(trace, cycles, touch)
+    samples = trace.at(_phases(trace, cycles, clearance), clearance)
+    events, strobes = trace.events.of(clearance), attractor.strobes
+    hits = _hits(events.phase, trace, cycles, touch)
     at = np.arange(len(strobes), dtype=np.float64) * system.cycles
     return Motion(
         omega=system.omega,
-        gap_plus=clearance.gap_plus,
-        gap_minus=clearance.gap_minus,
+        gap_plus=gap.gap_plus,
+        gap_minus=gap.gap_minus,
         label=attractor.label if label is None else label,
         status=str(attractor.status),
         message=attractor.message,
@@ -110,14 +112,14 @@ def motion(
         force=samples.force,
         region=np.asarray(samples.region, dtype=np.int64),
         hit_phase=events.phase[hits],
-        hit_displacement=gap_displacement(system, events.phase[hits], events.state[hits]),
+        hit_displacement=gap_displacement(system, events.phase[hits], events.state[hits], clearance),
         hit_velocity=events.velocity[hits],
         hit_boundary=np.asarray(events.boundary[hits], dtype=np.int64),
         hit_engaging=np.asarray(events.engaging[hits], dtype=np.bool_),
-        strobe_displacement=gap_displacement(system, at, strobes),
-        strobe_velocity=gap_velocity(system, at, strobes),
+        strobe_displacement=gap_displacement(system, at, strobes, clearance),
+        strobe_velocity=gap_velocity(system, at, strobes, clearance),
         value=float(value),
-        touch=None if touch is None else _touch(trace, *touch),
+        touch=None if touch is None else _touch(trace, clearance, *touch),
     )
 
 
@@ -126,24 +128,24 @@ def touching(family: Family, point: GrazingPoint) -> Motion:
     props = flow.propagators(family.system(point.values))
     shot = shoot(props, point.state_zero, point.period // props.system.cycles)
     orbit = Orbit(props, shot, 0, point.status, f"touches a boundary: {point.kind}")
-    clearance, extrema = props.system.clearances[0], orbit.extrema
-    edge = clearance.gap_plus if point.boundary > 0 else -clearance.gap_minus
-    nearest = int(np.argmin(np.abs(extrema.displacement - edge)))
-    return motion(
-        orbit, value=point.value, touch=(float(extrema.phase[nearest]), point.boundary), label="grazing"
-    )
+    phase = point.phase
+    if point.surface == "gap":
+        gap, extrema = props.system.clearances[point.clearance], orbit.trace.extrema_of(point.clearance)
+        edge = gap.gap_plus if point.boundary > 0 else -gap.gap_minus
+        phase = float(extrema.phase[np.argmin(np.abs(extrema.displacement - edge))])
+    touch = phase, point.boundary
+    return motion(orbit, value=point.value, touch=touch, label="grazing", clearance=point.clearance)
 
 
-def _phases(trace: Trace, cycles: float) -> Array:
+def _phases(trace: Trace, cycles: float, clearance: int) -> Array:
     """Equally spaced phases, and those of every contact and extremum: no touch may fall between two."""
     even = np.linspace(0.0, cycles, round(cycles * PER_CYCLE) + 1)
-    special = np.concatenate([trace.events.phase, trace.extrema.phase])
+    special = np.concatenate([trace.events.phase, trace.extrema_of(clearance).phase])
     return np.unique(np.concatenate([even, special[(special >= 0.0) & (special <= cycles)]]))
 
 
-def _hits(trace: Trace, cycles: float, touch: tuple[float, int] | None) -> NDArray[np.int64]:
+def _hits(phase: Array, trace: Trace, cycles: float, touch: tuple[float, int] | None) -> NDArray[np.int64]:
     """Indices of the contact events of the stretch; a touch is none of them."""
-    phase = trace.events.phase
     chosen = phase <= cycles
     if touch is not None:
         away = np.abs((phase - touch[0] + trace.cycles / 2.0) % trace.cycles - trace.cycles / 2.0)
@@ -151,6 +153,6 @@ def _hits(trace: Trace, cycles: float, touch: tuple[float, int] | None) -> NDArr
     return np.flatnonzero(chosen)
 
 
-def _touch(trace: Trace, phase: float, boundary: int) -> Touch:
-    point = trace.at([phase % trace.cycles])
+def _touch(trace: Trace, clearance: int, phase: float, boundary: int) -> Touch:
+    point = trace.at([phase % trace.cycles], clearance)
     return Touch(float(point.phase[0]), float(point.displacement[0]), float(point.velocity[0]), boundary)

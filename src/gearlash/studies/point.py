@@ -78,21 +78,21 @@ def summary(found: Attractor, value: float = NOT_A_NUMBER) -> Point:
     if orbit is not None:
         signature = orbit.signature
         about |= {"period": signature.period, "drive": signature.drive, "back": signature.back}
+        about |= {"others": signature.others}
         about |= {"leading": orbit.leading, "residual": float(orbit.residual)}
+    about |= {"certificate": str(found.certificate.verdict), "certificate_reason": found.certificate.reason}
     if found.status in TRACEABLE and np.isfinite(found.final_state).all():
         about |= _sections(found) | force_figures(found.trace)
     return Point(**about)
 
 
 def _sections(found: Attractor) -> dict[str, np.ndarray]:
-    """σ_t, σ_d and σ_b as a point keeps them. F = -Φ."""
-    system, events, strobes = found.propagators.system, found.events, found.strobes
+    """σ_t, σ_d and σ_b of the first clearance as a point keeps them. F = -Φ."""
+    system, events, strobes = found.propagators.system, found.events.of(0), found.strobes
     phase = np.arange(len(strobes), dtype=np.float64) * system.cycles
     engaging = np.asarray(events.engaging, dtype=np.bool_)
-    clearance = system.clearances[0]  # a side without stiffness is no stop, and its crossings are no contacts
-    drive = engaging & (events.boundary > 0) & clearance.stops(1)
-    back = engaging & (events.boundary < 0) & clearance.stops(-1)
-    release = ~engaging & (events.boundary < 0) & clearance.stops(-1)
+    drive, back = engaging & (events.boundary > 0), engaging & (events.boundary < 0)
+    release = ~engaging & (events.boundary < 0)
     return {
         "strobes": gap_displacement(system, phase, strobes),
         "drive_force": -events.force[drive],

@@ -116,19 +116,21 @@ class _Finder:
 
     def solve(self, below: _Node, above: _Node) -> Transition | None:
         one, two = Signature.parse(below.label), Signature.parse(above.label)
-        if one.period == two.period and abs(one.drive - two.drive) + abs(one.back - two.back) == 1:
-            return self.grazing(below, above, 1 if one.drive != two.drive else -1)
+        changed = one.one_impact_from(two)
+        if changed is not None:
+            return self.grazing(below, above, *changed)
         if max(one.period, two.period) == 2 * min(one.period, two.period):
             return self.doubling(below, above)
         return None
 
-    def grazing(self, below: _Node, above: _Node, boundary: int) -> Transition | None:
+    def grazing(self, below: _Node, above: _Node, clearance: int, boundary: int) -> Transition | None:
         for node in (below, above):
             orbit = self.orbit(node)
             if orbit is None:
                 continue
             near = max(SETTLED, STEEP * (above.value - below.value))
-            checks = [c for c in grazing_checks(orbit, within=near) if c.boundary == boundary][:TRIES]
+            found = grazing_checks(orbit, within=near, clearance=clearance)
+            checks = [check for check in found if check.boundary == boundary][:TRIES]
             for check in checks:
                 try:
                     point = locate_grazing(self.family, self.at(node.value), self.name, orbit, check)
@@ -147,8 +149,7 @@ class _Finder:
         """The doubling between two orbits, if the impacts double with the period (no grazing lies between
         too)."""
         short, long = sorted((below, above), key=lambda node: node.period)
-        once, twice = Signature.parse(short.label), Signature.parse(long.label)
-        if (twice.drive, twice.back) != (2 * once.drive, 2 * once.back):
+        if Signature.parse(long.label) != Signature.parse(short.label).twice:
             return None
         orbit = self.orbit(short)
         if orbit is None:

@@ -38,7 +38,7 @@ class Quiet(StrEnum):
             signature = Signature.parse(label)
         except GearlashError:
             return False
-        return signature.back == 0 and (signature.drive == 0 or self is Quiet.DRIVE_SIDE_ONLY)
+        return signature.impacts == 0 if self is Quiet.IMPACT_FREE else signature.back_impacts == 0
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import numpy as np
 
 from gearlash.case import Case
-from gearlash.system import Family, Status
+from gearlash.system import Family, Status, System
 
 from .parts import CaseUsed, Multiplier, PhysicalValue, case_used, multiplier_rows, physical_values
 from .sentence import physical_text
@@ -37,14 +37,18 @@ class Touch:
     value: Annotated[float, "of the parameter, dimensionless"]
     error: Annotated[float, "estimate of its error: the last step of Newton's method"]
     physical: tuple[PhysicalValue, ...]
+    clearance: Annotated[str, "name of the gap"]
     side: Literal["drive", "back"]
+    surface: Annotated[
+        Literal["gap", "force"], "what is touched: a boundary of the gap, or with `no-tension` the force zero"
+    ]
     kind: Annotated[str, "loss of contact or engagement"]
     type: Annotated[str, "as Table 2 of the article names it"]
     label_below: Annotated[str, "P-Q-R just below the value"]
     label_above: Annotated[str, "P-Q-R just above the value"]
     period: Annotated[int, "of the orbit, in mesh cycles"]
     phase: Annotated[float, "of the touch, in mesh cycles"]
-    a0: Annotated[float, "X″ at the touch"]
+    a0: Annotated[float, "X″ at the touch; Φ″ where the surface is the force"]
     state: Annotated[dict[str, float], "at the touch"]
     conditions: tuple[Condition, ...]
     multipliers: Annotated[tuple[Multiplier, ...], "of the touching orbit, by modulus, descending"]
@@ -109,7 +113,7 @@ def graze_answer(
     touches = tuple(_touch(case, family, p) for p in sorted(found, key=lambda p: abs(p.value - near)))
     status, advice = _outcome(start, bool(touches))
     return GrazeAnswer(
-        sentence=_sentence(case, over, named, near, start, touches),
+        sentence=_sentence(case, over, named, near, start, touches, _several(family, parameters)),
         status=status,
         message=_message(start, paths),
         advice=advice,
@@ -128,7 +132,9 @@ def _touch(case: Case, family: Family, point: GrazingPoint) -> Touch:
         value=point.value,
         error=point.error,
         physical=physical_values(case, point.name, point.value, back_side_met=_meets_back(point)),
+        clearance=point.clearance_name,
         side="drive" if point.boundary > 0 else "back",
+        surface=point.surface,
         kind=point.kind,
         type=point.type,
         label_below=point.label_below,
@@ -149,20 +155,22 @@ def _touch(case: Case, family: Family, point: GrazingPoint) -> Touch:
 def _meets_back(point: GrazingPoint) -> bool:
     from gearlash.orbits import Signature
 
-    labels = (point.label_below, point.label_above)
-    return point.boundary < 0 or any(Signature.parse(label).back > 0 for label in labels)
+    labels = [x for x in (point.label_below, point.label_above) if x != "none"]
+    return point.boundary < 0 or any(Signature.parse(label).back_impacts > 0 for label in labels)
 
 
 def _conditions(family: Family, point: GrazingPoint) -> tuple[Condition, ...]:
     """The four conditions, read anew from the state at the touch."""
     from gearlash.flow.events import gap_displacement, gap_velocity
 
-    system = family.system(point.values)
-    clearance = system.clearances[0]
+    system, index = family.system(point.values), point.clearance
+    clearance = system.clearances[index]
+    if point.surface == "force":
+        return _conditions_of_force(system, point)
     phase, state = np.array([point.phase]), point.state[None]
     edge = clearance.gap_plus if point.boundary > 0 else -clearance.gap_minus
-    x = float(gap_displacement(system, phase, state)[0])
-    velocity = float(gap_velocity(system, phase, state)[0])
+    x = float(gap_displacement(system, phase, state, index)[0])
+    velocity = float(gap_velocity(system, phase, state, index)[0])
     gradient = float(np.linalg.norm(clearance.h))
     distance = x - edge
     sign = "X − D" if point.boundary > 0 else "X + D⁻"
@@ -171,6 +179,24 @@ def _conditions(family: Family, point: GrazingPoint) -> tuple[Condition, ...]:
         Condition("|∂H/∂X| ≠ 0", gradient, gradient > 0.0),
         Condition("X′ = 0", velocity, abs(velocity) <= HOLDS),
         Condition(f"a0 = X″ {_curvature(point)}", point.a0, abs(point.a0) > HOLDS),
+    )
+
+
+def _conditions_of_force(system: System, point: GrazingPoint) -> tuple[Condition, ...]:
+    """The same for H = Φ, where contact ends with its force."""
+    from gearlash.flow.events import contact_force, gap_displacement, gap_velocity
+    from gearlash.orbits.grazing import force_gradient
+
+    phase, state, index = np.array([point.phase]), point.state[None], point.clearance
+    x, velocity = (read(system, phase, state, index) for read in (gap_displacement, gap_velocity))
+    region = np.array([0 if point.boundary > 0 else 2])
+    force = float(contact_force(system, phase, x, velocity, region, index)[0])
+    gradient = float(np.linalg.norm(force_gradient(system, index, point.phase, point.boundary)))
+    return (
+        Condition("H = Φ = 0", force, abs(force) <= HOLDS),
+        Condition("|∂H/∂z| ≠ 0", gradient, gradient > 0.0),
+        Condition("Φ′ = 0 (its residual)", point.residual, point.residual <= HOLDS),
+        Condition("a0 = Φ″ ≠ 0", point.a0, abs(point.a0) > HOLDS),
     )
 
 
@@ -183,7 +209,7 @@ def _curvature(point: GrazingPoint) -> str:
 
 
 def _sentence(
-    case: Case, over: str, named: str, near: float, start: Point, touches: tuple[Touch, ...]
+    case: Case, over: str, named: str, near: float, start: Point, touches: tuple[Touch, ...], several: bool
 ) -> str:
     asked = _named(physical_values(case, over, near, computed=False), named)
     here = f"{over} = {near:.10g}" if asked is None else physical_text(replace(asked, rests_on=()), 6)
@@ -193,9 +219,13 @@ def _sentence(
     first = touches[0]
     shown = _named(first.physical, named) or (first.physical[0] if first.physical else None)
     value = f"{over} = {first.value:.10g}" + (f" ({physical_text(shown, 6)})" if shown else "")
-    what = first.kind.partition(" (")[0]
+    what = first.kind.partition(" (")[0] + (f" of {first.clearance}" if several else "")
     sides = f"{first.label_below} below and {first.label_above} above"
     return f"{here}: nearest grazing is {what} at {value}, {sides}"
+
+
+def _several(family: Family, parameters: Mapping[str, float]) -> bool:
+    return len(family.system(parameters).clearances) > 1
 
 
 def _named(values: tuple[PhysicalValue, ...], named: str) -> PhysicalValue | None:

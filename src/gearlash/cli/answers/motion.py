@@ -7,7 +7,7 @@ from math import isnan
 from typing import TYPE_CHECKING, Annotated, Literal
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.orbits import Attractor, ForceStatistics
+    from gearlash.orbits import Attractor, ForceStatistics, MotionStatistics
 
 Side = Literal["drive", "back"]
 
@@ -36,7 +36,7 @@ class ContactEvent:
     side: Side
     event: Annotated[Literal["engagement", "release"], "an engagement is an impact"]
     velocity: Annotated[float, "X′"]
-    force: Annotated[float, "Φ; on a boundary that of damping alone"]
+    force: Annotated[float, "Φ; on a boundary that of damping alone, zero where contact ends with its force"]
 
 
 @dataclass(frozen=True)
@@ -60,6 +60,17 @@ class ErrorNumbers:
 
 
 @dataclass(frozen=True)
+class OtherClearance:
+    """The motion in a further clearance."""
+
+    name: str
+    distances: Distances
+    events: Annotated[tuple[ContactEvent, ...], "every contact event in these cycles"]
+    force: ForceNumbers
+    share_without_contact: Annotated[float, "share of time without contact there, 0 to 1"]
+
+
+@dataclass(frozen=True)
 class MotionNumbers:
     """Everything that is taken from the motion itself."""
 
@@ -74,25 +85,44 @@ class MotionNumbers:
     ]
     transmission_error: Annotated[ErrorNumbers, "dynamic transmission error X, over D_c"]
     share_without_contact: Annotated[float, "share of time with no tooth in contact, 0 to 1"]
+    others: Annotated[tuple[OtherClearance, ...], "further clearances; all else here is of the first"]
 
 
 def motion_numbers(attractor: Attractor) -> MotionNumbers:
     """The numbers of an orbit, or of the stretch kept of another motion."""
     from gearlash.orbits import motion_statistics
 
-    found = motion_statistics(attractor)
-    clearance = attractor.propagators.system.clearances[0]
+    found, count = motion_statistics(attractor), len(attractor.propagators.system.clearances)
     return MotionNumbers(
         cycles=attractor.trace.cycles,
-        distances=Distances(
-            Span(found.minimum - clearance.gap_plus, found.maximum - clearance.gap_plus),
-            Span(found.minimum + clearance.gap_minus, found.maximum + clearance.gap_minus),
-        ),
-        events=_events(attractor),
+        distances=_distances(attractor, 0, found),
+        events=_events(attractor, 0),
         force=_force(found.force),
         dynamic_factor=_dynamic_factor(found.force),
         transmission_error=ErrorNumbers(found.error_rms, found.error_peak_to_peak),
         share_without_contact=found.share_without_contact,
+        others=tuple(_other(attractor, index) for index in range(1, count)),
+    )
+
+
+def _other(attractor: Attractor, index: int) -> OtherClearance:
+    from gearlash.orbits import motion_statistics
+
+    found = motion_statistics(attractor, index)
+    return OtherClearance(
+        name=attractor.propagators.system.clearances[index].name,
+        distances=_distances(attractor, index, found),
+        events=_events(attractor, index),
+        force=_force(found.force),
+        share_without_contact=found.share_without_contact,
+    )
+
+
+def _distances(attractor: Attractor, index: int, found: MotionStatistics) -> Distances:
+    clearance = attractor.propagators.system.clearances[index]
+    return Distances(
+        Span(found.minimum - clearance.gap_plus, found.maximum - clearance.gap_plus),
+        Span(found.minimum + clearance.gap_minus, found.maximum + clearance.gap_minus),
     )
 
 
@@ -111,8 +141,8 @@ def _force(force: ForceStatistics) -> ForceNumbers:
     )
 
 
-def _events(attractor: Attractor) -> tuple[ContactEvent, ...]:
-    events = attractor.events
+def _events(attractor: Attractor, index: int) -> tuple[ContactEvent, ...]:
+    events = attractor.events.of(index)
     return tuple(
         ContactEvent(
             phase=float(events.phase[i]),

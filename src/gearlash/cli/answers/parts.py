@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
-from typing import Annotated
+from typing import Annotated, Literal
 
 import numpy as np
 
@@ -29,12 +29,31 @@ class Multiplier:
 
 
 @dataclass(frozen=True)
+class ClearanceCounts:
+    """Impacts in one further clearance."""
+
+    name: str
+    drive: Annotated[int, "on side + in one period"]
+    back: Annotated[int, "on side - in one period"]
+
+
+@dataclass(frozen=True)
 class SignatureCounts:
-    """P-Q-R: impacts are engagements, X rising through +D or falling through -D."""
+    """P-Q-R: impacts are engagements, X rising through +D or falling through -D (with the rule `no-tension`
+    every beginning of contact)."""
 
     period: Annotated[int, "P: least period in mesh cycles"]
-    drive: Annotated[int, "Q: impacts on the drive side in one period"]
-    back: Annotated[int, "R: impacts on the back side in one period"]
+    drive: Annotated[int, "Q: impacts on the drive side of the first clearance in one period"]
+    back: Annotated[int, "R: impacts on the back side of the first clearance in one period"]
+    others: Annotated[tuple[ClearanceCounts, ...], "Q and R of every further clearance"]
+
+
+@dataclass(frozen=True)
+class CertificateUsed:
+    """What the program vouches for (docs/theory.md)."""
+
+    verdict: Literal["certified", "uncertain", "failed"]
+    reasons: Annotated[tuple[str, ...], "why it is not certified, with numbers"]
 
 
 @dataclass(frozen=True)

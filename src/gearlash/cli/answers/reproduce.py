@@ -54,6 +54,7 @@ class ReproduceAnswer:
     claims: tuple[Claim, ...]
     checks: tuple[Measured, ...]
     statuses: Annotated[dict[str, int], "number of points of all sweeps by status"]
+    certificates: Annotated[dict[str, int], "number of points certified, uncertain, failed"]
     seconds: Annotated[dict[str, float], "by stage"]
     workers: int
     result: Literal["reproduce"] = "reproduce"
@@ -74,6 +75,7 @@ def reproduce_answer(found: article.Reproduction, report: str) -> ReproduceAnswe
         claims=tuple(_claim(row) for row in found.claims),
         checks=tuple(Measured(c.what, c.value, c.bound, c.holds) for c in found.checks),
         statuses=dict(found.run.statuses),
+        certificates=dict(found.run.certificates),
         seconds=dict(found.run.seconds),
         workers=found.run.workers,
     )

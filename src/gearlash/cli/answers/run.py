@@ -11,7 +11,15 @@ from gearlash.system import Status
 
 from .impact_free import ImpactFree
 from .motion import MotionNumbers, motion_numbers
-from .parts import CaseUsed, Multiplier, SignatureCounts, case_used, multiplier_rows
+from .parts import (
+    CaseUsed,
+    CertificateUsed,
+    ClearanceCounts,
+    Multiplier,
+    SignatureCounts,
+    case_used,
+    multiplier_rows,
+)
 from .physical import PhysicalRun, physical_run
 from .sentence import message_of, run_sentence
 
@@ -34,7 +42,8 @@ class RunAnswer:
     parameters: Annotated[dict[str, float], "every parameter of the model by short name, dimensionless"]
     start: Annotated[dict[str, float], "state at phase zero that the search started from"]
     motion: Annotated[Literal["periodic", "aperiodic", "unresolved"], "what was found"]
-    label: Annotated[str, "P-Q-R, aperiodic or unresolved"]
+    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic or unresolved"]
+    certificate: CertificateUsed
     signature: Annotated[SignatureCounts | None, "null where nothing periodic was proved"]
     stable: Annotated[bool | None, "all multipliers inside the unit circle; null without an orbit"]
     state: Annotated[
@@ -84,6 +93,7 @@ def run_answer(
         start=dict(start),
         motion="periodic" if orbit else "unresolved" if isinstance(attractor, Unresolved) else "aperiodic",
         label=attractor.label,
+        certificate=_certificate(attractor),
         signature=_counts(orbit) if orbit else None,
         stable=orbit.stable if orbit else None,
         state=state,
@@ -99,7 +109,20 @@ def run_answer(
 
 
 def _counts(orbit: Orbit) -> SignatureCounts:
-    return SignatureCounts(orbit.signature.period, orbit.signature.drive, orbit.signature.back)
+    names = [clearance.name for clearance in orbit.propagators.system.clearances]
+    found = orbit.signature
+    others = zip(names[1:], found.others, strict=True)
+    return SignatureCounts(
+        found.period,
+        found.drive,
+        found.back,
+        tuple(ClearanceCounts(name, drive, back) for name, (drive, back) in others),
+    )
+
+
+def _certificate(attractor: Attractor) -> CertificateUsed:
+    found = attractor.certificate
+    return CertificateUsed(found.verdict.value, found.reasons)
 
 
 def _physical(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from gearlash.case import Case
 
 from .impact_free import ImpactFree
-from .motion import MotionNumbers
+from .motion import MotionNumbers, OtherClearance
 from .parts import PhysicalValue, rests_on
 
 if TYPE_CHECKING:  # answers are described without the engine
@@ -36,11 +36,11 @@ def run_sentence(
         return f"{here}: {attractor.label}, {message_of(attractor)}"
     label = attractor.signature.short if isinstance(attractor, Orbit) else "aperiodic"
     own = case.structure.get("clearance")  # of a system that need not have teeth
-    doing = sides(numbers, own[0]["name"]) if own else contacts(numbers)
+    doing = met(own[0]["name"], numbers, numbers.cycles) if own else contacts(numbers)
     parts = [f"{here}: {label}, {doing}"]
     if impact_free is not None:
         parts += _quiet(impact_free, speed, free_now=not numbers.events)
-    return "; ".join(parts)
+    return "; ".join([*parts, *(met(other.name, other, numbers.cycles) for other in numbers.others)])
 
 
 def message_of(attractor: Attractor) -> str:
@@ -65,17 +65,18 @@ def contacts(numbers: MotionNumbers) -> str:
     return f"teeth hit the drive side {rate(drive, cycles)} and the back side {rate(back, cycles)}"
 
 
-def sides(numbers: MotionNumbers, name: str) -> str:
-    """The same of a clearance that need not be between teeth."""
-    plus = sum(e.event == "engagement" and e.side == "drive" for e in numbers.events)
-    minus = sum(e.event == "engagement" and e.side == "back" for e in numbers.events)
-    if not plus and not minus:
-        if numbers.share_without_contact == 1.0:
-            return f"{name} never in contact"
-        return f"{name} always in contact on side {'-' if numbers.distances.back.maximum <= 0.0 else '+'}"
-    counts = ((plus, "+"), (minus, "-"))
-    each = [f"on side {s} {rate(n, round(numbers.cycles))}" for n, s in counts if n]
-    return f"{name} met {' and '.join(each)}".replace("mesh cycle", "cycle")
+def met(name: str, gap: MotionNumbers | OtherClearance, cycles: float) -> str:
+    """What happens in a clearance, between teeth or not: ``bearing met on side + once per cycle``."""
+    counts = [
+        (sum(e.event == "engagement" and e.side == side for e in gap.events), sign)
+        for side, sign in (("drive", "+"), ("back", "-"))
+    ]
+    each = [f"on side {sign} {rate(n, round(cycles))}" for n, sign in counts if n]
+    if each:
+        return f"{name} met {' and '.join(each)}".replace("mesh cycle", "cycle")
+    if gap.share_without_contact == 1.0:
+        return f"{name} never in contact"
+    return f"{name} always in contact on side {'-' if gap.distances.back.maximum <= 0.0 else '+'}"
 
 
 def rate(count: int, cycles: int) -> str:

@@ -44,7 +44,9 @@ class SweepPoint:
 
     value: float
     status: str
-    label: Annotated[str, "P-Q-R, aperiodic, unresolved, or empty"]
+    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, unresolved, or empty"]
+    certificate: Annotated[str, "certified, uncertain or failed; empty where nothing was computed"]
+    certificate_reason: Annotated[str, "why it is not certified"]
     largest_exponent: Annotated[float | None, "per unit of τ"]
     exponent_error: float | None
     multiplier_modulus: Annotated[float | None, "of the leading Floquet multiplier"]
@@ -78,6 +80,7 @@ class SweepAnswer:
     parameters: Annotated[dict[str, float], "every parameter but the swept one, by short name"]
     axis: AxisUsed
     statuses: Annotated[dict[str, int], "number of points by status, all directions together"]
+    certificates: Annotated[dict[str, int], "number of points certified, uncertain, failed"]
     coexisting: Annotated[
         tuple[tuple[float, float], ...], "intervals in which directions found different attractors"
     ]
@@ -103,6 +106,7 @@ def sweep_answer(
         parameters={name: value for name, value in parameters.items() if name != axis.name},
         axis=axis_used(case, axis, named),
         statuses=dict(statuses),
+        certificates=dict(sum((Counter(sweep.certificates) for sweep in sweeps), Counter())),
         coexisting=beside,
         sweeps=tuple(_way(sweep) for sweep in sweeps),
     )
@@ -134,6 +138,8 @@ def _point(p: Point) -> SweepPoint:
         value=p.value,
         status=p.status,
         label=p.label,
+        certificate=p.certificate,
+        certificate_reason=p.certificate_reason,
         largest_exponent=p.largest_exponent,
         exponent_error=p.exponent_error,
         multiplier_modulus=abs(p.leading),

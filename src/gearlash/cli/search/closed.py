@@ -14,8 +14,9 @@ from math import inf
 from gearlash import flow
 from gearlash.cli.answers.impact_free import ImpactFree
 from gearlash.orbits import shoot
+from gearlash.orbits.pressing import force_extrema
 from gearlash.orbits.results import Orbit
-from gearlash.system import Family, GearlashError, Status, System
+from gearlash.system import ContactRule, Family, GearlashError, Status, System
 
 STEP = 1.01  # factor from one speed of the search to the next
 REACH = 2.0  # factor to which it goes, up and down
@@ -60,7 +61,8 @@ def impact_free_speeds(family: Family, parameters: Mapping[str, float]) -> Impac
 
 def closed_margin(system: System, side: int) -> float:
     """Least compression (in X) of the periodic motion with the mesh closed on one side (+1 drive, -1 back);
-    -inf where that motion is unstable or was not found.
+    -inf where that motion is unstable or was not found. With the rule `no-tension` contact ends with its
+    force: the least force instead.
     """
     try:
         props = flow.propagators(_closed(system, side))
@@ -70,21 +72,24 @@ def closed_margin(system: System, side: int) -> float:
     orbit = Orbit(props, shot, 0, shot.status, "")
     if shot.status not in (Status.OK, Status.UNCERTAIN) or not orbit.stable:
         return -inf
+    if system.clearances[0].contact is ContactRule.NO_TENSION:
+        return float((side * force_extrema(orbit.trace, 0).force).min(initial=inf))
     gap = system.clearances[0].gap_plus if side > 0 else -system.clearances[0].gap_minus
     positions = orbit.extrema.displacement if len(orbit.extrema) else orbit.trace.samples(2).displacement
     return float((side * (positions - gap)).min())
 
 
 def _closed(system: System, side: int) -> System:
-    """The same system with a gap of no width where this side begins, and this side's stiffness beyond it as
-    well.
+    """The same system with a gap of no width where this side begins, and this side's stiffness and damping
+    beyond it as well. While contact lasts all contact rules are one.
     """
     clearance = system.clearances[0]
     gap = clearance.gap_plus if side > 0 else -clearance.gap_minus
     stiffness = clearance.stiffness_plus if side > 0 else clearance.stiffness_minus
     closed = replace(
-        clearance, gap_plus=gap, gap_minus=-gap, stiffness_plus=stiffness, stiffness_minus=stiffness
-    )
+        clearance, gap_plus=gap, gap_minus=-gap, stiffness_plus=stiffness, stiffness_minus=stiffness,
+        damping=clearance.dampings[0 if side > 0 else 1], damping_minus=None, contact=ContactRule.ALWAYS,
+    )  # fmt: skip
     return replace(system, clearances=(closed,))
 
 

@@ -32,6 +32,7 @@ def _facts(touch: Touch, marks: Marks) -> Iterator[tuple[str, str]]:
         shown = (marks.of(quantity(p.value, pretty(p.unit), 8), p.rests_on) for p in touch.physical)
         yield "physical", ", ".join(shown)
     yield "kind", touch.kind
+    yield "gap", touch.clearance
     yield "type", f"{touch.type} (Table 2)"
     yield "labels", f"{touch.label_below} below, {touch.label_above} above"
     yield "touch", f"phase {touch.phase:.6f} of {touch.period} mesh cycle{'s' if touch.period > 1 else ''}"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
-from gearlash.cli.answers.motion import ForceNumbers, MotionNumbers
+from gearlash.cli.answers.motion import ForceNumbers, MotionNumbers, OtherClearance
 from gearlash.cli.answers.physical import PhysicalEvent, PhysicalRun
 from gearlash.cli.answers.run import RunAnswer
 
@@ -34,6 +34,8 @@ def run_view(answer: RunAnswer, width: int) -> Iterator[Text]:
         yield from _amplitudes(answer.numbers, answer.physical, marks, width)
         if answer.numbers.events:
             yield from _events(answer.numbers, answer.physical, marks, width)
+        for other in answer.numbers.others:
+            yield from _other(other, width)
     footnote = marks.footnote()
     if footnote:
         yield from note(footnote, width)
@@ -53,13 +55,19 @@ def _facts(answer: RunAnswer, marks: Marks) -> Iterator[tuple[str, str]]:
     if answer.signature:
         yield (
             "signature",
-            f"{answer.label} (mesh cycles in a period, impacts on the drive side, on the back side)",
+            f"{answer.label} (mesh cycles in a period, impacts on the drive side, on the back side"
+            + "".join(f"; those of {other.name}" for other in answer.signature.others)
+            + ")",
         )
     if answer.multipliers:
         pairs = (polar(m.re, m.im, m.modulus) for m in answer.multipliers if m.im >= 0.0)
         yield "multipliers", f"{', '.join(pairs)} ({'stable' if answer.stable else 'unstable'})"
     error = f" ± {number(answer.exponent_error, 2)}" if answer.exponent_error else ""
     yield "exponent", f"{number(answer.exponents[0])}{error} per unit of τ (the largest)"
+    yield (
+        "certificate",
+        ": ".join(filter(None, (answer.certificate.verdict, "; ".join(answer.certificate.reasons)))),
+    )
     if answer.numbers:
         yield "no contact", f"{100.0 * answer.numbers.share_without_contact:.3g} % of the time"
 
@@ -127,6 +135,19 @@ def _events(numbers: MotionNumbers, physical: PhysicalRun | None, marks: Marks, 
     count = len(numbers.events)
     more = f", the first {MOST_EVENTS} of {count} (--json has all)" if count > len(rows) else ""
     yield from table(f"Contact events{more}", columns, rows, width)
+
+
+def _other(other: OtherClearance, width: int) -> Iterator[Text]:
+    """A further clearance: its contacts and what it carries, dimensionless."""
+    shown = other.events[:MOST_EVENTS]
+    more = f", the first {len(shown)} of {len(other.events)}" if len(other.events) > len(shown) else ""
+    columns = [("phase", "right"), ("", "left"), ("X′", "right"), ("Φ", "right")]
+    rows = [(f"{e.phase:.5f}", f"{e.event}, {e.side}", number(e.velocity), number(e.force)) for e in shown]
+    if rows:
+        yield from table(f"Contact events of {other.name}{more}", columns, rows, width)
+    free = f"{100.0 * other.share_without_contact:.3g} % of the time"
+    force = f"{number(other.force.minimum)} to {number(other.force.maximum)}"
+    yield from facts(f"In {other.name}", [("no contact", free), ("contact force", force)], width)
 
 
 def _physical_event(event: PhysicalEvent, marks: Marks) -> list[str]:

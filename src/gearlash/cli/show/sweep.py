@@ -25,6 +25,10 @@ def sweep_view(answer: SweepAnswer, width: int) -> Iterator[Text]:
 
 def _facts(answer: SweepAnswer) -> Iterator[tuple[str, str]]:
     yield "points", ", ".join(f"{count} {status}" for status, count in answer.statuses.items())
+    yield (
+        "certificates",
+        ", ".join(f"{count} {verdict}" for verdict, count in answer.certificates.items()) or "–",
+    )
     for low, high in zip(answer.axis.physical_lower, answer.axis.physical_upper, strict=True):
         yield (
             low.name.replace("_", " "),

@@ -6,20 +6,22 @@ from gearlash.report.blocks import Page
 from gearlash.report.pictures import Picture
 from gearlash.studies.article import Reproduction
 
-from . import claims, events, method, sources, summary, sweeps, table2, zones
+from . import claims, events, method, rules, sources, summary, sweeps, table2, zones
 
 
 def document(done: Reproduction) -> tuple[Page, list[Picture]]:
-    """Summary, claims, zones, sweeps, events, Table 2, assumptions, method."""
+    """Summary, claims, zones, sweeps, events, contact rules, Table 2, assumptions, method."""
     swept, drawn_sweeps = sweeps.section(done)
     zoned, drawn_zones = zones.section(done)
     shown, drawn_events = events.section(done)
+    compared = rules.section(done)
     parts = (
         summary.section(done),
         claims.section(done),
         zoned,
         swept,
         shown,
+        *([compared] if compared is not None else []),
         table2.section(done),
         sources.section(done),
         method.section(done),

@@ -1,4 +1,5 @@
-"""How it was computed, and how well: method, bounds measured in this run, statuses, versions, time."""
+"""How it was computed, and how well: method, bounds measured in this run, statuses, certificates,
+versions, time."""
 
 from __future__ import annotations
 
@@ -25,6 +26,7 @@ def section(done: Reproduction) -> Section:
     checks = tuple((c.what, c.value, c.bound, yes_or_no(c.holds)) for c in done.checks)
     time = tuple((stage, f"{seconds:.1f} s") for stage, seconds in run.seconds.items())
     statuses = tuple((status, str(count)) for status, count in run.statuses.items())
+    certificates = tuple((verdict, str(count)) for verdict, count in run.certificates.items())
     versions = tuple(
         (name.replace("_version", "").replace("_", " "), text) for name, text in run.versions.items()
     )
@@ -42,6 +44,15 @@ def section(done: Reproduction) -> Section:
             "Points of all sweeps by status.",
             ("status", "points"),
             statuses,
+            frozenset({1}),
+        ),
+        Table(
+            "table-certificates",
+            "Points of all sweeps by certificate. Certified: the orbit closes to 1e-11, its period is least, "
+            "no contact was undecided, and neither its impact counts nor its stability can change within its "
+            "error. Aperiodic motion is certified where its exponent stands beyond its error bar.",
+            ("certificate", "points"),
+            certificates,
             frozenset({1}),
         ),
         Table(

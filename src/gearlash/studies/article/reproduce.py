@@ -25,22 +25,28 @@ from .claims import Claim, load
 from .events import Found, Scene
 from .reproduction import Check, Diagram, Event, Mark, Reproduction, Run, Zone
 from .rows import SETTINGS, Row, distinct, rows
+from .rules import effects
 from .table2 import fill
 from .verdicts import Evidence, judge
 from .zoning import article_zones
 
-STAGES = ("sweeps over ω", "sweeps over D", "zones", "events", "verdicts")
+STAGES = ("sweeps over ω", "sweeps over D", "zones", "events", "verdicts", "contact rules")
 StageProgress = Callable[[str, Progress | None], object]
+
+
+RULES_BACKLASH = (*(round(0.34 + 0.01 * i, 2) for i in range(17)), 0.6, 0.7, 0.8, 0.9, 1.0)
 
 
 @dataclass(frozen=True)
 class Scope:
-    """What is swept: ends and number of points on each axis, and what is fixed."""
+    """What is swept: ends and number of points on each axis, what is fixed, and the values of D at which the
+    contact rules are compared."""
 
     omega: tuple[float, float, int] = (0.5, 1.4, 451)
     backlash: tuple[float, float, int] = (0.1, 1.0, 361)
     fixed_backlash: float = 1.0
     fixed_omega: float = 0.78
+    rules_backlash: tuple[float, ...] = RULES_BACKLASH
 
 
 @dataclass
@@ -81,6 +87,10 @@ def reproduce(
             for zone in article_zones(case, claim, *by_axis[claim.parameter], executor)
         )
         clock.lap(STAGES[2])
+        tell(STAGES[5], None)
+        at = {"omega": scope.fixed_omega, "D": scope.fixed_backlash}
+        compared = effects(case, scope.rules_backlash, at, executor)
+        clock.lap(STAGES[5])
     tell(STAGES[3], None)
     family, _ = case.family()
     values = family.complete()
@@ -114,6 +124,7 @@ def reproduce(
         claims=judged,
         checks=_checks(case, all_rows, found),
         run=_run(case, clock, workers, all_rows),
+        rules=compared,
     )
 
 
@@ -243,6 +254,6 @@ def _run(case: Case, clock: _Clock, workers: int | None, done: Sequence[Row]) ->
     seconds = {**clock.seconds, "total": sum(clock.seconds.values())}
     about = provenance(case)
     versions = {name: text for name, text in about.items() if "version" in name}
-    return Run(
-        seconds, workers or cores, cores, versions, dict(statuses), all(row.sweep.complete for row in done)
-    )
+    certificates = Counter(p.certificate for row in done for p in row.sweep.points if p.certificate)
+    complete = all(row.sweep.complete for row in done)
+    return Run(seconds, workers or cores, cores, versions, dict(statuses), complete, dict(certificates))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case
@@ -166,6 +166,47 @@ class Check:
 
 
 @dataclass(frozen=True)
+class Touch:
+    """A grazing that was solved for: value of the parameter with its error, labels below and above, kind,
+    what is touched ("gap": X = ±D, "force": Φ = 0), largest exponent of the touching orbit."""
+
+    value: float
+    error: float
+    label_below: str
+    label_above: str
+    kind: str
+    surface: str
+    exponent: float
+
+
+@dataclass(frozen=True)
+class RuleLabel:
+    """The motion at one value: label, whether the back side is hit in it, certificate."""
+
+    parameter: str
+    value: float
+    label: str
+    back_hit: bool
+    certificate: str
+
+
+@dataclass(frozen=True)
+class RuleEffect:
+    """The small study under one contact rule; ``stated``: it is the case's own. ``lower`` and ``upper`` are
+    the ends in ω of the motion without impacts (None: not found), ``speeds`` the cold starts at the multibody
+    speeds, ``backlash`` the points of a sweep over D, followed down, ``back_side`` the back-side grazings
+    along it."""
+
+    rule: str
+    stated: bool
+    lower: Touch | None
+    upper: Touch | None
+    speeds: tuple[RuleLabel, ...]
+    backlash: tuple[RuleLabel, ...]
+    back_side: tuple[Touch, ...]
+
+
+@dataclass(frozen=True)
 class Run:
     """How the run went."""
 
@@ -175,6 +216,7 @@ class Run:
     versions: Mapping[str, str]
     statuses: Mapping[str, int]
     complete: bool
+    certificates: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
@@ -191,3 +233,4 @@ class Reproduction:
     claims: tuple[ClaimRow, ...]
     checks: tuple[Check, ...]
     run: Run
+    rules: tuple[RuleEffect, ...] = ()

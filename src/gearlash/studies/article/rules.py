@@ -1,0 +1,123 @@
+"""What the contact rule does to the article's window and events: the same study in small, once per rule.
+
+The article prints a force whose damping acts in the gap too (`always`). Each rule gets the two ends of its
+window without impacts, the labels at the article's two multibody speeds, and one sweep over D, followed down,
+with the back-side grazings along it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash import flow
+from gearlash.branches import GrazingPoint, locate_grazing
+from gearlash.case import Case
+from gearlash.orbits import Orbit, grazing_checks, shoot
+from gearlash.results import Axis, Direction
+from gearlash.studies.point import point
+from gearlash.studies.sweep import sweep
+from gearlash.studies.transitions import GRAZING, transitions
+from gearlash.system import ContactRule, Family, GearlashError, Status
+
+from .reproduction import RuleEffect, RuleLabel, Touch
+from .rows import SETTINGS
+
+SPEEDS = (0.942, 1.047)  # of the article's multibody runs
+STEP = 0.01  # of ω, along which the impact-free orbit is followed to its ends
+MOST_STEPS = 60
+OPTION = "model.contact"
+
+
+def effects(
+    case: Case, backlash: Sequence[float], fixed: Mapping[str, float], executor: Executor
+) -> tuple[RuleEffect, ...]:
+    """One effect per rule, that of the case first; none for a case whose rule is not a choice. ``backlash``
+    are the values of D, ``fixed`` the frequency of that sweep and the D of everything else."""
+    stated = next((str(v.value) for v in case.values() if v.path == OPTION), None)
+    if stated is None:
+        return ()
+    order = sorted(ContactRule, key=lambda rule: rule != stated)
+    tasks = [
+        executor.submit(effect, case.to_json(), str(rule), stated, tuple(backlash), dict(fixed))
+        for rule in order
+    ]
+    return tuple(task.result() for task in tasks)
+
+
+def effect(
+    case_json: str, rule: str, stated: str, backlash: tuple[float, ...], fixed: Mapping[str, float]
+) -> RuleEffect:
+    """The study of one rule (a task for a worker)."""
+    case = Case.from_json(case_json).with_overrides({OPTION: rule})
+    family, _ = case.family()
+    at_speeds = [
+        point(family, {"D": fixed["D"], "omega": omega}, name="omega", settings=SETTINGS) for omega in SPEEDS
+    ]
+    quiet = next((p for p in at_speeds if p.impact_free), None)
+    ends = (None, None)
+    if quiet is not None:
+        values = family.complete({"D": fixed["D"]})
+        ends = tuple(_end(family, values, quiet.value, quiet.state, side) for side in (-1, 1))
+    along = {"omega": fixed["omega"]}
+    down = sweep(
+        case, Axis("D", np.array(sorted(backlash))), fixed=along, direction=Direction.DOWN, settings=SETTINGS
+    )
+    found = transitions(family, along, "D", down.points, rising=False)
+    return RuleEffect(
+        rule=rule,
+        stated=rule == stated,
+        lower=ends[0],
+        upper=ends[1],
+        speeds=tuple(_label("omega", p) for p in at_speeds),
+        backlash=tuple(_label("D", p) for p in down.points),
+        back_side=tuple(
+            _touch(t.point)
+            for t in found
+            if t.kind == GRAZING and isinstance(t.point, GrazingPoint) and t.point.boundary < 0
+        ),
+    )
+
+
+def _label(name: str, p) -> RuleLabel:
+    return RuleLabel(name, p.value, p.label or p.status, len(p.back_phase) > 0, p.certificate)
+
+
+def _end(
+    family: Family, values: Mapping[str, float], omega: float, state: NDArray[np.float64], side: int
+) -> Touch | None:
+    """The grazing at one end of the interval in ω in which the impact-free orbit through ``state`` exists."""
+    last = None
+    for i in range(MOST_STEPS):
+        at = omega + side * i * STEP
+        props = flow.propagators(family.system({**values, "omega": at}))
+        shot = shoot(props, state, 1)
+        orbit = Orbit(props, shot, 0, shot.status, "")
+        if not shot.status.ok or orbit.signature.impacts:
+            break
+        last, state = (at, orbit), shot.state
+    if last is None:
+        return None
+    at, orbit = last
+    for check in grazing_checks(orbit)[:2]:
+        try:
+            point = locate_grazing(family, {**values, "omega": at}, "omega", orbit, check)
+        except (GearlashError, np.linalg.LinAlgError):
+            continue
+        if point.status is Status.OK:
+            return _touch(point)
+    return None
+
+
+def _touch(point: GrazingPoint) -> Touch:
+    return Touch(
+        point.value,
+        point.error,
+        point.label_below,
+        point.label_above,
+        point.kind,
+        point.surface,
+        point.exponent,
+    )
