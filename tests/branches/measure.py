@@ -30,14 +30,15 @@ def _orbits() -> None:
         found = orbit(family, **place)
         system = found.propagators.system
         run = oracle.run(system, found.state, float(found.period))
-        theirs = run.jacobian.astype(float)
+        theirs, trace = run.jacobian.astype(float), found.propagators.trace
+        assert trace is not None  # damping acts always
         data, gap = sections(found), system.clearances[0].gap_plus
         apart = [np.abs(data.drive.displacement - gap), np.abs(data.back.displacement + gap)]
         new = {
             "residual": found.residual,
             "closes under heyoka": float(np.abs(run.state - found.state).max()),
             "monodromy": float(np.abs(found.shot.monodromy - theirs).max() / np.abs(theirs).max()),
-            "sum of exponents": abs(found.exponents.sum() / found.propagators.trace - 1.0),
+            "sum of exponents": abs(found.exponents.sum() / trace - 1.0),
             "on boundary": float(np.concatenate(apart).max(initial=0.0)),
         }
         worst = {name: max(value, new[name]) for name, value in worst.items()}
@@ -45,6 +46,7 @@ def _orbits() -> None:
         print(f"{len(PLACES)} orbits of the article's pair, {name:22} {value:.1e}")
     chaos = cold(family, omega=0.78, D=0.3)
     spectrum = lyapunov(chaos.propagators, chaos.final_state, 2_000)
+    assert chaos.propagators.trace is not None
     defect = abs(spectrum.trace_defect / chaos.propagators.trace)
     print(f"chaos, sum of exponents over trace - 1{'':18} {defect:.1e}")
 
