@@ -13,7 +13,7 @@ from gearlash.system import GearlashError, Status
 
 from . import _march
 from ._tables import ORDER, Array
-from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY, WRONG_SIDE
+from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
 from .events import Events, Trace
 from .propagators import Propagators
 
@@ -21,7 +21,6 @@ _STATUS = {
     OK: Status.OK,
     TOO_MANY: Status.TOO_MANY_EVENTS,
     DIVERGED: Status.DIVERGED,
-    WRONG_SIDE: Status.NOT_ADMISSIBLE,
 }
 CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon
 MOST_PIECES = 2_000_000
@@ -29,9 +28,9 @@ MOST_PIECES = 2_000_000
 
 @dataclass(frozen=True, eq=False)
 class Strobes:
-    """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4·clearances): of each
-    clearance engagements at + and at -, releases at + and at -; `undecided` counts places where touching lies
-    within rounding."""
+    """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4·clearances):
+    of each clearance engagements at + and at -, releases at + and at -; `undecided` counts places where
+    touching lies within rounding."""
 
     states: Array
     contacts: Array
@@ -159,8 +158,8 @@ def orthonormal_growth(props: Propagators, z: Array, frame: Array, periods: int)
     """Carries z (n,) and the orthonormal rows of frame (m, n) in place over base periods; returns the sums
     (m,) of the logarithms of the lengths."""
     sums = np.zeros(len(frame))
-    status, _, _ = _run(props, z, 0.0, float(props.cells), periods, tangents=frame, sums=sums)
-    return status, sums
+    status, _, counts = _run(props, z, 0.0, float(props.cells), periods, tangents=frame, sums=sums)
+    return _with_doubt(status, counts), sums
 
 
 def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float, float]:
@@ -192,8 +191,8 @@ def _run(
     base: float = 0.0,
     record: _Record | None = None,
 ) -> tuple[Status, Array, Array]:
-    """Calls the kernel: state (n,) and the rows of tangents (m, n) are carried in place. Where the motion comes
-    to a region without tables, they are built, and it goes on."""
+    """Calls the kernel: state (n,) and the rows of tangents (m, n) are carried in place. Where the
+    motion comes to a region without tables, they are built, and it goes on."""
     shape, n = props.shape, state.size
     strobes = np.full((stretches + 1, n), np.nan)  # what is not reached stays NaN
     counts = np.zeros((stretches, _columns(props)), dtype=np.int64)
