@@ -4,7 +4,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
-.PHONY: help reproduce test lint types format look lock clean
+.PHONY: help reproduce test lint types format look bench lock clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -20,6 +20,7 @@ help:
 	@echo "make reproduce  environment, then the whole study; says where the report is"
 	@echo "make test       environment, then format, lint, types, layers and every test with coverage"
 	@echo "make lint | types | format    one of these alone"
+	@echo "make bench      gearlash and other solvers on the same work; renews docs/benchmarks.md (a quiet machine, please)"
 	@echo "make look       pages and figures of the report as numbered PNGs (needs a Chromium)"
 	@echo "make lock       pin the newest versions (needs uv)"
 	@echo "make clean      remove .venv and everything made"
@@ -70,6 +71,11 @@ look: $(VENV)/.dev
 	test -d reproduce || $(MAKE) reproduce
 	$(BIN)/python -m gearlash.report.look
 
+bench: $(VENV)/.dev
+	$(BIN)/gearlash bench --out bench
+	cp bench/benchmarks.md docs/
+	cp bench/images/benchmark-cost.png docs/images/
+
 LOCK := uv pip compile --quiet --upgrade --universal --python-version 3.11 --no-emit-index-url \
 	--annotation-style line --custom-compile-command "make lock" pyproject.toml requirements/build.in
 
@@ -78,4 +84,4 @@ lock:
 	$(LOCK) --extra dev --constraint requirements/run.txt --output-file requirements/dev.txt
 
 clean:
-	rm -rf $(VENV) reproduce look .coverage .coverage.* .hypothesis .pytest_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) reproduce look bench .coverage .coverage.* .hypothesis .pytest_cache .ruff_cache .import_linter_cache

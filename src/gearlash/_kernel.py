@@ -6,8 +6,9 @@ vector and a scalar version of many loops, chooses by the addresses of arrays, a
 differently, so that the last bit would depend on where memory happened to lie. Fused operations are written
 out (`fma`), and every version of a loop then gives the same bytes. The cache key is a hash of *all* kernel
 sources: numba alone looks at the file of the function only and would keep a caller whose callee has
-changed. Where no cache folder is writable, kernels are compiled in memory; `GEARLASH_CACHE_DIR` names
-another folder.
+changed. Every version has a folder of its own; those unused for a month go when a new one is made. Where a
+cached kernel is missing or damaged, it is compiled again; where no cache folder is writable, in memory.
+`GEARLASH_CACHE_DIR` names another folder.
 """
 
 from __future__ import annotations
@@ -16,43 +17,82 @@ import contextlib
 import functools
 import hashlib
 import os
+import pickle
+import re
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 F = TypeVar("F", bound=Callable[..., Any])
 
+UNUSED_DAYS = 30.0
+"""After so many days without use the cache folder of another version may go."""
+
 if TYPE_CHECKING:
 
-    def kernel(signature: Any) -> Callable[[F], F]: ...
+    def kernel(signature: Any, allocates: bool = False) -> Callable[[F], F]: ...
     def inner(function: F) -> F: ...
+    def inlined(function: F) -> F: ...
+    def allocating(function: F) -> F: ...
     def fma(a: float, b: float, c: float) -> float: ...
 
 else:
     import numba
     from numba.core import caching
     from numba.extending import intrinsic
+    from numba.np import arrayobj
 
-    def kernel(signature):
+    def kernel(signature, allocates=False):
         """An entry point: compiled for one explicit signature when its module is imported, or read from the
-        cache."""
+        cache. Unless it ``allocates`` arrays it is compiled without reference counts, which cost more than the
+        arithmetic of a small product."""
 
         def wrap(function):
             if numba.config.DISABLE_JIT:
                 return function
-            dispatcher = numba.jit(nogil=True, error_model="numpy")(function)
+            dispatcher = numba.jit(nogil=True, error_model="numpy", _nrt=allocates)(function)
             _enable_cache(dispatcher)
-            with _slp_vectoriser():
+            with _plain_indices():
                 dispatcher.compile(signature)
             dispatcher.disable_compile()
             return dispatcher
 
         return wrap
 
+    # Helpers are never called from Python: no wrapper and no machine code of their own, half the compiling time.
+    _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+
     def inner(function):
-        """A helper that only kernels call: compiled into its callers and cached with them."""
-        return numba.jit(nogil=True, error_model="numpy")(function)
+        """A helper that only kernels call: compiled into its callers and cached with them; allocates nothing."""
+        return numba.jit(nogil=True, error_model="numpy", _nrt=False, **_INNER)(function)
+
+    def inlined(function):
+        """A helper on the hot path, with one place that calls it: no call is left of it. (A call passes every
+        array as seven numbers, which can cost more than its work.)"""
+        return numba.jit(nogil=True, error_model="numpy", _nrt=False, forceinline=True, **_INNER)(function)
+
+    def allocating(function):
+        """A helper that makes arrays."""
+        return numba.jit(nogil=True, error_model="numpy", **_INNER)(function)
+
+    @contextlib.contextmanager
+    def _plain_indices():
+        """Indices as they are, while kernels are compiled: none of theirs counts from the end, and a test for
+        that at every access keeps loops from becoming vector instructions (and doubles the compiling time). A
+        numba without this function compiles as usual."""
+        before = getattr(arrayobj, "fix_integer_index", None)
+        if before is not None:
+            arrayobj.fix_integer_index = _plain_index
+        try:
+            yield
+        finally:
+            if before is not None:
+                arrayobj.fix_integer_index = before
+
+    def _plain_index(context, builder, kind, index, size):
+        return context.cast(builder, index, kind, numba.types.intp if kind.signed else numba.types.uintp)
 
     if numba.config.DISABLE_JIT:
 
@@ -72,17 +112,6 @@ else:
 
             return signature, generate
 
-    @contextlib.contextmanager
-    def _slp_vectoriser():
-        """Lets the compiler join neighbouring scalar operations into vector ones (numba leaves that off): the
-        blocks of eight rows in `flow._blocks` are written for it."""
-        before = numba.config.SLP_VECTORIZE
-        numba.config.SLP_VECTORIZE = 1
-        try:
-            yield
-        finally:
-            numba.config.SLP_VECTORIZE = before
-
     class _Locator:
         """Puts compiled kernels of this version of all kernel sources into one folder of their own."""
 
@@ -90,7 +119,9 @@ else:
             self._folder = folder
 
         def ensure_cache_path(self):
-            self._folder.mkdir(parents=True, exist_ok=True)
+            if not self._folder.is_dir():
+                self._folder.mkdir(parents=True, exist_ok=True)
+                prune(self._folder)
 
         def get_cache_path(self):
             return str(self._folder)
@@ -112,12 +143,77 @@ else:
         def get_filename_base(self, fullname, abiflags):
             return f"{fullname}-{abiflags}"
 
+    class _Files(caching.IndexDataCacheFile):
+        """Files that end with a digest of what stands before it; a damaged one counts as missing. (Reading it
+        could raise anything, and machine code with one wrong bit would run.)"""
+
+        def _load_index(self):
+            try:
+                stamp, overloads = pickle.loads(_unsealed(self._index_path))
+            except OSError:
+                return {}
+            return overloads if stamp == self._source_stamp else {}
+
+        def _save_index(self, overloads):
+            self._write(self._index_path, (self._source_stamp, overloads))
+
+        def _load_data(self, name):
+            return pickle.loads(_unsealed(self._data_path(name)))
+
+        def _save_data(self, name, data):
+            self._write(self._data_path(name), data)
+
+        def _write(self, path, content):
+            data = self._dump(content)
+            with self._open_for_write(path) as stream:
+                stream.write(data + hashlib.sha256(data).digest())
+
     class _Cache(caching.Cache):
         _impl_class = _CacheImpl
 
+        def __init__(self, function):
+            super().__init__(function)
+            self._cache_file = _Files(
+                self._cache_path, self._impl.filename_base, self._impl.locator.get_source_stamp()
+            )
+
+        def save_overload(self, signature, data):
+            """Keeps a kernel, where that is possible: a full disk or a folder that cannot be written is no
+            reason to stop."""
+            with contextlib.suppress(OSError):
+                super().save_overload(signature, data)
+
     def _enable_cache(dispatcher):
-        if _writable(cache_folder()):
-            dispatcher._cache = _Cache(dispatcher.py_func)
+        _mark_used(cache_folder() / sources_hash()[:16])
+        dispatcher._cache = _Cache(dispatcher.py_func)
+
+
+def _unsealed(path: str) -> bytes:
+    """What a cache file holds. Raises `OSError` where it is missing or not as it was written."""
+    data = Path(path).read_bytes()
+    content, digest = data[:-32], data[-32:]
+    if hashlib.sha256(content).digest() != digest:
+        raise OSError(f"{path} is damaged")
+    return content
+
+
+@functools.cache
+def _mark_used(folder: Path) -> None:
+    """The time of a folder says when its kernels were last asked for."""
+    with contextlib.suppress(OSError):
+        os.utime(folder)
+
+
+def prune(folder: Path) -> None:
+    """Removes the kernels of other versions beside this folder that nothing has used for `UNUSED_DAYS`."""
+    oldest = time.time() - 86400.0 * UNUSED_DAYS
+    with contextlib.suppress(OSError):
+        for other in folder.parent.iterdir():
+            named = re.fullmatch(r"[0-9a-f]{16}", other.name)
+            if named and other != folder and other.is_dir() and other.stat().st_mtime < oldest:
+                for file in (*other.glob("*.nbi"), *other.glob("*.nbc")):
+                    file.unlink(missing_ok=True)
+                other.rmdir()
 
 
 @functools.cache
@@ -138,14 +234,18 @@ def cache_folder() -> Path:
     named = os.environ.get("GEARLASH_CACHE_DIR")
     if named:
         return Path(named)
-    base = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA") or str(Path.home() / ".cache")
+    base = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
+    if not base:
+        try:
+            base = Path.home() / ".cache"
+        except RuntimeError:  # a user without a home
+            base = os.devnull
     return Path(base) / "gearlash"
 
 
 @functools.cache
 def _writable(folder: Path) -> bool:
-    """Whether files can be made there. A folder that cannot be written means: compile in memory, say
-    nothing."""
+    """Whether files can be made there. A folder that cannot be written means: compile in memory."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         probe = folder / f".probe-{os.getpid()}"

@@ -414,7 +414,7 @@ def test_the_stiffness_conflict_is_noted_and_not_used(article):
 
 @pytest.mark.parametrize("name", bundled())
 def test_json_round_trip_gives_an_identical_family(name):
-    case = load(name, {"D": 0.73})
+    case = load(name, {"omega": 0.73})
     again = Case.from_json(case.to_json())
     assert again == case
     assert again.hash == case.hash

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from case.corpus import BAD_FILES, Bad
 from cli.conftest import Gearlash
 from cli.schema_check import problems
 from gearlash.cli.kinds import answer_kind
@@ -80,10 +81,80 @@ BAD = {
     ("graze", "article", "--near", "1.1", "--set", "omega=1"): "--set omega=1",
     ("zones", "article", "--over", "omega=0.5:1.4:9", "--kind", "quiet"): "impact-free",
     ("reproduce", "kahraman-sing"): "'kahraman-singh'",
+    ("check", "ARTICLE"): "'article'",
+    ("check", "."): "directory",
+    ("check", ""): "directory",
+    ("check", "bad\0name"): "a case file that can be read",
+    ("check", "n" * 5000): "a case file that can be read",
+    ("check", "../../../etc/no-such-file"): "No such file",
+    ("check", "article", "--set", ""): "NAME=VALUE",
+    ("check", "article", "--set", "=1"): "NAME=VALUE",
+    ("check", "article", "--set", "omega="): "NAME=VALUE",
+    ("check", "article", "--set", "omega==1"): "does not start with a number",
+    ("check", "article", "--set", "omega=-1"): "above 0",
+    ("check", "article", "--set", "omega=0"): "above 0",
+    ("check", "article", "--set", "OMEGA=1"): "'omega'",
+    ("check", "article", "--set", "ripple_1=0.1"): "'ripple'",
+    ("check", "article", "--set", "D=1 mm"): "a number without unit",
+    ("check", "article", "--set", "D=1e999"): "too large to be a number",
+    ("check", "article", "--set", "D=0x1"): "no unit",
+    ("check", "article", "--set", "D=1;"): "no unit",
+    ("check", "article", "--set", "D=$(id)"): "does not start with a number",
+    ("check", "article", "--set", "D=0.8", "--set", "backlash=80um"): "name the same quantity",
+    ("check", "article", "--set", "mass=3kg"): "pinion.mass, gear.mass",
+    ("check", "article", "--set", "torque=95mN"): "a torque with its unit",
+    ("check", "article", "--set", "pinion_speed=3600"): "a rotational speed with its unit",
+    ("check", "article", "--set", "reference_length=40um"): "D_c is settled",
+    ("check", "article", "--set", "contact=sometimes"): "one of always",
+    ("check", "article", "--set", "ripple=1.9"): "stiffness positive",
+    ("check", "article", "--set", "name=x"): "exists here",
+    ("check", "article", "--set", "teeth=28"): "pinion.teeth, gear.teeth",
+    ("sweep", "article", "--over", ""): "NAME=FROM:TO:COUNT",
+    ("sweep", "article", "--over", "omega"): "NAME=FROM:TO:COUNT",
+    ("sweep", "article", "--over", "=0.5:1:9"): "exists here",
+    ("sweep", "article", "--over", "omega=a:1:9"): "does not start with a number",
+    ("sweep", "article", "--over", "omega=0.5:nan:9"): "not a finite number",
+    ("sweep", "article", "--over", "omega=0:1:9"): "above 0",
+    ("sweep", "article", "--over", "omega=1:1:9"): "a rising interval",
+    ("sweep", "article", "--over", "omega=0.5:1:9.5"): "number of points",
+    ("sweep", "article", "--over", "omega=0.5:1:-9"): "number of points",
+    ("sweep", "article", "--over", "omega=0.5:1:10000000"): "from 2 to 1,000,000",
+    ("sweep", "article", "--over", "omega=0.5:1:9:9"): "NAME=FROM:TO:COUNT",
+    ("sweep", "article", "--over", "contact=0:1:9"): "unknown parameter to vary",
+    ("sweep", "article", "--over", "torque=1N:2N:9"): "a torque with its unit",
+    ("sweep", "article", "--over", "mesh_frequency=1rpm:2rpm:9"): "cycles per second",
+    ("sweep", "article", "--over", "omega=0.5:1:9", "--workers", "-1"): "--workers",
+    ("sweep", "article", "--over", "omega=0.5:1:9", "--workers", "many"): "--workers",
+    ("run", "article", "--max-period", "5000"): "--max-period",
+    ("run", "article", "--periods", "1.5"): "--periods",
+    ("run", "article", "--initial", "X=1", "--initial", "X=2"): "X = '1' and X = '2'",
+    ("run", "article", "--initial", "=1"): "NAME=VALUE",
+    ("run", "article", "--initial", "."): "the JSON of an earlier run",
+    ("run", "article", "--out", "/dev/null/here"): "cannot be written",
+    ("run", "article", "--out", "/dev/null"): "cannot be written",
+    ("schema", "--result", "swep"): "'sweep'",
+    ("sweeep", "article"): "sweep",
+    ("run", "article", "--jsn"): "--json",
+    ("run",): "CASE",
 }
 
 
-@pytest.mark.parametrize("arguments", BAD, ids=" ".join)
+def test_the_corpus_of_bad_commands_does_not_shrink():
+    assert len(BAD) >= 75
+
+
+@pytest.mark.parametrize("bad", BAD_FILES, ids=[bad.kind for bad in BAD_FILES])
+def test_every_kind_of_bad_file_ends_with_code_2(bad: Bad, gearlash: Gearlash, tmp_path: Path):
+    path = tmp_path / "bad.toml"
+    path.write_text(bad.text, encoding="utf-8")
+    ran = gearlash("check", str(path))
+    assert (ran.code, ran.out) == (2, "")
+    assert " ".join(bad.expected.split()) in ran.complaint
+    assert "Traceback" not in ran.err
+    assert "\x1b" not in ran.err
+
+
+@pytest.mark.parametrize("arguments", BAD, ids=lambda arguments: " ".join(arguments)[:80])
 def test_each_is_refused_with_what_to_type_instead(arguments: tuple[str, ...], gearlash: Gearlash):
     ran = gearlash(*arguments)
     assert ran.code == 2

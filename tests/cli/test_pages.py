@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import gearlash
-from gearlash.case.quantities import KINDS, quantities, two_way
+from gearlash.case.quantities import GEAR_KINDS, quantities, two_way
 from gearlash.orbits import Orbit
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -25,13 +25,13 @@ def names(column: int) -> list[str]:
 
 
 def test_symbols_name_parameters_that_exist():
-    known = {short for kind in KINDS for short in two_way(kind)}
+    known = {short for kind in GEAR_KINDS for short in two_way(kind)}
     assert len(names(3)) >= 18
     assert [name for name in names(3) if name not in known] == []
 
 
 def test_symbols_name_paths_that_exist():
-    known = {path for kind in KINDS for path in quantities(kind)}
+    known = {path for kind in GEAR_KINDS for path in quantities(kind)}
     assert len(names(4)) >= 12
     assert [name for name in names(4) if name not in known] == []
 

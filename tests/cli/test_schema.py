@@ -42,7 +42,7 @@ def test_every_kind_has_a_schema_whose_pointers_lead_somewhere(kind: str, gearla
 
 def test_case_schema_is_that_of_the_case_room(gearlash: Gearlash):
     schema = gearlash("schema").answer
-    assert set(schema["discriminator"]["mapping"]) == {"helical-pair", "spur-1dof"}
+    assert set(schema["discriminator"]["mapping"]) == {"helical-pair", "spur-1dof", "piecewise-linear"}
 
 
 def test_unknown_kind_names_the_nearest(gearlash: Gearlash):

@@ -10,7 +10,7 @@ heyoka: Biscani, Izzo, MNRAS 504 (2021) 2614, doi:10.1093/mnras/stab1032.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import heyoka as hy
@@ -49,7 +49,7 @@ class Run:
 
 
 @dataclass
-class _Slots:
+class Slots:
     """Runtime parameters: named blocks of the vector that heyoka calls ``par``."""
 
     size: int = 0
@@ -74,7 +74,7 @@ class _Slots:
 class _Record:
     """What the callbacks of one integration saw, and the region switch."""
 
-    def __init__(self, slots: _Slots, size: int):
+    def __init__(self, slots: Slots, size: int):
         self._slots, self.size = slots, size
         self.start(forward=True)
 
@@ -140,7 +140,7 @@ class Oracle:
         }
         self._mask = mask
         self._has_offset = any(np.any(s.clearances[0].offset) for s in examples)
-        self._slots = _Slots()
+        self._slots = Slots()
         self._record = _Record(self._slots, self.size)
         self._variational = variational
         self._compile()
@@ -261,13 +261,12 @@ class Oracle:
         outcome = integrator.propagate_until(Real(phase) + Real(cycles), max_steps=1_000_000)[0]
         if outcome != hy.taylor_outcome.time_limit:
             raise RuntimeError(f"heyoka stopped early: {outcome}")
-        check_walk(system, self._result(system, everything=True), region, forward=cycles >= 0)
-        return self._result(system)
+        result = self._result(system)
+        check_walk(system, result, region, forward=cycles >= 0)
+        return _at_stops(system, result)
 
-    def _result(self, system: System, *, everything: bool = False) -> Run:
-        (clearance,), n, turns = system.clearances, self.size, self._record.turns
-        # crossing the boundary of a side without stiffness is no contact
-        crossings = [c for c in self._record.crossings if everything or clearance.stops(c[1])]
+    def _result(self, system: System) -> Run:
+        crossings, turns, n = self._record.crossings, self._record.turns, self.size
         states = np.array([c[3] for c in crossings], dtype=Real).reshape(-1, n)
         phase = np.array([c[0] for c in crossings], dtype=Real)
         return Run(
@@ -285,6 +284,13 @@ class Oracle:
             extremum_state=np.array([t[2] for t in turns], dtype=Real).reshape(-1, n),
             extremum_curvature_sign=np.array([t[1] for t in turns], dtype=int),
         )
+
+
+def _at_stops(system: System, run: Run) -> Run:
+    """Without what crosses the edge of a side that has no stiffness: nothing is hit there."""
+    real = np.array([system.clearances[0].stops(b) for b in run.boundary], dtype=bool)
+    names = ("phase", "boundary", "engaging", "states", "velocity")
+    return replace(run, **{name: getattr(run, name)[real] for name in names})
 
 
 def check_walk(system: System, run: Run, region: int, forward: bool) -> None:

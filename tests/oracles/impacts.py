@@ -1,5 +1,7 @@
 """One degree of freedom with constant stiffness on either side: every crossing in closed form (mpmath).
 
+Contact rules `always` and `in-contact`; under both, contact begins and ends at X = ±D.
+
 Inside a region the solution is exponentials and harmonics; only its roots are searched. The grid brackets
 roots of X ∓ D and of X′; between two neighbours with X′ of one sign X is monotone, so no pair of roots hides.
 """
@@ -11,7 +13,7 @@ from itertools import pairwise
 import mpmath as mp
 import numpy as np
 
-from gearlash.system import System
+from gearlash.system import ContactRule, System
 
 
 class _Region:
@@ -64,10 +66,14 @@ def exact_impacts(system: System, state, cycles: int, phase: float = 0.0, digits
     (c,) = system.clearances
     if len(c.stiffness_plus) > 1 and np.any(c.stiffness_plus[1:]):
         raise ValueError("exact_impacts needs constant stiffness")
+    if c.contact is ContactRule.NO_TENSION:
+        raise ValueError("under no-tension contact ends before X = ±D")
+    always = c.contact is ContactRule.ALWAYS
+    damping: dict[int, float] = {1: c.dampings[0], 0: c.damping if always else 0.0, -1: c.dampings[1]}
     with mp.workdps(digits):
         omega = mp.mpf(system.omega)
         regions = {
-            side: _Region(omega, mp.mpf(c.damping), mp.mpf(k), mp.mpf(centre), system.forcing[1])
+            side: _Region(omega, mp.mpf(damping[side]), mp.mpf(k), mp.mpf(centre), system.forcing[1])
             for side, k, centre in (
                 (1, float(c.stiffness_plus[0]), c.gap_plus),
                 (0, 0.0, 0.0),

@@ -12,13 +12,17 @@ from functools import lru_cache
 import numpy as np
 
 from gearlash import flow
-from gearlash.system import Status
+from gearlash.system import ContactRule, Status
 
+from . import region_oracle
 from .compare import Distance, distance
 from .dense import random_dense
 from .grazes import grazes
 from .heyoka_oracle import Oracle
+from .matches import match
+from .members import RULES, random_member
 from .pairs import KINDS, random_system
+from .touches import touches
 
 HEADER = f"{'':28}{'sets':>7}{'bad':>5}{'unsure':>7}{'state':>10}{'time/bar':>10}{'X-D':>10}{'extremum':>10}"
 
@@ -73,6 +77,41 @@ def _grazes(pair: str, oracle: Oracle, count: int):
         yield distance(graze.system, trace, graze.truth), trace.status
 
 
+def _class(rule: ContactRule | None, sets: int) -> str:
+    """Random members with 1 to 3 clearances and 1 to 12 states, and the derivative of the small ones."""
+    rng, worst, bad, unsure, derivative = np.random.default_rng(2028), [0.0, 0.0], 0, 0, 0.0
+    for index in range(sets):
+        size, rules = 1 + index % 12, RULES if rule is None else (rule,)
+        system, state = random_member(rng, size, 1 + index % 3, rules)
+        phase, props = float(rng.uniform(0.0, 2.0)), flow.propagators(system)
+        truth = region_oracle.run(system, state, 2.0, phase, variational=size <= 6)
+        trace = flow.trace(props, state, 2.0, phase)
+        far = match(system, trace, truth)
+        unsure += trace.status is not Status.OK
+        bad += trace.status is Status.OK and not far.same_events
+        worst = [max(worst[0], far.state), max(worst[1], far.event_time)]
+        if truth.jacobian is not None:
+            apart = np.abs(flow.variational(props, state, 2.0, phase).jacobian - truth.jacobian).max()
+            derivative = max(derivative, float(apart / max(1.0, np.abs(truth.jacobian).max())))
+    name = f"class, {'mixed' if rule is None else rule.value}"
+    figures = "".join(f"{value:10.1e}" for value in worst)
+    return f"{name:28}{sets:7}{bad:5}{unsure:7}{figures}   derivative {derivative:.1e}"
+
+
+def _touches(count: int) -> str:
+    """Near-touches of every surface. Bad: an event too many or too few although the status is ok."""
+    worst, bad, unsure = [0.0, 0.0], 0, 0
+    propagators = lru_cache(maxsize=1)(flow.propagators)
+    for touch in touches(2029, count):
+        trace = flow.trace(propagators(touch.system), touch.start, touch.span, touch.phase)
+        far = match(touch.system, trace, touch.truth)
+        unsure += trace.status is not Status.OK
+        wrong = touch.events is not None and touch.near(trace.events) != touch.events
+        bad += trace.status is Status.OK and (wrong or not far.same_events)
+        worst = [max(worst[0], far.state), max(worst[1], far.event_time)]
+    return f"{'class, grazes':28}{count:7}{bad:5}{unsure:7}" + "".join(f"{value:10.1e}" for value in worst)
+
+
 def main(sets: int = 208, count: int = 2000) -> None:
     print(HEADER)
     examples = np.random.default_rng(0)
@@ -83,6 +122,9 @@ def main(sets: int = 208, count: int = 2000) -> None:
         print(_derivative(pair, Oracle(shapes, variational=True), min(sets, 208)))
         print(_line(f"{pair}, grazes", list(_grazes(pair, oracle, count // 2))))
     print(_line("dense, 2, 4, 7 states", list(_dense(min(sets, 60)))))
+    for rule in (*RULES, None):
+        print(_class(rule, sets))
+    print(_touches(count // 5))
 
 
 if __name__ == "__main__":

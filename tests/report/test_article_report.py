@@ -11,8 +11,10 @@ from pathlib import Path
 import pytest
 
 from gearlash import report
+from gearlash.case import Provenance
 from gearlash.plots.regimes import short
 from gearlash.report.article import document
+from gearlash.report.data import as_json
 from gearlash.report.page import html
 from gearlash.studies.article import NOT_FOUND, Reproduction
 from report.reading import Reading
@@ -51,6 +53,24 @@ def test_it_is_sound_and_asks_no_host() -> None:
     assert {v[1:] for v in seen.values("href") if v.startswith("#")} <= set(ids), (
         "every reference leads somewhere"
     )
+
+
+EVIL = "</td><script>alert(1)</script><b onmouseover='x'>&amp; {{ 7 * 7 }} $\\frac{ \U0001f9b7"
+
+
+def test_texts_of_a_case_are_escaped_wherever_they_stand() -> None:
+    done = small()
+    gap = done.case.entries["D"]
+    entries = {**done.case.entries, "D": replace(gap, reason=EVIL, text=EVIL, provenance=Provenance.ASSUMED)}
+    case = replace(done.case, name=EVIL, description=EVIL, source={"title": EVIL}, entries=entries)
+    text, seen = read(replace(done, case=case))
+    plain = read(done)[1]
+    assert seen.problems == []
+    assert [tag for tag in seen.tags if tag in ("script", "b")] == [t for t in plain.tags if t == "b"]
+    assert "<script" not in text
+    assert "onmouseover" not in {name for _, name, _ in seen.attributes}
+    assert seen.text.count(" ".join(EVIL.split())) == 2  # the title of the source, and the reason
+    assert json.loads(as_json(replace(done, case=case)))["case"]["name"] == EVIL
 
 
 def test_every_claim_stands_beside_its_computed_counterpart(page: Reading) -> None:

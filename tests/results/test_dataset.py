@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 
 import numpy as np
 import pytest
@@ -125,13 +127,13 @@ def test_a_file_is_replaced_whole_or_not_at_all(tmp_path, monkeypatch):
     path = results.save(results.sweep_dataset(ARTICLE, [a_sweep()]), tmp_path / "sweep.nc")
     before = path.read_bytes()
 
-    def torn(self, target, **options):
-        target.write_bytes(b"half a file")
-        raise OSError("disk full")
+    def full(handle):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
-    monkeypatch.setattr(xr.Dataset, "to_netcdf", torn)
-    with pytest.raises(OSError, match="disk full"):
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError, match=r"No space left.*sweep\.nc'") as caught:
         results.save(results.sweep_dataset(ARTICLE, [a_sweep("up")]), path)
+    assert caught.value.filename == str(path)
     assert path.read_bytes() == before
     assert [p.name for p in tmp_path.iterdir()] == ["sweep.nc"]
 

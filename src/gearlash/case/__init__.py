@@ -11,7 +11,7 @@ from .notes import Note
 from .read import bundled
 from .scales import Scales
 from .stated import Provenance
-from .values import Value
+from .value import Value
 
 __all__ = [
     "Case",

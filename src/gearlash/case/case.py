@@ -1,14 +1,14 @@
-"""A case: one gear pair as its user described it, ready to become a family."""
+"""A case: a gear pair or any piecewise-linear system as its user described it, ready to become a family."""
 
 from __future__ import annotations
 
 import hashlib
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,17 +16,20 @@ from numpy.typing import NDArray
 from gearlash.gears import helical, spur
 from gearlash.system import Family, GearlashError, UnknownNameError
 
+from . import piecewise
 from .checks import contradictions, missing
 from .entries import Entries, Entry, collect, freeze_reference, override, place_of
 from .errors import CaseError, Problem
 from .notes import Note, notes
 from .numbers import Numbers, numbers, to_dimensionless, to_physical
-from .quantities import Quantity, quantities, two_way
+from .quantities import PIECEWISE, Quantity, quantities, two_way
 from .read import parse, source_text
 from .scales import Scales
 from .stated import Provenance, ValueRefusedError, read_stated
+from .texts import name_of_file
 from .units import NUMBER, TORQUE, unit
-from .values import Value, values
+from .value import Value
+from .values import values
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -39,7 +42,8 @@ class Case:
     """A complete, checked case. Made by `load`, `loads` or `Case.from_json`.
 
     ``entries`` hold every stated value by key in SI, D_c among them (``model.reference_length``): it was
-    settled when the file was loaded and nothing moves it afterwards.
+    settled when the file was loaded and nothing moves it afterwards. ``structure`` is what a piecewise-linear
+    case has beside its parameters: equations, forcing and clearances; empty for a gear pair.
     """
 
     name: str
@@ -47,9 +51,12 @@ class Case:
     description: str
     source: Mapping[str, object]
     entries: Mapping[str, Entry]
+    structure: Mapping[str, Any] = field(default_factory=dict)
 
     def family(self) -> tuple[Family, Scales]:
         """The pair as a family of dimensionless systems with this case as default, and its scales."""
+        if self.kind == PIECEWISE:
+            return piecewise.family(self.structure, self.entries), Scales()
         own = self.numbers
         if own.pair is None:
             return spur.family(own.parameters, own.contact), own.scales
@@ -57,29 +64,33 @@ class Case:
 
     @cached_property
     def numbers(self) -> Numbers:
-        """Parameters, fixed numbers, scales and body of this case."""
+        """Parameters, fixed numbers, scales and body of a gear pair."""
         return numbers(self.kind, dict(self.entries))
 
     @property
     def scales(self) -> Scales:
         """Conversions between dimensionless and physical values."""
-        return self.numbers.scales
+        return Scales() if self.kind == PIECEWISE else self.numbers.scales
 
     def with_overrides(self, overrides: Mapping[str, object]) -> Case:
         """The case with values replaced, by path or short name, as text or number. Raises `CaseError`."""
+        if self.kind == PIECEWISE:
+            return _finished_piecewise(self, *piecewise.override(self.structure, self.entries, overrides))
         return _finished(self, *override(self.kind, dict(self.entries), overrides))
 
     def resolve(self, name: str, value: str | float) -> tuple[str, float]:
         """Short name and dimensionless value of a parameter given by path or short name: ``("pinion_speed",
         "3600 rpm")`` → ``("omega", 0.942…)``. Raises `CaseError` for a bad value and `UnknownNameError` for
         a name that is no parameter of the family."""
+        if self.kind == PIECEWISE:
+            return piecewise.resolve(self.structure, self.name, name, value)
         place = place_of(self.kind, name)
         if isinstance(place, Problem):
             raise CaseError(self.name, [place])
         short = place.key if isinstance(place, Quantity) else place.path
         known = self.family()[0].defaults
         if short not in known or not isinstance(place, Quantity):
-            raise UnknownNameError("parameter to vary", name, [*known, *self._physical_names(known)])
+            raise UnknownNameError("parameter to vary", name, {*known, *self._physical_names(known)})
         try:
             stated = read_stated(value, place)
         except ValueRefusedError as error:
@@ -96,9 +107,9 @@ class Case:
 
         Empty for a case without scales, and for a number that is the same either way.
         """
-        ways = [path for path in two_way(self.kind).get(short, ()) if not path.startswith("dimensionless.")]
         if not self.scales.physical:
             return []
+        ways = [path for path in two_way(self.kind).get(short, ()) if not path.startswith("dimensionless.")]
         found = []
         for path in ways:
             place = quantities(self.kind)[path]
@@ -109,17 +120,22 @@ class Case:
 
     def values(self) -> list[Value]:
         """Every value with unit, provenance and reason: stated ones, defaults, then derived numbers."""
+        if self.kind == PIECEWISE:
+            return piecewise.values(self.structure, self.entries)
         return values(self)
 
     def notes(self) -> list[Note]:
         """Conflicts between stated values and what is known otherwise; shown, never used."""
-        return notes(self)
+        return [] if self.kind == PIECEWISE else notes(self)
 
     @property
     def hash(self) -> str:
         """SHA-256 of all that decides a result: kind and values, not names, texts, reasons or provenance."""
-        content = [self.kind, sorted((e.key, e.path, e.value) for e in self.entries.values())]
-        return hashlib.sha256(json.dumps(content, separators=(",", ":")).encode()).hexdigest()
+        content: list[object] = [self.kind, sorted((e.key, e.path, e.value) for e in self.entries.values())]
+        if self.structure:
+            content.append({k: v for k, v in self.structure.items() if k != "parameters"})
+        text = json.dumps(content, separators=(",", ":"), sort_keys=True)
+        return hashlib.sha256(text.encode()).hexdigest()
 
     def to_json(self) -> str:
         """The case as JSON text for another process; `from_json` gives an equal case with an identical
@@ -136,7 +152,10 @@ class Case:
             for e in self.entries.values()
         ]
         head = {"format": FORMAT, "name": self.name, "kind": self.kind, "description": self.description}
-        return json.dumps({**head, "source": dict(self.source), "entries": entries}, ensure_ascii=False)
+        rest = {"structure": dict(self.structure)} if self.structure else {}
+        return json.dumps(
+            {**head, "source": dict(self.source), "entries": entries, **rest}, ensure_ascii=False
+        )
 
     @classmethod
     def from_json(cls, text: str) -> Case:
@@ -149,9 +168,9 @@ class Case:
                 Entry(e["key"], e["path"], e["value"], e["text"], Provenance(e["provenance"]), e["reason"])
                 for e in data["entries"]
             ]
-            return cls(
-                data["name"], data["kind"], data["description"], data["source"], {e.key: e for e in entries}
-            )
+            head = (data["name"], data["kind"], data["description"], data["source"])
+            structure = data["structure"] if data["kind"] == PIECEWISE else {}
+            return cls(*head, {e.key: e for e in entries}, structure)
         except (ValueError, KeyError, TypeError) as error:
             raise GearlashError(f"not the JSON of a case: {error!r}") from None
 
@@ -175,19 +194,39 @@ def from_tables(
     raw: Mapping[str, object], overrides: Mapping[str, object] | None = None, label: str = "case"
 ) -> Case:
     """The case in the tables of a parsed file; see `load`."""
-    from .fileschema import check  # late: a worker that reads case JSON never needs pydantic
+    from .fileschema import check, kind_of  # late: a worker that reads case JSON never needs pydantic
 
+    if kind_of(raw)[0] == PIECEWISE:
+        return _piecewise_of_tables(raw, overrides or {}, label)
     kind, stated, rest, wrong, problems = check(raw)
     if not kind:
         raise CaseError(label, problems)
     entries, clashes = collect(kind, stated)
     entries, wrong_overrides = override(kind, freeze_reference(entries), overrides or {})
-    name = str(rest.get("name") or Path(label).stem)
-    source = rest.get("source")
-    draft = Case(
-        name, kind, str(rest.get("description", "")), source if isinstance(source, Mapping) else {}, entries
-    )
+    draft = _draft(kind, rest, label, entries)
     return _finished(draft, entries, [*problems, *clashes, *wrong_overrides], wrong, label)
+
+
+def _piecewise_of_tables(raw: Mapping[str, object], overrides: Mapping[str, object], label: str) -> Case:
+    from .fileschema import check_head, kind_of
+
+    rest, problems = check_head(PIECEWISE, raw)
+    structure, entries, found = piecewise.read(raw)
+    entries, wrong = piecewise.override(structure, entries, overrides)
+    draft = _draft(PIECEWISE, rest, label, entries, structure)
+    return _finished_piecewise(draft, entries, [*kind_of(raw)[1], *problems, *found, *wrong], label)
+
+
+def _draft(
+    kind: str,
+    rest: Mapping[str, object],
+    label: str,
+    entries: Entries,
+    structure: piecewise.Structure | None = None,
+) -> Case:
+    name, source = str(rest.get("name") or name_of_file(Path(label).stem)), rest.get("source")
+    about = source if isinstance(source, Mapping) else {}
+    return Case(name, kind, str(rest.get("description", "")), about, entries, structure or {})
 
 
 def _finished(
@@ -206,3 +245,11 @@ def _finished(
     order = {place.key: i for i, place in enumerate(quantities(draft.kind).values())}
     ordered = sorted(entries.items(), key=lambda item: (order.get(item[0], len(order)), item[0]))
     return Case(draft.name, draft.kind, draft.description, draft.source, dict(ordered))
+
+
+def _finished_piecewise(draft: Case, entries: Entries, problems: list[Problem], label: str = "") -> Case:
+    """The piecewise-linear case with these entries in the order of its file, or a `CaseError`."""
+    problems = problems or piecewise.contradictions(draft.structure, entries)
+    if problems:
+        raise CaseError(label or draft.name, problems)
+    return replace(draft, entries=piecewise.ordered(draft.structure, entries))

@@ -106,7 +106,7 @@ def override(kind: str, entries: Entries, overrides: Mapping[str, object]) -> tu
             except ValueRefusedError as error:
                 problems.append(Problem(name, repr(raw), error.expected, error.nearest))
             else:
-                stated[place.path] = value if value.reason else _with_reason(value)
+                stated[place.path] = overridden(value)
     replaced, clashes = collect(kind, stated)
     return {**entries, **replaced}, problems + clashes
 
@@ -116,5 +116,8 @@ def _path_of(kind: str, name: str) -> str | None:
     return None if isinstance(place, Problem) else place.path
 
 
-def _with_reason(stated: Stated) -> Stated:
+def overridden(stated: Stated) -> Stated:
+    """With the reason that an override gives, unless it states its own."""
+    if stated.reason:
+        return stated
     return Stated(stated.value, stated.text, stated.provenance, "set by an override")

@@ -23,7 +23,8 @@ class Problem:
     missing: bool = False
 
     def __str__(self) -> str:
-        head = self.path if self.value is None else f"{self.path} = {self.value}"
+        path = self.path or "''"
+        head = path if self.value is None else f"{path} = {self.value}"
         head += " is missing" if self.missing else ""
         hint = f"; did you mean {self.nearest!r}?" if self.nearest else ""
         return f"{head}: expected {self.expected}{hint}"
@@ -42,9 +43,13 @@ class CaseError(GearlashError):
 
 
 def nearest_name(name: str, valid: Iterable[str]) -> str | None:
-    """The valid name that looks most like this one, if any does."""
-    found = difflib.get_close_matches(name, list(valid), n=1, cutoff=0.5)
-    return found[0] if found else None
+    """The valid name that looks most like this one, large letters or small, if any does."""
+    by_look = {each.casefold(): each for each in valid}
+    look = name.casefold()
+    if look.removesuffix("_1") in by_look:  # ripple_1: the first harmonic carries no number
+        return by_look[look.removesuffix("_1")]
+    found = difflib.get_close_matches(look, list(by_look), n=1, cutoff=0.5)
+    return by_look[found[0]] if found else None
 
 
 def shown(value: object) -> str:

@@ -3,11 +3,12 @@ Schema."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, partial
 from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import (
+    AfterValidator,
     BaseModel,
     BeforeValidator,
     ConfigDict,
@@ -20,12 +21,23 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from .errors import Problem, nearest_name, shown
-from .quantities import KINDS, PLANNED_KINDS, choices, quantities
+from .piecewise.fileschema import definitions, piecewise_schema
+from .quantities import GEAR_KINDS, KINDS, PIECEWISE, choices, quantities
 from .quantity import Choice, Quantity
 from .stated import Provenance, Stated, ValueRefusedError, read_stated
+from .texts import refused, refused_name
 from .units import NAMES
 
-Text = Annotated[str, Field(max_length=20_000)]
+
+def _held(text: str, rule: Callable[[str], str | None]) -> str:
+    expected = rule(text)
+    if expected:
+        raise PydanticCustomError("value", "expected {expected}", {"expected": expected, "nearest": ""})
+    return text
+
+
+Text = Annotated[str, Field(max_length=20_000), AfterValidator(partial(_held, rule=refused))]
+Name = Annotated[str, Field(max_length=20_000), AfterValidator(partial(_held, rule=refused_name))]
 
 
 class Source(BaseModel):
@@ -37,6 +49,15 @@ class Source(BaseModel):
     doi: Text = ""
     url: Text = ""
     note: Text = ""
+
+
+class Head(BaseModel):
+    """What every file may say of itself, whatever its kind."""
+
+    model_config = ConfigDict(extra="ignore")
+    name: Name = ""
+    description: Text = ""
+    source: Source = Field(default_factory=Source)
 
 
 @cache
@@ -53,7 +74,7 @@ def case_model(kind: str) -> type[BaseModel]:
     }
     head: dict[str, Any] = {
         "kind": (Literal[kind], ...),  # pyright: ignore[reportInvalidTypeForm]
-        "name": (Text, ""),
+        "name": (Name, ""),
         "description": (Text, ""),
         "source": (Source, Field(default_factory=Source)),
     }
@@ -73,7 +94,7 @@ class Checked(NamedTuple):
 
 def check(raw: Mapping[str, object]) -> Checked:
     """A parsed file held against the schema. ``kind`` is empty when it cannot even be guessed."""
-    kind, problems = _kind_of(raw)
+    kind, problems = kind_of(raw)
     if kind is None:
         return Checked("", {}, {}, frozenset(), problems)
     content: dict[str, Any] = {**raw, "kind": kind}
@@ -92,6 +113,18 @@ def check(raw: Mapping[str, object]) -> Checked:
         stated, rest = {}, {}
         wrong = frozenset(quantities(kind))
     return Checked(kind, stated, rest, wrong, problems + found)
+
+
+def check_head(kind: str, raw: Mapping[str, object]) -> tuple[dict[str, object], list[Problem]]:
+    """Name, description and source of a parsed file, without what is wrong with them."""
+    try:
+        return Head.model_validate(raw).model_dump(), []
+    except ValidationError as error:
+        errors = error.errors(include_url=False)
+    content: dict[str, Any] = dict(raw)
+    for e in errors:
+        content = _without(content, e["loc"])
+    return Head.model_validate(content).model_dump(), [_problem(kind, e) for e in errors]
 
 
 def _contents(kind: str, content: Mapping[str, object]) -> tuple[dict[str, Stated], dict[str, object]]:
@@ -119,14 +152,15 @@ def _without(content: Mapping[str, Any], loc: Sequence[int | str]) -> dict[str, 
 def schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of case files, one variant a kind."""
     union: Any = Annotated[
-        case_model(KINDS[0]) | case_model(KINDS[1]),  # pyright: ignore[reportOperatorIssue]
+        case_model(GEAR_KINDS[0]) | case_model(GEAR_KINDS[1]),  # pyright: ignore[reportOperatorIssue]
         Field(discriminator="kind"),
     ]
-    return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "gearlash case",
-        **TypeAdapter(union).json_schema(),
-    }
+    found = TypeAdapter(union).json_schema()
+    pointer = f"#/$defs/{PIECEWISE}"
+    found["$defs"] |= {PIECEWISE: piecewise_schema({"$ref": "#/$defs/Source"}), **definitions()}
+    found["discriminator"]["mapping"][PIECEWISE] = pointer
+    found["oneOf"].append({"$ref": pointer})
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "gearlash case", **found}
 
 
 def _annotations(place: Quantity | Choice) -> Iterable[object]:
@@ -166,15 +200,13 @@ def _json_schema(place: Quantity | Choice) -> dict[str, Any]:
     return {**result, "examples": [place.example]}
 
 
-def _kind_of(raw: Mapping[str, object]) -> tuple[str | None, list[Problem]]:
+def kind_of(raw: Mapping[str, object]) -> tuple[str | None, list[Problem]]:
     """The kind to read the file as, guessing the nearest one when it is misspelt so that all else is
     checked too."""
     expected = f"one of {', '.join(KINDS)}"
     kind = raw.get("kind")
     if kind is None:
         return None, [Problem("kind", None, f"{expected}, as the first line of a case", missing=True)]
-    if kind in PLANNED_KINDS:
-        return None, [Problem("kind", shown(kind), f"{expected}; {kind} comes with a later release")]
     if isinstance(kind, str) and kind in KINDS:
         return kind, []
     near = nearest_name(kind, KINDS) if isinstance(kind, str) else None
@@ -191,6 +223,8 @@ def _problem(kind: str, error: Any) -> Problem:
             return Problem(path, value, "a name that exists here", _nearest_path(kind, path))
         case "model_type" | "model_attributes_type" | "dict_type":
             return Problem(path, value, f"a table [{path}]")
+        case "list_type":
+            return Problem(path, value, "a list of texts")
         case "string_type" | "string_too_long":
             return Problem(path, value, "a text of at most 20,000 characters")
         case _:
@@ -199,7 +233,8 @@ def _problem(kind: str, error: Any) -> Problem:
 
 def _nearest_path(kind: str, path: str) -> str | None:
     """The path that was probably meant: the same last name in another table, else the one looking alike."""
-    every = [*quantities(kind), *choices(kind), *(f"source.{name}" for name in Source.model_fields)]
+    own = () if kind == PIECEWISE else (*quantities(kind), *choices(kind))
+    every = [*own, *(f"source.{name}" for name in Source.model_fields)]
     table, _, leaf = path.rpartition(".")
     if not table:
         top = {p.partition(".")[0] for p in every}

@@ -18,9 +18,10 @@ from gearlash.system import ContactRule
 from .quantity import Choice, Quantity
 from .units import ANGLE, FREQUENCY, INERTIA, LENGTH, MASS, NUMBER, SPEED, STIFFNESS, TORQUE, Dimension
 
-HELICAL, SPUR = "helical-pair", "spur-1dof"
-KINDS = (HELICAL, SPUR)
-PLANNED_KINDS = ("piecewise-linear",)
+HELICAL, SPUR, PIECEWISE = "helical-pair", "spur-1dof", "piecewise-linear"
+GEAR_KINDS = (HELICAL, SPUR)
+"""Kinds whose places are listed here; those of a piecewise-linear case are its own parameters."""
+KINDS = (*GEAR_KINDS, PIECEWISE)
 HIGHEST_HARMONIC = 8
 BODY = "model.body"
 REFERENCE = "model.reference_length"

@@ -10,6 +10,7 @@ from math import isfinite
 
 from .errors import nearest_name, shown
 from .quantity import Choice, Quantity
+from .texts import refused
 from .units import NUMBER, UnitError, read
 
 
@@ -64,6 +65,8 @@ def read_stated(raw: object, place: Quantity | Choice) -> Stated:
         )
     if not isinstance(reason, str):
         raise ValueRefusedError(f"a reason in words, not {shown(reason)}")
+    if expected := refused(reason):
+        raise ValueRefusedError(f"{expected} as its reason")
     value = raw["value"]
     text = value if isinstance(value, str) else str(value)
     return Stated(_read(value, place), text, Provenance(str(provenance)), reason)
@@ -82,6 +85,8 @@ def _choice(raw: object, place: Choice) -> str:
 def _number(raw: object, place: Quantity) -> float:
     if isinstance(raw, bool) or not isinstance(raw, int | float | str):
         raise ValueRefusedError(place.expected)
+    if isinstance(raw, str) and refused(raw):
+        raise ValueRefusedError(f"{place.expected} (a control character stands there)")
     value = _from_text(raw, place) if isinstance(raw, str) else _from_number(raw, place)
     if place.integer and value != int(value):
         raise ValueRefusedError(place.expected)

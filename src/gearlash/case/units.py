@@ -140,6 +140,8 @@ def unit(text: str) -> Unit:
         if part == "1" and sign == 1:
             continue
         match = _TERM.fullmatch(part)
+        if not part:
+            raise UnitError("a unit is missing before or after '*' or '/'; powers of ten are written 4e-3")
         if match is None:
             raise UnitError(f"{part!r} is no unit")
         word, exponent = _word(match[1]), sign * int(match[2] or 1)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from .derived import derived, disc_gears
@@ -11,37 +10,10 @@ from .quantities import BODY, choices, quantities, two_way
 from .quantity import Quantity
 from .stated import Provenance
 from .units import unit as unit_of
+from .value import DERIVED, Value
 
 if TYPE_CHECKING:
     from .case import Case
-
-DERIVED = "derived"
-"""Provenance of what was computed."""
-
-
-@dataclass(frozen=True)
-class Value:
-    """One value as shown to a person.
-
-    ``value`` is in ``unit``; ``provenance`` is a `Provenance` or ``derived`` (``reason`` is then the
-    formula); ``rests_on`` names the assumed values that a derived number was computed from; ``text`` is
-    what was written.
-    """
-
-    path: str
-    value: float | str
-    unit: str
-    provenance: str
-    reason: str
-    short: str | None = None
-    description: str = ""
-    rests_on: tuple[str, ...] = ()
-    text: str = ""
-
-    @property
-    def uncertain(self) -> bool:
-        """Is it assumed, or computed from something assumed?"""
-        return self.provenance == Provenance.ASSUMED or bool(self.rests_on)
 
 
 def values(case: Case) -> list[Value]:

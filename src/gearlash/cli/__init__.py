@@ -8,6 +8,20 @@ def main() -> None:
     from .terminal import prepare_streams
 
     prepare_streams()
-    from .app import app
+    import errno
 
-    app()
+    from .app import app
+    from .exits import ExitCode, not_written
+
+    full = errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO
+
+    try:
+        app()
+    except OSError as error:  # while printing help; commands see to it themselves
+        if error.errno not in full:
+            raise
+        raise SystemExit(int(not_written(error))) from None
+    except SystemExit as ended:
+        if isinstance(ended.__context__, BrokenPipeError):  # its reader has seen enough, too
+            raise SystemExit(int(ExitCode.OK)) from None
+        raise

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from .commands.bench import bench
 from .commands.check import check
 from .commands.graze import graze
 from .commands.reproduce import reproduce
@@ -43,5 +44,5 @@ def gearlash(
     pass
 
 
-for command in (run, check, sweep, graze, zones, reproduce, schema):
+for command in (run, check, sweep, graze, zones, reproduce, bench, schema):
     app.command()(command)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from enum import IntEnum
 from typing import Any
 
 import typer
 
-from .terminal import complain, discard_output, tell
+from .terminal import complain, discard, tell
 
 
 class ExitCode(IntEnum):
@@ -19,6 +21,7 @@ class ExitCode(IntEnum):
     BUG = 1
     INPUT = 2
     NOT_OK = 3
+    UNWRITTEN = 4
     INTERRUPTED = 130
 
 
@@ -27,8 +30,27 @@ MEANINGS = {
     ExitCode.BUG: "a bug in gearlash; the traceback is on standard error",
     ExitCode.INPUT: "the case, an option or the folder cannot be used; standard error lists every problem",
     ExitCode.NOT_OK: "the result is there, but its status is not ok; the output says which and what to do",
+    ExitCode.UNWRITTEN: "the result was computed, but standard output or --out could not be written (a full "
+    "disk, say); standard error says why",
     ExitCode.INTERRUPTED: "stopped by Ctrl-C; what was computed is kept in --out and marked incomplete",
 }
+
+
+class NotWrittenError(Exception):
+    """A result that could not be written."""
+
+    def __init__(self, cause: OSError):
+        self.cause = cause
+        super().__init__(str(cause))
+
+
+@contextmanager
+def delivery() -> Iterator[None]:
+    """Around the writing of results: what the system refuses there is no bug of gearlash."""
+    try:
+        yield
+    except OSError as error:
+        raise NotWrittenError(error) from error
 
 
 def command(function: Callable[..., ExitCode]) -> Callable[..., None]:
@@ -46,12 +68,23 @@ def command(function: Callable[..., ExitCode]) -> Callable[..., None]:
         except KeyboardInterrupt:
             tell("interrupted")
             code = ExitCode.INTERRUPTED
-        except BrokenPipeError:  # the reader has seen enough
-            discard_output()
-            code = ExitCode.OK
+        except NotWrittenError as error:
+            code = not_written(error.cause)
+        except BrokenPipeError as error:
+            code = not_written(error)
         raise typer.Exit(int(code))
 
     return framed
+
+
+def not_written(error: OSError) -> ExitCode:
+    """After a failure to write: nothing is wrong if the reader of a pipe has seen enough."""
+    discard(sys.stdout)
+    if isinstance(error, BrokenPipeError):
+        return ExitCode.OK
+    place = error.filename2 or error.filename or "standard output"
+    complain(f"gearlash: {place} cannot be written ({error.strerror or error})")
+    return ExitCode.UNWRITTEN
 
 
 def report(error: Exception, as_json: bool = False) -> None:
@@ -61,4 +94,7 @@ def report(error: Exception, as_json: bool = False) -> None:
         from .answers.problem import problem_answer
         from .jsonio import write_stdout
 
-        write_stdout(problem_answer(error))
+        try:
+            write_stdout(problem_answer(error))
+        except OSError:  # the exit code and standard error say it too
+            discard(sys.stdout)

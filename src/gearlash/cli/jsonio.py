@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass
@@ -11,6 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+
+_UNPRINTABLE = re.compile("[\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
 def plain(value: Any) -> Any:
@@ -33,8 +36,11 @@ def plain(value: Any) -> Any:
 
 
 def text(answer: Any, ascii_only: bool = False) -> str:
-    """The JSON text of an answer, two spaces a level, with a line end."""
-    return json.dumps(plain(answer), indent=2, ensure_ascii=ascii_only, allow_nan=False) + "\n"
+    """The JSON text of an answer, two spaces a level, with a line end; what could steer a terminal or has no
+    UTF-8 is escaped.
+    """
+    written = json.dumps(plain(answer), indent=2, ensure_ascii=ascii_only, allow_nan=False) + "\n"
+    return _UNPRINTABLE.sub(lambda found: f"\\u{ord(found[0]):04x}", written)
 
 
 def write_stdout(answer: Any) -> None:
@@ -51,6 +57,6 @@ def write_file(answer: Any, path: Path) -> None:
 
 def write_text(content: str, path: Path) -> None:
     """As `write_file`, for text."""
-    part = path.with_name(path.name + ".part")
-    part.write_text(content, encoding="utf-8")
-    part.replace(path)
+    from gearlash.results.store import write_whole  # late: checking a case writes nothing
+
+    write_whole(path, content.encode("utf-8"))

@@ -11,6 +11,7 @@ KINDS = {
     "graze": "GrazeAnswer",
     "zones": "ZonesAnswer",
     "reproduce": "ReproduceAnswer",
+    "bench": "BenchAnswer",
     "problem": "ProblemAnswer",
 }
 

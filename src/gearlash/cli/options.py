@@ -10,7 +10,9 @@ import typer
 CaseArgument = Annotated[
     str,
     typer.Argument(
-        metavar="CASE", help="A case file, or a bundled case: article, kahraman-singh, wind-turbine."
+        metavar="CASE",
+        help="A case file, or a bundled case: article, blankenship-kahraman, "
+        "geared-rotor, kahraman-singh, shaw-holmes, two-stage, wind-turbine.",
     ),
 ]
 Settings = Annotated[

@@ -25,12 +25,36 @@ standard output, notices, progress and problems to standard error. [results.md](
 """
 
 
+ENVIRONMENT = """\
+## Environment
+
+| | |
+|---|---|
+| `GEARLASH_CACHE_DIR` | Folder of compiled kernels. [default: `gearlash` in the cache folder of the user] |
+| `COLUMNS` | Width of what is printed. [default: that of the terminal; 120 for a file or a pipe] |
+| `NO_COLOR`, `TERM=dumb` | Print without colours. |
+
+- No folder for compiled kernels, or one that cannot be written (read-only home, full disk): every run
+  compiles, about 30 s, and says so. A cached kernel that is missing or damaged is compiled again. Kernels
+  of other versions go when those of a new one are stored and nothing has used them for 30 days.
+- `--out` names a file, or a place that cannot be written: exit code 2, before anything is computed.
+- The disk is full when results are written: they are still printed, each file is there whole or not at
+  all, and the exit code is 4. The same for standard output that cannot be written.
+- The reader of a pipe has seen enough (`gearlash check CASE | head -1`): the command ends quietly with
+  exit code 0; files of `--out` are written before anything is printed. Standard output or error that is
+  closed from the start loses what is printed and changes nothing else.
+- A terminal that is not UTF-8: letters that its encoding lacks are spelled (ξ as xi, µm as um).
+- Names of files may hold anything: where they are printed, signs stand for control characters, so that no
+  name steers a terminal.
+"""
+
+
 def reference() -> str:
     """The whole page, Markdown."""
     group: Any = typer.main.get_command(app)
     parts = [HEAD, "\n".join(_contents(group.commands))]
     parts += ["\n".join(_command(name, command)) for name, command in group.commands.items()]
-    parts.append("\n".join(exit_codes()))
+    parts += [ENVIRONMENT, "\n".join(exit_codes())]
     return "\n\n".join(part.strip() for part in parts) + "\n"
 
 

@@ -40,6 +40,7 @@ FOLDER = """\
 | graze | `graze.json` |
 | zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf` |
 | reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/` |
+| bench | `bench.json`, `benchmarks.md`, `images/` |
 
 `.gearlash.json` lists the names that gearlash wrote or was about to write there. Before anything is
 computed, a command stops with exit code 2 if one of its files is already there and is not listed.

@@ -10,13 +10,14 @@ from __future__ import annotations
 import numpy as np
 from numba import float64, int64, types
 
-from gearlash._kernel import inner, kernel
+from gearlash._kernel import allocating, inner, kernel
 
 from ._series import fill, fourier_taylor, pressing
 from ._tables import CHECK, CUBE, FREE, INTS, MATRIX, MUTABLE, NO_TENSION, ORDER, SHAPE, TABLE, TERMS, Shape
-from ._vector import linear, padded, peak
+from ._vector import add, greatest, least, linear, move, multiple, padded, peak, weigh
 
 EDGE, OFFSET, FORCED = 0, 1, 2  # kinds of unit input; the first two start from the centre that undoes them
+DOUBLINGS = 10  # laps of a region, 2^10 of them, after which its own motion repeats
 TAIL = 24  # further terms of the majorant that bounds the Taylor remainder
 UNIT_ROUNDING = 2.0**-53
 ROUNDING = 24.0 * UNIT_ROUNDING  # of a table's entries and of what is summed from them
@@ -62,19 +63,15 @@ def _recurrence(
             break
         for c in range(gaps):
             if active[c] != 0:
-                linear(
-                    x, c * series, lanes, lanes, j + 1, eta, c * TERMS + ORDER - j, z, (n + c) * lanes
-                )
+                linear(x, c * series, lanes, lanes, j + 1, eta, c * TERMS + ORDER - j, z, (n + c) * lanes)
         scale = duration / (j + 1)
         for i in range(n):
             linear(z, 0, lanes, lanes, n + gaps, equations, i * (n + gaps), new, i * lanes)
-        for i in range(n * lanes):
-            new[i] *= scale
+        multiple(scale, new, 0, new, 0, n * lanes)
         for u in range(len(units)):
             if units[u, 0] == FORCED:
                 new[units[u, 1] * lanes + n + u] += sources[u * TERMS + j] * scale
-        for i in range(n * lanes):
-            total[i] += new[i]
+        add(1.0, new, 0, total, 0, n * lanes)
         z, new = new, z
     for i in range(n):
         size = peak(z, i * lanes, lanes)
@@ -97,7 +94,7 @@ def _start(n, lanes, units, centres, z, total):
                 z[i * lanes + n + u] = centres[units[u, 1], i]
 
 
-@inner
+@allocating
 def _majorant(equations, readers, last, known, eta, duration, rate):
     """Bound on the sum of all Taylor terms above ORDER of a unit column's states, and on that sum with every
     term times its order. The recurrence is repeated with absolute values, from the computed terms on.
@@ -105,9 +102,13 @@ def _majorant(equations, readers, last, known, eta, duration, rate):
     equations (n, n + gaps), readers (gaps, n) flat; last (n): |term of degree ORDER| of each state; known
     (gaps, ORDER+1): |coefficients| of what is read; eta (gaps, ORDER+TAIL+1) ≥ |those of η|."""
     n, gaps = len(last), len(eta)
-    terms, new, source = last.copy(), np.zeros(n), np.zeros(ORDER + TAIL + 1)
+    terms, new, source = np.zeros(n), np.zeros(n), np.zeros(ORDER + TAIL + 1)
+    for i in range(n):
+        terms[i] = last[i]
     read = np.zeros((gaps, ORDER + TAIL + 1))
-    read[:, : ORDER + 1] = known
+    for c in range(gaps):
+        for j in range(ORDER + 1):
+            read[c, j] = known[c, j]
     pushed = np.zeros(gaps)
     term = 1.0
     for j in range(ORDER + TAIL + 1):
@@ -165,7 +166,7 @@ def _closed(value, derived, size, equations, readers, eta, n, duration, rate):
     )
 
 
-@inner
+@allocating
 def _eta_bounds(shape: Shape, memory, active, sides, width):
     """(gaps, ORDER+TAIL+1): bounds on the Taylor coefficients of the stiffness that acts in this region."""
     out, series = np.zeros((shape.clearances, ORDER + TAIL + 1)), 2 * shape.harmonics + 1
@@ -204,7 +205,8 @@ def _keep_forward(shape: Shape, memory, at, cell, lanes, total, x, ends, gaps):
 @kernel(
     types.UniTuple(float64, 2)(
         SHAPE, MUTABLE, int64, MATRIX, MATRIX, MATRIX, MATRIX, INTS, TABLE, CUBE, types.Array(float64, 4, "C")
-    )
+    ),
+    allocates=True,
 )
 def respond(shape: Shape, memory, at, matrix, readers, actors, centres, sides, units, ends, gaps):
     """Fills the columns of unit starts of `step`, `gap` and `pull` in the slot at ``at``, and the unit
@@ -259,7 +261,22 @@ def respond(shape: Shape, memory, at, matrix, readers, actors, centres, sides, u
         _start(n, across, none, centres, w, wtotal)
         fill(wnew, 0.0)
         _recurrence(
-            n, count, across, backward, g, active, eta, -duration, none, sources, w, wnew, wtotal, y, wlast, wread
+            n,
+            count,
+            across,
+            backward,
+            g,
+            active,
+            eta,
+            -duration,
+            none,
+            sources,
+            w,
+            wnew,
+            wtotal,
+            y,
+            wlast,
+            wread,
         )
         for c in range(count):
             for j in range(ORDER + 1):
@@ -297,7 +314,7 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, check, watch
             stiff += abs(memory[eta + j])
         size = stiff * size + rate * ORDER * bulk
         tail = stiff * tail + rate * memory[tails + 2 + own]
-        pressing(memory, eta, memory, x, watched[0], rate, watched, 0)
+        pressing(memory, eta, memory, x, memory[x], rate, watched, TERMS, 0)
     rest = tail
     for j in range(CHECK + 1, ORDER + 1):
         rest += abs(watched[j])
@@ -311,7 +328,8 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, check, watch
 @kernel(
     types.void(
         SHAPE, MUTABLE, int64, MUTABLE, CUBE, types.Array(float64, 4, "C"), INTS, INTS, MUTABLE, types.boolean
-    )
+    ),
+    allocates=True,
 )
 def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, check, all_columns):
     """Sums unit responses to the constant columns of the slot at ``at``, and writes for them (or for all
@@ -319,7 +337,7 @@ def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, che
 
     amplitudes (u); check (64): Taylor to Bernstein of degree CHECK, by columns."""
     n, count, cells = shape.n, shape.clearances, shape.cells
-    watched, out = np.zeros(TERMS), np.zeros(8)
+    watched, out = np.zeros(3 * TERMS), np.zeros(8)
     for cell in range(cells):
         place = at + shape.step + cell * (1 + n) * shape.rows
         for i in range(shape.rows):
@@ -339,7 +357,53 @@ def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, che
                 _watch(shape, memory, at, cell, c, column, sides, rules, check, watched, out)
 
 
-@kernel(float64(MATRIX, types.int64))
+@kernel(types.void(SHAPE, MUTABLE, int64, INTS), allocates=True)
+def laps(shape: Shape, memory, at, sides):
+    """Writes what proves a whole base period to be clear at once: the map over it, a motion in the region that
+    (where it is stable) repeats itself, how far that one stays from its limits, and how far a unit of each
+    state can move another one from it."""
+    n, p, count, rows = shape.n, shape.p, shape.clearances, shape.rows
+    columns, out = np.zeros((1 + n) * p), np.zeros(rows)
+    swing = np.zeros(count * p)
+    for k in range(1 + n):
+        columns[k * p + k] = 1.0
+    for cell in range(shape.cells):
+        step = at + shape.step + cell * (1 + n) * rows
+        for k in range(1 + n):
+            linear(memory, step, rows, rows, 1 + n, columns, k * p, out, 0)
+            for c in range(count):
+                rest = weigh(memory, at + shape.rest + (cell * count + c) * p, p, columns, k * p)
+                swing[c * p + k] = max(swing[c * p + k], peak(out, p + 8 * c, 8) + rest)
+            move(out, 0, columns, k * p, p)
+    move(columns, 0, memory, at + shape.lap, (1 + n) * p)
+    twice = np.zeros((1 + n) * p)
+    for _ in range(DOUBLINGS):
+        for k in range(1 + n):
+            linear(columns, 0, p, p, 1 + n, columns, k * p, twice, k * p)
+        columns, twice = twice, columns
+    u = np.zeros(p)
+    move(columns, 0, u, 0, p)
+    move(u, 0, memory, at + shape.centred, p)
+    for c in range(count):
+        swing[c * p] = 0.0
+        memory[at + shape.margin + 2 * c], memory[at + shape.margin + 2 * c + 1] = np.inf, np.inf
+    move(swing, 0, memory, at + shape.swing, count * p)
+    for cell in range(shape.cells):
+        step = at + shape.step + cell * (1 + n) * rows
+        linear(memory, step, rows, rows, 1 + n, u, 0, out, 0)
+        for c in range(count):
+            rest = weigh(memory, at + shape.rest + (cell * count + c) * p, p, u, 0)
+            lower = -memory[shape.gaps + 4 * c + 1] if sides[c] == FREE else 0.0
+            upper = memory[shape.gaps + 4 * c] if sides[c] == FREE else 0.0
+            margin = at + shape.margin + 2 * c
+            below = (least(out, p + 8 * c) - rest - lower) * (1.0 - 1e-9)
+            above = (upper - greatest(out, p + 8 * c) - rest) * (1.0 - 1e-9)
+            memory[margin] = below if not below >= memory[margin] else memory[margin]
+            memory[margin + 1] = above if not above >= memory[margin + 1] else memory[margin + 1]
+        move(out, 0, u, 0, p)
+
+
+@kernel(float64(MATRIX, types.int64), allocates=True)
 def spectral_radius(matrix, squarings):
     """Estimate of the largest |eigenvalue| as ‖A^(2^k)‖^(1/2^k), by plain loops so that it is the same
     everywhere."""

@@ -12,19 +12,18 @@ Source: G. Farin, Curves and Surfaces for CAGD, 5th ed. (2002); B. Mourrain, F. 
 
 from __future__ import annotations
 
+from gearlash._kernel import fma, inlined, inner
 
-from gearlash._kernel import fma, inner
-
-from ._series import recentre
+from ._series import powers, recentre
 from ._tables import ORDER, TERMS, Shape
-from ._vector import linear, weigh
-from ._work import DEPTH, LIMITS, LOCAL, ONES, SCALED, STACK, SURFACE
+from ._vector import linear, times, weigh
+from ._work import DEPTH, LIMITS, LOCAL, ONES, POWERS, SCALED, STACK, SURFACE
 
 NONE = 2.0  # "no root in [0, 1]"
 CLEAR, ONE, OPEN = 0, 1, 2
 
 
-@inner
+@inlined
 def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
     """First s in [start, end] at which the distance polynomial in `SURFACE` turns negative, or `NONE`, and
     whether anything stayed undecided.
@@ -33,7 +32,7 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
     within the bound of the surface goes by its direction: it leaves inward, or exits at once. ``on``: it has just
     been crossed there, and is left inward."""
     length = end - start
-    recentre(memory, shape.pascal, work, SURFACE, start, SCALED, work, LOCAL)
+    recentre(memory, shape.pascal, work, SURFACE, start, POWERS, SCALED, work, LOCAL)
     here, speed = work[LOCAL], work[LOCAL + 1]
     leaving, undecided = False, False
     if here < -bound and not on:
@@ -43,17 +42,18 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
             undecided = speed <= slope_bound
         elif speed < -slope_bound:
             return start, False
-        elif speed <= slope_bound:  # at rest on the surface: the curvature decides, surely only if it is exact
+        elif (
+            speed <= slope_bound
+        ):  # at rest on the surface: the curvature decides, surely only if it is exact
             if work[LOCAL + 2] < 0.0:
                 return start, not (here == 0.0 and speed == 0.0)
             undecided = not (here == 0.0 and speed == 0.0)
         leaving = True
     if length <= 0.0:
         return NONE, undecided
-    power = 1.0
-    for j in range(ORDER + 1):
-        work[LOCAL + j] *= power
-        power *= length
+    if length != 1.0:
+        powers(length, work, POWERS)
+        times(work, POWERS, work, LOCAL, TERMS)
     size = weigh(work, ONES, TERMS, work, LOCAL)
     first, limit = 0, bound
     if leaving:
@@ -65,7 +65,7 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
     return (start + length * s if s < NONE else NONE), undecided or open_case
 
 
-@inner
+@inlined
 def _isolate(shape: Shape, memory, work, first, bound):
     """First root in [0, 1] of the polynomial in `LOCAL`, divided by s if ``first`` is 1."""
     m = ORDER - first
@@ -84,7 +84,7 @@ def _isolate(shape: Shape, memory, work, first, bound):
                 return lo, undecided  # at the beginning, within rounding
             fall = work[b + place] - work[b + place + 1]
             guess = lo + (hi - lo) * (place + work[b + place] / fall) / m
-            return _polish(work, LOCAL + first, m, lo, hi, guess), undecided
+            return _polish(work, LOCAL + first, m, lo, hi, guess, 1.0), undecided
         last = work[b + m]
         if last >= -bound and _falling(work, b, m, bound):
             continue  # one root at most, and it lies at or behind the end: the next interval has it
@@ -104,7 +104,7 @@ def _isolate(shape: Shape, memory, work, first, bound):
     return NONE, undecided
 
 
-@inner
+@inlined
 def _verdict(work, b, m, bound):
     """(CLEAR, 0): all coefficients above the bound. (ONE, i): above it up to i, then below it, with one at
     most between them that may be either: exactly one root (i = -1: at the beginning). Else (OPEN, 0)."""
@@ -157,26 +157,31 @@ def _split(work, right, left, m):
         # entry m - i of the right half is now final
 
 
-@inner
-def _polish(work, at, degree, lo, hi, guess):
-    """The one root in [lo, hi], where the polynomial falls from + to -: Newton's method kept inside a
-    shrinking bracket."""
+@inlined
+def _polish(work, at, degree, lo, hi, guess, sign):
+    """The one root in [lo, hi], where sign times the polynomial falls from + to -: Halley's method kept inside a
+    shrinking bracket. It ends where the next step, of third order, would be below rounding."""
     s = guess if lo < guess < hi else 0.5 * (lo + hi)
     for _ in range(100):
-        value, slope = work[at + degree], 0.0
+        value, slope, bend = work[at + degree], 0.0, 0.0
         for j in range(degree - 1, -1, -1):
+            bend = fma(bend, s, slope)
             slope = fma(slope, s, value)
             value = fma(value, s, work[at + j])
-        if value > 0.0:
+        if sign * value > 0.0:
             lo = s
-        elif value < 0.0:
+        elif sign * value < 0.0:
             hi = s
         else:
             return s
-        step = s - value / slope if slope != 0.0 else 0.5 * (lo + hi)
+        divisor = slope * slope - value * bend
+        change = -value * slope / divisor if divisor > 0.0 else 2.0
+        step = s + change
         if not lo < step < hi:
             step = 0.5 * (lo + hi)
-        if abs(step - s) <= 2.3e-16 * s or step in (lo, hi):
+            if step in (lo, hi):
+                return step
+        elif abs(change) <= 2.3e-16 * s or (abs(change) <= 1e-6 and abs(change * bend) <= 1e-6 * abs(slope)):
             return step
         s = step
     return s
@@ -200,7 +205,8 @@ def all_roots(c, at, degree, basis, table, stack, limits, out):
                 count += 1
             continue
         if changes == 1 and stack[b] * stack[b + degree] < 0.0:
-            out[count] = _bracketed(c, at, degree, lo, hi, stack[b])
+            sign = 1.0 if stack[b] > 0.0 else -1.0
+            out[count] = _polish(c, at, degree, lo, hi, 0.5 * (lo + hi), sign)
             count += 1
             continue
         if hi - lo < 2.0**-DEPTH or top + 2 > DEPTH:
@@ -225,16 +231,7 @@ def _sign_changes(b, at, m):
 
 
 @inner
-def _bracketed(c, at, degree, lo, hi, start):
-    if start > 0.0:
-        return _polish(c, at, degree, lo, hi, 0.5 * (lo + hi))
-    return _polish(-c, at, degree, lo, hi, 0.5 * (lo + hi))
-
-
-@inner
 def ones(work):
     """Writes the weights of a plain sum of absolute values."""
     for j in range(TERMS):
         work[ONES + j] = 1.0
-
-

@@ -6,7 +6,7 @@ from gearlash._kernel import fma, inner
 
 from ._series import fourier_taylor
 from ._tables import FREE, ORDER, TERMS, Shape
-from ._vector import linear
+from ._vector import add, linear, move, multiple
 
 
 @inner
@@ -14,7 +14,7 @@ def expand(shape: Shape, memory, slot, sides, theta, duration, u, zc, series, fa
     """Fills zc (ORDER+1, p) with the Taylor coefficients of (1, z - c) over ``duration`` (it may be negative) from
     phase ``theta``, in the region of the slot.
 
-    sides (clearances): its `PLUS`, `FREE`, `MINUS`; u (p): the state there; series (2·clearances + n, TERMS)
+    sides (clearances): its `PLUS`, `FREE`, `MINUS`; u (p): the state there; series (4·clearances + n, TERMS)
     and factors (n + clearances): work. One step of the recurrence is
     z_{j+1} = duration/(j+1) · (M z_j + Σ g Σ_i η_i x_{j-i} + b_j)."""
     n, p, count = shape.n, shape.p, shape.clearances
@@ -69,17 +69,10 @@ def _any(values, at, count):
 @inner
 def horner(zc, p, s, out):
     """out (p) ← values at s of the polynomials in zc (ORDER+1, p)."""
-    for i in range(p):
-        out[i] = zc[ORDER * p + i]
+    move(zc, ORDER * p, out, 0, p)
     for j in range(ORDER - 1, -1, -1):
-        for i in range(p):
-            out[i] = fma(out[i], s, zc[j * p + i])
-
-
-@inner
-def series_length(shape: Shape):
-    """Of the work space `series` of `expand`."""
-    return (4 * shape.clearances + shape.n) * TERMS
+        multiple(s, out, 0, out, 0, p)
+        add(1.0, zc, j * p, out, 0, p)
 
 
 @inner

@@ -3,18 +3,26 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import float64, int64, types
+from numba import float64, int64
 
 from gearlash._kernel import inner, kernel
 
 from ._exits import all_roots, ones
-from ._expand import carry_inside, series_length
+from ._expand import carry_inside
 from ._series import polynomial
 from ._surfaces import first_mode
-from ._tables import CUBE, FLOATS, INTS, MATRIX, MUTABLE, ORDER, SHAPE, TABLE, TERMS, Shape
 from ._switch import region_code
-from ._walk import FRESH, NEED_REGION, NEEDED, OK, Motion, Record, arrivals, sides_of, slot_place, walk
-from ._work import DEPTH, work_length
+from ._tables import CUBE, FLOATS, INTS, MATRIX, MUTABLE, ORDER, SHAPE, TABLE, TERMS, Shape
+from ._walk import FRESH, NEED_REGION, NEEDED, OK, Motion, Record, sides_of, slot_place, walk
+from ._work import DEPTH, GAPS
+
+
+def scratch(shape: Shape) -> tuple[np.ndarray, ...]:
+    """Work space of one call of `run`."""
+    n, p, j = shape.n, shape.p, shape.clearances
+    sizes = (GAPS + j * TERMS + p, max(shape.rows, p), (ORDER + 1) * p, (4 * j + n) * TERMS, n + j, p)
+    return (*(np.zeros(size) for size in sizes), np.zeros(j, dtype=np.int64))
+
 
 STARTED, STRETCH = 0, 1  # in `progress`: how far a call came that ran into an unbuilt region
 
@@ -54,12 +62,13 @@ def _inside(shape: Shape, memory, slot, motion, start, end, vector):
 
 
 @inner
-def _tangents_inside(shape: Shape, memory, slot, motion, m, start, end):
+def _tangents_inside(shape: Shape, memory, slot, motion, m, start, end, origin):
     """The same for tangents: differences of the affine flow, which the state's own part cancels in."""
     p = shape.p
     if start == end or m == 0:
         return
-    origin = np.zeros(p)
+    for i in range(p):
+        origin[i] = 0.0
     origin[0] = 1.0
     _inside(shape, memory, slot, motion, start, end, origin)
     for v in range(m):
@@ -81,6 +90,10 @@ def _ahead(cell, s, length):
 def _strobe(shape: Shape, memory, slot_of, motion, row, strobes):
     """The state that the motion is in now; u itself stays the virtual start of its cell."""
     slot, s = slot_place(shape, slot_of, motion.modes), motion.position[1]
+    if s == 0.0:
+        for i in range(shape.n):
+            strobes[row, i] = motion.u[1 + i] + memory[slot + shape.centre + 1 + i]
+        return
     sides_of(motion)
     k = int(motion.position[0]) % shape.cells
     carry_inside(
@@ -94,12 +107,12 @@ def _strobe(shape: Shape, memory, slot_of, motion, row, strobes):
 @kernel(
     int64(
         SHAPE, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE, MATRIX,
-        TABLE, MUTABLE, INTS, MATRIX, CUBE, MATRIX, MATRIX,
+        TABLE, MUTABLE, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, INTS,
     )
 )  # fmt: skip
 def run(
     shape: Shape, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold, strobes,
-    counts, sums, used, piece, poly, event, state,
+    counts, sums, used, piece, poly, event, state, work, moved, zc, series, factors, origin, sides,
 ):  # fmt: skip
     """The one march: carries u (p) = (1, z) and tangents (m·p) = (0, v) in place over len(counts) stretches of
     `length` cells.
@@ -108,17 +121,12 @@ def run(
     4·clearances+1) what happened in each stretch. With sums (m) the tangents are orthonormalised after each
     stretch. used[0] = -1 records nothing, else piece, poly, event and state are filled (see `Record`). modes, on
     (clearances), position (6) and progress (2), zero at first, let a call that returned `NEED_REGION` be repeated once the
-    region of `modes` is built. One entry point, because compiling each variant of the march apart would cost
+    region it names is built. The last seven are work space (`scratch`). One entry point, because compiling each variant of the march apart would cost
     a new user half a minute. Returns an outcome code."""
     n, p = shape.n, shape.p
     m = len(tangents) // p
-    work = np.zeros(work_length(shape.clearances, p))
     ones(work)
-    motion = Motion(
-        u, tangents, modes, position, work, np.zeros(max(shape.rows, p)), np.zeros((ORDER + 1) * p),
-        np.zeros(series_length(shape)), np.zeros(n + shape.clearances), np.zeros(shape.clearances, np.int64),
-        on,
-    )  # fmt: skip
+    motion = Motion(u, tangents, modes, position, work, moved, zc, series, factors, sides, on)
     record = Record(used, piece, poly, event, state)
     if progress[STARTED] == 0:
         cell = int(np.floor(start))
@@ -138,7 +146,7 @@ def run(
         for i in range(p):
             u[i] -= memory[slot + shape.centre + i]
         _inside(shape, memory, slot, motion, s, 0.0, u)
-        _tangents_inside(shape, memory, slot, motion, m, s, 0.0)
+        _tangents_inside(shape, memory, slot, motion, m, s, 0.0, origin)
         progress[STARTED], progress[STRETCH] = 1, 0
         position[2], position[3] = _ahead(cell, s, length)
     while progress[STRETCH] < len(counts):
@@ -147,8 +155,6 @@ def run(
         outcome = walk(
             shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hold, counts[stretch], record
         )
-        if outcome == OK:
-            outcome = arrivals(shape, memory, slot_of, rules, motion, m, hold, counts[stretch], record)
         if outcome != OK:
             if outcome != NEED_REGION:
                 _strobe(shape, memory, slot_of, motion, stretch + 1, strobes)
@@ -161,7 +167,7 @@ def run(
         position[2], position[3] = _ahead(int(position[0]), position[1], length)
         progress[STRETCH] = stretch + 1
     slot = slot_place(shape, slot_of, modes)
-    _tangents_inside(shape, memory, slot, motion, m, 0.0, position[1])
+    _tangents_inside(shape, memory, slot, motion, m, 0.0, position[1], origin)
     for i in range(n):
         u[1 + i] = strobes[len(counts), i]
     return OK
@@ -175,7 +181,7 @@ def _second(c, at, s):
     return value
 
 
-@kernel(int64(MATRIX, MUTABLE, FLOATS, int64, MATRIX))
+@kernel(int64(MATRIX, MUTABLE, FLOATS, int64, MATRIX), allocates=True)
 def extrema(piece, gap, basis, table, found):
     """Simple zeros of X' over all pieces.
 

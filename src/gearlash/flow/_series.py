@@ -7,7 +7,7 @@ import numpy as np
 from gearlash._kernel import fma, inner
 
 from ._tables import ORDER, TERMS
-from ._vector import linear
+from ._vector import linear, move, multiple, times
 
 NEAR_ZERO = 1e-9
 
@@ -79,40 +79,48 @@ def fourier_value(series, at, harmonics, theta):
 
 
 @inner
-def recentre(pascal, table, c, at, start, powers, out, to):
-    """out[to:to+TERMS] ← coefficients of the polynomial c about ``start``; ``powers`` is a place in out."""
-    if start == 0.0:
-        for j in range(TERMS):
-            out[to + j] = c[at + j]
-    elif start < NEAR_ZERO:  # powers of the start would vanish, and so would terms of second order
-        for j in range(TERMS):
-            out[to + j] = c[at + j]
-        for j in range(ORDER):
-            out[to + j] += (j + 1) * start * c[at + j + 1]
-    else:
-        power, step = 1.0, 1.0 / start
-        for j in range(ORDER + 1):
-            out[powers + j] = c[at + j] * power
-            power *= start
-        # Σ_m C(m, i) start^(m-i) c_m
-        linear(pascal, table, TERMS, TERMS, ORDER + 1, out, powers, out, to)
-        power = 1.0
-        for j in range(ORDER + 1):
-            out[to + j] *= power
-            power *= step
+def powers(s, out, to):
+    """out[to:to+TERMS] ← 1, s, s², …: by blocks, not one after the other."""
+    s2 = s * s
+    s4 = s2 * s2
+    out[to], out[to + 1], out[to + 2], out[to + 3] = 1.0, s, s2, s2 * s
+    out[to + 4], out[to + 5], out[to + 6], out[to + 7] = s4, s4 * s, s4 * s2, s4 * s2 * s
+    s8 = s4 * s4
+    multiple(s8, out, to, out, to + 8, 8)
+    multiple(s8 * s8, out, to, out, to + 16, 8)
 
 
 @inner
-def pressing(eta, eta_at, x, x_at, first, rate, out, to):
-    """out[to:to+TERMS] ← η·(X - edge) + rate·dX/ds, cut off behind ORDER; ``first`` is X - edge at s = 0."""
-    for j in range(TERMS):
-        out[to + j] = 0.0
-    for i in range(ORDER + 1):
-        factor = eta[eta_at + i]
-        if factor != 0.0:
-            out[to + i] = fma(factor, first, out[to + i])
-            for j in range(1, ORDER + 1 - i):
-                out[to + i + j] = fma(factor, x[x_at + j], out[to + i + j])
+def recentre(pascal, table, c, at, start, powers_at, scaled, out, to):
+    """out[to:to+TERMS] ← coefficients of the polynomial c about ``start``; ``powers_at``, ``scaled`` are places
+    in out for work."""
+    move(c, at, out, to, TERMS)
+    if start == 0.0:
+        return
+    if start < NEAR_ZERO:  # powers of the start would vanish, and so would terms of second order
+        for j in range(ORDER):
+            out[to + j] += (j + 1) * start * c[at + j + 1]
+        return
+    powers(start, out, powers_at)
+    move(c, at, out, scaled, TERMS)
+    times(out, powers_at, out, scaled, TERMS)
+    # Σ_m C(m, i) start^(m-i) c_m
+    linear(pascal, table, TERMS, TERMS, ORDER + 1, out, scaled, out, to)
+    powers(1.0 / start, out, powers_at)
+    times(out, powers_at, out, to, TERMS)
+
+
+@inner
+def pressing(eta, eta_at, x, x_at, first, rate, out, buffer, to):
+    """out[to:to+TERMS] ← η·(X - edge) + rate·dX/ds, cut off behind ORDER; ``first`` is X - edge at s = 0.
+
+    ``buffer``: a place for (2, TERMS) in out, the first half of which is zero: the product is a sum of X
+    moved along by 0, 1, 2, … places."""
+    move(x, x_at, out, buffer + TERMS, TERMS)
+    out[buffer + TERMS] = first
+    linear(out, buffer + TERMS, -1, TERMS, ORDER + 1, eta, eta_at, out, to)
     if rate != 0.0:
         for j in range(ORDER):
             out[to + j] += rate * (j + 1) * x[x_at + j + 1]
+    for j in range(ORDER + 1, TERMS):
+        out[to + j] = 0.0

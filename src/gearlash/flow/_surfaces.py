@@ -2,28 +2,28 @@
 
 from __future__ import annotations
 
-from gearlash._kernel import inner
+from gearlash._kernel import inlined, inner
 
 from ._cells import UNIT_ROUNDING
 from ._exits import NONE, first_exit
-from ._series import fourier_value, pressing
-from ._tables import FREE, MINUS, NO_TENSION, ORDER, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Shape
-from ._vector import linear, weigh
-from ._work import GAPS, SURFACE
+from ._series import fourier_value, polynomial, pressing
+from ._tables import FREE, MINUS, NO_TENSION, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Shape
+from ._vector import linear, multiple, weigh
+from ._work import BUFFER, GAPS, ONES, SURFACE
 
 ROUNDING = 24.0 * UNIT_ROUNDING  # of a boundary's place
 DERIVED = 84.0  # a bound on the derivative of what is bounded by 1: at most this (remainder: see `_majorant`)
 NO_STOP = 1e300  # the gap of a side that has nothing to hit
 
 
-@inner
+@inlined
 def gap_series(shape: Shape, memory, slot, cell, c, u, work):
     """GAPS ← Taylor coefficients of X - edge of clearance c over the cell that starts (virtually) at u."""
     place = slot + shape.gap + (cell * shape.clearances + c) * (1 + shape.n) * TERMS
     linear(memory, place, TERMS, TERMS, 1 + shape.n, u, 0, work, GAPS + c * TERMS)
 
 
-@inner
+@inlined
 def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on, held, work):
     """First exit of clearance c from its mode in [start, end] of the cell: (s or NONE, boundary ±1, the mode
     behind it, undecided). ``on``: the boundary that was crossed at ``start``; ``held``:
@@ -32,42 +32,56 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
     place = slot + shape.bound + (cell * shape.clearances + c) * shape.p
     bound = weigh(memory, place, shape.p, u, 0)
     x, gaps = GAPS + c * TERMS, shape.gaps + 4 * c
+    swing = weigh(work, ONES, TERMS, work, x) - abs(work[x])
     best, through, behind, undecided = NONE, 0, mode, False
-    for boundary in (1, -1):
+    for k in range(4):
+        boundary, forced = 1 - 2 * (k // 2), k % 2 == 1
         beyond = PLUS if boundary > 0 else MINUS
         over = OVER_PLUS if boundary > 0 else OVER_MINUS
-        gap = memory[gaps + (0 if boundary > 0 else 1)]
+        side = 0 if boundary > 0 else 1
+        gap, damping = memory[gaps + side], memory[gaps + 2 + side]
         if boundary == held or gap >= NO_STOP or not (mode == FREE or mode == beyond or mode == over):
             continue
         edge = 0.0 if mode == beyond else boundary * gap  # where it is in X - (edge of the contact)
         near = bound + ROUNDING * memory[shape.reach + c]
-        if mode != beyond or rule != NO_TENSION:  # the place of the boundary
-            inward = -boundary if mode == FREE else boundary
-            for j in range(ORDER + 1):
-                work[SURFACE + j] = inward * work[x + j]
+        eta = shape.eta + ((cell * shape.clearances + c) * 2 + side) * TERMS
+        if forced:  # the force, which must press
+            if rule != NO_TENSION or mode == FREE:
+                continue
+            near = _force_surface(shape, memory, x, eta, edge, damping, near, boundary, mode == beyond, work)
+        else:  # the place of the boundary
+            inward = float(-boundary if mode == FREE else boundary)
+            if mode == beyond and rule == NO_TENSION and damping != 0.0:
+                continue  # the force is zero before
+            if inward * (work[x] - edge) - swing > near:
+                continue  # out of reach
+            multiple(inward, work, x, work, SURFACE, TERMS)
             work[SURFACE] -= inward * edge
-            s, open_case = first_exit(shape, memory, work, start, end, near, DERIVED * near, on == boundary)
-            undecided = undecided or open_case
-            if s < best:
-                best, through = s, boundary
-                behind = beyond if mode == FREE else FREE
-        if rule == NO_TENSION and mode != FREE:  # the force, which must press
-            side = 0 if boundary > 0 else 1
-            eta = shape.eta + ((cell * shape.clearances + c) * 2 + side) * TERMS
-            rate = memory[gaps + 2 + side] / memory[shape.scalars + 1]
-            pressing(memory, eta, work, x, work[x] - edge, rate, work, SURFACE)
-            inward = boundary if mode == beyond else -boundary
-            stiff = 0.0
-            for j in range(ORDER + 1):
-                stiff += abs(memory[eta + j])
-                work[SURFACE + j] *= inward
-            far = stiff * near + rate * DERIVED * near
-            s, open_case = first_exit(shape, memory, work, start, end, far, DERIVED * far, on == boundary)
-            undecided = undecided or open_case
-            if s < best:
-                best, through = s, boundary
+        s, open_case = first_exit(shape, memory, work, start, end, near, DERIVED * near, on == boundary)
+        undecided = undecided or open_case
+        if s < best:
+            best, through = s, boundary
+            if forced:
                 behind = over if mode == beyond else beyond
+            else:
+                behind = beyond if mode == FREE else FREE
+                if mode == FREE and rule == NO_TENSION and damping == 0.0:  # Φ = η δ presses where η does
+                    behind = beyond if polynomial(memory, eta, s) >= 0.0 else over
     return best, through, behind, undecided
+
+
+@inner
+def _force_surface(shape: Shape, memory, x, eta, edge, damping, near, boundary, pressed, work):
+    """SURFACE ← the pressing force (or minus it, where it does not press yet) of the rule `no-tension`; returns
+    the bound on its error. Without damping Φ = η δ presses where η does."""
+    rate, sign = damping / memory[shape.scalars + 1], 1.0 if pressed else -1.0
+    stiff = weigh(work, ONES, TERMS, memory, eta)
+    if damping == 0.0:
+        multiple(sign, memory, eta, work, SURFACE, TERMS)
+        return ROUNDING * stiff
+    pressing(memory, eta, work, x, work[x] - edge, rate, work, BUFFER, SURFACE)
+    multiple(sign * boundary, work, SURFACE, work, SURFACE, TERMS)
+    return stiff * near + rate * DERIVED * near
 
 
 @inner

@@ -13,21 +13,21 @@ doi:10.1007/978-1-84628-708-4)."""
 
 from __future__ import annotations
 
-from gearlash._kernel import inner
+from gearlash._kernel import inlined, inner
 
-from ._series import polynomial, pressing
+from ._series import polynomial, powers, pressing
 from ._tables import ALWAYS, FREE, IN_CONTACT, MINUS, NO_TENSION, ORDER, TERMS, Shape
-from ._vector import linear
-from ._work import GAPS, MOMENTS, OTHER, PUSH
+from ._vector import add, linear, multiple, times
+from ._work import BUFFER, GAPS, MOMENTS, OTHER, POWERS, PUSH
 
 
-@inner
+@inlined
 def side_of(mode):
     """The side in contact: `PLUS`, `MINUS` or `FREE`."""
     return mode if mode <= MINUS else FREE
 
 
-@inner
+@inlined
 def region_code(modes):
     """Number of the region in which these modes are."""
     code, digit = 0, 1
@@ -37,7 +37,7 @@ def region_code(modes):
     return code
 
 
-@inner
+@inlined
 def switch_state(shape: Shape, memory, source, target, cell, c, boundary, sign, rule, s, u, work, change):
     """u (p) ← the virtual start in the region of the slot ``target``, behind a crossing at s; sign is +1 where
     the force sets in, -1 where it ceases. GAPS holds X - edge of clearance c along u."""
@@ -46,11 +46,11 @@ def switch_state(shape: Shape, memory, source, target, cell, c, boundary, sign, 
     x = GAPS + c * TERMS
     edge = boundary * memory[shape.gaps + 4 * c + side] if sign > 0.0 else 0.0
     rate = 0.0 if rule == ALWAYS else memory[shape.gaps + 4 * c + 2 + side] / memory[shape.scalars + 1]
-    pressing(memory, eta, work, x, work[x] - edge, rate, work, PUSH)
+    pressing(memory, eta, work, x, work[x] - edge, rate, work, BUFFER, PUSH)
     _moments(shape, memory, sign, s, work)
     _pull(shape, memory, target, cell, c, u, work, change)
-    for i in range(shape.p):
-        u[i] += memory[source + shape.centre + i] - memory[target + shape.centre + i]
+    add(1.0, memory, source + shape.centre, u, 0, shape.p)
+    add(-1.0, memory, target + shape.centre, u, 0, shape.p)
 
 
 @inner
@@ -64,7 +64,7 @@ def switch_tangent(
     linear(memory, place, TERMS, TERMS, 1 + shape.n, v, 0, work, OTHER)
     damping = 0.0 if rule == ALWAYS else memory[shape.gaps + 4 * c + 2 + side]
     rate = damping / memory[shape.scalars + 1]
-    pressing(memory, eta, work, OTHER, work[OTHER], rate, work, PUSH)
+    pressing(memory, eta, work, OTHER, work[OTHER], rate, work, BUFFER, PUSH)
     _moments(shape, memory, sign, s, work)
     if rule == IN_CONTACT or (rule == NO_TENSION and not overlapping):
         jump = sign * damping * polynomial(work, OTHER, s)
@@ -77,22 +77,16 @@ def switch_tangent(
 @inner
 def _moments(shape: Shape, memory, sign, s, work):
     """MOMENTS ← ∫_0^s σ^i PUSH(σ) dσ · cell duration · sign."""
-    power = sign * memory[shape.scalars + 1] * s
-    scale = 1.0
-    for k in range(ORDER + 1):
-        work[PUSH + k] *= scale
-        scale *= s
+    factor = sign * memory[shape.scalars + 1] * s
+    powers(s, work, POWERS)
+    times(work, POWERS, work, PUSH, TERMS)
     linear(memory, shape.hilbert, TERMS, TERMS, ORDER + 1, work, PUSH, work, MOMENTS)
-    for i in range(ORDER + 1):
-        work[MOMENTS + i] *= power
-        power *= s
+    times(work, POWERS, work, MOMENTS, TERMS)
+    multiple(factor, work, MOMENTS, work, MOMENTS, TERMS)
 
 
 @inner
 def _pull(shape: Shape, memory, target, cell, c, u, work, change):
     place = target + shape.pull + (cell * shape.clearances + c) * (ORDER + 1) * shape.p
     linear(memory, place, shape.p, shape.p, ORDER + 1, work, MOMENTS, change, 0)
-    for i in range(shape.p):
-        u[i] -= change[i]
-
-
+    add(-1.0, change, 0, u, 0, shape.p)

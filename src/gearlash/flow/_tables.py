@@ -10,6 +10,8 @@ cell, and digits lost."""
 
 from __future__ import annotations
 
+from functools import cache
+from math import comb
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -59,6 +61,10 @@ class Shape(NamedTuple):
     forcing: int  # (n, 2H+1)
     tail: int  # (clearances, 4): Taylor remainder of X, of dX/ds: per unit of Σ|z|, constant
     centre: int  # (p): (0, c); the state of a motion here is z - c, and X that from the contact's edge
+    lap: int  # (1+n, p): state at the end of a whole base period without contact
+    centred: int  # (p): start of the motion that repeats under it
+    swing: int  # (clearances, p): largest change of what is watched, per unit of each state at the start
+    margin: int  # (clearances, 2): how far it stays above its lower, below its upper limit on that motion
     lag: int  # (clearances): h·c - edge - mean of e, zero wherever a centre can be had
 
 
@@ -106,24 +112,26 @@ def lay_out(plan: Plan) -> Shape:
         size += padded(length)
     inside, slot = [], 0
     for length in (cells * (1 + n) * rows, cells * j * p, cells * j * (1 + n) * TERMS,
-                   cells * j * p, cells * j * (ORDER + 1) * p, (n + j) * p, n * width, 4 * j, p, j):  # fmt: skip
+                   cells * j * p, cells * j * (ORDER + 1) * p, (n + j) * p, n * width, 4 * j, p, (1 + n) * p, p, j * p, 2 * j, j):  # fmt: skip
         inside.append(slot)
         slot += padded(length)
     return Shape(n, p, j, cells, rows, plan.harmonics, *places, size, slot, *inside)
 
 
 def constants(shape: Shape, memory: Array) -> None:
-    """Writes the tables that are the same for every system."""
-    from math import comb
+    """Writes the tables that are the same for every system (they lie side by side)."""
+    table = _constants()
+    memory[shape.bernstein : shape.bernstein + len(table)] = table
 
-    def columns(place: int) -> Array:
-        return memory[place : place + (ORDER + 1) * TERMS].reshape(ORDER + 1, TERMS)
 
-    second = shape.bernstein + (ORDER + 1) * TERMS
-    for place, degree in ((shape.bernstein, ORDER), (second, ORDER - 1)):
+@cache
+def _constants() -> Array:
+    bernstein, pascal, hilbert = np.zeros((2, ORDER + 1, TERMS)), *np.zeros((2, ORDER + 1, TERMS))
+    for which, degree in enumerate((ORDER, ORDER - 1)):
         for k in range(degree + 1):
             for i in range(k, degree + 1):
-                columns(place)[k, i] = comb(i, k) / comb(degree, k)
+                bernstein[which, k, i] = comb(i, k) / comb(degree, k)
     for k in range(ORDER + 1):
-        columns(shape.pascal)[k, : k + 1] = [comb(k, i) for i in range(k + 1)]
-        columns(shape.hilbert)[k, : ORDER + 1] = 1.0 / (np.arange(ORDER + 1) + k + 1)
+        pascal[k, : k + 1] = [comb(k, i) for i in range(k + 1)]
+        hilbert[k, : ORDER + 1] = 1.0 / (np.arange(ORDER + 1) + k + 1)
+    return np.concatenate([part.ravel() for part in (bernstein, pascal, hilbert)])

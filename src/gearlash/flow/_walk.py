@@ -11,14 +11,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearlash._kernel import inner
+from gearlash._kernel import inlined, inner
 
 from ._exits import NONE
 from ._expand import carry_inside, expand
 from ._surfaces import next_exit
 from ._switch import region_code, side_of, switch_state, switch_tangent
-from ._tables import FREE, MINUS, NO_TENSION, ORDER, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Array, Shape
-from ._vector import linear, weigh
+from ._tables import FREE, MINUS, ORDER, OVER_MINUS, OVER_PLUS, PLUS, Array, Shape
+from ._vector import add, greatest, least, linear, move, weigh
 
 OK, TOO_MANY, DIVERGED, WRONG_SIDE, NEED_REGION = 0, 1, 2, 3, 4
 ENGAGE_PLUS, ENGAGE_MINUS, RELEASE_PLUS, RELEASE_MINUS = 0, 1, 2, 3  # of each clearance; last: undecided
@@ -33,7 +33,9 @@ class Motion(NamedTuple):
     u: Array  # (p): (1, z - c) at the beginning of the cell, under the flow of the present region
     tangents: Array  # (m·p): (0, v) likewise
     modes: np.ndarray  # (clearances) int
-    position: Array  # (6): cell, s; cell and s of the end of the stretch; number of a region that is needed; 1
+    position: (
+        Array  # (6): cell, s; cell and s of the end of the stretch; number of a region that is needed; 1
+    )
     # where the motion has only just been put there
     work: Array  # see `_work`
     moved: Array  # (rows or p)
@@ -54,32 +56,25 @@ class Record(NamedTuple):
     state: Array  # (events, n)
 
 
-@inner
+@inlined
 def slot_place(shape: Shape, slot_of, modes):
     """Where the slot of the present region begins, or -1 where it is not built yet."""
     slot = slot_of[region_code(modes)]
     return shape.slots + slot * shape.slot if slot >= 0 else -1
 
 
-@inner
+@inlined
 def _clear(shape: Shape, memory, slot, cell, c, mode, u, moved):
     """Whether clearance c is proved to keep its mode through the whole cell that starts at u."""
     place = slot + shape.rest + (cell * shape.clearances + c) * shape.p
     rest = weigh(memory, place, shape.p, u, 0)
     first = shape.p + 8 * c
-    low01, low23 = min(moved[first], moved[first + 1]), min(moved[first + 2], moved[first + 3])
-    low45, low67 = min(moved[first + 4], moved[first + 5]), min(moved[first + 6], moved[first + 7])
-    high01, high23 = max(moved[first], moved[first + 1]), max(moved[first + 2], moved[first + 3])
-    high45, high67 = max(moved[first + 4], moved[first + 5]), max(moved[first + 6], moved[first + 7])
-    lowest, highest = min(min(low01, low23), min(low45, low67)), max(max(high01, high23), max(high45, high67))
-    plus, minus = memory[shape.gaps + 4 * c], -memory[shape.gaps + 4 * c + 1]
-    if mode == FREE:
-        return lowest - rest > minus and highest + rest < plus
     if mode == PLUS:
-        return lowest - rest > 0.0
+        return least(moved, first) - rest > 0.0
     if mode == MINUS:
-        return highest + rest < 0.0
-    return False
+        return greatest(moved, first) + rest < 0.0
+    plus, minus = memory[shape.gaps + 4 * c], -memory[shape.gaps + 4 * c + 1]
+    return mode == FREE and least(moved, first) - rest > minus and greatest(moved, first) + rest < plus
 
 
 @inner
@@ -90,73 +85,120 @@ def _bounded(u, p):
     return size < HUGE
 
 
-@inner
+@inlined
 def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hold, counts, record):
-    """Carries a motion with m tangents to (stop_cell, stop_s); returns an outcome. With `NEED_REGION` it stands
-    where it was when it reached a region without tables, and can go on once they are there.
+    """Carries a motion with m tangents to (stop_cell, stop_s), crossings just there included; returns an
+    outcome. With `NEED_REGION` it stands where it was when it reached a region without tables, and can go on
+    once they are there.
 
     hold (4): clearance, boundary that is not crossed between two positions (boundary 0: none). counts
     (4·clearances + 1) int is added to."""
-    u, tangents, modes, moved = motion.u, motion.tangents, motion.modes, motion.moved
-    cells, n, p, rows, count = shape.cells, shape.n, shape.p, shape.rows, shape.clearances
+    u, modes, moved = motion.u, motion.modes, motion.moved
+    cells, p = shape.cells, shape.p
     keep = record.used[0] >= 0
     cell, s = int(motion.position[0]), motion.position[1]
-    slot, plain = slot_place(shape, slot_of, modes), False
-    while cell < stop_cell or (cell == stop_cell and s < stop_s):
-        k = cell % cells
-        end = 1.0 if cell < stop_cell else stop_s
-        holding = hold[1] != 0.0 and hold[2] < cell + 1.0 and hold[3] > cell
-        if s == 0.0 and end == 1.0 and not keep and not holding:
-            step = slot + shape.step + k * (1 + n) * rows
-            linear(memory, step, rows, rows, 1 + n, u, 0, moved, 0)
+    slot, proved = slot_place(shape, slot_of, modes), False
+    k, whole = cell % cells, not keep and hold[1] == 0.0
+    while True:
+        arriving = not (cell < stop_cell or (cell == stop_cell and s < stop_s))
+        if arriving and proved:
+            break  # the last cell was proved to be clear, its end too
+        end = s if arriving else (1.0 if cell < stop_cell else stop_s)
+        if s == 0.0 and end == 1.0 and (whole or not (keep or (hold[2] < cell + 1.0 and hold[3] > cell))):
+            if k == 0 and whole and cell + cells <= stop_cell and _lap(shape, memory, slot, modes, u, moved):
+                _leap(shape, memory, slot, slot + shape.lap, p, u, motion.tangents, m, moved)
+                cell, proved = cell + cells, True
+                continue
+            step = slot + shape.step + k * (1 + shape.n) * shape.rows
+            linear(memory, step, shape.rows, shape.rows, 1 + shape.n, u, 0, moved, 0)
             clear = True
-            for c in range(count):
+            for c in range(shape.clearances):
                 clear = clear and _clear(shape, memory, slot, k, c, modes[c], u, moved)
             if clear:
-                if not plain:
-                    plain = True
-                    motion.position[FRESH] = 0.0
-                    for c in range(count):
-                        motion.on[c] = 0
-                for i in range(p):
-                    u[i] = moved[i]
-                for v in range(m):
-                    linear(memory, step, rows, p, 1 + n, tangents, v * p, moved, 0)
-                    for i in range(p):
-                        tangents[v * p + i] = moved[i]
+                move(moved, 0, u, 0, p)
+                if m > 0:
+                    _tangents_on(shape, memory, step, shape.rows, motion.tangents, m, moved)
                 cell += 1
+                k = k + 1 if k + 1 < cells else 0
+                proved = True
                 continue
         if not _bounded(u, p):  # no polynomial of infinities can be subdivided to an end
             return DIVERGED
+        if proved:
+            proved = False
+            _leave_behind(motion)
         motion.position[0], motion.position[1] = cell, s
-        outcome = _by_pieces(shape, memory, slot_of, rules, motion, m, k, end, hold, counts, record)
+        outcome = _by_pieces(shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record)
         if outcome != OK:
             return outcome
+        if arriving:
+            break
         slot = slot_place(shape, slot_of, modes)
         s = motion.position[1]
         if end == 1.0:
-            step = slot + shape.step + k * (1 + n) * rows
-            linear(memory, step, rows, p, 1 + n, u, 0, moved, 0)
-            for i in range(p):
-                u[i] = moved[i]
-            for v in range(m):
-                linear(memory, step, rows, p, 1 + n, tangents, v * p, moved, 0)
-                for i in range(p):
-                    tangents[v * p + i] = moved[i]
+            step = slot + shape.step + k * (1 + shape.n) * shape.rows
+            _leap(shape, memory, slot, step, shape.rows, u, motion.tangents, m, moved)
             cell += 1
-            s, plain = 0.0, False
-            for c in range(count):
-                motion.on[c] = 0
+            k = k + 1 if k + 1 < cells else 0
+            s = 0.0
+            _leave_behind(motion)
+    if proved:
+        _leave_behind(motion)
     motion.position[0], motion.position[1] = cell, s
     return OK if _bounded(u, p) else DIVERGED
 
 
 @inner
-def _by_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, hold, counts, record):
-    """One cell from motion.position to local time ``end``, event by event."""
+def _leap(shape: Shape, memory, slot, table, stride, u, tangents, m, moved):
+    """State and tangents over one cell or lap, by the table that begins at a place."""
+    linear(memory, table, stride, shape.p, 1 + shape.n, u, 0, moved, 0)
+    move(moved, 0, u, 0, shape.p)
+    if m > 0:
+        _tangents_on(shape, memory, table, stride, tangents, m, moved)
+
+
+@inner
+def _tangents_on(shape: Shape, memory, table, stride, tangents, m, moved):
+    for v in range(m):
+        linear(memory, table, stride, shape.p, 1 + shape.n, tangents, v * shape.p, moved, 0)
+        move(moved, 0, tangents, v * shape.p, shape.p)
+
+
+@inlined
+def _lap(shape: Shape, memory, slot, modes, u, moved):
+    """Whether a whole base period is proved to be clear: the state is so near to that of the region's own
+    periodic motion that X cannot come as far as that motion's margin."""
+    move(u, 0, moved, 0, shape.p)
+    add(-1.0, memory, slot + shape.centred, moved, 0, shape.p)
+    for c in range(shape.clearances):
+        away = weigh(memory, slot + shape.swing + c * shape.p, shape.p, moved, 0)
+        below, above = memory[slot + shape.margin + 2 * c], memory[slot + shape.margin + 2 * c + 1]
+        if modes[c] == PLUS:
+            above = np.inf
+        elif modes[c] == MINUS:
+            below = np.inf
+        elif modes[c] != FREE:
+            return False
+        if not (away < below and away < above):
+            return False
+    return True
+
+
+@inner
+def _leave_behind(motion):
+    """What was crossed, and the start itself, are behind."""
+    motion.position[FRESH] = 0.0
+    for c in range(len(motion.on)):
+        motion.on[c] = 0
+
+
+@inlined
+def _by_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record):
+    """One cell from motion.position to local time ``end``, event by event; ``arriving``: the crossings at a
+    position only."""
     events = 0
     cell = motion.position[0]
-    while motion.position[1] < end:
+    while arriving or motion.position[1] < end:
         s = motion.position[1]
         held, stop = _held(hold, cell, s, end)
         slot = slot_place(shape, slot_of, motion.modes)
@@ -164,15 +206,17 @@ def _by_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, hold, co
             shape, memory, slot, k, rules, motion, s, stop, int(hold[0]), held
         )
         if at == NONE:
+            if arriving:
+                break
             if undecided:
                 counts[4 * shape.clearances] += 1
-            if not _keep_piece(shape, memory, slot, motion, k, s, stop, record):
+            if record.used[0] >= 0 and not _keep_piece(shape, memory, slot, motion, k, s, stop, record):
                 return TOO_MANY
             _advance(motion, stop)
             continue
         outcome = _cross(
             shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind,
-            motion.position[FRESH] != 0.0 and at == s, undecided, counts, record,
+            motion.position[FRESH] != 0.0 and at == s, undecided and not arriving, counts, record,
         )  # fmt: skip
         if outcome != OK:
             return outcome
@@ -207,7 +251,7 @@ def _held(hold, cell, s, end):
     return held, stop
 
 
-@inner
+@inlined
 def _first(shape: Shape, memory, slot, k, rules, motion, s, stop, held_clearance, held):
     """First exit of any clearance in [s, stop]: (time or NONE, clearance, boundary, mode behind, undecided)."""
     best, which, through, behind, undecided = NONE, 0, 0, 0, False
@@ -222,7 +266,7 @@ def _first(shape: Shape, memory, slot, k, rules, motion, s, stop, held_clearance
     return best, which, through, behind, undecided
 
 
-@inner
+@inlined
 def _cross(
     shape: Shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind, silent, undecided,
     counts, record,
@@ -239,7 +283,9 @@ def _cross(
             return NEED_REGION
     if undecided:
         counts[4 * count] += 1
-    if not _keep_piece(shape, memory, slot, motion, k, motion.position[1], at, record):
+    if record.used[0] >= 0 and not _keep_piece(
+        shape, memory, slot, motion, k, motion.position[1], at, record
+    ):
         return TOO_MANY
     if before == after:  # out of the overlap of `no-tension`: nothing presses on either side
         motion.modes[which] = behind
@@ -248,7 +294,9 @@ def _cross(
     overlapping = mode == OVER_PLUS or mode == OVER_MINUS or behind == OVER_PLUS or behind == OVER_MINUS
     if not silent:
         counts[4 * which + (0 if engaging else 2) + (0 if boundary > 0 else 1)] += 1
-        if not _keep_event(shape, memory, slot, motion, k, at, which, boundary, engaging, record):
+        if record.used[0] >= 0 and not _keep_event(
+            shape, memory, slot, motion, k, at, which, boundary, engaging, record
+        ):
             return TOO_MANY
     sign = 1.0 if engaging else -1.0
     p, work = shape.p, motion.work
@@ -260,7 +308,19 @@ def _cross(
             tangent, work, motion.moved,
         )  # fmt: skip
     switch_state(
-        shape, memory, slot, target_place, k, which, boundary, sign, rules[which], at, motion.u, work, motion.moved
+        shape,
+        memory,
+        slot,
+        target_place,
+        k,
+        which,
+        boundary,
+        sign,
+        rules[which],
+        at,
+        motion.u,
+        work,
+        motion.moved,
     )
     motion.modes[which] = behind
     return OK
@@ -268,8 +328,6 @@ def _cross(
 
 @inner
 def _keep_event(shape: Shape, memory, slot, motion, k, at, which, boundary, engaging, record):
-    if record.used[0] < 0:
-        return True
     i = record.used[1]
     if i >= len(record.event):
         return False
@@ -292,7 +350,7 @@ def _keep_event(shape: Shape, memory, slot, motion, k, at, which, boundary, enga
 def _keep_piece(shape: Shape, memory, slot, motion, k, start, end, record):
     """Stores [start, end] of cell k as a polynomial in local time of its own (0 to 1 over the piece)."""
     i = record.used[0]
-    if i < 0 or end <= start:
+    if end <= start:
         return True
     if i >= len(record.piece):
         return False
@@ -323,46 +381,3 @@ def sides_of(motion):
     """Fills `sides` from the modes."""
     for c in range(len(motion.modes)):
         motion.sides[c] = side_of(motion.modes[c])
-
-
-@inner
-def arrivals(shape: Shape, memory, slot_of, rules, motion, m, hold, counts, record):
-    """A span includes its end: crossings just there are this span's, and the next starts behind them."""
-    cell, s = motion.position[0], motion.position[1]
-    k = int(cell) % shape.cells
-    held, _ = _held(hold, cell, s, s)
-    for c in range(shape.clearances):
-        slot = slot_place(shape, slot_of, motion.modes)
-        if not _near(shape, memory, slot, k, c, motion.modes[c], rules[c], motion.u, s):
-            continue
-        at, boundary, behind, _ = next_exit(
-            shape, memory, slot, k, c, motion.modes[c], rules[c], motion.u, s, s,
-            motion.on[c], held if c == int(hold[0]) else 0, motion.work,
-        )  # fmt: skip
-        if at == NONE:
-            continue
-        outcome = _cross(
-            shape, memory, slot_of, slot, rules, motion, m, k, at, c, boundary, behind, False, False, counts,
-            record,
-        )  # fmt: skip
-        if outcome != OK:
-            return outcome
-        motion.on[c] = boundary
-    return OK
-
-
-@inner
-def _near(shape: Shape, memory, slot, k, c, mode, rule, u, s):
-    """Whether it is worth a closer look at the end of a span; most states are nowhere near a boundary."""
-    if s != 0.0 or (rule == NO_TENSION and mode != FREE):
-        return True
-    place = slot + shape.gap + (k * shape.clearances + c) * (1 + shape.n) * TERMS
-    x, size = 0.0, 0.0
-    for i in range(1 + shape.n):
-        term = memory[place + i * TERMS] * u[i]
-        x += term
-        size += abs(term)
-    plus, minus = memory[shape.gaps + 4 * c], memory[shape.gaps + 4 * c + 1]
-    if mode == PLUS or mode == MINUS:
-        return abs(x) <= 1e-9 * size
-    return abs(x - plus) <= 1e-9 * (size + plus) or abs(x + minus) <= 1e-9 * (size + minus)

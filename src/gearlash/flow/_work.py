@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-from gearlash._kernel import inner
-
 from ._tables import TERMS
 
 DEPTH = 44  # subdivisions: an interval of 2^-44 of a piece is below the rounding of its ends
 
-SCALED = 0  # powers of a shift
+SCALED = 0  # a polynomial with its variable scaled
 LOCAL = TERMS  # a polynomial in the local time of its piece
 SURFACE = 2 * TERMS  # distance to a surface
 PUSH = 3 * TERMS  # force that sets in or ceases
 MOMENTS = 4 * TERMS
 OTHER = 5 * TERMS
 ONES = 6 * TERMS
-STACK = 7 * TERMS  # (DEPTH+2, TERMS): Bernstein coefficients of subintervals
+POWERS = 7 * TERMS
+BUFFER = 8 * TERMS  # (2, TERMS)
+STACK = 10 * TERMS  # (DEPTH+2, TERMS): Bernstein coefficients of subintervals
 LIMITS = STACK + (DEPTH + 2) * TERMS  # (DEPTH+2, 2): their ends
 GAPS = LIMITS + 4 * TERMS  # (clearances, TERMS): X over the cell
-
-
-@inner
-def work_length(clearances, p):
-    """Of the whole work space."""
-    return GAPS + clearances * TERMS + p

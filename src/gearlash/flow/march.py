@@ -85,9 +85,7 @@ def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) ->
         contacts.append(counts)
         done += block
     table = np.concatenate(contacts)
-    return Strobes(
-        np.concatenate(states), table[:, :-1], int(table[:, -1].sum()), _with_doubt(status, table)
-    )
+    return Strobes(np.concatenate(states), table[:, :-1], int(table[:, -1].sum()), _with_doubt(status, table))
 
 
 def carry(
@@ -211,11 +209,12 @@ def _run(
     modes, on = np.zeros((2, shape.clearances), dtype=np.int64)
     position = np.zeros(6)
     progress, flat, held = np.zeros(2, dtype=np.int64), frame.reshape(-1), _hold(props, hold, base)
+    space = _march.scratch(shape)
     while True:
         tables = props.tables
         code = _march.run(
             shape, tables.memory, tables.slot_of, props.rules, u, flat, modes, on, position, progress, start,
-            length, held, strobes, counts, np.empty(0) if sums is None else sums, *record,
+            length, held, strobes, counts, np.empty(0) if sums is None else sums, *record, *space,
         )  # fmt: skip
         if code != NEED_REGION:
             break

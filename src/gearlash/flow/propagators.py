@@ -13,7 +13,7 @@ import numpy as np
 from gearlash.system import Clearance, ContactRule, GearlashError, System, derivative, padded
 from gearlash.system.harmonics import harmonics
 
-from ._cells import EDGE, FORCED, OFFSET, assemble, respond, spectral_radius, stiffness_series
+from ._cells import EDGE, FORCED, OFFSET, assemble, laps, respond, spectral_radius, stiffness_series
 from ._surfaces import NO_STOP
 from ._tables import (
     ALWAYS,
@@ -59,6 +59,7 @@ class Propagators:
     shape: Shape
     rules: Array
     units: Array
+    centres: Array
     key: tuple
     store: dict[str, Tables]
     responses: dict[int, tuple[Array, Array, float, float]]
@@ -145,7 +146,7 @@ def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagator
     memory.setflags(write=False)
     rules = np.array([RULES[c.contact] for c in system.clearances], dtype=np.int64)
     nothing = Tables(memory, np.full(3 ** len(rules), -1, dtype=np.int64))
-    found = Propagators(system, shape, rules, units, key, {"now": nothing}, {})
+    found = Propagators(system, shape, rules, units, _centres(system), key, {"now": nothing}, {})
     for sides in _extreme(system):
         tables = _with_region(found, _code(sides), TRUNCATION)
         if tables is None:
@@ -176,7 +177,7 @@ def _with_region(props: Propagators, code: int, bound: float) -> Tables:
         readers = np.array([c.h for c in system.clearances], dtype=np.float64)
         actors = np.array([c.g for c in system.clearances], dtype=np.float64)
         tails = respond(
-            shape, memory, at, np.ascontiguousarray(matrix), readers, actors, _centres(system),
+            shape, memory, at, np.ascontiguousarray(matrix), readers, actors, props.centres,
             np.array(sides, dtype=np.int64), props.units, ends, gaps,
         )  # fmt: skip
         if not tails[0] <= bound:
@@ -201,7 +202,14 @@ def _with_amplitudes(system: System, reuse: Propagators) -> Propagators:
     memory = tables.memory.copy()
     _write_system(system, shape, memory)
     found = Propagators(
-        system, shape, reuse.rules, reuse.units, reuse.key, {"now": tables}, dict(reuse.responses)
+        system,
+        shape,
+        reuse.rules,
+        reuse.units,
+        reuse.centres,
+        reuse.key,
+        {"now": tables},
+        dict(reuse.responses),
     )
     for code in map(int, np.flatnonzero(tables.slot_of >= 0)):
         at = shape.slots + int(tables.slot_of[code]) * shape.slot
@@ -219,7 +227,7 @@ def _assemble(
     ends, gaps, tail, derived = props.responses[code]
     edges = _edges(system, sides)
     means = np.array([clearance.offset[0] for clearance in system.clearances])
-    centres = _centres(system)
+    centres = props.centres
     centre = (edges + means) @ centres
     forcing = _forcing(system, sides)
     amplitudes = np.array(
@@ -248,6 +256,7 @@ def _assemble(
         shape, memory, at, amplitudes, ends, gaps, np.array(sides, dtype=np.int64), props.rules,
         _TO_CHECK.copy(), everything,
     )  # fmt: skip
+    laps(shape, memory, at, np.array(sides, dtype=np.int64))
 
 
 def _to_check() -> Array:
@@ -289,9 +298,7 @@ def _write_system(system: System, shape: Shape, memory: Array) -> None:
             memory[place : place + width] = padded(series, shape.harmonics)
 
 
-def _write_region(
-    system: System, shape: Shape, memory: Array, at: int, sides: Sides, matrix: Array
-) -> None:
+def _write_region(system: System, shape: Shape, memory: Array, at: int, sides: Sides, matrix: Array) -> None:
     """The equations of one region, for expansions of the state."""
     columns = memory[at + shape.matrix : at + shape.matrix + (shape.n + shape.clearances) * shape.p]
     columns = columns.reshape(shape.n + shape.clearances, shape.p)
@@ -394,6 +401,8 @@ def _forcing(system: System, sides: Sides) -> Array:
 def _centres(system: System) -> Array:
     """(clearances, n): states with h_j·c_k = 1 for j = k, else 0; all zero where gaps depend on each other."""
     readers = np.array([c.h for c in system.clearances], dtype=np.float64)
+    if len(readers) == 1:
+        return readers / (readers @ readers.T)
     if np.linalg.matrix_rank(readers) < len(readers):
         return np.zeros_like(readers)
     return np.ascontiguousarray(np.linalg.pinv(readers).T)

@@ -7,8 +7,9 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from contextlib import contextmanager
 from typing import Any
 
 from gearlash.system import GearlashError
@@ -46,6 +47,11 @@ class Pool(ProcessPoolExecutor):
         self._stop = context.Event()
         super().__init__(workers, context, _start, (self._stop, prepare, arguments))
 
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """The future of a task. Workers started for it never see Ctrl-C, not even while they are starting."""
+        with _ctrl_c_held_back():
+            return super().submit(fn, *args, **kwargs)
+
     def stop(self) -> None:
         """Asks tasks at work to return what they have (see `stopping`)."""
         self._stop.set()
@@ -74,6 +80,19 @@ def open_executor(
 def available_cores() -> int:
     """Processor cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@contextmanager
+def _ctrl_c_held_back() -> Iterator[None]:
+    """Ctrl-C waits until the block ends; processes started in it inherit that it waits, for ever."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _start(flag: Cancel, prepare: Callable[..., None] | None, arguments: tuple[Any, ...]) -> None:

@@ -5,6 +5,7 @@ Each returns a matplotlib `Figure`; `save` writes it as SVG and PDF.
 """
 
 from .bifurcation import diagram
+from .cost import cost
 from .histories import history
 from .histories import triple as history_triple
 from .intervals import Bar, Panel, zones
@@ -20,6 +21,7 @@ __all__ = [
     "Mark",
     "Panel",
     "Units",
+    "cost",
     "diagram",
     "gallery",
     "history",

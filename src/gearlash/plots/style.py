@@ -22,6 +22,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, AutoMinorLocator, FixedLocator, MaxNLocator, NullLocator
 from matplotlib.transforms import ScaledTranslation
 
+from gearlash.results.store import write_whole
+
 P = ParamSpec("P")
 
 COLUMN, PAGE = 88.0, 180.0  # mm: one column and the whole width of a journal page
@@ -123,7 +125,10 @@ def _minor_ticks(made: Figure) -> None:
     """Minor ticks on every axis of numbers; after the layout, which they only slow down."""
     panels = [each for axes in made.axes for each in (axes, *axes.child_axes)]
     for axis in (axis for panel in panels for axis in (panel.xaxis, panel.yaxis)):
-        if axis.get_visible() and not isinstance(axis.get_major_locator(), FixedLocator | NullLocator):
+        even = axis.get_scale() == "linear" and not isinstance(
+            axis.get_major_locator(), FixedLocator | NullLocator
+        )
+        if axis.get_visible() and even:
             axis.set_minor_locator(AutoMinorLocator())
 
 
@@ -179,6 +184,6 @@ def save(
     written = []
     for form in forms:
         path = stem.with_name(f"{stem.name}.{form}")
-        path.write_bytes(to_bytes(made, form, dpi))
+        write_whole(path, to_bytes(made, form, dpi))
         written.append(path)
     return written

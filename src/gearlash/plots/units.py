@@ -38,7 +38,12 @@ SYMBOLS = {"omega": "ω", "D": "D", "load": "f_m", "ripple": "ε₁", "error": "
 
 def name(parameter: str) -> str:
     """Axis label of a parameter: words and symbol; all are numbers of one unless the label says rad."""
-    return NAMES.get(parameter, parameter.replace("_", " "))
+    return NAMES.get(parameter, plain(parameter.replace("_", " ")))
+
+
+def plain(text: str) -> str:
+    """Somebody's own words as matplotlib is to draw them: a dollar sign begins no formula."""
+    return text.replace("$", r"\$")
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from gearlash import plots
+from gearlash.results.store import write_whole
 
 FORMS = ("svg", "pdf")
 
@@ -38,6 +39,6 @@ def write(pictures: Sequence[Picture], folder: Path, executor: Executor | None) 
     vector = {}
     for picture, forms in zip(pictures, files, strict=True):
         for form, content in forms.items():
-            (folder / f"{picture.stem}.{form}").write_bytes(content)
+            write_whole(folder / f"{picture.stem}.{form}", content)
         vector[picture.stem] = forms["svg"]
     return vector

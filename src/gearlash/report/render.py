@@ -5,6 +5,7 @@ from __future__ import annotations
 from concurrent.futures import Executor
 from pathlib import Path
 
+from gearlash.results.store import write_whole
 from gearlash.studies.article import Reproduction
 
 from .article import document
@@ -24,6 +25,6 @@ def render(reproduction: Reproduction, folder: Path | str, executor: Executor | 
     page, pictures = document(reproduction)
     figures = write(pictures, target / FIGURES, executor)
     path = target / PAGE
-    path.write_text(html(page, figures, FIGURES), encoding="utf-8")
-    (target / DATA).write_text(as_json(reproduction), encoding="utf-8")
+    write_whole(path, html(page, figures, FIGURES).encode("utf-8"))
+    write_whole(target / DATA, as_json(reproduction).encode("utf-8"))
     return path

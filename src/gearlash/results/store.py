@@ -19,22 +19,30 @@ FORMAT = "gearlash_format"
 
 def save(dataset: xr.Dataset, path: str | Path) -> Path:
     """Writes a dataset beside its place, then moves it there in one step. Folders are made; an older file is
-    replaced.
+    replaced. Raises `OSError` where that cannot be written.
     """
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
+    # Made in memory: a disk that fills up while HDF5 writes to it can bring the whole process down.
+    write_whole(path, dataset.to_netcdf(None, engine="h5netcdf", encoding=_encoding(dataset)))
+    return path
+
+
+def write_whole(path: Path, content: bytes | memoryview) -> None:
+    """A file with this content; where that cannot be written (`OSError`), none, and an older one is kept."""
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
-    os.close(handle)
     part = Path(name)
     try:
-        dataset.to_netcdf(part, engine="h5netcdf", encoding=_encoding(dataset))
-        with part.open("rb+") as file:
-            os.fsync(file.fileno())
+        with open(handle, "wb") as file:  # noqa: PTH123
+            file.write(content)
+            file.flush()
+            os.fsync(handle)
         part.chmod(0o666 & ~_umask())
         part.replace(path)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from None
     finally:
         part.unlink(missing_ok=True)
-    return path
 
 
 def load(path: str | Path) -> xr.Dataset:

@@ -51,8 +51,9 @@ def derivative(series: Fourier) -> Fourier:
 
 def padded(series: Fourier, count: int) -> Fourier:
     """The same series with room for ``count`` harmonics (last axis)."""
-    missing = 2 * count + 1 - series.shape[-1]
-    return np.pad(series, [(0, 0)] * (series.ndim - 1) + [(0, missing)])
+    out = np.zeros((*series.shape[:-1], 2 * count + 1))
+    out[..., : series.shape[-1]] = series
+    return out
 
 
 def harmonics(series: Fourier) -> int:

@@ -35,10 +35,12 @@ def run_sentence(
     if isinstance(attractor, Unresolved) or numbers is None:
         return f"{here}: {attractor.label}, {message_of(attractor)}"
     label = attractor.signature.short if isinstance(attractor, Orbit) else "aperiodic"
-    parts = [f"{here}: {label}, {contacts(numbers)}"]
+    own = case.structure.get("clearance")  # of a system that need not have teeth
+    doing = met(own[0]["name"], numbers, numbers.cycles) if own else contacts(numbers)
+    parts = [f"{here}: {label}, {doing}"]
     if impact_free is not None:
         parts += _quiet(impact_free, speed, free_now=not numbers.events)
-    return "; ".join([*parts, *(met(other, numbers.cycles) for other in numbers.others)])
+    return "; ".join([*parts, *(met(other.name, other, numbers.cycles) for other in numbers.others)])
 
 
 def message_of(attractor: Attractor) -> str:
@@ -63,16 +65,18 @@ def contacts(numbers: MotionNumbers) -> str:
     return f"teeth hit the drive side {rate(drive, cycles)} and the back side {rate(back, cycles)}"
 
 
-def met(other: OtherClearance, cycles: float) -> str:
-    """What happens in a further clearance: ``bearing met on side + once per cycle``."""
-    counts = [(sum(e.event == "engagement" and e.side == side for e in other.events), sign)
-              for side, sign in (("drive", "+"), ("back", "-"))]  # fmt: skip
+def met(name: str, gap: MotionNumbers | OtherClearance, cycles: float) -> str:
+    """What happens in a clearance, between teeth or not: ``bearing met on side + once per cycle``."""
+    counts = [
+        (sum(e.event == "engagement" and e.side == side for e in gap.events), sign)
+        for side, sign in (("drive", "+"), ("back", "-"))
+    ]
     each = [f"on side {sign} {rate(n, round(cycles))}" for n, sign in counts if n]
     if each:
-        return f"{other.name} met {' and '.join(each)}".replace("mesh cycle", "cycle")
-    if other.share_without_contact == 1.0:
-        return f"{other.name} never in contact"
-    return f"{other.name} always in contact on side {'-' if other.distances.back.maximum <= 0.0 else '+'}"
+        return f"{name} met {' and '.join(each)}".replace("mesh cycle", "cycle")
+    if gap.share_without_contact == 1.0:
+        return f"{name} never in contact"
+    return f"{name} always in contact on side {'-' if gap.distances.back.maximum <= 0.0 else '+'}"
 
 
 def rate(count: int, cycles: int) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.exits import ExitCode, command, delivery
 from gearlash.cli.options import AsJson, CaseArgument, Settings
 
 
@@ -20,10 +20,11 @@ def check(case: CaseArgument, settings: Settings = None, as_json: AsJson = False
     from gearlash.cli.terminal import show
 
     answer = check_answer(read_case(case, settings))
-    if as_json:
-        write_stdout(answer)
-    else:
-        from gearlash.cli.show.check import check_view
+    with delivery():
+        if as_json:
+            write_stdout(answer)
+        else:
+            from gearlash.cli.show.check import check_view
 
-        show(check_view, answer)
+            show(check_view, answer)
     return ExitCode.OK

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.exits import ExitCode, command, delivery
 from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
 
 
@@ -66,12 +66,15 @@ def graze(
     answer = graze_answer(
         chosen, family, parameters, short, over, first, tuple(path for path, _ in walks), found
     )
-    if folder:
-        write_file(answer, folder.file("graze.json"))
-    if as_json:
-        write_stdout(answer)
-    else:
-        from gearlash.cli.show.graze import graze_view
+    with delivery():
+        try:
+            if folder:
+                write_file(answer, folder.file("graze.json"))
+        finally:  # an answer that took long is shown even if it cannot be kept
+            if as_json:
+                write_stdout(answer)
+            else:
+                from gearlash.cli.show.graze import graze_view
 
-        show(graze_view, answer)
+                show(graze_view, answer)
     return ExitCode.OK if answer.points else ExitCode.NOT_OK

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.exits import ExitCode, command, delivery
 from gearlash.cli.options import AsJson, Settings, Workers
 
 
@@ -62,16 +62,17 @@ def reproduce(
     with stage_bar() as progress:
         found = article.reproduce(chosen, _scope(points), workers=workers, progress=progress)
         progress("report", None)
-        with open_executor(workers) as executor:
+        with open_executor(workers) as executor, delivery():
             page = report.render(found, folder.path, executor)
     answer = reproduce_answer(found, str(page))
-    write_file(answer, folder.file("reproduce.json"))
-    if as_json:
-        write_stdout(answer)
-    else:
-        from gearlash.cli.show.reproduce import reproduce_view
+    with delivery():
+        write_file(answer, folder.file("reproduce.json"))
+        if as_json:
+            write_stdout(answer)
+        else:
+            from gearlash.cli.show.reproduce import reproduce_view
 
-        show(reproduce_view, answer)
+            show(reproduce_view, answer)
     return ExitCode.OK if answer.status == "ok" else ExitCode.INTERRUPTED
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.exits import ExitCode, command, delivery
 from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
 
 
@@ -44,16 +44,19 @@ def run(
 
     found = attractor(family.system(parameters), list(start.values()), search_settings(periods, max_period))
     answer = run_answer(chosen, parameters, start, found, impact_free_speeds(family, parameters))
-    if folder:
-        write_file(answer, folder.file("run.json"))
-        if answer.numbers:
-            from gearlash.cli.files import write_motion
+    with delivery():
+        try:
+            if folder:
+                write_file(answer, folder.file("run.json"))
+                if answer.numbers:
+                    from gearlash.cli.files import write_motion
 
-            write_motion(folder, chosen, found)
-    if as_json:
-        write_stdout(answer)
-    else:
-        from gearlash.cli.show.run import run_view
+                    write_motion(folder, chosen, found)
+        finally:  # an answer that took long is shown even if it cannot be kept
+            if as_json:
+                write_stdout(answer)
+            else:
+                from gearlash.cli.show.run import run_view
 
-        show(run_view, answer)
+                show(run_view, answer)
     return ExitCode.OK if found.status.ok else ExitCode.NOT_OK

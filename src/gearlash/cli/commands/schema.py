@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.exits import ExitCode, command, delivery
 
 
 @command
@@ -26,11 +26,12 @@ def schema(
     if result is None:
         from gearlash.case import schema as case_schema
 
-        write_stdout(case_schema())
-        return ExitCode.OK
+        found = case_schema()
+    else:
+        from gearlash.cli.kinds import answer_kind
+        from gearlash.cli.schemas import answer_schema
 
-    from gearlash.cli.kinds import answer_kind
-    from gearlash.cli.schemas import answer_schema
-
-    write_stdout(answer_schema(answer_kind(result)))
+        found = answer_schema(answer_kind(result))
+    with delivery():
+        write_stdout(found)
     return ExitCode.OK

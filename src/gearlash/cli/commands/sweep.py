@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.exits import ExitCode, command, delivery
 from gearlash.cli.options import (
     AsJson,
     CaseArgument,
@@ -78,17 +78,20 @@ def sweep(
             progress=progress,
         )
     answer = sweep_answer(chosen, family.complete(), along.named, found)
-    if folder:
-        from gearlash.cli.files import write_sweep
+    with delivery():
+        try:
+            if folder:
+                from gearlash.cli.files import write_sweep
 
-        write_sweep(folder, chosen, found)
-        write_file(answer, folder.file("sweep.json"))
-    if as_json:
-        write_stdout(answer)
-    else:
-        from gearlash.cli.show.sweep import sweep_view
+                write_sweep(folder, chosen, found)
+                write_file(answer, folder.file("sweep.json"))
+        finally:  # an answer that took long is shown even if it cannot be kept
+            if as_json:
+                write_stdout(answer)
+            else:
+                from gearlash.cli.show.sweep import sweep_view
 
-        show(sweep_view, answer)
+                show(sweep_view, answer)
     if answer.status == "incomplete":
         return ExitCode.INTERRUPTED
     return ExitCode.OK if answer.status == "ok" else ExitCode.NOT_OK

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.exits import ExitCode, command, delivery
 from gearlash.cli.options import (
     AsJson,
     CaseArgument,
@@ -94,15 +94,18 @@ def zones(
                 for k in kinds
             ]
     answer = zones_answer(chosen, family.complete(), along.named, found)
-    if folder:
-        from gearlash.cli.files import write_sweep
+    with delivery():
+        try:
+            if folder:
+                from gearlash.cli.files import write_sweep
 
-        write_sweep(folder, chosen, ways, "zones")
-        write_file(answer, folder.file("zones.json"))
-    if as_json:
-        write_stdout(answer)
-    else:
-        from gearlash.cli.show.zones import zones_view
+                write_sweep(folder, chosen, ways, "zones")
+                write_file(answer, folder.file("zones.json"))
+        finally:  # an answer that took long is shown even if it cannot be kept
+            if as_json:
+                write_stdout(answer)
+            else:
+                from gearlash.cli.show.zones import zones_view
 
-        show(zones_view, answer)
+                show(zones_view, answer)
     return ExitCode.OK if answer.status == "ok" else ExitCode.INTERRUPTED

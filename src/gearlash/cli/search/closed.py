@@ -27,11 +27,12 @@ Sample = tuple[float, float]  # speed, margin there
 
 
 def impact_free_speeds(family: Family, parameters: Mapping[str, float]) -> ImpactFree | None:
-    """Looks from the present speed up and down to `REACH` times it. None without load: no side carries it.
+    """Looks from the present speed up and down to `REACH` times it. None without load, as no side carries it,
+    and for systems of another kind than a mesh under a load.
 
     An interval narrower than one per cent may lie between two speeds of the search and be missed.
     """
-    if parameters["load"] == 0.0:
+    if parameters.get("load", 0.0) == 0.0 or len(family.system(parameters).clearances) != 1:
         return None
     omega = parameters["omega"]
 

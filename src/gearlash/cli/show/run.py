@@ -41,14 +41,15 @@ def run_view(answer: RunAnswer, width: int) -> Iterator[Text]:
         yield from note(footnote, width)
 
 
+GEAR = ("omega", "D", "load")  # what a gear pair is shown by; of other systems, every parameter is
+
+
 def _facts(answer: RunAnswer, marks: Marks) -> Iterator[tuple[str, str]]:
     yield "status", f"{answer.status}: {answer.message}"
     if answer.status != "ok":
         yield "what to do", answer.advice
-    yield (
-        "parameters",
-        ", ".join(f"{name} {number(answer.parameters[name], 7)}" for name in ("omega", "D", "load")),
-    )
+    shown = GEAR if set(GEAR) <= set(answer.parameters) else tuple(answer.parameters)
+    yield "parameters", ", ".join(f"{name} {number(answer.parameters[name], 7)}" for name in shown)
     if answer.physical:
         yield "", _operation(answer.physical, marks)
     if answer.signature:

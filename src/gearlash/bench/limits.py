@@ -1,0 +1,82 @@
+"""The limit: what a period needs at the least, and what this core can do."""
+
+from __future__ import annotations
+
+import numba
+import numpy as np
+
+from .peers.plain import Array
+from .results import Limit
+from .timing import seconds as seconds_of
+from .works import Work
+
+ORDER = 18  # of the Taylor expansions on both sides of a crossing
+CHAIN = 32  # multiply-adds on each number between reading and writing it: memory does not count
+VECTOR = 512
+
+
+def limits(found: list[Work], seconds: dict[str, float]) -> tuple[Limit, ...]:
+    """For each piece of work, beside its measured seconds per period.
+
+    A period is at the least one affine map a cell, n² + n multiply-adds, whose n² + n numbers are read. A
+    crossing lies inside a cell: the state is expanded before and after it, ORDER terms of the field's nonzero
+    entries each."""
+    peak, bandwidth = peak_multiply_adds(), reading()
+    return tuple(_limit(work, peak, bandwidth, seconds[work.name]) for work in found)
+
+
+def _limit(work: Work, peak: float, bandwidth: float, seconds: float) -> Limit:
+    n, cells = work.system.size, work.props.cells
+    (clearance,) = work.system.clearances
+    entries = int(np.count_nonzero(work.system.matrix) + np.count_nonzero(clearance.g) + 1)
+    maps = float(cells * (n * n + n))
+    expansions = work.crossings * 2.0 * ORDER * entries
+    table = 8 * cells * (n * n + n)
+    arithmetic = (maps + expansions) / peak
+    return Limit(
+        work.name, n, cells, work.crossings, maps, expansions, table, peak, bandwidth, seconds,
+        least=max(arithmetic, table / bandwidth),
+        share=arithmetic / seconds,
+    )  # fmt: skip
+
+
+@numba.njit(fastmath=True, nogil=True)
+def _multiply_adds(a, factor, summand, rounds):
+    for _ in range(rounds):
+        for i in range(len(a)):
+            x = a[i]
+            for _step in range(CHAIN):
+                x = x * factor + summand
+            a[i] = x
+
+
+@numba.njit(fastmath=True)
+def _sum(a, rounds):
+    total = 0.0
+    for i in range(rounds):
+        a[i % len(a)] = i  # so that every round has something new to read
+        for k in range(len(a)):
+            total += a[k]
+    return total
+
+
+def peak_multiply_adds() -> float:
+    """Fused multiply-adds per second of one core, from a loop of nothing else."""
+    multiply_adds(1)
+    rounds = 4_000
+    spent = min(seconds_of(lambda: multiply_adds(rounds)) for _ in range(7))
+    return VECTOR * CHAIN * rounds / spent
+
+
+def multiply_adds(rounds: int) -> None:
+    """That loop, without the interpreter's lock."""
+    _multiply_adds(np.ones(VECTOR), 0.5, 0.5, rounds)
+
+
+def reading() -> float:
+    """Bytes per second that one core reads from a table of 16 KiB."""
+    a: Array = np.ones(2_048)
+    rounds = 20_000
+    _sum(a, 1)
+    spent = min(seconds_of(lambda: _sum(a, rounds)) for _ in range(7))
+    return a.nbytes * rounds / spent

@@ -1,0 +1,76 @@
+"""scipy: solve_ivp, DOP853, stopped at every crossing and started anew, with a jitted right-hand side.
+
+Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, 1993, doi:10.1007/978-3-540-78862-1.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from .plain import Array, Pair, rates_at
+
+RTOL, ATOL = 1e-12, 1e-13
+HOW = f"DOP853, rtol {RTOL:g}, atol {ATOL:g}, terminal events, jitted right-hand side"
+
+
+@dataclass(frozen=True)
+class _Exit:
+    """An event as solve_ivp wants it: X reaches ``edge`` in one direction, and the integration ends."""
+
+    edge: float
+    direction: int
+    terminal: bool = True
+
+    def __call__(self, t: float, z: Array) -> float:
+        return z[-2] - self.edge
+
+
+class Scipy:
+    """One trajectory; ``crossings`` of the last one: (τ, boundary, outward)."""
+
+    def __init__(self, pair: Pair):
+        self.pair, self.crossings = pair, []
+
+    def carry(self, z: Array, periods: int) -> Array:
+        """The state (n,) after that many base periods from phase zero."""
+        state, t, end = np.array(z), 0.0, periods * self.pair.system.period
+        region, self.crossings = self.pair.region(state), []
+        while True:
+            found = solve_ivp(
+                self._rates(region),
+                (t, end),
+                state,
+                "DOP853",
+                events=self._exits(region),
+                rtol=RTOL,
+                atol=ATOL,
+            )
+            t, state = float(found.t[-1]), found.y[:, -1]
+            if found.status != 1:
+                return state
+            boundary = region or (1 if len(found.t_events[0]) else -1)
+            region = 0 if region else boundary
+            self.crossings.append((t, boundary, region != 0))
+
+    def _rates(self, region: int):
+        numbers, s, w = self.pair.numbers, float(abs(region)), region * self.pair.edge
+
+        def rhs(t, z):
+            out = np.empty_like(z)
+            rates_at(numbers, t, z, s, w, out)
+            return out
+
+        return rhs
+
+    def _exits(self, region: int):
+        """The boundaries of a region, each with the direction in which it is left: where the motion came in,
+        the same boundary is not met again at once."""
+        if region:
+            return [self._exit(region, -region)]
+        return [self._exit(1, 1), self._exit(-1, -1)]
+
+    def _exit(self, boundary: int, direction: int) -> _Exit:
+        return _Exit(boundary * self.pair.edge, direction)

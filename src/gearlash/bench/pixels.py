@@ -1,0 +1,102 @@
+"""A map of the (ω, D) plane: label and largest exponent of every pixel, from the equations on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearlash import flow
+from gearlash.orbits import Orbit, attractor
+from gearlash.system import Family
+
+from .peers import MISSING, installed
+from .peers.plain import Pair
+from .results import OWN, Row
+from .timing import Runner, in_turns
+from .works import family
+
+SEED = 20_240_917
+OMEGA, HALF_BACKLASH = (0.5, 1.4), (0.2, 1.2)
+TASK = "map pixels"
+
+
+@dataclass(frozen=True)
+class Pixel:
+    label: str
+    exponent: float
+    periods: int
+    periodic: bool
+
+
+def pixel_values(count: int) -> list[dict[str, float]]:
+    """The same points every time; fewer of them are the first ones."""
+    rng = np.random.default_rng(SEED)
+    drawn = rng.uniform(size=(count, 2))
+    low, high = np.array([OMEGA, HALF_BACKLASH]).T
+    return [{"omega": float(o), "D": float(d)} for o, d in low + drawn * (high - low)]
+
+
+def pixel_rows(count: int, repeats: int) -> tuple[list[Row], dict[str, float]]:
+    """Rows, and what else is to be known about the map."""
+    pairs, points = family("article"), pixel_values(count)
+    own: list[Pixel] = []
+    labels: list[str] = []
+
+    def ours() -> None:
+        own[:] = [_pixel(pairs, values) for values in points]
+
+    _pixel(pairs, points[0])  # to warm up
+
+    runners = [Runner(OWN, ours, count)]
+    notes = {OWN: "label and largest exponent, propagators included"}
+    if installed("heyoka") != MISSING:
+        from .peers.heyoka import lanes
+        from .peers.heyoka_plane import HOW, Plane
+
+        shape = Pair.of(pairs.system(points[0]))
+        for width in (1, lanes()[-1]):
+            name = "heyoka" if width == 1 else f"heyoka, {width} lanes"
+            plane, notes[name] = Plane(shape, width), HOW
+            runners.append(
+                Runner(
+                    name, lambda p=plane: labels.__setitem__(slice(None), _theirs(p, pairs, points)), count
+                )
+            )
+    times = in_turns(runners, repeats, warm=False)
+    work = f"article, {count} random pixels of the (ω, D) plane"
+    rows = [
+        Row(
+            TASK, work, name, "pixel", t.median, t.best,
+            None if name == OWN else t.over(times[OWN]), how=notes[name],
+        )
+        for name, t in times.items()
+    ]  # fmt: skip
+    if len(rows) == 1:
+        rows.append(Row(TASK, work, "heyoka", "pixel", note=MISSING))
+    return rows, _facts(own, labels)
+
+
+def _pixel(pairs: Family, values: dict[str, float]) -> Pixel:
+    found = attractor(flow.propagators(pairs.system(values)), pairs.start(values))
+    return Pixel(found.label, found.largest_exponent, found.periods_used, isinstance(found, Orbit))
+
+
+def _theirs(plane, pairs: Family, points: list[dict[str, float]]) -> list[str]:
+    return plane.labels([Pair.of(pairs.system(v)) for v in points], [pairs.start(v) for v in points])
+
+
+def _facts(own: list[Pixel], labels: list[str]) -> dict[str, float]:
+    periodic = [p.periods for p in own if p.periodic]
+    rest = [p.periods for p in own if not p.periodic]
+    facts = {
+        "pixels": float(len(own)),
+        "periodic pixels": float(len(periodic)),
+        "mean periods of a pixel": float(np.mean([p.periods for p in own])),
+        "mean periods of a periodic pixel": float(np.mean(periodic)) if periodic else 0.0,
+        "mean periods of any other pixel": float(np.mean(rest)) if rest else 0.0,
+    }
+    if labels:
+        same = sum(p.label == label for p, label in zip(own, labels, strict=True))
+        facts["labels equal to heyoka's after 500 periods"] = float(same)
+    return facts

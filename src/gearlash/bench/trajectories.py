@@ -1,0 +1,194 @@
+"""Time and error of a trajectory: one at a time by everybody, many at a time by those who can."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any, Protocol
+
+import numpy as np
+
+from gearlash import flow
+
+from .peers import MISSING, installed
+from .peers.plain import Array
+from .results import OWN, Row
+from .timing import Runner, Times, in_turns
+from .works import Work
+
+ONE, MANY = "one trajectory", "many trajectories"
+PERIODS = 2_000
+SLOW_PERIODS = 10  # of those that call Python at every evaluation
+TOGETHER = 32  # trajectories of the own run of many
+
+
+class Solver(Protocol):
+    """What a peer offers: the state after some periods; the crossings on the way, where it locates any."""
+
+    crossings: Any
+
+    def carry(self, z: Array, periods: int) -> Array: ...
+
+
+class Own:
+    """gearlash itself as a solver."""
+
+    def __init__(self, work: Work):
+        self.work = work
+        self.crossings: list[tuple[float, int, bool]] = []
+
+    def carry(self, z: Array, periods: int) -> Array:
+        return flow.march(self.work.props, z, periods).states[-1]
+
+    def locate(self, z: Array) -> None:
+        """Crossings of the first period."""
+        events = flow.trace(self.work.props, z, float(self.work.system.cycles)).events
+        tau = events.phase * 2 * np.pi / self.work.system.omega
+        outward = events.engaging
+        self.crossings = list(zip(tau.tolist(), events.boundary.tolist(), outward.tolist(), strict=True))
+
+
+def trajectory_rows(work: Work, repeats: int, samples: int) -> tuple[list[Row], list[Row]]:
+    """Rows of one trajectory and of many at one piece of work."""
+    reference = _reference(work)
+    one = _one(work, repeats, reference, work.states[-samples:])
+    return one, _many(work, repeats, reference)
+
+
+def _one(work: Work, repeats: int, reference: Solver | None, states: Array) -> list[Row]:
+    solvers = {OWN: ("", PERIODS, Own(work)), **dict(_peers(work))}
+    runners = [
+        Runner(name, _carrying(solver, states[-1], periods), periods)
+        for name, (_, periods, solver) in solvers.items()
+        if solver is not None
+    ]
+    times = in_turns(runners, repeats)
+    truth = [] if reference is None else [_run(reference, z) for z in states]
+    rows = []
+    for name, (how, _, solver) in solvers.items():
+        if solver is None:
+            rows.append(Row(ONE, work.name, name, "period", note=MISSING))
+            continue
+        kept = _recording(work, name, solver)
+        errors = _errors(kept, states, truth)
+        rows.append(_row(ONE, work, name, times, how, *errors))
+    return rows
+
+
+def _many(work: Work, repeats: int, reference: Solver | None) -> list[Row]:
+    states = np.ascontiguousarray(work.states[-TOGETHER:])
+    together = getattr(flow, "march_many", None)
+    each = PERIODS // 8
+
+    def own(periods: int = each) -> Array:
+        if together is not None:
+            return together(work.props, states, periods).states[-1]
+        return np.array([flow.march(work.props, z, periods).states[-1] for z in states])
+
+    how = {OWN: "march_many" if together is not None else "one after the other"}
+    runners, batches = [Runner(OWN, own, each * TOGETHER)], {}
+    if installed("heyoka") != MISSING:
+        from .peers.heyoka import HOW, HeyokaBatch, lanes
+
+        for width in lanes():
+            batch, start = HeyokaBatch(work.pair, width), states[-width:]
+            name = f"heyoka, {width} lanes"
+            batches[name], how[name] = (batch, start), HOW
+            runners.append(Runner(name, lambda b=batch, s=start: b.carry(s, each), each * width))
+    times = in_turns(runners, repeats)
+    truth = None if reference is None else np.array([reference.carry(z, 1) for z in states])
+    rows = [_row(MANY, work, OWN, times, how[OWN], _worst(own(1), truth))]
+    for name, (batch, start) in batches.items():
+        rows.append(_row(MANY, work, name, times, how[name], _worst(batch.carry(start, 1), truth)))
+    return rows if batches else [*rows, Row(MANY, work.name, "heyoka batch", "period", note=MISSING)]
+
+
+def _peers(work: Work) -> Iterable[tuple[str, tuple[str, int, Solver | None]]]:
+    """Name → how it is used, periods of a timed call, the solver (None: not installed)."""
+    if installed("heyoka") == MISSING:
+        yield "heyoka", ("", 0, None)
+    else:
+        from .peers import heyoka
+
+        yield "heyoka", (heyoka.HOW, PERIODS, heyoka.Heyoka(work.pair))
+    from .peers import rk4, scipy
+
+    yield "RK4", (rk4.HOW, PERIODS, rk4.RungeKutta(work.pair))
+    yield "scipy", (scipy.HOW, SLOW_PERIODS, scipy.Scipy(work.pair))
+    if installed("scikit-sundae") == MISSING:
+        yield "CVODE", ("", 0, None)
+    else:
+        from .peers import cvode
+
+        yield "CVODE", (cvode.HOW, SLOW_PERIODS, cvode.Cvode(work.pair))
+
+
+def _reference(work: Work) -> Solver | None:
+    if installed("heyoka") == MISSING:
+        return None
+    from .peers.heyoka import Heyoka
+
+    return Heyoka(work.pair, real=np.longdouble, record=True)
+
+
+def _recording(work: Work, name: str, solver: Solver) -> Solver:
+    """The solver with its crossings kept; heyoka is timed without."""
+    if name != "heyoka":
+        return solver
+    from .peers.heyoka import Heyoka
+
+    return Heyoka(work.pair, record=True)
+
+
+def _carrying(solver: Solver, z: Array, periods: int) -> Callable[[], Array]:
+    return lambda: solver.carry(z, periods)
+
+
+def _run(solver: Solver, z: Array) -> tuple[Array, list | None]:
+    """State after one period, and the crossings on the way (None: this solver locates none)."""
+    end = solver.carry(z, 1)
+    if isinstance(solver, Own):
+        solver.locate(z)
+    return end, None if solver.crossings is None else list(solver.crossings)
+
+
+def _errors(solver: Solver, states: Array, truth: list) -> tuple[float | None, float | None, int]:
+    """Largest error of the state and of a crossing time; periods whose crossings are not the same ones."""
+    if not truth:
+        return None, None, 0
+    state, time, different = 0.0, None, 0
+    for z, (end, crossings) in zip(states, truth, strict=True):
+        found, met = _run(solver, z)
+        state = max(state, _distance(found, end))
+        if met is None:
+            continue
+        if [c[1:] for c in met] != [c[1:] for c in crossings]:
+            different += 1
+            continue
+        late = [abs(float(a[0] - b[0])) for a, b in zip(met, crossings, strict=True)]
+        time = max([*late, time or 0.0]) if late else time
+    return state, time, different
+
+
+def _worst(ends: Array, truth: Array | None) -> float | None:
+    """Largest error of end states that belong to the last of the reference's."""
+    return None if truth is None else _distance(ends, truth[-len(ends) :])
+
+
+def _distance(a: Array, b: Array) -> float:
+    return float(np.abs(a - b).max())
+
+
+def _row(
+    task: str,
+    work: Work,
+    name: str,
+    times: dict[str, Times],
+    how: str,
+    error: float | None = None,
+    time_error: float | None = None,
+    different: int = 0,
+) -> Row:
+    mine = times[name]
+    ratio = None if name == OWN else mine.over(times[OWN])
+    odd = f"other crossings in {different} of the periods compared" if different else ""
+    return Row(task, work.name, name, "period", mine.median, mine.best, ratio, error, time_error, how, odd)
