@@ -246,7 +246,10 @@ def test_further_gaps_are_told_by_name():
     assert link.name == "link"
     assert len(numbers.events) == 2
     assert len(link.events) == 6
-    assert met(link, numbers.cycles) == "link met on side + twice per cycle and on side - once per cycle"
+    assert (
+        met(link.name, link, numbers.cycles)
+        == "link met on side + twice per cycle and on side - once per cycle"
+    )
     samples = found.trace.at(np.linspace(0.0, 1.0, 200_001), 1)
     assert link.force.maximum == pytest.approx(samples.force.max(), abs=1e-4)
     gap = samples.state @ [1.0, 0.0, -1.0, 0.0]
