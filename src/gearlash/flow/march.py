@@ -22,7 +22,8 @@ _STATUS = {
     TOO_MANY: Status.TOO_MANY_EVENTS,
     DIVERGED: Status.DIVERGED,
 }
-CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon
+CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon;
+WORK = 1e7  # fewer where their cells have more than so many table entries
 MOST_PIECES = 2_000_000
 
 
@@ -76,9 +77,10 @@ def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) ->
     """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times."""
     state = start_state(z, props.system.size)
     states, contacts = [state[None].copy()], [np.zeros((0, _columns(props)), dtype=np.int64)]
-    done, status = 0, Status.OK
+    shape, done, status = props.shape, 0, Status.OK
+    most = min(CALL, WORK / (shape.cells * (1 + shape.n) * shape.rows))
     while done < stretches and status.ok:
-        block = min(max(1, CALL // stretch), stretches - done)
+        block = min(max(1, int(most) // stretch), stretches - done)
         status, strobes, counts = _run(props, state, 0.0, float(stretch * props.cells), block)
         states.append(strobes[1:])
         contacts.append(counts)
