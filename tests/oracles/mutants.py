@@ -116,8 +116,8 @@ BOUNDS = (
     Mutant("above its bound: face value", "work[b + i] > bound:", "work[b + i] > 0.0:", _ROUNDING),
     Mutant(
         "touch taken for clear",
-        "_rising(work, b, m, bound): undecided = True",
-        "_rising(work, b, m, bound): undecided = False",
+        "if last >= -bound and _falling(work, b, m, bound):",
+        "if last >= -bound and _falling(work, b, m, bound) or (lo > 0.0 and _rising(work, b, m, bound)):",
         _ROUNDING,
     ),
     Mutant(
