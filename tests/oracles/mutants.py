@@ -115,12 +115,6 @@ BOUNDS = (
     ),
     Mutant("above its bound: face value", "work[b + i] > bound:", "work[b + i] > 0.0:", _ROUNDING),
     Mutant(
-        "touch taken for clear",
-        "if last >= -bound and _falling(work, b, m, bound):",
-        "if last >= -bound and _falling(work, b, m, bound) or (lo > 0.0 and _rising(work, b, m, bound)):",
-        _ROUNDING,
-    ),
-    Mutant(
         "undecided not counted in a piece",
         "counts[4 * shape.clearances] += 1",
         "counts[4 * shape.clearances] += 0",
