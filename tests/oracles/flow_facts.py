@@ -234,7 +234,7 @@ def closed_orbit_that_parts() -> None:
 
 def grid_that_is_too_coarse() -> None:
     """However few cells are tried first, the maps are exact: the majorant asks for more."""
-    module: Any = sys.modules["gearlash.flow.propagators"]  # the package has a function of that name
+    module: Any = sys.modules["gearlash.flow.regions"]
     assert isinstance(module.STEP, float)
     aimed, module.STEP = module.STEP, 5.0
     system = oscillator(gap=(9.0, 9.0), ground=(0.9, 0.1), force=HARMONIC)

@@ -125,7 +125,7 @@ BOUNDS = (
     ),
     Mutant(
         "no majorant",
-        "return _closed(value, derived, size, equations, readers, eta, n, duration, rate)",
+        "return value + rest * FALL / (1.0 - FALL), derived + rest * (LAST + 2.0)",
         "return 0.0, 0.0",
         _COARSE,
     ),
