@@ -46,8 +46,8 @@ else:
 
     def kernel(signature, allocates=False):
         """An entry point: compiled for one explicit signature when its module is imported, or read from the
-        cache. Unless it ``allocates`` arrays it is compiled without reference counts, which cost more than the
-        arithmetic of a small product."""
+        cache. Unless it ``allocates`` arrays it is compiled without reference counts, which cost more than
+        the arithmetic of a small product."""
 
         def wrap(function):
             if numba.config.DISABLE_JIT:
@@ -61,21 +61,19 @@ else:
 
         return wrap
 
-    # Helpers are never called from Python: no wrapper and no machine code of their own, half the compiling time.
-    _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-
     def inner(function):
-        """A helper that only kernels call: compiled into its callers and cached with them; allocates nothing."""
-        return numba.jit(nogil=True, error_model="numpy", _nrt=False, **_INNER)(function)
+        """A helper that only kernels call: compiled into its callers and cached with them. It allocates
+        nothing."""
+        return numba.jit(nogil=True, error_model="numpy", _nrt=False)(function)
 
     def inlined(function):
         """A helper on the hot path, with one place that calls it: no call is left of it. (A call passes every
         array as seven numbers, which can cost more than its work.)"""
-        return numba.jit(nogil=True, error_model="numpy", _nrt=False, forceinline=True, **_INNER)(function)
+        return numba.jit(nogil=True, error_model="numpy", _nrt=False, forceinline=True)(function)
 
     def allocating(function):
         """A helper that makes arrays."""
-        return numba.jit(nogil=True, error_model="numpy", **_INNER)(function)
+        return numba.jit(nogil=True, error_model="numpy")(function)
 
     @contextlib.contextmanager
     def _plain_indices():

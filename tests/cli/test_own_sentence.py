@@ -14,13 +14,13 @@ from cli.conftest import Gearlash
         (("shaw-holmes", "--set", "gap=5"), "ω = 0.8: 1-0, stop never in contact"),
         (
             ("geared-rotor",),
-            "ω = 0.5: 1-0-0/0-0/0-0, mesh always in contact on side +; "
-            "bearing-1 always in contact on side -; bearing-2 always in contact on side +",
+            "ω = 0.5: 1-0-0/0-0/0-0, mesh always in contact on side +; bearing-1 always in contact on side "
+            "-; bearing-2 always in contact on side +",
         ),
         (
             ("geared-rotor", "--set", "load=-0.1"),
-            "ω = 0.5: 1-0-0/0-0/0-0, mesh always in contact on side -; "
-            "bearing-1 always in contact on side +; bearing-2 always in contact on side -",
+            "ω = 0.5: 1-0-0/0-0/0-0, mesh always in contact on side -; bearing-1 always in contact on side "
+            "+; bearing-2 always in contact on side -",
         ),
     ],
 )

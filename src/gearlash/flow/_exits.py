@@ -28,9 +28,9 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
     """First s in [start, end] at which the distance polynomial in `SURFACE` turns negative, or `NONE`, and
     whether anything stayed undecided.
 
-    ``bound`` and ``slope_bound`` cover rounding and remainder of the polynomial and of its derivative. A start
-    within the bound of the surface goes by its direction: it leaves inward, or exits at once. ``on``: it has just
-    been crossed there, and is left inward."""
+    ``bound`` and ``slope_bound`` cover rounding and remainder of the polynomial and of its derivative. A
+    start within the bound of the surface goes by its direction: it leaves inward, or exits at once.
+    ``on``: it has just been crossed there, and is left inward."""
     length = end - start
     recentre(memory, shape.pascal, work, SURFACE, start, POWERS, SCALED, work, LOCAL)
     here, speed = work[LOCAL], work[LOCAL + 1]
@@ -141,7 +141,7 @@ def _falling(work, b, m, bound):
 
 @inner
 def _rising(work, b, m, bound):
-    for i in range(1, m + 1):
+    for i in range(1, m + 1):  # noqa: SIM110 - kernels know no generators
         if work[b + i] <= bound:
             return False
     return True
@@ -159,8 +159,8 @@ def _split(work, right, left, m):
 
 @inlined
 def _polish(work, at, degree, lo, hi, guess, sign):
-    """The one root in [lo, hi], where sign times the polynomial falls from + to -: Halley's method kept inside a
-    shrinking bracket. It ends where the next step, of third order, would be below rounding."""
+    """The one root in [lo, hi], where sign times the polynomial falls from + to -: Halley's method kept
+    inside a shrinking bracket. It ends where the next step, of third order, would be below rounding."""
     s = guess if lo < guess < hi else 0.5 * (lo + hi)
     for _ in range(100):
         value, slope, bend = work[at + degree], 0.0, 0.0

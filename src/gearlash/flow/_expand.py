@@ -11,8 +11,8 @@ from ._vector import add, linear, move, multiple
 
 @inner
 def expand(shape: Shape, memory, slot, sides, theta, duration, u, zc, series, factors):
-    """Fills zc (ORDER+1, p) with the Taylor coefficients of (1, z - c) over ``duration`` (it may be negative) from
-    phase ``theta``, in the region of the slot.
+    """Fills zc (ORDER+1, p) with the Taylor coefficients of (1, z - c) over ``duration`` (it may be
+    negative) from phase ``theta``, in the region of the slot.
 
     sides (clearances): its `PLUS`, `FREE`, `MINUS`; u (p): the state there; series (4·clearances + n, TERMS)
     and factors (n + clearances): work. One step of the recurrence is
@@ -60,7 +60,7 @@ def expand(shape: Shape, memory, slot, sides, theta, duration, u, zc, series, fa
 
 @inner
 def _any(values, at, count):
-    for i in range(at, at + count):
+    for i in range(at, at + count):  # noqa: SIM110 - kernels know no generators
         if values[i] != 0.0:
             return True
     return False
@@ -77,7 +77,8 @@ def horner(zc, p, s, out):
 
 @inner
 def carry_inside(shape: Shape, memory, slot, sides, cell, start, end, u, zc, series, factors, out):
-    """out (p) ← the state at local time ``end`` of a cell, from the one at ``start`` (either may be later)."""
+    """out (p) ← the state at local time ``end`` of a cell, from the one at ``start`` (either may be
+    later)."""
     width, duration = memory[shape.scalars + 2], memory[shape.scalars + 1]
     if start == end:
         for i in range(shape.p):

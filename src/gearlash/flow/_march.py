@@ -106,23 +106,25 @@ def _strobe(shape: Shape, memory, slot_of, motion, row, strobes):
 
 @kernel(
     int64(
-        SHAPE, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE, MATRIX,
-        TABLE, MUTABLE, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, INTS,
+        SHAPE, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE,
+        MATRIX, TABLE, MUTABLE, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE, MUTABLE,
+        MUTABLE, MUTABLE, INTS,
     )
 )  # fmt: skip
 def run(
-    shape: Shape, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold, strobes,
-    counts, sums, used, piece, poly, event, state, work, moved, zc, series, factors, origin, sides,
+    shape: Shape, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold,
+    strobes, counts, sums, used, piece, poly, event, state, work, moved, zc, series, factors, origin, sides,
 ):  # fmt: skip
-    """The one march: carries u (p) = (1, z) and tangents (m·p) = (0, v) in place over len(counts) stretches of
-    `length` cells.
+    """The one march: carries u (p) = (1, z) and tangents (m·p) = (0, v) in place over len(counts) stretches
+    of `length` cells.
 
     strobes (stretches+1, n) receives the state at every start and at the end, counts (stretches,
-    4·clearances+1) what happened in each stretch. With sums (m) the tangents are orthonormalised after each
-    stretch. used[0] = -1 records nothing, else piece, poly, event and state are filled (see `Record`). modes, on
-    (clearances), position (6) and progress (2), zero at first, let a call that returned `NEED_REGION` be repeated once the
-    region it names is built. The last seven are work space (`scratch`). One entry point, because compiling each variant of the march apart would cost
-    a new user half a minute. Returns an outcome code."""
+    4·clearances+1) what happened in each stretch. With sums (m) the tangents are orthonormalised after
+    each stretch. used[0] = -1 records nothing, else piece, poly, event and state are filled (see
+    `Record`). modes, on (clearances), position (6) and progress (2), zero at first, let a call that
+    returned `NEED_REGION` be repeated once the region it names is built. The last seven are work space
+    (`scratch`). One entry point, because compiling each variant of the march apart would cost a new user
+    half a minute. Returns an outcome code."""
     n, p = shape.n, shape.p
     m = len(tangents) // p
     ones(work)

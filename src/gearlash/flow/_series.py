@@ -13,14 +13,6 @@ NEAR_ZERO = 1e-9
 
 
 @inner
-def copy(source, target):
-    """target ← source, element by element (array slices would drag numpy's error texts through the
-    compiler)."""
-    for i in range(len(source)):
-        target[i] = source[i]
-
-
-@inner
 def fill(target, value):
     for i in range(len(target)):
         target[i] = value
@@ -28,7 +20,8 @@ def fill(target, value):
 
 @inner
 def fourier_taylor(series, at, harmonics, theta, width, out, to):
-    """Coefficients in s of ``series(theta + width·s)``; series from place ``at``, written from place ``to``."""
+    """Coefficients in s of ``series(theta + width·s)``; series from place ``at``, written from place
+    ``to``."""
     for j in range(TERMS):
         out[to + j] = 0.0
     out[to] = series[at]
@@ -58,15 +51,6 @@ def polynomial(c, at, s):
 
 
 @inner
-def slope(c, at, s):
-    """First derivative at s."""
-    value = ORDER * c[at + ORDER]
-    for j in range(ORDER - 1, 0, -1):
-        value = fma(value, s, j * c[at + j])
-    return value
-
-
-@inner
 def fourier_value(series, at, harmonics, theta):
     """Value of a Fourier series at a phase."""
     value = series[at]
@@ -92,8 +76,8 @@ def powers(s, out, to):
 
 @inner
 def recentre(pascal, table, c, at, start, powers_at, scaled, out, to):
-    """out[to:to+TERMS] ← coefficients of the polynomial c about ``start``; ``powers_at``, ``scaled`` are places
-    in out for work."""
+    """out[to:to+TERMS] ← coefficients of the polynomial c about ``start``; ``powers_at``, ``scaled`` are
+    places in out for work."""
     move(c, at, out, to, TERMS)
     if start == 0.0:
         return
@@ -124,3 +108,13 @@ def pressing(eta, eta_at, x, x_at, first, rate, out, buffer, to):
             out[to + j] += rate * (j + 1) * x[x_at + j + 1]
     for j in range(ORDER + 1, TERMS):
         out[to + j] = 0.0
+
+
+@inner
+def cut_off(eta, eta_at, x, x_at):
+    """Bound on what `pressing` cuts off of the product η·(X - edge) behind ORDER."""
+    total, beyond = 0.0, 0.0
+    for i in range(1, ORDER + 1):
+        beyond += abs(x[x_at + ORDER + 1 - i])
+        total += abs(eta[eta_at + i]) * beyond
+    return total

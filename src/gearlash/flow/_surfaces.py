@@ -1,12 +1,13 @@
-"""What a clearance may do next: the surfaces that bound its present mode, and the first one that is reached."""
+"""What a clearance may do next: the surfaces that bound its present mode, and the first one that is
+reached."""
 
 from __future__ import annotations
 
 from gearlash._kernel import inlined, inner
 
-from ._cells import UNIT_ROUNDING
+from ._assemble import UNIT_ROUNDING
 from ._exits import NONE, first_exit
-from ._series import fourier_value, polynomial, pressing
+from ._series import cut_off, fourier_value, polynomial, pressing
 from ._tables import FREE, MINUS, NO_TENSION, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Shape
 from ._vector import linear, multiple, weigh
 from ._work import BUFFER, GAPS, ONES, SURFACE
@@ -40,7 +41,7 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
         over = OVER_PLUS if boundary > 0 else OVER_MINUS
         side = 0 if boundary > 0 else 1
         gap, damping = memory[gaps + side], memory[gaps + 2 + side]
-        if boundary == held or gap >= NO_STOP or not (mode == FREE or mode == beyond or mode == over):
+        if boundary == held or gap >= NO_STOP or mode not in (FREE, beyond, over):
             continue
         edge = 0.0 if mode == beyond else boundary * gap  # where it is in X - (edge of the contact)
         near = bound + ROUNDING * memory[shape.reach + c]
@@ -72,8 +73,8 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
 
 @inner
 def _force_surface(shape: Shape, memory, x, eta, edge, damping, near, boundary, pressed, work):
-    """SURFACE ← the pressing force (or minus it, where it does not press yet) of the rule `no-tension`; returns
-    the bound on its error. Without damping Φ = η δ presses where η does."""
+    """SURFACE ← the pressing force (or minus it, where it does not press yet) of the rule `no-tension`;
+    returns the bound on its error. Without damping Φ = η δ presses where η does."""
     rate, sign = damping / memory[shape.scalars + 1], 1.0 if pressed else -1.0
     stiff = weigh(work, ONES, TERMS, memory, eta)
     if damping == 0.0:
@@ -81,7 +82,7 @@ def _force_surface(shape: Shape, memory, x, eta, edge, damping, near, boundary, 
         return ROUNDING * stiff
     pressing(memory, eta, work, x, work[x] - edge, rate, work, BUFFER, SURFACE)
     multiple(sign * boundary, work, SURFACE, work, SURFACE, TERMS)
-    return stiff * near + rate * DERIVED * near
+    return stiff * near + rate * DERIVED * near + cut_off(memory, eta, work, x)
 
 
 @inner

@@ -6,10 +6,10 @@ the crossing. Both flows differ by one force only, q(s) = Φ_B - Φ_A along the 
 
     z_B(0) = z_A(0) - ∫_0^s* [flow of B from s to 0] g q(s) ds,
 
-an integral of polynomials: `pull` times the moments of q. No series of the state is needed. Where the field
-jumps, the derivative of s* with respect to the start adds ± ζ g hᵀ at the crossing (never as a quotient, which
-would be 0/0 at grazing; M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008, ch. 2,
-doi:10.1007/978-1-84628-708-4)."""
+an integral of polynomials: `pull` times the moments of q. No series of the state is needed. Where the
+field jumps, the derivative of s* with respect to the start adds ± ζ g hᵀ at the crossing (never as a
+quotient, which would be 0/0 at grazing; M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008,
+ch. 2, doi:10.1007/978-1-84628-708-4)."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ def region_code(modes):
 
 @inlined
 def switch_state(shape: Shape, memory, source, target, cell, c, boundary, sign, rule, s, u, work, change):
-    """u (p) ← the virtual start in the region of the slot ``target``, behind a crossing at s; sign is +1 where
-    the force sets in, -1 where it ceases. GAPS holds X - edge of clearance c along u."""
+    """u (p) ← the virtual start in the region of the slot ``target``, behind a crossing at s; sign is +1
+    where the force sets in, -1 where it ceases. GAPS holds X - edge of clearance c along u."""
     side = 0 if boundary > 0 else 1
     eta = shape.eta + ((cell * shape.clearances + c) * 2 + side) * TERMS
     x = GAPS + c * TERMS

@@ -1,12 +1,12 @@
 """The memory that kernels read: one flat array, and the places in it.
 
-A base period is divided into N cells of equal phase; inside a cell local time s runs from 0 to 1. A *region*
-says for every clearance whether its side + or - is in contact or neither; its tables are built when a motion
-first comes there and lie in a *slot*. Inside a region everything that a motion does in a cell is affine in
-one state, its state at the start of the cell. States are kept as (1, z - c), so that affine is linear: a table
-has a column for the 1 and one for every state, and a tangent is (0, v). The centre c of a region puts every gap
-in contact on its edge: with z itself, stiffness times D would be subtracted from stiffness times X in every
-cell, and digits lost."""
+A base period is divided into N cells of equal phase; inside a cell local time s runs from 0 to 1. A
+*region* says for every clearance whether its side + or - is in contact or neither; its tables are built
+when a motion first comes there and lie in a *slot*. Inside a region everything that a motion does in a
+cell is affine in one state, its state at the start of the cell. States are kept as (1, z - c), so that
+affine is linear: a table has a column for the 1 and one for every state, and a tangent is (0, v). The
+centre c of a region puts every gap in contact on its edge: with z itself, stiffness times D would be
+subtracted from stiffness times X in every cell, and digits lost."""
 
 from __future__ import annotations
 
@@ -111,11 +111,12 @@ def lay_out(plan: Plan) -> Shape:
         places.append(size)
         size += padded(length)
     inside, slot = [], 0
-    for length in (cells * (1 + n) * rows, cells * j * p, cells * j * (1 + n) * TERMS,
-                   cells * j * p, cells * j * (ORDER + 1) * p, (n + j) * p, n * width, 4 * j, p, (1 + n) * p, p, j * p, 2 * j, j):  # fmt: skip
+    for length in (cells * (1 + n) * rows, cells * j * p, cells * j * (1 + n) * TERMS, cells * j * p,
+                   cells * j * (ORDER + 1) * p, (n + j) * p, n * width, 4 * j, p, (1 + n) * p, p, j * p,
+                   2 * j, j):  # fmt: skip
         inside.append(slot)
         slot += padded(length)
-    return Shape(n, p, j, cells, rows, plan.harmonics, *places, size, slot, *inside)
+    return Shape._make([n, p, j, cells, rows, plan.harmonics, *places, size, slot, *inside])
 
 
 def constants(shape: Shape, memory: Array) -> None:

@@ -100,8 +100,8 @@ else:
             return builder.call(builder.module.declare_intrinsic(name, (), kind), arguments)
 
         def _linear_function(module):
-            """The machine function behind `linear`, once in a module: pointers and counts in registers. (Written
-            out at every call, it would make the kernels slow to compile.)"""
+            """The machine function behind `linear`, once in a module: pointers and counts in registers.
+            (Written out at every call, it would make the kernels slow to compile.)"""
             name = "gearlash_linear"
             if name in module.globals:
                 return module.globals[name]
@@ -136,8 +136,8 @@ else:
             return function
 
         def _product(builder, blocks, table, stride, count, x, out):
-            """out ← Σ_k x[k] · (table + k·stride), 8·blocks rows. Even and odd columns go into sums of their own:
-            half the wait of one chain."""
+            """out ← Σ_k x[k] · (table + k·stride), 8·blocks rows. Even and odd columns go into sums of
+            their own: half the wait of one chain."""
             zero = ir.Constant(_VECTOR, [0.0] * LANES)
             places = [_INDEX(LANES * b) for b in range(blocks)]
 
@@ -165,8 +165,11 @@ else:
             odd = column(builder.add(k, _INDEX(1)), beside, sums[blocks:])
             after, there = builder.add(k, _INDEX(2)), builder.add(beside, stride)
             _incoming(
-                [(k, _INDEX(0), after), (here, _INDEX(0), there)]
-                + list(zip(sums, [zero] * (2 * blocks), even + odd, strict=True)),
+                [
+                    (k, _INDEX(0), after),
+                    (here, _INDEX(0), there),
+                    *zip(sums, [zero] * (2 * blocks), even + odd, strict=True),
+                ],
                 before,
                 loop,
             )
@@ -175,8 +178,10 @@ else:
             place_here = builder.phi(_INDEX)
             joined = [builder.phi(_VECTOR) for _ in range(2 * blocks)]
             _incoming(
-                [(place_here, _INDEX(0), there)]
-                + list(zip(joined, [zero] * (2 * blocks), even + odd, strict=True)),
+                [
+                    (place_here, _INDEX(0), there),
+                    *zip(joined, [zero] * (2 * blocks), even + odd, strict=True),
+                ],
                 before,
                 loop,
             )
@@ -280,7 +285,8 @@ else:
             return generate
 
         def _blockwise(combine, factor):
-            """target ← combine(builder, factor, source, target), block by block; count is a multiple of eight."""
+            """target ← combine(builder, factor, source, target), block by block; count is a multiple of
+            eight."""
 
             def generate(context, builder, signature, arguments):
                 scalar = _splat(builder, arguments[0]) if factor else None

@@ -1,4 +1,5 @@
-"""The march through cells: a whole cell by one product where no contact is possible, event by event where it is.
+"""The march through cells: a whole cell by one product where no contact is possible, event by event where
+it is.
 
 A position is counted in cells from phase zero of the base period: an integer cell and a local time s in [0,
 1]. The state of a walk is that at the beginning of its cell, under the flow of its present region: where a
@@ -20,7 +21,7 @@ from ._switch import region_code, side_of, switch_state, switch_tangent
 from ._tables import FREE, MINUS, ORDER, OVER_MINUS, OVER_PLUS, PLUS, Array, Shape
 from ._vector import add, greatest, least, linear, move, weigh
 
-OK, TOO_MANY, DIVERGED, WRONG_SIDE, NEED_REGION = 0, 1, 2, 3, 4
+OK, TOO_MANY, DIVERGED, NEED_REGION = 0, 1, 2, 3
 ENGAGE_PLUS, ENGAGE_MINUS, RELEASE_PLUS, RELEASE_MINUS = 0, 1, 2, 3  # of each clearance; last: undecided
 EVENTS_PER_CELL = 4096
 HUGE = 1e200
@@ -253,7 +254,8 @@ def _held(hold, cell, s, end):
 
 @inlined
 def _first(shape: Shape, memory, slot, k, rules, motion, s, stop, held_clearance, held):
-    """First exit of any clearance in [s, stop]: (time or NONE, clearance, boundary, mode behind, undecided)."""
+    """First exit of any clearance in [s, stop]: (time or NONE, clearance, boundary, mode behind,
+    undecided)."""
     best, which, through, behind, undecided = NONE, 0, 0, 0, False
     for c in range(shape.clearances):
         at, boundary, target, open_case = next_exit(
@@ -273,7 +275,7 @@ def _cross(
 ):  # fmt: skip
     """Carries a motion over one crossing in cell k, counts and records it (unless ``silent``)."""
     mode, count = motion.modes[which], shape.clearances
-    before, after = side_of(mode), side_of(behind)
+    before, after, target = side_of(mode), side_of(behind), slot
     if before != after:
         motion.modes[which] = behind
         target = slot_place(shape, slot_of, motion.modes)
@@ -291,7 +293,7 @@ def _cross(
         motion.modes[which] = behind
         return OK
     engaging = after != FREE
-    overlapping = mode == OVER_PLUS or mode == OVER_MINUS or behind == OVER_PLUS or behind == OVER_MINUS
+    overlapping = mode in (OVER_PLUS, OVER_MINUS) or behind in (OVER_PLUS, OVER_MINUS)
     if not silent:
         counts[4 * which + (0 if engaging else 2) + (0 if boundary > 0 else 1)] += 1
         if record.used[0] >= 0 and not _keep_event(
@@ -300,18 +302,17 @@ def _cross(
             return TOO_MANY
     sign = 1.0 if engaging else -1.0
     p, work = shape.p, motion.work
-    target_place = target
     for v in range(m):
         tangent = motion.tangents[v * p : (v + 1) * p]
         switch_tangent(
-            shape, memory, slot, target_place, k, which, boundary, sign, rules[which], overlapping, at,
+            shape, memory, slot, target, k, which, boundary, sign, rules[which], overlapping, at,
             tangent, work, motion.moved,
         )  # fmt: skip
     switch_state(
         shape,
         memory,
         slot,
-        target_place,
+        target,
         k,
         which,
         boundary,

@@ -23,9 +23,9 @@ SLACK = 1e-9  # mesh cycles beyond its ends at which a trace is still read
 
 @dataclass(frozen=True, eq=False)
 class Events:
-    """Contact events in order: phase (mesh cycles, θ/2π), state (m, n), velocity X' of the gap, force Φ of the
-    contact that begins or ends, clearance (its index), boundary (+1: Σ1 at +D, -1: Σ2 at -D), engaging (True:
-    into contact)."""
+    """Contact events in order: phase (mesh cycles, θ/2π), state (m, n), velocity X' of the gap, force Φ
+    of the contact that begins or ends, clearance (its index), boundary (+1: Σ1 at +D, -1: Σ2 at -D),
+    engaging (True: into contact)."""
 
     phase: Array
     state: Array
@@ -66,8 +66,8 @@ class Events:
 
 @dataclass(frozen=True, eq=False)
 class Extrema:
-    """Simple zeros of X' of one clearance: phase (mesh cycles), displacement X, curvature X'' (d²/dτ²), state (m, n), region
-    (0: side +, 1: free, 2: side -)."""
+    """Simple zeros of X' of one clearance: phase (mesh cycles), displacement X, curvature X'' (d²/dτ²),
+    state (m, n), region (0: side +, 1: free, 2: side -)."""
 
     phase: Array
     displacement: Array

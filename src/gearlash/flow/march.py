@@ -13,7 +13,7 @@ from gearlash.system import GearlashError, Status
 
 from . import _march
 from ._tables import ORDER, Array
-from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY, WRONG_SIDE
+from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
 from .events import Events, Trace
 from .propagators import Propagators
 
@@ -21,17 +21,17 @@ _STATUS = {
     OK: Status.OK,
     TOO_MANY: Status.TOO_MANY_EVENTS,
     DIVERGED: Status.DIVERGED,
-    WRONG_SIDE: Status.NOT_ADMISSIBLE,
 }
-CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon
+CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon;
+WORK = 1e7  # fewer where their cells have more than so many table entries
 MOST_PIECES = 2_000_000
 
 
 @dataclass(frozen=True, eq=False)
 class Strobes:
-    """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4·clearances): of each
-    clearance engagements at + and at -, releases at + and at -; `undecided` counts places where touching lies
-    within rounding."""
+    """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4·clearances):
+    of each clearance engagements at + and at -, releases at + and at -; `undecided` counts places where
+    touching lies within rounding."""
 
     states: Array
     contacts: Array
@@ -77,9 +77,10 @@ def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) ->
     """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times."""
     state = start_state(z, props.system.size)
     states, contacts = [state[None].copy()], [np.zeros((0, _columns(props)), dtype=np.int64)]
-    done, status = 0, Status.OK
+    shape, done, status = props.shape, 0, Status.OK
+    most = min(CALL, WORK / (shape.cells * (1 + shape.n) * shape.rows))
     while done < stretches and status.ok:
-        block = min(max(1, CALL // stretch), stretches - done)
+        block = min(max(1, int(most) // stretch), stretches - done)
         status, strobes, counts = _run(props, state, 0.0, float(stretch * props.cells), block)
         states.append(strobes[1:])
         contacts.append(counts)
@@ -159,8 +160,8 @@ def orthonormal_growth(props: Propagators, z: Array, frame: Array, periods: int)
     """Carries z (n,) and the orthonormal rows of frame (m, n) in place over base periods; returns the sums
     (m,) of the logarithms of the lengths."""
     sums = np.zeros(len(frame))
-    status, _, _ = _run(props, z, 0.0, float(props.cells), periods, tangents=frame, sums=sums)
-    return status, sums
+    status, _, counts = _run(props, z, 0.0, float(props.cells), periods, tangents=frame, sums=sums)
+    return _with_doubt(status, counts), sums
 
 
 def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float, float]:
@@ -192,8 +193,8 @@ def _run(
     base: float = 0.0,
     record: _Record | None = None,
 ) -> tuple[Status, Array, Array]:
-    """Calls the kernel: state (n,) and the rows of tangents (m, n) are carried in place. Where the motion comes
-    to a region without tables, they are built, and it goes on."""
+    """Calls the kernel: state (n,) and the rows of tangents (m, n) are carried in place. Where the
+    motion comes to a region without tables, they are built, and it goes on."""
     shape, n = props.shape, state.size
     strobes = np.full((stretches + 1, n), np.nan)  # what is not reached stays NaN
     counts = np.zeros((stretches, _columns(props)), dtype=np.int64)

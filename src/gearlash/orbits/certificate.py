@@ -191,12 +191,13 @@ class _Examined:
             )
 
     def of_stability(self) -> Iterator[str]:
-        leading, condition = _leading(self.orbit.shot.monodromy)
         norm = 1.0 + float(_norms([self.orbit.shot.monodromy])[0])
         change = ROUNDING * norm + self.shift()
         # a double multiplier moves with the root of what changes the matrix
-        allowed = min(condition * change, 2.0 * float(np.sqrt(norm * change)))
-        away = abs(abs(leading) - 1.0)
+        double, away = 2.0 * float(np.sqrt(norm * change)), abs(abs(self.orbit.leading) - 1.0)
+        if away > double:
+            return
+        allowed = min(_condition(self.orbit.shot.monodromy) * change, double)
         if not away > allowed:
             yield f"leading multiplier is {away:.0e} from modulus 1, within its error {allowed:.0e}"
 
@@ -233,13 +234,13 @@ def _norms(matrices: list[Array]) -> Array:
     return np.abs(np.array(matrices)).sum(axis=2).max(axis=1)
 
 
-def _leading(matrix: Array) -> tuple[complex, float]:
-    """The eigenvalue of largest modulus, and its condition number 1/|yᴴx|: G. Golub and C. Van Loan, Matrix
+def _condition(matrix: Array) -> float:
+    """Condition number 1/|yᴴx| of the eigenvalue of largest modulus: G. Golub and C. Van Loan, Matrix
     Computations, 4th ed. (2013), sect. 7.2.2."""
     values, right = np.linalg.eig(matrix)
     i = int(np.argmax(np.abs(values)))
     try:
         left = np.linalg.inv(right)[i]  # right[:, i] has length 1
     except np.linalg.LinAlgError:
-        return complex(values[i]), np.inf
-    return complex(values[i]), float(np.linalg.norm(left))
+        return np.inf
+    return float(np.linalg.norm(left))

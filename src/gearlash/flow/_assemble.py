@@ -1,0 +1,146 @@
+"""Constant columns of a region, and the bounds that prove cells and whole periods clear.
+
+They depend on load, error and gap, and are summed anew when one of those changes (`_cells` is not)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import float64, int64, types
+
+from gearlash._kernel import inner, kernel
+
+from ._series import cut_off, pressing
+from ._tables import CHECK, CUBE, FREE, INTS, MUTABLE, NO_TENSION, ORDER, SHAPE, TERMS, Shape
+from ._vector import greatest, least, linear, move, peak, weigh
+
+UNIT_ROUNDING = 2.0**-53
+ROUNDING = 24.0 * UNIT_ROUNDING  # of a table's entries and of what is summed from them
+DOUBLINGS = 10  # laps of a region, 2^10 of them, after which its own motion repeats
+
+
+@inner
+def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, check, watched, out):
+    """Bernstein coefficients of degree CHECK of what is watched of clearance c (X, or with the rule
+    `no-tension` in contact Φ), a bound on the rest, and one on the error of X, for one column of one cell."""
+    n, count = shape.n, shape.clearances
+    x = at + shape.gap + ((cell * count + c) * (1 + n) + column) * TERMS
+    bulk = 0.0
+    for j in range(ORDER + 1):
+        watched[j] = memory[x + j]
+        bulk += abs(memory[x + j])
+    row = at + shape.rest + (cell * count + c) * shape.p + column
+    tails = at + shape.tail + 4 * c
+    own = 0 if column > 0 else 1
+    tail, size = memory[tails + own], bulk
+    memory[at + shape.bound + (cell * count + c) * shape.p + column] = tail + ROUNDING * bulk
+    if rules[c] == NO_TENSION and sides[c] != FREE:
+        side = 0 if sides[c] == 0 else 1
+        eta = shape.eta + ((cell * count + c) * 2 + side) * TERMS
+        rate = memory[shape.gaps + 4 * c + 2 + side] / memory[shape.scalars + 1]
+        stiff = 0.0
+        for j in range(ORDER + 1):
+            stiff += abs(memory[eta + j])
+        size = stiff * size + rate * ORDER * bulk
+        tail = stiff * tail + rate * memory[tails + 2 + own] + cut_off(memory, eta, memory, x)
+        pressing(memory, eta, memory, x, memory[x], rate, watched, TERMS, 0)
+    rest = tail
+    for j in range(CHECK + 1, ORDER + 1):
+        rest += abs(watched[j])
+    linear(check, 0, 8, 8, CHECK + 1, watched, 0, out, 0)
+    place = at + shape.step + (cell * (1 + n) + column) * shape.rows + shape.p + 8 * c
+    for i in range(CHECK + 1):
+        memory[place + i] = out[i]
+    memory[row] = rest + ROUNDING * size
+
+
+@kernel(
+    types.void(
+        SHAPE, MUTABLE, int64, MUTABLE, CUBE, types.Array(float64, 4, "C"), INTS, INTS, MUTABLE, types.boolean
+    ),
+    allocates=True,
+)
+def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, check, all_columns):
+    """Sums unit responses to the constant columns of the slot at ``at``, and writes for them (or for all
+    columns) the Bernstein coefficients of what is watched, with their bounds.
+
+    amplitudes (u); check (64): Taylor to Bernstein of degree CHECK, by columns."""
+    n, count, cells = shape.n, shape.clearances, shape.cells
+    watched, out = np.zeros(3 * TERMS), np.zeros(8)
+    for cell in range(cells):
+        place = at + shape.step + cell * (1 + n) * shape.rows
+        for i in range(shape.rows):
+            memory[place + i] = 0.0
+        memory[place] = 1.0
+        for u in range(len(amplitudes)):
+            for i in range(n):
+                memory[place + 1 + i] += amplitudes[u] * ends[cell, u, i]
+        for c in range(count):
+            place = at + shape.gap + (cell * count + c) * (1 + n) * TERMS
+            for j in range(TERMS):
+                memory[place + j] = 0.0
+            for u in range(len(amplitudes)):
+                for j in range(ORDER + 1):
+                    memory[place + j] += amplitudes[u] * gaps[cell, c, u, j]
+            for column in range(1 + n if all_columns else 1):
+                _watch(shape, memory, at, cell, c, column, sides, rules, check, watched, out)
+
+
+@inner
+def _over_the_period(shape: Shape, memory, at, columns, out, swing):
+    """columns (1+n, p) ← the map over a base period; swing (clearances, p) ← how far a unit of each
+    state moves what is watched, at most."""
+    n, p, count, rows = shape.n, shape.p, shape.clearances, shape.rows
+    for k in range(1 + n):
+        columns[k * p + k] = 1.0
+    for cell in range(shape.cells):
+        step = at + shape.step + cell * (1 + n) * rows
+        for k in range(1 + n):
+            linear(memory, step, rows, rows, 1 + n, columns, k * p, out, 0)
+            for c in range(count):
+                rest = weigh(memory, at + shape.rest + (cell * count + c) * p, p, columns, k * p)
+                swing[c * p + k] = max(swing[c * p + k], peak(out, p + 8 * c, 8) + rest)
+            move(out, 0, columns, k * p, p)
+    for c in range(count):
+        swing[c * p] = 0.0
+
+
+@inner
+def _margins(shape: Shape, memory, at, sides, u, out):
+    """How far what is watched stays from its limits on the motion that starts at u (p), over a base
+    period."""
+    n, p, count, rows = shape.n, shape.p, shape.clearances, shape.rows
+    for c in range(2 * count):
+        memory[at + shape.margin + c] = np.inf
+    for cell in range(shape.cells):
+        step = at + shape.step + cell * (1 + n) * rows
+        linear(memory, step, rows, rows, 1 + n, u, 0, out, 0)
+        for c in range(count):
+            rest = weigh(memory, at + shape.rest + (cell * count + c) * p, p, u, 0)
+            lower = -memory[shape.gaps + 4 * c + 1] if sides[c] == FREE else 0.0
+            upper = memory[shape.gaps + 4 * c] if sides[c] == FREE else 0.0
+            margin = at + shape.margin + 2 * c
+            below = (least(out, p + 8 * c) - rest - lower) * (1.0 - 1e-9)
+            above = (upper - greatest(out, p + 8 * c) - rest) * (1.0 - 1e-9)
+            memory[margin] = below if not below >= memory[margin] else memory[margin]
+            memory[margin + 1] = above if not above >= memory[margin + 1] else memory[margin + 1]
+        move(out, 0, u, 0, p)
+
+
+@kernel(types.void(SHAPE, MUTABLE, int64, INTS), allocates=True)
+def laps(shape: Shape, memory, at, sides):
+    """Writes what proves a whole base period to be clear at once: the map over it, a motion in the
+    region that (where it is stable) repeats itself, how far that one stays from its limits, and how far
+    a unit of each state can move another one from it."""
+    n, p, count = shape.n, shape.p, shape.clearances
+    columns, twice, out = np.zeros((1 + n) * p), np.zeros((1 + n) * p), np.zeros(shape.rows)
+    swing, u = np.zeros(count * p), np.zeros(p)
+    _over_the_period(shape, memory, at, columns, out, swing)
+    move(columns, 0, memory, at + shape.lap, (1 + n) * p)
+    move(swing, 0, memory, at + shape.swing, count * p)
+    for _ in range(DOUBLINGS):
+        for k in range(1 + n):
+            linear(columns, 0, p, p, 1 + n, columns, k * p, twice, k * p)
+        columns, twice = twice, columns
+    move(columns, 0, u, 0, p)
+    move(u, 0, memory, at + shape.centred, p)
+    _margins(shape, memory, at, sides, u, out)

@@ -1,0 +1,132 @@
+"""Bounds on what Taylor series leave out: the recurrence of a cell, repeated with absolute values."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gearlash._kernel import allocating, inner
+
+from ._tables import ORDER, Shape
+
+TAIL = 24  # further terms of the majorant
+LAST = ORDER + TAIL
+FALL = 0.25  # ratio of the geometric series that bounds all terms behind the last
+ATTEMPTS = 30  # at finding its first term
+
+
+@allocating
+def eta_bounds(shape: Shape, memory, active, sides, width):
+    """(clearances, LAST+2): bounds on the Taylor coefficients of the stiffness that acts in a region;
+    the last column holds their sum with weights `FALL`^-j, all orders included."""
+    out, series = np.zeros((shape.clearances, LAST + 2)), 2 * shape.harmonics + 1
+    for c in range(shape.clearances):
+        if active[c] == 0:
+            continue
+        at = shape.stiffness + (2 * c + (0 if sides[c] == 0 else 1)) * series
+        out[c, 0] = abs(memory[at])
+        out[c, LAST + 1] = out[c, 0]
+        for h in range(1, shape.harmonics + 1):
+            term = np.sqrt(memory[at + 2 * h - 1] ** 2 + memory[at + 2 * h] ** 2)
+            out[c, LAST + 1] += term * np.exp(h * width / FALL)
+            for j in range(LAST + 1):
+                out[c, j] += term
+                term *= h * width / (j + 1)
+    return out
+
+
+@allocating
+def majorant(equations, readers, last, known, eta, duration, rate):
+    """Bound on the sum of all Taylor terms above ORDER of a unit column's states, and on that sum with every
+    term times its order; infinite where it cannot be had (more cells are needed).
+
+    equations (n, n + gaps), readers (gaps, n) flat; last (n): |term of degree ORDER| of each state;
+    known (gaps, ORDER+1): |coefficients| of what is read; eta as from `eta_bounds`; rate: highest
+    harmonic times the width of a cell, whose powers over factorials bound every unit input."""
+    n, gaps = len(last), len(eta)
+    terms, new, source = np.zeros(n), np.zeros(n), np.zeros(LAST + 1)
+    read, pushed = np.zeros((gaps, LAST + 1)), np.zeros(gaps)
+    for i in range(n):
+        terms[i] = last[i]
+    for c in range(gaps):
+        for j in range(ORDER + 1):
+            read[c, j] = known[c, j]
+    term = 1.0
+    for j in range(LAST + 1):
+        source[j] = term
+        term *= rate / (j + 1)
+    value, derived = 0.0, 0.0
+    for j in range(ORDER, LAST):
+        for c in range(gaps):
+            if j > ORDER:
+                read[c, j] = source[j] + _read(readers, c, n, terms)
+            pushed[c] = eta[c, j]
+            for i in range(j + 1):
+                pushed[c] += eta[c, i] * read[c, j - i]
+        size = _step(equations, n, gaps, terms, pushed, source[j], duration / (j + 1), new)
+        for i in range(n):
+            terms[i] = new[i]
+        value += size
+        derived += (j + 1) * size
+    rest = _geometric(equations, readers, terms, read, eta, source[LAST], duration, rate)
+    return value + rest * FALL / (1.0 - FALL), derived + rest * (LAST + 2.0)
+
+
+@inner
+def _read(readers, c, n, terms):
+    """|h_c| · terms."""
+    total = 0.0
+    for i in range(n):
+        total += abs(readers[c * n + i]) * terms[i]
+    return total
+
+
+@inner
+def _step(equations, n, gaps, terms, pushed, source, factor, new):
+    """new ← factor (|M| terms + |g| pushed + source); returns its largest entry."""
+    size = 0.0
+    for i in range(n):
+        new[i] = source
+        for k in range(n):
+            new[i] += abs(equations[i * (n + gaps) + k]) * terms[k]
+        for c in range(gaps):
+            new[i] += abs(equations[i * (n + gaps) + n + c]) * pushed[c]
+        new[i] *= factor
+        size = max(size, new[i])
+    return size
+
+
+@allocating
+def _geometric(equations, readers, terms, read, eta, source, duration, rate):
+    """The largest entry of a vector w such that all terms behind the last obey t_(LAST+k) ≤ FALL^k w.
+
+    Let r_k bound what is read, r_k ≤ R FALL^(k-LAST) for all k so far, and let the inputs fall by FALL
+    too. If t ≤ w for the last term, |h| w + source ≤ R, and one more step of the recurrence from (w, R)
+    gives at most FALL·w, then by induction every further step does. Such a w is looked for by raising it
+    where it fails."""
+    n, gaps = len(terms), len(eta)
+    w, new, reached, pushed = np.zeros(n), np.zeros(n), np.zeros(gaps), np.zeros(gaps)
+    if not rate / (LAST + 1) <= FALL:
+        return np.inf
+    for i in range(n):
+        w[i] = terms[i]
+    for c in range(gaps):
+        weight = 1.0
+        for k in range(LAST - 1, -1, -1):
+            weight *= FALL
+            reached[c] = max(reached[c], read[c, k] * weight)
+    for _ in range(ATTEMPTS):
+        for c in range(gaps):
+            reached[c] = max(reached[c], source + _read(readers, c, n, w))
+            pushed[c] = eta[c, LAST + 1] * (reached[c] + source)
+        _step(equations, n, gaps, w, pushed, source, duration / (LAST + 1) / FALL, new)
+        enough = True
+        for i in range(n):
+            if not new[i] <= w[i]:
+                w[i] = 1.5 * new[i]
+                enough = False
+        if enough:
+            size = 0.0
+            for i in range(n):
+                size = max(size, w[i])
+            return size
+    return np.inf

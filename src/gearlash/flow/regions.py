@@ -1,0 +1,142 @@
+"""The linear systems that one piecewise-linear system is made of: numbering, equations and inputs of regions.
+
+A region is told by the side of every clearance: `PLUS`, `FREE` or `MINUS`."""
+
+from __future__ import annotations
+
+from itertools import product
+from math import ceil, pi
+
+import numpy as np
+
+from gearlash.system import Clearance, ContactRule, System, derivative, padded
+from gearlash.system.harmonics import harmonics
+
+from ._cells import EDGE, FORCED, OFFSET, spectral_radius
+from ._tables import FREE, MINUS, PLUS, Array
+
+Sides = tuple[int, ...]
+STEP = 1.1  # (spectral radius + highest harmonic) × cell duration aimed at: degree 18 then suffices
+
+
+def code_of(sides: Sides) -> int:
+    return sum(side * 3**c for c, side in enumerate(sides))
+
+
+def sides_of(code: int, count: int) -> Sides:
+    return tuple(code // 3**c % 3 for c in range(count))
+
+
+def twin(system: System, code: int) -> int:
+    """A region with the same homogeneous part: side + in place of side -, where both are alike."""
+    sides = [
+        PLUS if side == MINUS and _alike(clearance) else side
+        for side, clearance in zip(sides_of(code, len(system.clearances)), system.clearances, strict=True)
+    ]
+    return code_of(tuple(sides))
+
+
+def _alike(clearance: Clearance) -> bool:
+    plus, minus = clearance.stiffness_plus, clearance.stiffness_minus
+    return np.array_equal(plus, minus) and len(set(clearance.dampings)) == 1
+
+
+def extreme_regions(system: System) -> list[Sides]:
+    """Regions that decide the grid: all clearances free, all closed on one side, and on the other where that
+    is another system. Sides without stiffness are never closed."""
+    found = []
+    for side in (FREE, PLUS, MINUS):
+        sides = tuple(
+            side if side == FREE or c.stops(1 if side == PLUS else -1) else FREE for c in system.clearances
+        )
+        if side != MINUS or twin(system, code_of(sides)) == code_of(sides):
+            found.append(sides)
+    return list(dict.fromkeys(found))
+
+
+def units_of(system: System) -> Array:
+    """(units, 3) int: kind, clearance or state, Fourier slot of every unit input of any region."""
+    rows = sum(np.abs(forcing_of(system, sides)) for sides in _closed(system))
+    forced = [(FORCED, int(row), int(slot)) for row, slot in np.argwhere(rows != 0.0)]
+    edges = [(EDGE, c, 0) for c in range(len(system.clearances))]
+    shifted = [
+        (OFFSET, c, int(slot))
+        for c, clearance in enumerate(system.clearances)
+        for slot in np.flatnonzero(clearance.offset)
+    ]
+    return np.array([*edges, *forced, *shifted], dtype=np.int64)
+
+
+def _closed(system: System) -> list[Sides]:
+    """Regions in which every forcing that occurs anywhere occurs."""
+    count = len(system.clearances)
+    return [(side,) * count for side in (FREE, PLUS, MINUS)]
+
+
+def _dampings(system: System, sides: Sides) -> list[float]:
+    """ζ of every clearance as it acts in a region."""
+    found = []
+    for clearance, side in zip(system.clearances, sides, strict=True):
+        acting = clearance.dampings[1 if side == MINUS else 0]
+        found.append(acting if clearance.contact is ContactRule.ALWAYS or side != FREE else 0.0)
+    return found
+
+
+def matrix_of(system: System, sides: Sides) -> Array:
+    """M with the contact damping of a region in it."""
+    matrix = system.matrix.astype(np.float64)
+    for clearance, damping in zip(system.clearances, _dampings(system, sides), strict=True):
+        matrix = matrix + damping * np.outer(clearance.g, clearance.h @ system.matrix)
+    return matrix
+
+
+def forcing_of(system: System, sides: Sides) -> Array:
+    """b(θ) + Σ g ζ (h·b - e'), the forcing that goes with `_matrix`."""
+    count = max(harmonics(system.forcing), *(harmonics(c.offset) for c in system.clearances))
+    base = padded(system.forcing, count)
+    forcing = base.copy()
+    for clearance, damping in zip(system.clearances, _dampings(system, sides), strict=True):
+        if damping != 0.0:
+            rate = system.omega / system.cycles * padded(derivative(clearance.offset), count)
+            forcing = forcing + damping * np.outer(clearance.g, clearance.h @ base - rate)
+    return forcing
+
+
+def centres_of(system: System) -> Array:
+    """(clearances, n): states with h_j·c_k = 1 for j = k, else 0; all zero where gaps depend on each
+    other."""
+    readers = np.array([c.h for c in system.clearances], dtype=np.float64)
+    if len(readers) == 1:
+        return readers / (readers @ readers.T)
+    if np.linalg.matrix_rank(readers) < len(readers):
+        return np.zeros_like(readers)
+    return np.ascontiguousarray(np.linalg.pinv(readers).T)
+
+
+def edges_of(system: System, sides: Sides) -> Array:
+    places = {PLUS: 1.0, FREE: 0.0, MINUS: -1.0}
+    return np.array(
+        [
+            places[side] * (c.gap_plus if side == PLUS else c.gap_minus)
+            for c, side in zip(system.clearances, sides, strict=True)
+        ]
+    )
+
+
+def first_guess(system: System) -> int:
+    """Cells from the fastest rate that occurs with all contacts closed at their extremes, or open."""
+    fastest = 0.0
+    for sides, lowest in product(extreme_regions(system), (False, True)):
+        closed = matrix_of(system, sides)
+        for clearance, side in zip(system.clearances, sides, strict=True):
+            if side != FREE:
+                series = clearance.stiffness_plus if side == PLUS else clearance.stiffness_minus
+                swing = np.abs(series[1:]).sum()
+                closed = closed + (series[0] - swing if lowest else series[0] + swing) * np.outer(
+                    clearance.g, clearance.h
+                )
+        fastest = max(fastest, spectral_radius(np.ascontiguousarray(closed), 6))
+    series = [s for c in system.clearances for s in (c.stiffness_plus, c.stiffness_minus, c.offset)]
+    highest = max(harmonics(s) for s in (*series, system.forcing))
+    # a modulated stiffness moves the motion's rates by its harmonics: the two add up
+    return max(4, ceil((system.period * fastest + 2 * pi * highest) / STEP))
