@@ -9,9 +9,9 @@ from matplotlib.patches import PathPatch
 
 from gearlash import plots
 from gearlash.plots import style
-from gearlash.plots.fills import NONE, fills, kind_of
+from gearlash.plots.fills import NONE, fills
 from gearlash.plots.plane import HEIGHT, WIDTH, _rooms
-from gearlash.plots.regimes import BACK, DRIVE, FREE
+from gearlash.plots.regimes import BACK, DRIVE, FREE, UNRESOLVED, regime
 from gearlash.system import UnknownNameError
 from plots.made import dataset, plane
 
@@ -24,9 +24,10 @@ def lightness(colour: str) -> float:
 
 
 def test_the_kind_counts_all_clearances():
-    assert kind_of("1-0-0") is kind_of("1-0-0/0-0") is FREE
-    assert kind_of("2-1-0") is kind_of("1-0-0/1-0") is DRIVE
-    assert kind_of("2-1-1") is kind_of("1-1-0/0-1") is BACK
+    assert regime("1-0-0") is regime("1-0-0/0-0") is FREE
+    assert regime("2-1-0") is regime("1-0-0/1-0") is DRIVE
+    assert regime("unresolved") is regime("failed") is UNRESOLVED
+    assert regime("2-1-1") is regime("1-1-0/0-1") is BACK
 
 
 @pytest.mark.parametrize("count", ["{0}-{0}-0", "{0}-{0}-1"])

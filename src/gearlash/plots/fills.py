@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from gearlash.orbits import Signature
-
 from . import style
-from .regimes import APERIODIC, BACK, DRIVE, FREE, UNRESOLVED, Regime
+from .regimes import APERIODIC, BACK, DRIVE, FREE, UNRESOLVED, regime, short
 
 # Neighbours in a family differ by at least 9 in lightness (CIE L*); regions carry their label, too.
 SHADES = {
@@ -37,24 +35,12 @@ class Fill:
 NONE = Fill("white", MISSING, "....")
 
 
-def kind_of(label: str) -> Regime:
-    """The regime of a label, of any number of clearances."""
-    if label == "aperiodic":
-        return APERIODIC
-    if label == "unresolved":
-        return UNRESOLVED
-    signature = Signature.parse(label)
-    if signature.back_impacts:
-        return BACK
-    return DRIVE if signature.impacts else FREE
-
-
 def fills(labels: Sequence[str]) -> dict[str, Fill]:
     """A fill for every label; the most frequent ones come first and get the shades."""
     left = {kind: list(shades) for kind, shades in SHADES.items()}
     found = {}
     for label in labels:
-        kind = kind_of(label)
+        kind = regime(label)
         if kind not in SHADES:
             hatch = FREE_HATCH if kind is FREE else kind.hatch
             found[label] = Fill(kind.colour, kind.words, hatch)
@@ -70,8 +56,3 @@ def legend_order(used: Sequence[Fill]) -> list[Fill]:
     families = [FREE.colour, *SHADES[DRIVE], OTHERS[DRIVE], *SHADES[BACK], OTHERS[BACK]]
     order = {colour: i for i, colour in enumerate([*families, APERIODIC.colour, UNRESOLVED.colour])}
     return sorted(dict.fromkeys(used), key=lambda fill: (order[fill.colour], fill is NONE))
-
-
-def short(label: str) -> str:
-    """A label as it is printed: 1-1-0 is 1-1."""
-    return label if label in ("aperiodic", "unresolved") else Signature.parse(label).short

@@ -17,11 +17,12 @@ from scipy import ndimage
 from gearlash.system import UnknownNameError
 
 from . import style
-from .fills import NONE, Fill, fills, legend_order, short
+from .fills import NONE, Fill, fills, legend_order
+from .regimes import short
 from .units import Units, name, second
 
 WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
-CHARACTER = 1.35  # mm of a character of a region's label
+CHARACTER = 1.25  # mm of a character of a region's label
 Array = NDArray[np.float64]
 
 

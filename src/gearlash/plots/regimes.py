@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from gearlash.orbits import Signature
+from gearlash.system import GearlashError
+
 from . import style
 
 
@@ -27,16 +30,16 @@ ALL = (FREE, DRIVE, BACK, APERIODIC, UNRESOLVED)
 
 
 def regime(label: str) -> Regime:
-    """The regime of a label: P-Q-R, ``aperiodic``, or anything else: unresolved."""
+    """The regime of a label: P-Q-R (/Q-R …), ``aperiodic``, or anything else: unresolved."""
     if label == "aperiodic":
         return APERIODIC
-    counts = label.split("-")
-    if len(counts) not in (2, 3) or not all(c.isdigit() for c in counts):
+    try:
+        signature = Signature.parse(label)
+    except GearlashError:
         return UNRESOLVED
-    drive, back = int(counts[1]), int(counts[2]) if len(counts) == 3 else 0
-    if back:
+    if signature.back_impacts:
         return BACK
-    return DRIVE if drive else FREE
+    return DRIVE if signature.impacts else FREE
 
 
 def short(label: str) -> str:

@@ -53,9 +53,10 @@ def map_plane(
     ``initial`` (n,); ``fixed`` are other parameters, by short name, over those of the case.
 
     Any ``executor`` gives the same bytes, and so does any ``chunk`` (pixels a task, on one line of the map).
-    Processes (`studies.open_workers`) are faster than threads, as half of a pixel's time is spent outside the
-    kernels. A pixel that fails is flagged with its reason. A cancel or Ctrl-C returns what was computed,
-    marked incomplete. Raises `GearlashError` for names, values and starts that do not fit.
+    Threads wait for each other during about half of a pixel's time, which is spent outside the kernels;
+    processes (`studies.open_workers`) do not. A pixel that fails is flagged with its reason. A cancel or
+    Ctrl-C returns what was computed, marked incomplete. Raises `GearlashError` for names,
+    values and starts that do not fit.
     """
     source = Source.of(model)
     family = source.family()
