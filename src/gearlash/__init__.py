@@ -94,6 +94,9 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         Axis as Axis,
     )
     from .results import (
+        PlaneMap as PlaneMap,
+    )
+    from .results import (
         Point as Point,
     )
     from .results import (
@@ -103,11 +106,15 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         load as load_dataset,  # noqa: F401
     )
     from .results import (
+        plane_dataset as plane_dataset,
+    )
+    from .results import (
         save as save_dataset,  # noqa: F401
     )
     from .results import (
         sweep_dataset as sweep_dataset,
     )
+    from .studies import map_plane as map_plane
     from .studies import point as point
     from .studies import sweep as sweep
     from .studies import sweeps as sweeps
@@ -170,10 +177,10 @@ _PUBLIC = {
     # special points of families
     "gearlash.branches": ("BifurcationPoint", "GrazingPoint", "locate_grazing", "locate_multiplier"),
     # many attractors at once, and their datasets
-    "gearlash.studies": ("point", "sweep", "sweeps", "zones"),
+    "gearlash.studies": ("map_plane", "point", "sweep", "sweeps", "zones"),
     "gearlash.studies.transitions": ("transitions",),
     "gearlash.studies.article": ("reproduce",),
-    "gearlash.results": ("Axis", "Point", "Sweep", "sweep_dataset"),
+    "gearlash.results": ("Axis", "PlaneMap", "Point", "Sweep", "plane_dataset", "sweep_dataset"),
 }
 _RENAMED = {
     "load_case": ("gearlash.case", "load"),

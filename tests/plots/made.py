@@ -10,8 +10,8 @@ import xarray as xr
 from gearlash.branches import locate_grazing
 from gearlash.case import Case, load
 from gearlash.orbits import Orbit, attractor, grazing_checks
-from gearlash.results import Axis, sweep_dataset
-from gearlash.studies import sweeps
+from gearlash.results import Axis, plane_dataset, sweep_dataset
+from gearlash.studies import map_plane, sweeps
 from gearlash.studies.motion import Motion, motion, touching
 
 
@@ -63,3 +63,12 @@ def dataset(axis: str = "omega") -> xr.Dataset:
     values = np.linspace(1.08, 1.13, 6) if axis == "omega" else np.array([0.386, 0.39, 0.46, 0.48])
     fixed = {"D": 1.0} if axis == "omega" else {"omega": 0.78}
     return sweep_dataset(article(), sweeps(article(), Axis(axis, values), fixed=fixed))
+
+
+@cache
+def plane() -> xr.Dataset:
+    """A small map with every kind of motion, and a pixel that failed."""
+    found = map_plane(
+        article(), Axis.even("omega", (0.74, 1.2), 8), Axis("D", np.array([-0.1, 0.25, 0.39, 0.7]))
+    )
+    return plane_dataset(article(), found)

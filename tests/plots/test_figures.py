@@ -13,7 +13,7 @@ from matplotlib.text import Text
 
 from gearlash import plots
 from gearlash.plots.units import MARK
-from plots.made import aperiodic, around_grazing, article, dataset, moving
+from plots.made import aperiodic, around_grazing, article, dataset, moving, plane
 
 BARS = (
     plots.Bar("article", 0.973, 1.112, "reported", "", "0.973", "1.112"),
@@ -42,6 +42,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "history": lambda: plots.history(moving(1.1, 1.0, 1.1), units()),
     "histories": lambda: plots.history_triple(around_grazing(), units()),
     "histories-stacked": lambda: plots.history_triple((moving(0.78, 0.386), aperiodic()), units(), "D"),
+    "plane": lambda: plots.plane(plane(), units()),
     "sections": lambda: plots.sections((moving(1.1, 1.0, 1.1), moving(0.78, 0.386, 0.386))),
     "zones": lambda: plots.zones((plots.Panel("omega", "impact-free at D = 1", BARS),), units()),
 }

@@ -9,6 +9,7 @@ import typer
 from .commands.bench import bench
 from .commands.check import check
 from .commands.graze import graze
+from .commands.map import map as map_
 from .commands.reproduce import reproduce
 from .commands.run import run
 from .commands.schema import schema
@@ -44,5 +45,5 @@ def gearlash(
     pass
 
 
-for command in (run, check, sweep, graze, zones, reproduce, bench, schema):
+for command in (run, check, sweep, map_, graze, zones, reproduce, bench, schema):
     app.command()(command)

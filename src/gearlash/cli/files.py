@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case
-from gearlash.results import Sweep, save, sweep_dataset
+from gearlash.results import PlaneMap, Sweep, plane_dataset, save, sweep_dataset
 
 from .folder import OutFolder
 
@@ -26,6 +26,16 @@ def write_sweep(folder: OutFolder, case: Case, sweeps: Sequence[Sweep], name: st
         from gearlash import plots
 
         plots.save(plots.diagram(dataset, units=plots.Units.of(case)), folder.file(name))
+
+
+def write_map(folder: OutFolder, case: Case, plane: PlaneMap) -> None:
+    """The dataset as NetCDF and, of a complete map, the figure as SVG and PDF."""
+    dataset = plane_dataset(case, plane)
+    save(dataset, folder.file("map.nc"))
+    if plane.complete:
+        from gearlash import plots
+
+        plots.save(plots.plane(dataset, units=plots.Units.of(case)), folder.file("map"))
 
 
 def write_motion(folder: OutFolder, case: Case, attractor: Attractor) -> None:

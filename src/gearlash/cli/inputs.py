@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
@@ -108,6 +108,28 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
     if problems:
         raise CaseError("--over", problems)
     return Over(name, short, np.linspace(first, last, count))
+
+
+def read_plane(case: Case, texts: Sequence[str], settings: Iterable[str] | None = None) -> tuple[Over, Over]:
+    """The two axes of a map, each as `read_over` takes it."""
+    problems, axes = [], []
+    for text in texts:
+        try:
+            axes.append(read_over(case, text, settings))
+        except CaseError as error:
+            problems += error.problems
+    if len(texts) != 2:
+        expected = "two of them, such as --over omega=0.5:1.4:200 --over D=0.2:1.2:200"
+        problems.append(Problem("--over", f"{len(texts)} given", expected))
+    elif not problems and axes[0].short == axes[1].short:
+        both = f"{axes[0].named} and {axes[1].named}"
+        problems.append(Problem("--over", repr(both), "two that do not name the same quantity"))
+    elif not problems and len(axes[0].values) * len(axes[1].values) > MOST_POINTS:
+        pixels = f"{len(axes[0].values)} × {len(axes[1].values)}"
+        problems.append(Problem("--over", repr(pixels), f"{MOST_POINTS:,} pixels at the most"))
+    if problems:
+        raise CaseError("--over", problems)
+    return axes[0], axes[1]
 
 
 def read_near(

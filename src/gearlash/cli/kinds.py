@@ -8,6 +8,7 @@ KINDS = {
     "run": "RunAnswer",
     "check": "CheckAnswer",
     "sweep": "SweepAnswer",
+    "map": "MapAnswer",
     "graze": "GrazeAnswer",
     "zones": "ZonesAnswer",
     "reproduce": "ReproduceAnswer",

@@ -37,6 +37,7 @@ FOLDER = """\
 |---|---|
 | run | `run.json`, `portrait.svg`, `portrait.pdf`, `history.svg`, `history.pdf` |
 | sweep | `sweep.json`, `sweep.nc`, and of a complete sweep `sweep.svg`, `sweep.pdf` |
+| map | `map.json`, `map.nc`, and of a complete map `map.svg`, `map.pdf` |
 | graze | `graze.json` |
 | zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf` |
 | reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/` |
@@ -63,12 +64,18 @@ F has the article's sign, F = −Φ. Attributes: `case_json` (the whole case), `
 `not_given`, `complete` (0 for a sweep that was stopped; what is missing has the status `not-computed`),
 `message`, and the versions of gearlash, numpy, numba and Python.
 """
+MAPS = """\
+`map.nc` has the dimensions of its two axes, which its attributes `x` and `y` name, and `label_name`, the
+labels that occur. `label` is an index into those, -1 without a motion; `status` and `certificate` are
+codes, named by their attributes `flag_values` and `flag_meanings`. Coordinates and attributes are those of
+a sweep; `reasons` (JSON) lists row, column and reason of every failed pixel.
+"""
 
 
 CERTIFICATES = """\
 ## Certificates
 
-Every attractor and every point of a sweep carries one, with its reasons.
+Every attractor and every point of a sweep carries one, with its reasons; a pixel of a map has the verdict.
 
 | certificate | what it means |
 |---|---|
@@ -98,6 +105,8 @@ def results_page() -> str:
         FOLDER,
         NETCDF,
         "\n".join(_variables()),
+        MAPS,
+        "\n".join(_map_variables()),
         "\n".join(_statuses()),
         CERTIFICATES,
         "\n".join(exit_codes()),
@@ -194,11 +203,20 @@ def _variables() -> Iterator[str]:
         yield f"| `{variable.name}` | `{dimension}` | {variable.units} | {_cell(variable.long_name)} |"
 
 
+def _map_variables() -> Iterator[str]:
+    from gearlash.results.plane_dataset import VARIABLES
+
+    yield "| variable of a map | unit | |"
+    yield "|---|---|---|"
+    for variable in VARIABLES.values():
+        yield f"| `{variable.name}` | {variable.units} | {_cell(variable.long_name)} |"
+
+
 def _statuses() -> Iterator[str]:
     yield "## Statuses"
     yield ""
     yield "Of attractors, points and located values; only `ok` is a result to rely on without reading on."
-    yield "Sweeps know two more: `failed` (the message says why) and `not-computed` (stopped before)."
+    yield "Sweeps and maps know two more: `failed` (the message says why), `not-computed` (stopped before)."
     yield ""
     yield "| status | what to do |"
     yield "|---|---|"

@@ -10,6 +10,7 @@ from .histories import history
 from .histories import triple as history_triple
 from .intervals import Bar, Panel, zones
 from .marks import Mark
+from .plane import plane
 from .poincare import sections
 from .portraits import gallery, portrait
 from .portraits import triple as portrait_triple
@@ -26,6 +27,7 @@ __all__ = [
     "gallery",
     "history",
     "history_triple",
+    "plane",
     "portrait",
     "portrait_triple",
     "save",

@@ -8,22 +8,29 @@ from .axis import Axis
 from .compare import coexisting, same_motion
 from .dataset import sweep_dataset
 from .digest import content_hash
+from .plane import CERTIFICATES, NO_LABEL, STATUSES, PlaneMap
+from .plane_dataset import plane_dataset
 from .point import FAILED, NOT_COMPUTED, Point, blank
 from .provenance import provenance
 from .store import load, save
 from .sweep import Direction, Sweep
 
 __all__ = [
+    "CERTIFICATES",
     "FAILED",
     "NOT_COMPUTED",
+    "NO_LABEL",
+    "STATUSES",
     "Axis",
     "Direction",
+    "PlaneMap",
     "Point",
     "Sweep",
     "blank",
     "coexisting",
     "content_hash",
     "load",
+    "plane_dataset",
     "provenance",
     "same_motion",
     "save",

@@ -1,9 +1,10 @@
-"""Studies ask for many attractors at once: points, sweeps, stable zones."""
+"""Studies ask for many attractors at once: points, sweeps, maps, stable zones."""
 
 from gearlash.orbits import Settings
-from gearlash.results import Axis, Direction, Point, Sweep, coexisting, same_motion
+from gearlash.results import Axis, Direction, PlaneMap, Point, Sweep, coexisting, same_motion
 
 from .model import Model, prepare
+from .plane import map_plane
 from .point import point, summary
 from .sweep import open_workers, sweep, sweeps
 from .zone import End, Interval, Quiet, Tenant, Zone, Zones
@@ -15,6 +16,7 @@ __all__ = [
     "End",
     "Interval",
     "Model",
+    "PlaneMap",
     "Point",
     "Quiet",
     "Settings",
@@ -23,6 +25,7 @@ __all__ = [
     "Zone",
     "Zones",
     "coexisting",
+    "map_plane",
     "open_workers",
     "point",
     "prepare",

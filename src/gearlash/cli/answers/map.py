@@ -1,0 +1,132 @@
+"""`gearlash map`: which motion belongs to which pair of values of two parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import numpy as np
+
+from gearlash.case import Case
+
+from .parts import CaseUsed, case_used
+from .sweep import AxisUsed, axis_used
+
+if TYPE_CHECKING:  # answers are described without the engine
+    from gearlash.results import PlaneMap
+
+
+@dataclass(frozen=True)
+class MapLabel:
+    """A motion of the map."""
+
+    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, or unresolved"]
+    code: Annotated[int, "its number in codes"]
+    pixels: int
+    share: Annotated[float, "of the computed pixels, 0 to 1"]
+    x: Annotated[tuple[float, float], "least and largest value of x at which it occurs"]
+    y: Annotated[tuple[float, float], "least and largest value of y at which it occurs"]
+
+
+@dataclass(frozen=True)
+class FailedPixel:
+    """A pixel without a motion."""
+
+    x: float
+    y: float
+    reason: str
+
+
+@dataclass(frozen=True)
+class MapAnswer:
+    """Attractors over a plane of two parameters (gearlash map)."""
+
+    sentence: str
+    status: Annotated[str, "ok; incomplete if it was stopped; failed if no pixel is ok"]
+    message: Annotated[str, "why it is not complete"]
+    case: CaseUsed
+    parameters: Annotated[dict[str, float], "every parameter but the two of the axes, by short name"]
+    x: Annotated[AxisUsed, "horizontal axis"]
+    y: Annotated[AxisUsed, "vertical axis"]
+    statuses: Annotated[dict[str, int], "number of pixels by status"]
+    certificates: Annotated[dict[str, int], "number of pixels certified, uncertain, failed"]
+    impact_free: Annotated[int, "number of pixels with a periodic motion without any impact"]
+    labels: Annotated[tuple[MapLabel, ...], "the most frequent first"]
+    codes: Annotated[
+        tuple[tuple[int, ...], ...],
+        "code of the label of every pixel, a row for every value of y, ascending; -1 without a motion",
+    ]
+    failed: tuple[FailedPixel, ...]
+    result: Literal["map"] = "map"
+
+
+def map_answer(
+    case: Case, parameters: Mapping[str, float], named: tuple[str, str], plane: PlaneMap
+) -> MapAnswer:
+    """The record of a map."""
+    statuses = plane.statuses
+    status = "incomplete" if not plane.complete else "ok" if statuses.get("ok") else "failed"
+    x, y = plane.x, plane.y
+    return MapAnswer(
+        sentence=_sentence(plane),
+        status=status,
+        message=plane.message,
+        case=case_used(case),
+        parameters={name: value for name, value in parameters.items() if name not in (x.name, y.name)},
+        x=axis_used(case, x, named[0]),
+        y=axis_used(case, y, named[1]),
+        statuses=statuses,
+        certificates=plane.certificates,
+        impact_free=int(plane.impact_free.sum()),
+        labels=tuple(_labels(plane)),
+        codes=tuple(tuple(row) for row in plane.label.tolist()),
+        failed=tuple(
+            FailedPixel(float(x.values[column]), float(y.values[row]), text)
+            for (row, column), text in plane.reasons.items()
+        ),
+    )
+
+
+def _labels(plane: PlaneMap) -> Iterator[MapLabel]:
+    for label, pixels in plane.shares.items():
+        code = plane.labels.index(label)
+        rows, columns = np.nonzero(plane.label == code)
+        x, y = plane.x.values[columns], plane.y.values[rows]
+        yield MapLabel(
+            label,
+            code,
+            pixels,
+            pixels / plane.computed,
+            (float(x.min()), float(x.max())),
+            (float(y.min()), float(y.max())),
+        )
+
+
+def _sentence(plane: PlaneMap) -> str:
+    from gearlash.results import NOT_COMPUTED
+
+    ends = (f"{a.name} from {a.values[0]:.6g} to {a.values[-1]:.6g}" for a in (plane.x, plane.y))
+    rows, columns = plane.shape
+    orbits = sum(label not in ("aperiodic", "unresolved") for label in plane.labels)
+    parts = [f"{' and '.join(ends)}, {columns} × {rows} pixels: {orbits} different signatures"]
+    if plane.computed:
+        free, restless = int(plane.impact_free.sum()), plane.shares.get("aperiodic", 0)
+        parts.append(
+            f"free of impacts {_percent(free / plane.computed)}, "
+            f"aperiodic {_percent(restless / plane.computed)}"
+        )
+    missing = plane.statuses.get(NOT_COMPUTED, 0)
+    flagged = plane.label.size - plane.statuses.get("ok", 0) - missing
+    if flagged:
+        parts.append(f"{flagged} pixel{'s are' if flagged > 1 else ' is'} flagged")
+    if missing:
+        parts.append(f"incomplete, {missing} pixels missing")
+    return "; ".join(parts)
+
+
+def _percent(share: float) -> str:
+    """Never 0 % of what occurs, nor all where something is missing."""
+    if 0.0 < share < 0.001:
+        return "below 0.1 %"
+    return f"{100.0 * share:.1f} %" if share < 0.9995 or share == 1.0 else "above 99.9 %"

@@ -1,0 +1,68 @@
+"""Maps in the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.text import Text
+
+from gearlash.cli.answers.map import MapAnswer
+from gearlash.cli.answers.sweep import AxisUsed
+
+from .layout import facts, headline, table
+from .numbers import number
+from .units import pretty
+
+MOST_LINES = 25  # of labels; all of them are in --json
+
+
+def map_view(answer: MapAnswer, width: int) -> Iterator[Text]:
+    """Sentence, statuses, and the motions that take most of the plane."""
+    yield from headline(answer.sentence, width)
+    yield from facts("", list(_facts(answer)), width)
+    shown = answer.labels[:MOST_LINES]
+    rows = [
+        [row.label, str(row.pixels), f"{100.0 * row.share:.1f} %", _span(row.x), _span(row.y)]
+        for row in shown
+    ]
+    columns = [
+        ("", "left"),
+        ("pixels", "right"),
+        ("share", "right"),
+        (answer.x.name, "right"),
+        (answer.y.name, "right"),
+    ]
+    left = len(answer.labels) - len(shown)
+    title = "Motions" + (
+        f", the {len(shown)} most frequent of {len(answer.labels)} (--json has all)" if left else ""
+    )
+    yield from table(title if not answer.message else f"{title}; {answer.message}", columns, rows, width)
+
+
+def _facts(answer: MapAnswer) -> Iterator[tuple[str, str]]:
+    yield "pixels", ", ".join(f"{count} {status}" for status, count in answer.statuses.items())
+    yield (
+        "certificates",
+        ", ".join(f"{count} {verdict}" for verdict, count in answer.certificates.items()) or "–",
+    )
+    for axis in (answer.x, answer.y):
+        yield from _physical(axis)
+    if answer.failed:
+        first = answer.failed[0]
+        yield (
+            "first failure",
+            f"{answer.x.name} = {first.x:.6g}, {answer.y.name} = {first.y:.6g}: {first.reason}",
+        )
+
+
+def _physical(axis: AxisUsed) -> Iterator[tuple[str, str]]:
+    for low, high in zip(axis.physical_lower, axis.physical_upper, strict=True):
+        yield (
+            low.name.replace("_", " "),
+            f"{number(low.value, 6)} to {number(high.value, 6)} {pretty(low.unit)}",
+        )
+
+
+def _span(ends: tuple[float, float]) -> str:
+    low, high = (number(end, 4) for end in ends)
+    return f"{low} to {high}" if low != high else low

@@ -1,0 +1,58 @@
+"""How the motions of a map are filled: a colour family for each regime, a shade for each frequent label."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from . import style
+from .regimes import APERIODIC, BACK, DRIVE, FREE, UNRESOLVED, regime, short
+
+# Neighbours in a family differ by at least 9 in lightness (CIE L*); regions carry their label, too.
+SHADES = {
+    DRIVE: ("#74c0ee", "#2f80b9", "#bfe3f7", "#4fa3d6", "#1b5e8e"),
+    BACK: ("#e69f00", "#a85a00", "#fbdc9a", "#cd7f00", "#7a3e00"),
+}
+OTHERS = {DRIVE: "#9fb6c6", BACK: "#cbb59a"}
+DARK = ("#2f80b9", "#1b5e8e", "#a85a00", "#7a3e00", APERIODIC.colour)
+FREE_HATCH = "////"
+MISSING = "none computed"
+
+
+@dataclass(frozen=True)
+class Fill:
+    """Fill colour, hatch, words of the legend, colour of text on it."""
+
+    colour: str
+    words: str
+    hatch: str = ""
+
+    @property
+    def ink(self) -> str:
+        return "white" if self.colour in DARK else style.INK
+
+
+NONE = Fill("white", MISSING, "....")
+
+
+def fills(labels: Sequence[str]) -> dict[str, Fill]:
+    """A fill for every label; the most frequent ones come first and get the shades."""
+    left = {kind: list(shades) for kind, shades in SHADES.items()}
+    found = {}
+    for label in labels:
+        kind = regime(label)
+        if kind not in SHADES:
+            hatch = FREE_HATCH if kind is FREE else kind.hatch
+            found[label] = Fill(kind.colour, kind.words, hatch)
+        elif left[kind]:
+            found[label] = Fill(left[kind].pop(0), short(label))
+        else:
+            found[label] = Fill(OTHERS[kind], f"other, {kind.words}")
+    return found
+
+
+def legend_order(used: Sequence[Fill]) -> list[Fill]:
+    """Fills as a legend lists them, each once: no impacts, shades by family, the rest."""
+    families = [FREE.colour, *SHADES[DRIVE], OTHERS[DRIVE], *SHADES[BACK], OTHERS[BACK]]
+    order = {colour: i for i, colour in enumerate([*families, APERIODIC.colour, UNRESOLVED.colour])}
+    return sorted(dict.fromkeys(used), key=lambda fill: (order[fill.colour], fill is NONE))

@@ -1,0 +1,140 @@
+"""A map: which motion belongs to which pair of values of two parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path
+from numpy.typing import NDArray
+from scipy import ndimage
+
+from gearlash.system import UnknownNameError
+
+from . import style
+from .fills import NONE, Fill, fills, legend_order
+from .regimes import short
+from .units import Units, name, second
+
+WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
+CHARACTER = 1.25  # mm of a character of a region's label
+Array = NDArray[np.float64]
+
+
+@style.styled
+def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
+    """The map of a dataset of `results.plane_dataset`: a region for every label, named where there is room.
+    Raises `UnknownNameError` for a dataset that is no map."""
+    if "x" not in dataset.attrs or "label_name" not in dataset.dims:
+        raise UnknownNameError("dimension", "label_name", [str(d) for d in dataset.dims])
+    x, y, units = str(dataset.attrs["x"]), str(dataset.attrs["y"]), units or Units()
+    codes = np.asarray(dataset["label"].values, dtype=np.int64)
+    names = [str(each) for each in dataset["label_name"].values]
+    looks = _looks(names, codes)
+    edges = _edges(dataset[x].values), _edges(dataset[y].values)
+    made = style.figure(style.PAGE, HEIGHT + 38.0)
+    panel = made.subplots()
+    _fill(panel, edges, codes, looks)
+    _name(panel, edges, codes, names, looks)
+    panel.set_xlabel(name(x))
+    panel.set_ylabel(name(y))
+    second(panel, units.of_parameter(x), below=9.5)
+    second(panel, units.of_parameter(y), "y")
+    handles = [_patch(fill) for fill in legend_order(looks)]
+    made.legend(handles=handles, loc="outside lower center", ncols=5, columnspacing=1.4)
+    return made
+
+
+def _looks(names: Sequence[str], codes: NDArray[np.int64]) -> list[Fill]:
+    """The fill of every code, and last that of pixels without a motion, where there are any."""
+    counts = np.bincount(codes[codes >= 0], minlength=len(names))
+    frequent = sorted(range(len(names)), key=lambda i: (-counts[i], i))
+    found = fills([names[i] for i in frequent])
+    return [*(found[each] for each in names), *([NONE] if (codes < 0).any() else [])]
+
+
+def _fill(panel: Axes, edges: tuple[Array, Array], codes: NDArray[np.int64], looks: Sequence[Fill]) -> None:
+    """Colours as a picture of print resolution, hatches as vectors."""
+    shown = np.where(codes < 0, len(looks) - 1, codes)
+    colours = ListedColormap([fill.colour for fill in looks])
+    panel.pcolormesh(*edges, shown, cmap=colours, vmin=-0.5, vmax=len(looks) - 0.5, rasterized=True)
+    for fill in dict.fromkeys(fill for fill in looks if fill.hatch):
+        alike = [i for i, other in enumerate(looks) if other == fill]
+        cells = _cells(edges, np.isin(shown, alike))
+        panel.add_patch(PathPatch(cells, fill=False, hatch=fill.hatch, linewidth=0.0, edgecolor=style.GREY))
+    panel.set_xlim(edges[0][0], edges[0][-1])
+    panel.set_ylim(edges[1][0], edges[1][-1])
+
+
+def _cells(edges: tuple[Array, Array], mask: NDArray[np.bool_]) -> Path:
+    """One path of rectangles: every run of pixels in every row."""
+    x, y = edges
+    steps = np.diff(np.pad(mask.astype(np.int8), ((0, 0), (1, 1))), axis=1)
+    rows, first = np.nonzero(steps == 1)
+    _, last = np.nonzero(steps == -1)
+    left, right, low, high = x[first], x[last], y[rows], y[rows + 1]
+    corners = np.stack(
+        [np.stack(c, axis=-1) for c in ((left, low), (right, low), (right, high), (left, high), (left, low))],
+        axis=1,
+    )
+    steps_of_one = [Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY]
+    return Path(corners.reshape(-1, 2), np.tile(steps_of_one, len(rows)))
+
+
+def _name(
+    panel: Axes,
+    edges: tuple[Array, Array],
+    codes: NDArray[np.int64],
+    names: Sequence[str],
+    looks: Sequence[Fill],
+) -> None:
+    """The label inside every region that has room for it."""
+    for code, text in enumerate(map(short, names)):
+        for x, y in _rooms(edges, codes == code, CHARACTER * len(text) / 2.0 + 0.4):
+            boxed = {"facecolor": looks[code].colour, "edgecolor": "none", "pad": 0.8}
+            panel.text(
+                x, y, text,
+                ha="center", va="center_baseline", fontsize=6.5, color=looks[code].ink,
+                bbox=boxed if looks[code].hatch else None,
+            )  # fmt: skip
+
+
+def _rooms(
+    edges: tuple[Array, Array], mask: NDArray[np.bool_], reach: float
+) -> Iterator[tuple[float, float]]:
+    """A place in every connected part of a mask that holds a circle of this radius (mm): where the widest
+    one lies, and of several such places the one nearest to the middle of the part."""
+    x, y = edges
+    size = (HEIGHT / mask.shape[0], WIDTH / mask.shape[1])
+    parts, count = ndimage.label(mask)  # pyright: ignore[reportGeneralTypeIssues]
+    for part in range(1, count + 1):
+        inside = parts == part
+        if inside.sum() * size[0] * size[1] < reach**2:
+            continue
+        # from the middle of a pixel to the middle of the nearest one outside, or beyond the frame
+        framed = ndimage.distance_transform_edt(np.pad(inside, 1), sampling=size)
+        away = np.asarray(framed)[1:-1, 1:-1] - min(size) / 2.0
+        if away.max() < reach:
+            continue
+        places = np.argwhere(away >= 0.95 * away.max())
+        middle = np.argwhere(inside).mean(axis=0)
+        row, column = places[np.argmin((((places - middle) * size) ** 2).sum(axis=1))]
+        yield float(x[column] + x[column + 1]) / 2.0, float(y[row] + y[row + 1]) / 2.0
+
+
+def _edges(values: Array) -> Array:
+    """Limits (m+1,) of the cells around the values; outer cells reach as far out as in."""
+    if len(values) == 1:
+        return values[0] + np.array([-0.5, 0.5]) * (abs(values[0]) or 1.0)
+    middle = (values[1:] + values[:-1]) / 2.0
+    return np.concatenate([[2.0 * values[0] - middle[0]], middle, [2.0 * values[-1] - middle[-1]]])
+
+
+def _patch(fill: Fill) -> Patch:
+    look = {"facecolor": fill.colour, "edgecolor": style.GREY if fill.hatch else style.INK, "linewidth": 0.4}
+    return Patch(**look, hatch=fill.hatch or None, label=fill.words)

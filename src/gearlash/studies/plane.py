@@ -1,0 +1,195 @@
+"""Maps: one attractor per pixel of a plane of two parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from typing import cast
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from gearlash import flow
+from gearlash.jobs import Cancel, Chain, Outcome, ProgressCallback, run
+from gearlash.orbits import Settings, Signature
+from gearlash.results import Axis
+from gearlash.results.plane import NO_LABEL, PlaneMap
+from gearlash.system import Family, GearlashError, UnknownNameError
+
+from .model import Model, Source, check_travels
+from .pixels import (
+    APERIODIC,
+    NOTHING,
+    PERIODIC,
+    UNRESOLVED,
+    Pixel,
+    Stretch,
+    clearances_of,
+    failed_record,
+    record_kind,
+    work,
+)
+
+CHUNK = 64  # pixels a task: about a second of work, of which a cancel has to wait for the rest
+_NO_CLEARANCE = bytes(record_kind(1).itemsize)
+NAMED = {APERIODIC: "aperiodic", UNRESOLVED: "unresolved"}
+
+
+def map_plane(
+    model: Model,
+    x: Axis,
+    y: Axis,
+    *,
+    fixed: Mapping[str, float] | None = None,
+    initial: ArrayLike | None = None,
+    settings: Settings | None = None,
+    executor: Executor | None = None,
+    chunk: int | None = None,
+    progress: ProgressCallback | None = None,
+    cancel: Cancel | None = None,
+) -> PlaneMap:
+    """The attractor of every pixel of the plane of two parameters, from the family's cold start or from
+    ``initial`` (n,); ``fixed`` are other parameters, by short name, over those of the case.
+
+    Any ``executor`` gives the same bytes, and so does any ``chunk`` (pixels a task, on one line of the map).
+    Threads wait for each other during about half of a pixel's time, which is spent outside the kernels;
+    processes (`studies.open_workers`) do not. A pixel that fails is flagged with its reason. A cancel or
+    Ctrl-C returns what was computed, marked incomplete. Raises `GearlashError` for names,
+    values and starts that do not fit.
+    """
+    source = Source.of(model)
+    family = source.family()
+    fixed = _checked(family, x, y, dict(fixed or {}))
+    start = None if initial is None else _start(family, initial)
+    check_travels(source, executor)
+    if chunk is not None and chunk < 1:
+        raise GearlashError(f"chunk = {chunk}: expected 1 or more pixels a task")
+    grid = _Grid(x, y, _keeps(family, fixed, x, y))
+    form = Stretch(source, tuple(fixed.items()), grid.inner.name, (), start, settings or Settings())
+    outcome = run(work, grid.chains(form, chunk or CHUNK), executor, progress=progress, cancel=cancel)
+    return grid.gathered(outcome, fixed)
+
+
+def _checked(family: Family, x: Axis, y: Axis, fixed: dict[str, float]) -> dict[str, float]:
+    for axis in (x, y):
+        if axis.name not in family.defaults:
+            raise UnknownNameError("parameter", axis.name, family.defaults)
+        if axis.name in fixed:
+            raise GearlashError(f"{axis.name} is an axis of the map and cannot be fixed as well")
+    if x.name == y.name:
+        raise GearlashError(f"both axes of the map are {x.name}: expected two different parameters")
+    family.complete(fixed)
+    return {name: float(value) for name, value in fixed.items()}
+
+
+def _start(family: Family, initial: ArrayLike) -> tuple[float, ...]:
+    start, n = np.asarray(initial, dtype=np.float64), len(family.states)
+    if start.shape != (n,) or not np.isfinite(start).all():
+        raise GearlashError(f"initial state: expected {n} finite numbers ({', '.join(family.states)})")
+    return tuple(map(float, start))
+
+
+def _keeps(family: Family, fixed: dict[str, float], x: Axis, y: Axis) -> bool:
+    """Whether propagators stay usable along y; lines of the map then run along y, else along x."""
+    middle = len(y) // 2
+    here = {**fixed, x.name: float(x.values[len(x) // 2])}
+    try:
+        one, other = (
+            flow.propagators(family.system({**here, y.name: float(y.values[at])})).key
+            for at in (middle, max(0, middle - 1))
+        )
+    except GearlashError:  # told by the pixels that fail
+        return False
+    return one == other
+
+
+@dataclass(frozen=True, eq=False)
+class _Grid:
+    """The pixels of a map, in lines along y or x."""
+
+    x: Axis
+    y: Axis
+    along_y: bool
+
+    @property
+    def inner(self) -> Axis:
+        return self.y if self.along_y else self.x
+
+    @property
+    def outer(self) -> Axis:
+        return self.x if self.along_y else self.y
+
+    def chains(self, form: Stretch, size: int) -> list[Chain]:
+        """A chain of one task for every stretch, named (line, first pixel)."""
+        found = []
+        for line, value in enumerate(map(float, self.outer.values)):
+            fixed = (*form.fixed, (self.outer.name, value))
+            for first in range(0, len(self.inner), size):
+                values = tuple(map(float, self.inner.values[first : first + size]))
+                task = replace(form, fixed=fixed, values=values)
+                found.append(Chain((line, first), (task,), (len(values),)))
+        return found
+
+    def gathered(self, outcome: Outcome, fixed: dict[str, float]) -> PlaneMap:
+        """The map of what was computed."""
+        pixels = {(line, at): pixel for (line, at), pixel in _placed(outcome)}
+        records = (pixel.record for pixel in pixels.values() if pixel.record)
+        kind = record_kind(clearances_of(next(records, _NO_CLEARANCE)))
+        table = np.zeros((len(self.outer), len(self.inner)), kind)
+        table["kind"], table["exponent"] = NOTHING, np.nan
+        failed = failed_record(kind)
+        for place, pixel in pixels.items():
+            table[place] = np.frombuffer(pixel.record, kind)[0] if pixel.record else failed
+        reasons = {
+            place[::-1] if self.along_y else place: pixel.reason
+            for place, pixel in pixels.items()
+            if not pixel.record
+        }
+        complete = len(pixels) == table.size
+        return _map(
+            self.x, self.y, table.T if self.along_y else table,
+            reasons=dict(sorted(reasons.items())), complete=complete,
+            message="" if complete else outcome.reason or "stopped", fixed=fixed,
+        )  # fmt: skip
+
+
+def _placed(outcome: Outcome) -> Iterator[tuple[tuple[int, int], Pixel]]:
+    """(line, place on it) and pixel of all that was computed."""
+    for name, pixels in outcome.results.items():
+        line, first = cast(tuple[int, int], name)
+        for at, pixel in enumerate(pixels, first):
+            yield (line, at), pixel
+
+
+def _map(x: Axis, y: Axis, table: np.ndarray, **about) -> PlaneMap:
+    labels, codes = _labelled(table)
+    counts = table["counts"]
+    arrays = {
+        "period": table["period"],
+        "drive": counts[..., 0, 0],
+        "back": counts[..., 0, 1],
+        "others": counts[..., 1:, :].sum(axis=(-2, -1), dtype=np.int32),
+        **{name: table[name] for name in ("exponent", "periods", "status", "certificate")},
+    }
+    contiguous = {name: np.array(array, order="C") for name, array in arrays.items()}
+    return PlaneMap(x=x, y=y, labels=labels, label=codes, **contiguous, **about)
+
+
+def _labelled(table: np.ndarray) -> tuple[tuple[str, ...], np.ndarray]:
+    """The table of labels, orbits by period and counts, then the rest; and the code of every pixel."""
+    counts = table["counts"].reshape(table.size, -1)
+    rows = np.column_stack([table["kind"].ravel(), table["period"].ravel(), counts])
+    kinds, codes = np.unique(rows, axis=0, return_inverse=True)
+    labels = tuple(_label(*map(int, row)) for row in kinds if row[0] != NOTHING)
+    codes = codes.reshape(table.shape)  # what is nothing comes last
+    codes = np.where(codes < len(labels), codes, NO_LABEL)
+    small = np.int16 if len(labels) <= np.iinfo(np.int16).max else np.int32
+    return labels, np.array(codes, small, order="C")
+
+
+def _label(kind: int, period: int, *counts: int) -> str:
+    if kind != PERIODIC:
+        return NAMED[kind]
+    first, *others = zip(counts[::2], counts[1::2], strict=True)
+    return str(Signature(period, *first, others=tuple(others)))

@@ -1,0 +1,114 @@
+"""gearlash map."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import gearlash as gl
+from cli.conftest import Gearlash
+from cli.schema_check import problems
+from gearlash.cli.kinds import answer_kind
+from gearlash.cli.schemas import answer_schema
+
+PLANE = ("kahraman-singh", "--over", "omega=0.6:0.9:4", "--over", "D=0.5:1.5:3")
+
+
+def test_json_is_the_map_of_the_study(gearlash: Gearlash):
+    ran = gearlash(
+        "map", "article", "--over", "pinion_speed=3600rpm:4400rpm:5", "--over", "D=0.6:1:3", "--json"
+    )
+    answer = ran.answer
+    assert ran.code == 0
+    assert problems(answer, answer_schema(answer_kind("map"))) == []
+    case = gl.load_case("article")
+    speeds = gl.Axis("omega", case.scales.omega_from_rpm(np.linspace(3600.0, 4400.0, 5)))
+    expected = gl.map_plane(case, speeds, gl.Axis.even("D", (0.6, 1.0), 3))
+    named = {row["code"]: row["label"] for row in answer["labels"]}
+    found = [[named[code] for code in row] for row in answer["codes"]]
+    assert found == [[expected.label_at(row, column) for column in range(5)] for row in range(3)]
+    assert answer["impact_free"] == int(expected.impact_free.sum()) > 0
+    assert sum(row["pixels"] for row in answer["labels"]) == 15
+    ends = {p["name"]: p["value"] for p in answer["x"]["physical_upper"]}
+    assert ends["pinion_speed"] == pytest.approx(4400.0, rel=1e-13)
+    assert {p["name"] for p in answer["y"]["physical_upper"]} == {"backlash"}
+    assert not {"omega", "D"} & set(answer["parameters"])
+
+
+def test_in_words(gearlash: Gearlash):
+    ran = gearlash("map", *PLANE)
+    assert (ran.code, ran.err) == (0, "")
+    words = " ".join(ran.out.split())
+    assert words.startswith("omega from 0.6 to 0.9 and D from 0.5 to 1.5, 4 × 3 pixels: ")
+    assert "12 ok" in words
+    assert "1-1-0" in words
+
+
+def test_out_is_netcdf_json_and_figures(gearlash: Gearlash, tmp_path: Path):
+    ran = gearlash("map", *PLANE, "--out", str(tmp_path), "--json")
+    dataset = gl.load_dataset(tmp_path / "map.nc")
+    assert dataset["label"].values.tolist() == ran.answer["codes"]
+    assert json.loads((tmp_path / "map.json").read_text(encoding="utf-8")) == ran.answer
+    assert (tmp_path / "map.svg").read_bytes().startswith(b"<?xml")
+    assert (tmp_path / "map.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_ctrl_c_keeps_what_was_computed(gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    import gearlash.cli.progress as progress
+
+    @contextmanager
+    def interrupting(title: str) -> Iterator[object]:
+        def callback(state: gl.jobs.Progress) -> None:
+            if state.done == 6:  # a line of 3 pixels is one task
+                os.kill(os.getpid(), signal.SIGINT)
+
+        yield callback
+
+    monkeypatch.setattr(progress, "progress_bar", interrupting)
+    ran = gearlash("map", *PLANE, "--workers", "1", "--out", str(tmp_path))
+    assert ran.code == 130
+    assert "incomplete, 6 pixels missing" in ran.out
+    assert gl.load_dataset(tmp_path / "map.nc").attrs["complete"] == 0
+    assert not (tmp_path / "map.svg").exists()
+
+
+def test_pixels_that_fail_are_named(gearlash: Gearlash):
+    """A frequency too far below the natural ones fails, the pixels beside it do not."""
+    typed = ("kahraman-singh", "--over", "omega=1e-6:0.9:2", "--over", "D=0.5:1.5:2")
+    answer = gearlash("map", *typed, "--json").answer
+    assert answer["status"] == "ok"
+    assert answer["statuses"] == {"failed": 2, "ok": 2}
+    assert [(pixel["x"], pixel["y"]) for pixel in answer["failed"]] == [(1e-6, 0.5), (1e-6, 1.5)]
+    assert "frequency" in answer["failed"][0]["reason"]
+    assert [row[0] for row in answer["codes"]] == [-1, -1]
+    words = " ".join(gearlash("map", *typed).out.split())
+    assert "2 pixels are flagged" in words
+    assert "omega = 1e-06, D = 0.5: " in words
+
+
+ONE = ("--over", "omega=0.5:1.4:9")
+BAD = {
+    "one axis": (ONE, "1 given"),
+    "three axes": ((*ONE, "--over", "D=0.5:1:3", "--over", "load=0.1:0.2:3"), "3 given"),
+    "the same twice": ((*ONE, "--over", "omega=0.5:1.4:9"), "do not name the same quantity"),
+    "the same by two names": ((*ONE, "--over", "pinion_speed=3600rpm:4400rpm:9"), "do not name the same"),
+    "too many": (("--over", "omega=0.5:1.4:2000", "--over", "D=0.5:1:2000"), "1,000,000 pixels"),
+    "set too": ((*ONE, "--over", "D=0.5:1:3", "--set", "D=1"), "one of two that name the same"),
+    "both wrong": (("--over", "omga=0.5:1.4:9", "--over", "D=1:0.5:3"), "omega"),
+}
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_bad_axes_are_named(gearlash: Gearlash, kind: str):
+    typed, part = BAD[kind]
+    ran = gearlash("map", "article", *typed)
+    assert ran.code == 2
+    assert part in ran.complaint
+    assert "Traceback" not in ran.err

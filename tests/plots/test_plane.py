@@ -1,0 +1,76 @@
+"""Maps drawn: a look for every motion, names inside their regions."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from matplotlib.colors import to_rgb
+from matplotlib.patches import PathPatch
+
+from gearlash import plots
+from gearlash.plots import style
+from gearlash.plots.fills import NONE, fills
+from gearlash.plots.plane import HEIGHT, WIDTH, _rooms
+from gearlash.plots.regimes import BACK, DRIVE, FREE, UNRESOLVED, regime
+from gearlash.system import UnknownNameError
+from plots.made import dataset, plane
+
+
+def lightness(colour: str) -> float:
+    """L* of CIE 1976, from the luminance of sRGB."""
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in to_rgb(colour)]
+    luminance = float(np.dot([0.2126, 0.7152, 0.0722], linear))
+    return 116.0 * np.cbrt(luminance) - 16.0 if luminance > 0.008856 else 903.3 * luminance
+
+
+def test_the_kind_counts_all_clearances():
+    assert regime("1-0-0") is regime("1-0-0/0-0") is FREE
+    assert regime("2-1-0") is regime("1-0-0/1-0") is DRIVE
+    assert regime("unresolved") is regime("failed") is UNRESOLVED
+    assert regime("2-1-1") is regime("1-1-0/0-1") is BACK
+
+
+@pytest.mark.parametrize("count", ["{0}-{0}-0", "{0}-{0}-1"])
+def test_frequent_labels_differ_in_a_grey_print_and_the_rest_share_one_look(count: str):
+    labels = [count.format(p) for p in range(1, 9)]
+    found = [fills(labels)[label] for label in labels]
+    shades = sorted(lightness(fill.colour) for fill in found[:5])
+    assert np.diff(shades).min() > 9.0
+    assert len(set(found[5:])) == 1
+    assert found[5].words.startswith("other, ")
+
+
+def test_text_can_be_read_on_its_fill():
+    everything = fills([f"{p}-1-{r}" for p in range(1, 9) for r in (0, 1)] + ["1-0-0", "aperiodic"])
+    for fill in everything.values():
+        assert abs(lightness(fill.colour) - lightness(fill.ink)) > 35.0, fill
+
+
+def test_a_name_stands_inside_its_region_or_not_at_all():
+    mask = np.zeros((20, 30), dtype=bool)
+    mask[2:18, 3:7] = True  # tall, 4 pixels wide
+    mask[10, 20] = True
+    edges = np.arange(31.0), np.arange(21.0)
+    wide = 4 * WIDTH / 30
+    [(x, y)] = _rooms(edges, mask, 0.35 * wide)
+    assert 3.0 < x < 7.0
+    assert y == pytest.approx(10.0, abs=1.0)
+    assert list(_rooms(edges, mask, 0.55 * wide)) == []
+    assert HEIGHT < WIDTH
+
+
+def test_failed_and_impact_free_pixels_are_hatched():
+    made = plots.plane(plane(), plots.Units())
+    hatches = {p.get_hatch() for p in made.axes[0].patches if isinstance(p, PathPatch)}
+    assert {NONE.hatch, "////"} <= hatches
+    [legend] = made.legends
+    texts = [text.get_text() for text in legend.get_texts()]
+    assert texts[0] == "no impacts"
+    assert {"aperiodic", NONE.words} <= set(texts)
+    assert len(texts) == len(set(texts))
+    assert pytest.approx(made.get_figwidth() * 25.4) == style.PAGE
+
+
+def test_a_sweep_is_no_map():
+    with pytest.raises(UnknownNameError, match="label_name"):
+        plots.plane(dataset())
