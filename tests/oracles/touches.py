@@ -30,7 +30,7 @@ class Touch:
 
     ``events``: how many there are of this side within ``window`` mesh cycles of ``at``, known from the depth;
     None where that does not tell: under `no-tension` a minimum of δ lies between two zeros of P, and the
-    contact of a companion bends what follows.
+    contact of another clearance nearby bends what follows.
     """
 
     system: System
@@ -111,7 +111,11 @@ def random_touch(rng: np.random.Generator, system: System, depths) -> Touch | No
     truth = region_oracle.run(system, start, span, begin)
     period = 2 * np.pi / system.omega
     window = 2 * np.sqrt(2 * abs(depth) / min(abs(float(c)) for c in curvature)) / period
-    known = (early or rising or not side.releases_early) and window < 0.004 and companion is None
+    alone = companion is None and not any(
+        event.clearance != side.clearance and abs(float(event.phase) - phase) < window
+        for event in truth.events
+    )
+    known = (early or rising or not side.releases_early) and window < 0.004 and alone
     return Touch(
         system, start, begin, span, side, early, rising, depth, float(curvature[0]), phase, window,
         events=2 * int(depth > 0) if known else None,
