@@ -18,14 +18,17 @@ from hypothesis import strategies as st
 from case.corpus import BAD_FILES, HELICAL, SPUR
 from gearlash.case import Case, CaseError, bundled, load, loads
 from gearlash.case.case import from_tables
-from gearlash.case.quantities import GEAR_KINDS, KINDS, choices, quantities
+from gearlash.case.quantities import GEAR_KINDS, KINDS, PIECEWISE, choices, quantities
 from gearlash.case.read import source_text
 from gearlash.cli.inputs import read_case, read_near, read_over, read_start
 from gearlash.system import GearlashError
 
 TIMES = int(os.environ.get("GEARLASH_GARBAGE", "1"))
 PATHS = sorted({path for kind in GEAR_KINDS for path in (*quantities(kind), *choices(kind))})
-TEXTS = [source_text(name)[1] for name in bundled()] + [HELICAL, SPUR]
+BUNDLED = {name: load(name).kind for name in bundled()}
+GEAR_TEXTS = [source_text(name)[1] for name, kind in BUNDLED.items() if kind in GEAR_KINDS] + [HELICAL, SPUR]
+PIECEWISE_TEXTS = [source_text(name)[1] for name, kind in BUNDLED.items() if kind == PIECEWISE]
+TEXTS = GEAR_TEXTS + PIECEWISE_TEXTS
 ARTICLE = load("article")
 
 
@@ -67,6 +70,9 @@ words = st.sampled_from(
         "1e308 N/m",
         "1e-308 kg",
         "-0 mm",
+        "-2*omega",
+        "1/0",
+        "sqrt(-pi)",
     ]
 )
 junk = st.recursive(
@@ -141,9 +147,9 @@ scalars = st.sampled_from(
 lines = st.one_of(
     st.builds("{} = {}".format, keys, scalars),
     st.builds("[{}]".format, st.sampled_from(["mesh", "pinion", "dimensionless", "source", "x"]) | keys),
-    st.builds("[[{}]]".format, keys),
+    st.builds("[[{}]]".format, st.just("clearance") | keys),
     st.builds("{}.{} = {}".format, keys, keys, scalars),
-    st.sampled_from(['kind = "spur-1dof"', 'kind = "helical-pair"', "# x", ""]),
+    st.sampled_from([*(f'kind = "{kind}"' for kind in KINDS), "# x", ""]),
     st.text(max_size=8),
 )
 
@@ -180,26 +186,37 @@ def test_a_right_file_with_lines_lost_doubled_or_exchanged(data: st.DataObject):
     taken_or_refused(loads, "\n".join(rows))
 
 
-@examples(250)
-@given(st.data())
-def test_a_right_file_with_values_replaced_lost_or_moved(data: st.DataObject):
-    raw = tomllib.loads(data.draw(st.sampled_from(TEXTS)))
+def tables_in(part: Any) -> list[dict[str, Any]]:
+    """Every table that holds something, however deep: in arrays too, such as [[clearance]]."""
+    inner = part.values() if isinstance(part, dict) else part if isinstance(part, list) else ()
+    found = [table for one in inner for table in tables_in(one)]
+    return [part, *found] if isinstance(part, dict) and part else found
+
+
+def disturbed(data: st.DataObject, text: str) -> dict[str, Any]:
+    """The tables of a file with one to four values or whole tables replaced, lost or moved."""
+    raw = tomllib.loads(text)
     for _ in range(data.draw(st.integers(1, 4))):
-        tables = sorted(name for name, value in raw.items() if isinstance(value, dict) and value)
+        tables = tables_in(raw)
         if not tables:
             break
         table = data.draw(st.sampled_from(tables))
-        leaf = data.draw(st.sampled_from(sorted(raw[table])))
-        match data.draw(st.sampled_from(["value", "lost", "moved", "table"])):
-            case "value":
-                raw[table][leaf] = data.draw(junk)
+        leaf = data.draw(st.sampled_from(sorted(table)))
+        match data.draw(st.sampled_from(["replaced", "lost", "moved"])):
+            case "replaced":
+                table[leaf] = data.draw(junk)
             case "lost":
-                del raw[table][leaf]
-            case "moved":
-                raw[data.draw(st.sampled_from(tables))][leaf] = raw[table].pop(leaf)
+                del table[leaf]
             case _:
-                raw[table] = data.draw(junk)
-    taken_or_refused(from_tables, raw)
+                data.draw(st.sampled_from(tables))[leaf] = table.pop(leaf)
+    return raw
+
+
+@pytest.mark.parametrize("texts", [GEAR_TEXTS, PIECEWISE_TEXTS], ids=["gears", "piecewise-linear"])
+@examples(250)
+@given(data=st.data())
+def test_a_right_file_with_values_replaced_lost_or_moved(texts: list[str], data: st.DataObject):
+    taken_or_refused(from_tables, disturbed(data, data.draw(st.sampled_from(texts))))
 
 
 names = st.sampled_from(["omega", "D", "pinion_speed", "mesh.backlash", "load", "contact", "teeth", "kind"])

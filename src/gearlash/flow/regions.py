@@ -16,6 +16,7 @@ from ._cells import EDGE, FORCED, OFFSET, spectral_radius
 from ._tables import FREE, MINUS, PLUS, Array
 
 Sides = tuple[int, ...]
+ALIKE = 3.0  # condition number of the directions h/|h| above which no centres are used
 STEP = 1.1  # (spectral radius + highest harmonic) × cell duration aimed at: degree 18 then suffices
 
 
@@ -103,12 +104,13 @@ def forcing_of(system: System, sides: Sides) -> Array:
 
 
 def centres_of(system: System) -> Array:
-    """(clearances, n): states with h_j·c_k = 1 for j = k, else 0; all zero where gaps depend on each
-    other."""
+    """(clearances, n): states with h_j·c_k = 1 for j = k, else 0; all zero where gaps read nearly the same:
+    centres would be far away then, and digits lost to them."""
     readers = np.array([c.h for c in system.clearances], dtype=np.float64)
     if len(readers) == 1:
         return readers / (readers @ readers.T)
-    if np.linalg.matrix_rank(readers) < len(readers):
+    directions = readers / np.linalg.norm(readers, axis=1)[:, None]
+    if np.linalg.cond(directions) > ALIKE:
         return np.zeros_like(readers)
     return np.ascontiguousarray(np.linalg.pinv(readers).T)
 
