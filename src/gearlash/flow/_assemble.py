@@ -37,11 +37,12 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, check, watch
         side = 0 if sides[c] == 0 else 1
         eta = shape.eta + ((cell * count + c) * 2 + side) * TERMS
         rate = memory[shape.gaps + 4 * c + 2 + side] / memory[shape.scalars + 1]
-        stiff = 0.0
+        lost = memory[shape.lost + 2 * c + side]
+        stiff = lost
         for j in range(ORDER + 1):
             stiff += abs(memory[eta + j])
         size = stiff * size + rate * ORDER * bulk
-        tail = stiff * tail + rate * memory[tails + 2 + own] + cut_off(memory, eta, memory, x)
+        tail = stiff * tail + rate * memory[tails + 2 + own] + lost * bulk + cut_off(memory, eta, memory, x)
         pressing(memory, eta, memory, x, memory[x], rate, watched, TERMS, 0)
     rest = tail
     for j in range(CHECK + 1, ORDER + 1):

@@ -119,12 +119,11 @@ def run(
     of `length` cells.
 
     strobes (stretches+1, n) receives the state at every start and at the end, counts (stretches,
-    4·clearances+1) what happened in each stretch. With sums (m) the tangents are orthonormalised after
-    each stretch. used[0] = -1 records nothing, else piece, poly, event and state are filled (see
-    `Record`). modes, on (clearances), position (6) and progress (2), zero at first, let a call that
-    returned `NEED_REGION` be repeated once the region it names is built. The last seven are work space
-    (`scratch`). One entry point, because compiling each variant of the march apart would cost a new user
-    half a minute. Returns an outcome code."""
+    4·clearances+1) what happened in each stretch. With sums (m) tangents are orthonormalised after each.
+    used[0] = -1 records nothing, else piece, poly, event and state are filled (`Record`). modes, on
+    (clearances), position (6), progress (2), zero at first, let a call that returned `NEED_REGION` go on once
+    that region is built. The last seven are work space (`scratch`). One entry point: compiling each variant
+    apart would cost a new user half a minute. Returns an outcome code."""
     n, p = shape.n, shape.p
     m = len(tangents) // p
     ones(work)

@@ -13,7 +13,7 @@ from ._vector import linear, multiple, weigh
 from ._work import BUFFER, GAPS, ONES, SURFACE
 
 ROUNDING = 24.0 * UNIT_ROUNDING  # of a boundary's place
-DERIVED = 84.0  # a bound on the derivative of what is bounded by 1: at most this (remainder: see `_majorant`)
+DERIVED = 84.0  # a bound on the derivative of what is bounded by 1: at most this (`_remainder`)
 NO_STOP = 1e300  # the gap of a side that has nothing to hit
 
 
@@ -49,7 +49,10 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
         if forced:  # the force, which must press
             if rule != NO_TENSION or mode == FREE:
                 continue
-            near = _force_surface(shape, memory, x, eta, edge, damping, near, boundary, mode == beyond, work)
+            near = _force_surface(
+                shape, memory, x, eta, memory[shape.lost + 2 * c + side], edge, damping, near, boundary,
+                mode == beyond, work,
+            )  # fmt: skip
         else:  # the place of the boundary
             inward = float(-boundary if mode == FREE else boundary)
             if mode == beyond and rule == NO_TENSION and damping != 0.0:
@@ -72,17 +75,19 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
 
 
 @inner
-def _force_surface(shape: Shape, memory, x, eta, edge, damping, near, boundary, pressed, work):
+def _force_surface(shape: Shape, memory, x, eta, lost, edge, damping, near, boundary, pressed, work):
     """SURFACE ← the pressing force (or minus it, where it does not press yet) of the rule `no-tension`;
-    returns the bound on its error. Without damping Φ = η δ presses where η does."""
+    returns the bound on its error. ``lost`` bounds what the series of η leaves out. Without damping Φ = η δ
+    presses where η does."""
     rate, sign = damping / memory[shape.scalars + 1], 1.0 if pressed else -1.0
-    stiff = weigh(work, ONES, TERMS, memory, eta)
+    stiff = weigh(work, ONES, TERMS, memory, eta) + lost
     if damping == 0.0:
         multiple(sign, memory, eta, work, SURFACE, TERMS)
-        return ROUNDING * stiff
+        return ROUNDING * stiff + lost
     pressing(memory, eta, work, x, work[x] - edge, rate, work, BUFFER, SURFACE)
     multiple(sign * boundary, work, SURFACE, work, SURFACE, TERMS)
-    return stiff * near + rate * DERIVED * near + cut_off(memory, eta, work, x)
+    size = weigh(work, ONES, TERMS, work, x) + abs(edge)
+    return stiff * near + rate * DERIVED * near + lost * size + cut_off(memory, eta, work, x)
 
 
 @inner

@@ -46,6 +46,7 @@ class Shape(NamedTuple):
     drift: int  # (clearances, 2H+1): h·b - e'
     stiffness: int  # (clearances, 2, 2H+1): η(θ) of side +, side -
     eta: int  # (cells, clearances, 2, TERMS): its Taylor coefficients over each cell
+    lost: int  # (clearances, 2): bound on what those leave out, over any cell
     bernstein: int  # (2, ORDER+1, TERMS): Taylor to Bernstein, of degree ORDER and ORDER-1
     pascal: int  # (ORDER+1, TERMS): column m holds C(m, i)
     hilbert: int  # (ORDER+1, TERMS): column k holds 1/(i+k+1)
@@ -107,7 +108,7 @@ def lay_out(plan: Plan) -> Shape:
     rows = p + 8 * j
     places, size = [], 0
     for length in (3, 4 * j, j, j * p, j * width, j * p, j * width, 2 * j * width, cells * j * 2 * TERMS,
-                   2 * (ORDER + 1) * TERMS, (ORDER + 1) * TERMS, (ORDER + 1) * TERMS):  # fmt: skip
+                   2 * j, 2 * (ORDER + 1) * TERMS, (ORDER + 1) * TERMS, (ORDER + 1) * TERMS):  # fmt: skip
         places.append(size)
         size += padded(length)
     inside, slot = [], 0

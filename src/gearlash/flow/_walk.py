@@ -22,7 +22,6 @@ from ._tables import FREE, MINUS, ORDER, OVER_MINUS, OVER_PLUS, PLUS, Array, Sha
 from ._vector import add, greatest, least, linear, move, weigh
 
 OK, TOO_MANY, DIVERGED, NEED_REGION = 0, 1, 2, 3
-ENGAGE_PLUS, ENGAGE_MINUS, RELEASE_PLUS, RELEASE_MINUS = 0, 1, 2, 3  # of each clearance; last: undecided
 EVENTS_PER_CELL = 4096
 HUGE = 1e200
 NEEDED, FRESH = 4, 5  # places in `position`
@@ -93,7 +92,8 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
     once they are there.
 
     hold (4): clearance, boundary that is not crossed between two positions (boundary 0: none). counts
-    (4·clearances + 1) int is added to."""
+    (4·clearances + 1) int is added to: of each clearance engagements at + and -, releases at + and -; last
+    what stayed undecided."""
     u, modes, moved = motion.u, motion.modes, motion.moved
     cells, p = shape.cells, shape.p
     keep = record.used[0] >= 0
@@ -107,7 +107,7 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
         end = s if arriving else (1.0 if cell < stop_cell else stop_s)
         if s == 0.0 and end == 1.0 and (whole or not (keep or (hold[2] < cell + 1.0 and hold[3] > cell))):
             if k == 0 and whole and cell + cells <= stop_cell and _lap(shape, memory, slot, modes, u, moved):
-                _leap(shape, memory, slot, slot + shape.lap, p, u, motion.tangents, m, moved)
+                _leap(shape, memory, slot + shape.lap, p, u, motion.tangents, m, moved)
                 cell, proved = cell + cells, True
                 continue
             step = slot + shape.step + k * (1 + shape.n) * shape.rows
@@ -138,7 +138,7 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
         s = motion.position[1]
         if end == 1.0:
             step = slot + shape.step + k * (1 + shape.n) * shape.rows
-            _leap(shape, memory, slot, step, shape.rows, u, motion.tangents, m, moved)
+            _leap(shape, memory, step, shape.rows, u, motion.tangents, m, moved)
             cell += 1
             k = k + 1 if k + 1 < cells else 0
             s = 0.0
@@ -150,7 +150,7 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
 
 
 @inner
-def _leap(shape: Shape, memory, slot, table, stride, u, tangents, m, moved):
+def _leap(shape: Shape, memory, table, stride, u, tangents, m, moved):
     """State and tangents over one cell or lap, by the table that begins at a place."""
     linear(memory, table, stride, shape.p, 1 + shape.n, u, 0, moved, 0)
     move(moved, 0, u, 0, shape.p)

@@ -256,6 +256,3 @@ def _local_series(props: Propagators, series: Array, positions: Array, lengths: 
             out[:, j] += term.real
             term = term * (1j * n * width * lengths) / (j + 1)
     return out
-
-
-REGION_NAMES = {PLUS: "drive side", FREE: "free", MINUS: "back side"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import ceil, pi
+from math import ceil, exp, factorial, hypot, pi
 
 import numpy as np
 
@@ -15,7 +15,19 @@ from gearlash.system.harmonics import harmonics
 from ._assemble import assemble, laps
 from ._cells import EDGE, OFFSET, respond, stiffness_series
 from ._surfaces import NO_STOP
-from ._tables import ALWAYS, CHECK, IN_CONTACT, NO_TENSION, TERMS, Array, Plan, Shape, constants, lay_out
+from ._tables import (
+    ALWAYS,
+    CHECK,
+    IN_CONTACT,
+    NO_TENSION,
+    ORDER,
+    TERMS,
+    Array,
+    Plan,
+    Shape,
+    constants,
+    lay_out,
+)
 from .regions import (
     Sides,
     centres_of,
@@ -252,9 +264,9 @@ def _assemble(
     for c, clearance in enumerate(system.clearances):
         size = float(np.abs(clearance.h).sum())
         total = float(np.abs(amplitudes).sum())
-        # the remainder of an offset's own series is below that of the state it would force
+        own, own_derived = left_out(clearance.offset, 2 * pi / shape.cells)
         memory[at + shape.tail + 4 * c : at + shape.tail + 4 * c + 4] = (
-            size * tail, (size + 1.0) * tail * total, size * derived, (size + 1.0) * derived * total,
+            size * tail, size * tail * total + own, size * derived, size * derived * total + own_derived,
         )  # fmt: skip
     assemble(
         shape, memory, at, amplitudes, ends, gaps, np.array(sides, dtype=np.int64), props.rules,
@@ -274,6 +286,18 @@ def _to_check() -> Array:
 
 
 _TO_CHECK = _to_check()
+
+
+def left_out(series: Array, width: float) -> tuple[float, float]:
+    """Bounds on what the Taylor series of a Fourier series over a phase ``width`` leaves out behind degree
+    ORDER, and on its derivative in local time: Σ_{j>m} r^j/j! ≤ e^r r^(m+1)/(m+1)! for a harmonic that turns
+    by r."""
+    value = 0.0
+    for n in range(1, harmonics(series) + 1):
+        turn = n * width
+        size = hypot(series[2 * n - 1], series[2 * n])
+        value += size * exp(turn) * turn ** (ORDER + 1) / factorial(ORDER + 1)
+    return value, (ORDER + 1) * value
 
 
 def _write_system(system: System, shape: Shape, memory: Array) -> None:
@@ -300,6 +324,8 @@ def _write_system(system: System, shape: Shape, memory: Array) -> None:
             (shape.stiffness + (2 * c + 1) * width, clearance.stiffness_minus),
         ):
             memory[place : place + width] = padded(series, shape.harmonics)
+        for side, series in enumerate((clearance.stiffness_plus, clearance.stiffness_minus)):
+            memory[shape.lost + 2 * c + side] = left_out(series, 2 * pi / shape.cells)[0]
 
 
 def _write_region(system: System, shape: Shape, memory: Array, at: int, matrix: Array) -> None:
