@@ -116,6 +116,7 @@ def centres_of(system: System) -> Array:
 
 
 def edges_of(system: System, sides: Sides) -> Array:
+    """(clearances,): +D⁺, -D⁻ or 0, from where the force of each clearance is counted in a region."""
     places = {PLUS: 1.0, FREE: 0.0, MINUS: -1.0}
     return np.array(
         [
