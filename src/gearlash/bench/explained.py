@@ -54,7 +54,7 @@ def _impacts(curve: Curve) -> str:
     return (
         f"One degree of freedom in {curve.cells[0]} cells, and less and less load: a period with "
         f"{curve.sizes[0]:.3g} impacts takes {first} µs, and each impact with its release adds {each:.2f} "
-        "µs: two crossings located, the state expanded on both sides of each."
+        "µs: two crossings located, the state moved to another region at each."
     )
 
 

@@ -19,8 +19,8 @@ def limits(found: list[Work], seconds: dict[str, float]) -> tuple[Limit, ...]:
     """For each piece of work, beside its measured seconds per period.
 
     A period is at the least one affine map a cell, n² + n multiply-adds, whose n² + n numbers are read. A
-    crossing lies inside a cell: the state is expanded before and after it, ORDER terms of the field's nonzero
-    entries each."""
+    crossing lies inside a cell: it counts as the state expanded before and after it, ORDER
+    terms of the field's nonzero entries each."""
     peak, bandwidth = peak_multiply_adds(), reading()
     return tuple(_limit(work, peak, bandwidth, seconds[work.name]) for work in found)
 
