@@ -35,12 +35,13 @@ newer, and numbakit-ode fails to start with current versions of scipy.
 LIMIT = """\
 ## The limit
 
-A period is at the least one affine map a cell: n² + n multiply-adds, and as many numbers to read. A crossing
-counts as the state expanded on both sides of it: 18 terms of the nonzero entries of the field each.
-Everything beyond that is the proof that no crossing was missed, finding roots, and overhead. The peak is that of
-this core, measured by a loop of nothing but multiply-adds ({peak:.1f} billion a second); tables are read from
-the first cache at {bandwidth:.0f} GB/s. *Least* is the longer of arithmetic at the peak and reading at that
-speed; *share* is necessary arithmetic over peak.
+A period is at the least one affine map a cell: n² + n multiply-adds, and as many numbers to read. A
+crossing counts as the state expanded on both sides of it: 18 terms of the nonzero entries of the
+field each. Everything beyond that is the proof that no crossing was missed, finding roots, and
+overhead. The peak is that of this core, measured by a loop of nothing but multiply-adds ({peak:.1f}
+billion a second); tables are read from the first cache at {bandwidth:.0f} GB/s. *Least* is the
+longer of arithmetic at the peak and reading at that speed; *share* is necessary arithmetic over
+peak.
 """
 MAP = """\
 Every pixel starts cold. gearlash's row gives label and largest exponent, from the equations on; heyoka's
