@@ -313,7 +313,7 @@ def two_side_by_side() -> None:
     """Each of two uncoupled systems has its own crossing: at one instant, one behind the other in a
     cell, or in different cells."""
     one = _hitting(ContactRule.IN_CONTACT)
-    for gap, later in (((0.3, 0.7), 1.0), ((0.35, 0.6), 1.1), ((0.35, 0.6), 1.6)):
+    for gap, later in (((0.3, 0.7), 1.0), ((0.35, 0.6), 1.1), ((0.35, 0.6), 1.3)):
         two = replace(one, clearances=(replace(one.clearances[0], gap_plus=gap[0], gap_minus=gap[1]),))
         for system in (side_by_side(one, two), side_by_side(two, one)):
             props = flow.propagators(system)

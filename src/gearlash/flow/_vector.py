@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 LANES = 8
+MASKED = 24  # values of which one mask or extreme is made: the coefficients of a polynomial
 
 
 def padded(n: int) -> int:
@@ -30,6 +31,12 @@ if TYPE_CHECKING:
     def least(values: Any, at: int) -> float: ...
     def greatest(values: Any, at: int) -> float: ...
     def weigh(weights: Any, at: int, count: int, x: Any, first: int) -> float: ...
+    def powers(s: float, out: Any, to: int) -> None: ...
+    def over(values: Any, at: int, limit: float) -> int: ...
+    def under(values: Any, at: int, limit: float) -> int: ...
+    def all_over(values: Any, at: int, limit: float) -> bool: ...
+    def all_under(values: Any, at: int, limit: float) -> bool: ...
+    def ones_in(mask: int) -> int: ...
 
 else:
     import numba
@@ -64,13 +71,34 @@ else:
                 target[to + i] += factor * source[at + i]
 
         def least(values, at):
-            return float(min(values[at : at + LANES]))
+            return float(min(values[at : at + MASKED]))
 
         def greatest(values, at):
-            return float(max(values[at : at + LANES]))
+            return float(max(values[at : at + MASKED]))
 
         def weigh(weights, at, count, x, first):
             return float(sum(weights[at + i] * abs(x[first + i]) for i in range(count)))
+
+        def powers(s, out, to):
+            power = 1.0
+            for k in range(MASKED):
+                out[to + k] = power
+                power *= s
+
+        def over(values, at, limit):
+            return sum(1 << i for i in range(MASKED) if values[at + i] > limit)
+
+        def under(values, at, limit):
+            return sum(1 << i for i in range(MASKED) if values[at + i] < limit)
+
+        def all_over(values, at, limit):
+            return bool(min(values[at : at + MASKED]) > limit)
+
+        def all_under(values, at, limit):
+            return bool(max(values[at : at + MASKED]) < limit)
+
+        def ones_in(mask):
+            return int(mask).bit_count()
 
     else:
         from llvmlite import ir
@@ -115,7 +143,7 @@ else:
             builder = ir.IRBuilder(function.append_basic_block("entry"))
             done = builder.alloca(_INDEX)
             builder.store(_INDEX(0), done)
-            for blocks in (3, 2, 1):
+            for blocks in (4, 3, 2, 1):
                 size = _INDEX(LANES * blocks)
                 head, body, behind = (
                     function.append_basic_block(f"{part}{blocks}") for part in ("head", "body", "behind")
@@ -250,37 +278,45 @@ else:
                 last = builder.phi(_VECTOR)
                 last.add_incoming(zero, before)
                 last.add_incoming(new, loop)
-                parts = [builder.extract_element(last, ir.IntType(32)(i)) for i in range(LANES)]
-                while len(parts) > 1:
-                    parts = [join(builder, a, b) for a, b in zip(parts[::2], parts[1::2], strict=True)]
-                return parts[0]
+                return _joined(builder, last, join)
 
             return generate
 
+        def _halves(builder, value, width):
+            """The two halves of a vector."""
+            kind = ir.VectorType(ir.IntType(32), width // 2)
+            return [
+                builder.shuffle_vector(
+                    value, value, ir.Constant(kind, list(range(start, start + width // 2)))
+                )
+                for start in (0, width // 2)
+            ]
+
+        def _joined(builder, value, join):
+            """All lanes joined to one number, half with half."""
+            width = LANES
+            while width > 1:
+                value, width = join(builder, *_halves(builder, value, width)), width // 2
+            return builder.extract_element(value, ir.IntType(32)(0))
+
         def _larger(builder, a, b):
-            kind = ir.FunctionType(_DOUBLE, [_DOUBLE, _DOUBLE])
-            return builder.call(builder.module.declare_intrinsic("llvm.maximum.f64", (), kind), [a, b])
+            kind = ir.FunctionType(a.type, [a.type, a.type])
+            name = f"llvm.maximum.v{a.type.count}f64"
+            return builder.call(builder.module.declare_intrinsic(name, (), kind), [a, b])
 
         def _extreme(test):
-            """The extreme lane of one block; NaN may get lost."""
+            """The extreme of `MASKED` values; NaN may get lost."""
 
             def generate(context, builder, signature, arguments):
                 pointer = _pointer(context, builder, signature.args[0], arguments[0])
-                value, width = _load(builder, pointer, arguments[1]), LANES
-                while width > 1:
-                    width //= 2
-                    half = [
-                        builder.shuffle_vector(
-                            value,
-                            value,
-                            ir.Constant(
-                                ir.VectorType(ir.IntType(32), width), list(range(start, start + width))
-                            ),
-                        )
-                        for start in (0, width)
-                    ]
-                    value = builder.select(builder.fcmp_ordered(test, *half), *half)
-                return builder.extract_element(value, ir.IntType(32)(0))
+                value = _load(builder, pointer, arguments[1])
+                for first in range(LANES, MASKED, LANES):
+                    other = _load(builder, pointer, builder.add(arguments[1], _INDEX(first)))
+                    value = choose(builder, value, other)
+                return _joined(builder, value, choose)
+
+            def choose(builder, a, b):
+                return builder.select(builder.fcmp_ordered(test, a, b), a, b)
 
             return generate
 
@@ -348,12 +384,12 @@ else:
 
         @intrinsic
         def least(typing, values, at):
-            """Least of the eight values from a place on."""
+            """Least of the `MASKED` values from a place on."""
             return types.float64(values, types.int64), _extreme("<")
 
         @intrinsic
         def greatest(typing, values, at):
-            """Largest of the eight values from a place on."""
+            """Largest of the `MASKED` values from a place on."""
             return types.float64(values, types.int64), _extreme(">")
 
         @intrinsic
@@ -367,3 +403,85 @@ else:
             """Σ weights[at + i] |x[first + i]|, i < count (a multiple of eight)."""
             signature = types.float64(weights, types.int64, types.int64, x, types.int64)
             return signature, _reduction("weighed", lambda builder, a, b: builder.fadd(a, b), weighted=True)
+
+        @intrinsic
+        def powers(typing, s, out, to):
+            """out[to:to+MASKED] ← 1, s, s², …: a block at a time, not one after the other."""
+
+            def generate(context, builder, signature, arguments):
+                pointer = _pointer(context, builder, signature.args[1], arguments[1])
+                power, block = arguments[0], None
+                for bit in range(3):  # s, s², s⁴ where that bit of the lane's number is set
+                    chosen = [ir.IntType(1)(lane >> bit & 1) for lane in range(LANES)]
+                    mask = ir.Constant(ir.VectorType(ir.IntType(1), LANES), chosen)
+                    factor = builder.select(
+                        mask, _splat(builder, power), ir.Constant(_VECTOR, [1.0] * LANES)
+                    )
+                    block = factor if block is None else builder.fmul(block, factor)
+                    power = builder.fmul(power, power)
+                for first in range(0, MASKED, LANES):
+                    place = _lanes(builder, pointer, builder.add(arguments[2], _INDEX(first)))
+                    builder.store(block, place, align=8)
+                    block = builder.fmul(block, _splat(builder, power))  # by s⁸
+                return context.get_dummy_value()
+
+            return types.void(types.float64, out, types.int64), generate
+
+        def _mask(test):
+            """Bit i: whether ``test`` holds between value i and the limit; NaN never does."""
+
+            def generate(context, builder, signature, arguments):
+                pointer = _pointer(context, builder, signature.args[0], arguments[0])
+                limit, mask = _splat(builder, arguments[2]), _INDEX(0)
+                for first in range(0, MASKED, LANES):
+                    value = _load(builder, pointer, builder.add(arguments[1], _INDEX(first)))
+                    bits = builder.bitcast(builder.fcmp_ordered(test, value, limit), ir.IntType(LANES))
+                    mask = builder.or_(mask, builder.shl(builder.zext(bits, _INDEX), _INDEX(first)))
+                return mask
+
+            return generate
+
+        @intrinsic
+        def over(typing, values, at, limit):
+            """Mask of the values from a place on that are above the limit: bit i for value i."""
+            return types.int64(values, types.int64, types.float64), _mask(">")
+
+        @intrinsic
+        def under(typing, values, at, limit):
+            """Mask of the values from a place on that are below the limit."""
+            return types.int64(values, types.int64, types.float64), _mask("<")
+
+        def _every(test):
+            """Whether ``test`` holds between all values and the limit."""
+
+            def generate(context, builder, signature, arguments):
+                pointer = _pointer(context, builder, signature.args[0], arguments[0])
+                limit, joined = _splat(builder, arguments[2]), None
+                for first in range(0, MASKED, LANES):
+                    value = _load(builder, pointer, builder.add(arguments[1], _INDEX(first)))
+                    holds = builder.fcmp_ordered(test, value, limit)
+                    joined = holds if joined is None else builder.and_(joined, holds)
+                bits = builder.bitcast(joined, ir.IntType(LANES))
+                return builder.icmp_unsigned("==", bits, ir.IntType(LANES)(2**LANES - 1))
+
+            return generate
+
+        @intrinsic
+        def all_over(typing, values, at, limit):
+            """Whether all `MASKED` values from a place on are above the limit."""
+            return types.boolean(values, types.int64, types.float64), _every(">")
+
+        @intrinsic
+        def all_under(typing, values, at, limit):
+            """Whether all are below."""
+            return types.boolean(values, types.int64, types.float64), _every("<")
+
+        @intrinsic
+        def ones_in(typing, mask):
+            """Number of ones of a mask."""
+
+            def generate(context, builder, signature, arguments):
+                kind = ir.FunctionType(_INDEX, [_INDEX])
+                return builder.call(builder.module.declare_intrinsic("llvm.ctpop.i64", (), kind), arguments)
+
+            return types.int64(types.int64), generate
