@@ -88,14 +88,19 @@ def ask(source: Path, *facts: str) -> Verdict:
 _CELL_END, _TANGENT = "crossing_at_the_end_of_a_cell", "tangent_over_a_crossing"
 _TOUCH, _ROUNDING = "touch_beyond_or_short", "touch_within_rounding"
 _BEFORE, _PEAK = "touch_within_rounding_before_a_crossing", "transient_peak"
-_PARTS, _COARSE, _START = "closed_orbit_that_parts", "grid_that_is_too_coarse", "start_on_a_boundary"
+_PARTS, _COARSE, _START, _RETURN = (
+    "closed_orbit_that_parts",
+    "grid_that_is_too_coarse",
+    "start_on_a_boundary",
+    "there_and_back_in_a_cell",
+)
 _NO_WIDTH, _NO_TENSION, _TWO = "no_width_at_all", "release_where_nothing_presses", "two_side_by_side"
 
 _CHOICE = "best, which, through, behind = at, c, boundary, target"  # of the first crossing of all
 _CHOSEN = "best, which, through, behind = (at, c, boundary, target) if {} else (best, which, through, behind)"
 
 BOUNDS = (
-    Mutant("no rest at all", "memory[row] = tail + ROUNDING * size", "memory[row] = 0.0", _CELL_END),
+    Mutant("no rest at all", "memory[row] = tail + ROUNDING * size", "memory[row] = 0.0", _ROUNDING),
     Mutant("unit rounding zero", "UNIT_ROUNDING = 2.0**-53", "UNIT_ROUNDING = 0.0", _ROUNDING),
     Mutant(
         "place of a boundary exact",
@@ -156,7 +161,10 @@ DIRECTIONS = (
     ),
     Mutant("any crossing blocks", "DERIVED * near, on == boundary", "DERIVED * near, on != 0", _NO_WIDTH),
     Mutant(
-        "other boundary blocked", "motion.on[which] = boundary", "motion.on[which] = -boundary", _NO_WIDTH
+        "other boundary blocked",
+        "motion.on[which] = boundary",
+        "motion.on[which] = -boundary",
+        "crossing_at_a_crawl",
     ),
 )
 PROOFS = (
@@ -205,15 +213,15 @@ PROOFS = (
     ),
     Mutant(
         "clear of the wrong boundary",
-        "glance(moved, first, -float(boundary), boundary * gap, near, on == boundary)",
-        "glance(moved, first, -float(boundary), -boundary * gap, near, on == boundary)",
+        "gap = memory[shape.gaps + 4 * c + (0 if boundary > 0 else 1)]",
+        "gap = memory[shape.gaps + 4 * c + (1 if boundary > 0 else 0)]",
         _CELL_END,
     ),
     Mutant(
         "no return behind a crossing",
         "return AGAIN if _two_changes(beyond, inside) else UNSURE",
         "return CLEAR",
-        _TOUCH,
+        _RETURN,
     ),
     Mutant(
         "there and back where nothing is between",
@@ -231,14 +239,9 @@ PROOFS = (
         "always clear behind a crossing",
         "if _change(beyond, inside) or _two_changes(inside, beyond):",
         "if True:",
-        _TOUCH,
+        _RETURN,
     ),
-    Mutant(
-        "bound of an undecided coefficient at a change of sides",
-        "rest == first or rest == 2 * first + 1",
-        "True",
-        _ROUNDING,
-    ),
+    Mutant("a stretch in between ignored", "(first & (first + 1)) == 0", "True", _TOUCH),
     Mutant(
         "crossed boundary of a glance forgotten",
         "motion.on[which], s, proved = boundary, at, False",
@@ -246,13 +249,10 @@ PROOFS = (
         _NO_WIDTH,
     ),
     Mutant(
-        "force taken for the gap behind a crossing",
-        "on == boundary and not pressing",
-        "on == boundary",
-        _NO_TENSION,
-    ),
-    Mutant(
-        "second clearance not looked at", "if verdict != CLEAR: return UNSURE, 0, 0", "if c > 0: continue", _TWO
+        "second clearance not looked at",
+        "if verdict != CLEAR: return UNSURE, 0, 0",
+        "if c > 0: continue",
+        _TWO,
     ),
 )
 SWITCHES = (
