@@ -1,7 +1,18 @@
 """The exact flow: cell propagators, contact events, marching, variational flow."""
 
 from .events import Events, Extrema, Samples, Trace
-from .march import Carried, Hold, Strobes, carry, march, orthonormal_growth, trace, variational
+from .march import (
+    Carried,
+    Hold,
+    ManyStrobes,
+    Strobes,
+    carry,
+    march,
+    march_many,
+    orthonormal_growth,
+    trace,
+    variational,
+)
 from .propagators import Propagators, propagators
 
 __all__ = [
@@ -9,12 +20,14 @@ __all__ = [
     "Events",
     "Extrema",
     "Hold",
+    "ManyStrobes",
     "Propagators",
     "Samples",
     "Strobes",
     "Trace",
     "carry",
     "march",
+    "march_many",
     "orthonormal_growth",
     "propagators",
     "trace",

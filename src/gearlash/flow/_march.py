@@ -12,7 +12,20 @@ from ._expand import carry_inside
 from ._series import polynomial
 from ._surfaces import first_mode
 from ._switch import region_code
-from ._tables import CUBE, FLOATS, INTS, MATRIX, MUTABLE, ORDER, SHAPE, TABLE, TERMS, Shape, aligned
+from ._tables import (
+    CUBE,
+    CUBE_OF_INTS,
+    FLOATS,
+    INTS,
+    MATRIX,
+    MUTABLE,
+    ORDER,
+    SHAPE,
+    TERMS,
+    Shape,
+    aligned,
+)
+from ._vector import add
 from ._walk import FRESH, NEED_REGION, NEEDED, OK, Motion, Record, sides_of, slot_place, walk
 from ._work import DEPTH, GAPS
 
@@ -24,7 +37,7 @@ def scratch(shape: Shape) -> tuple[np.ndarray, ...]:
     return (*aligned(*sizes), np.zeros(j, dtype=np.int64))
 
 
-STARTED, STRETCH = 0, 1  # in `progress`: how far a call came that ran into an unbuilt region
+STARTED, STRETCH, MOTION = 0, 1, 2  # in `progress`: how far a call came that ran into an unbuilt region
 
 
 @inner
@@ -104,73 +117,111 @@ def _strobe(shape: Shape, memory, slot_of, motion, row, strobes):
         strobes[row, i] = motion.moved[1 + i] + memory[slot + shape.centre + 1 + i]
 
 
-@kernel(
-    int64(
-        SHAPE, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE,
-        MATRIX, TABLE, MUTABLE, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE, MUTABLE,
-        MUTABLE, MUTABLE, INTS,
-    )
-)  # fmt: skip
-def run(
-    shape: Shape, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold,
-    strobes, counts, sums, used, piece, poly, event, state, work, moved, zc, series, factors, origin, sides,
-):  # fmt: skip
-    """The one march: carries u (p) = (1, z) and tangents (m·p) = (0, v) in place over len(counts) stretches
-    of `length` cells.
+@inner
+def _begin(shape: Shape, memory, slot_of, rules, motion, m, start, length, strobe, strobes, origin):
+    """Puts a motion at its start, or returns `NEED_REGION`."""
+    u, modes, position = motion.u, motion.modes, motion.position
+    cell = int(np.floor(start))
+    s = start - cell
+    for c in range(shape.clearances):
+        modes[c] = first_mode(shape, memory, c, rules[c], (cell + s) * memory[shape.scalars + 2], u)
+        motion.on[c] = 0
+    slot = slot_place(shape, slot_of, modes)
+    if slot < 0:
+        position[NEEDED] = region_code(modes)
+        return NEED_REGION
+    for i in range(shape.n):
+        strobes[strobe, i] = u[1 + i]
+    position[0], position[1], position[FRESH] = cell, s, 1.0
+    add(-1.0, memory, slot + shape.centre, u, 0, shape.p)
+    _inside(shape, memory, slot, motion, s, 0.0, u)
+    _tangents_inside(shape, memory, slot, motion, m, s, 0.0, origin)
+    position[2], position[3] = _ahead(cell, s, length)
+    return OK
 
-    strobes (stretches+1, n) receives the state at every start and at the end, counts (stretches,
-    4·clearances+1) what happened in each stretch. With sums (m) tangents are orthonormalised after each.
-    used[0] = -1 records nothing, else piece, poly, event and state are filled (`Record`). modes, on
-    (clearances), position (6), progress (2), zero at first, let a call that returned `NEED_REGION` go on once
-    that region is built. The last seven are work space (`scratch`). One entry point: compiling each variant
-    apart would cost a new user half a minute. Returns an outcome code."""
-    n, p = shape.n, shape.p
-    m = len(tangents) // p
-    ones(work)
-    motion = Motion(u, tangents, modes, position, work, moved, zc, series, factors, sides, on)
-    record = Record(used, piece, poly, event, state)
-    if progress[STARTED] == 0:
-        cell = int(np.floor(start))
-        s = start - cell
-        for c in range(shape.clearances):
-            modes[c] = first_mode(shape, memory, c, rules[c], (cell + s) * memory[shape.scalars + 2], u)
-        slot = slot_place(shape, slot_of, modes)
-        if slot < 0:
-            position[NEEDED] = region_code(modes)
-            return NEED_REGION
-        for i in range(n):
-            strobes[0, i] = u[1 + i]
-        for i in range(len(counts)):
-            for j in range(counts.shape[1]):
-                counts[i, j] = 0
-        position[0], position[1], position[FRESH] = cell, s, 1.0
-        for i in range(p):
-            u[i] -= memory[slot + shape.centre + i]
-        _inside(shape, memory, slot, motion, s, 0.0, u)
-        _tangents_inside(shape, memory, slot, motion, m, s, 0.0, origin)
-        progress[STARTED], progress[STRETCH] = 1, 0
-        position[2], position[3] = _ahead(cell, s, length)
+
+@inner
+def _carry(
+    shape: Shape, memory, slot_of, rules, motion, m, length, hold, strobe, strobes, counts, sums, progress,
+    record, origin,
+):  # fmt: skip
+    """Carries a motion over the stretches that are left of it; strobes go to the rows behind ``strobe``."""
+    position, n = motion.position, shape.n
     while progress[STRETCH] < len(counts):
         stretch = progress[STRETCH]
         stop_cell, stop_s = int(position[2]), position[3]
         outcome = walk(
             shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hold, counts[stretch], record
         )
-        if outcome != OK:
-            if outcome != NEED_REGION:
-                _strobe(shape, memory, slot_of, motion, stretch + 1, strobes)
+        if outcome == NEED_REGION:
             return outcome
-        _strobe(shape, memory, slot_of, motion, stretch + 1, strobes)
+        row = strobe + stretch + 1
+        _strobe(shape, memory, slot_of, motion, row, strobes)
+        if outcome != OK:
+            for i in range(n):
+                motion.u[1 + i] = strobes[row, i]
+            return outcome
         if len(sums) > 0:
-            _orthonormalise(tangents, m, p, sums)
-        if used[0] < 0:
+            _orthonormalise(motion.tangents, m, shape.p, sums)
+        if record.used[0] < 0:
             position[0] = stop_cell % shape.cells
         position[2], position[3] = _ahead(int(position[0]), position[1], length)
         progress[STRETCH] = stretch + 1
-    slot = slot_place(shape, slot_of, modes)
+    slot = slot_place(shape, slot_of, motion.modes)
     _tangents_inside(shape, memory, slot, motion, m, 0.0, position[1], origin)
     for i in range(n):
-        u[1 + i] = strobes[len(counts), i]
+        motion.u[1 + i] = strobes[strobe + len(counts), i]
+    return OK
+
+
+@kernel(
+    int64(
+        SHAPE, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE,
+        MATRIX, CUBE_OF_INTS, MUTABLE, INTS, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE,
+        MUTABLE, MUTABLE, MUTABLE, INTS,
+    )
+)  # fmt: skip
+def run(
+    shape: Shape, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold,
+    strobes, counts, sums, outcomes, used, piece, poly, event, state, work, moved, zc, series, factors, origin,
+    sides,
+):  # fmt: skip
+    """The one march: carries motions, one after the other, in place over stretches of `length` cells: of each
+    u (p) = (1, z) and tangents (m·p) = (0, v), side by side in their arrays.
+
+    strobes (motions·(stretches+1), n) receives the states at every start and at the end, counts (motions,
+    stretches, 4·clearances+1), zero at first, what happened in each stretch, outcomes (motions) how each
+    ended. With sums (m), of one motion only, tangents are orthonormalised after each stretch. used[0] = -1
+    records nothing, else piece, poly, event and state are filled (`Record`), of one motion. modes, on
+    (clearances), position (6), progress (3), zero at first, let a call that returned `NEED_REGION` go on once
+    that region is built. The last seven are work space (`scratch`). One entry point: compiling each variant
+    apart would cost a new user half a minute."""
+    p, motions, stretches = shape.p, counts.shape[0], counts.shape[1]
+    m = len(tangents) // (p * motions)
+    ones(work)
+    record = Record(used, piece, poly, event, state)
+    while progress[MOTION] < motions:
+        which = progress[MOTION]
+        strobe = which * (stretches + 1)
+        motion = Motion(
+            u[which * p : (which + 1) * p], tangents[which * m * p : (which + 1) * m * p], modes, position,
+            work, moved, zc, series, factors, sides, on,
+        )  # fmt: skip
+        if progress[STARTED] == 0:
+            outcome = _begin(
+                shape, memory, slot_of, rules, motion, m, start, length, strobe, strobes, origin
+            )
+            if outcome != OK:
+                return outcome
+            progress[STARTED], progress[STRETCH] = 1, 0
+        outcome = _carry(
+            shape, memory, slot_of, rules, motion, m, length, hold, strobe, strobes, counts[which], sums,
+            progress, record, origin,
+        )  # fmt: skip
+        if outcome == NEED_REGION:
+            return outcome
+        outcomes[which] = outcome
+        progress[MOTION], progress[STARTED] = which + 1, 0
     return OK
 
 

@@ -76,6 +76,7 @@ if TYPE_CHECKING:
     MATRIX: Any
     CUBE: Any
     INTS: Any
+    CUBE_OF_INTS: Any
     TABLE: Any
 else:
     import numba
@@ -87,6 +88,7 @@ else:
     MATRIX = types.float64[:, ::1]
     CUBE = types.Array(types.float64, 3, "C")
     INTS = types.int64[::1]
+    CUBE_OF_INTS = types.int64[:, :, ::1]
     TABLE = types.int64[:, ::1]
 
 

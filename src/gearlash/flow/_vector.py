@@ -139,6 +139,7 @@ else:
             function.linkage = "linkonce_odr"
             function.attributes.add("noinline")
             function.attributes.add("nounwind")
+            function.attributes.add("optsize")
             table, stride, rows, count, x, out = function.args
             builder = ir.IRBuilder(function.append_basic_block("entry"))
             done = builder.alloca(_INDEX)

@@ -216,7 +216,7 @@ def _leave_behind(motion):
         motion.on[c] = 0
 
 
-@inlined
+@inner
 def _by_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record):
     """One cell from motion.position to local time ``end``, event by event; ``arriving``: the crossings at a
     position only."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import threading
 from collections import namedtuple
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import floor
 
@@ -12,7 +14,7 @@ from numpy.typing import ArrayLike
 from gearlash.system import GearlashError, Status
 
 from . import _march
-from ._tables import ORDER, Array, aligned
+from ._tables import ORDER, Array, Shape, aligned
 from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
 from .events import Events, Trace
 from .propagators import Propagators
@@ -24,6 +26,7 @@ _STATUS = {
 }
 CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon;
 WORK = 1e7  # fewer where their cells have more than so many table entries
+TOGETHER = 16_000  # base periods of several motions in one call
 MOST_PIECES = 2_000_000
 
 
@@ -77,16 +80,85 @@ def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) ->
     """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times."""
     state = start_state(z, props.system.size)
     states, contacts = [state[None].copy()], [np.zeros((0, _columns(props)), dtype=np.int64)]
-    shape, done, status = props.shape, 0, Status.OK
-    most = min(CALL, WORK / (shape.cells * (1 + shape.n) * shape.rows))
+    done, status, most = 0, Status.OK, _block(props, stretch)
     while done < stretches and status.ok:
-        block = min(max(1, int(most) // stretch), stretches - done)
+        block = min(most, stretches - done)
         status, strobes, counts = _run(props, state, 0.0, float(stretch * props.cells), block)
         states.append(strobes[1:])
         contacts.append(counts)
         done += block
     table = np.concatenate(contacts)
     return Strobes(np.concatenate(states), table[:, :-1], int(table[:, -1].sum()), _with_doubt(status, table))
+
+
+def _block(props: Propagators, stretch: int) -> int:
+    """Stretches of one kernel call at the most."""
+    shape = props.shape
+    most = min(CALL, WORK / (shape.cells * (1 + shape.n) * shape.rows))
+    return max(1, int(most) // stretch)
+
+
+@dataclass(frozen=True, eq=False)
+class ManyStrobes:
+    """Of several motions: states (stretches+1, motions, n) at equal phases, contacts (stretches, motions,
+    4·clearances) as in `Strobes`, and of each motion how many places stayed undecided, and its status."""
+
+    states: Array
+    contacts: Array
+    undecided: Array
+    statuses: tuple[Status, ...]
+
+
+def march_many(
+    props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1, *, threads: int = 1
+) -> ManyStrobes:
+    """`march` of several motions, z (motions, n), on one or more threads. Every motion is the same, byte for
+    byte, as alone. Where one ends early, its later states are NaN."""
+    states = np.array(z, dtype=np.float64)
+    if states.ndim != 2 or states.shape[1] != props.system.size:
+        raise GearlashError(f"states have shape {states.shape}, expected (motions, {props.system.size})")
+    if not np.isfinite(states).all():
+        raise GearlashError("a state holds NaN or infinity")
+    if threads < 1:
+        raise GearlashError(f"threads is {threads}, expected 1 or more")
+    parts = [part for part in np.array_split(states, threads) if len(part)]
+    if len(parts) < 2:
+        return _march_part(props, states, stretches, stretch)
+    with ThreadPoolExecutor(len(parts)) as pool:
+        found = list(pool.map(lambda part: _march_part(props, part, stretches, stretch), parts))
+    return ManyStrobes(
+        np.concatenate([f.states for f in found], axis=1),
+        np.concatenate([f.contacts for f in found], axis=1),
+        np.concatenate([f.undecided for f in found]),
+        tuple(status for f in found for status in f.statuses),
+    )
+
+
+def _march_part(props: Propagators, states: Array, stretches: int, stretch: int) -> ManyStrobes:
+    """All on this thread, in calls of the same length as those of `march`."""
+    count = len(states)
+    kept = np.full((stretches + 1, count, states.shape[1]), np.nan)
+    contacts = np.zeros((stretches, count, _columns(props)), dtype=np.int64)
+    kept[0] = states
+    outcomes, done, block = np.zeros(count, dtype=np.int64), 0, _block(props, stretch)
+    while done < stretches:
+        block = min(block, stretches - done)
+        together = max(1, TOGETHER // (block * stretch))
+        going = np.flatnonzero(outcomes == OK)
+        for some in np.split(going, range(together, len(going), together)):
+            part = np.ascontiguousarray(states[some])
+            ended, strobes, counts = _run_all(props, part, 0.0, float(stretch * props.cells), block)
+            rows = strobes.reshape(len(some), block + 1, -1)
+            kept[done + 1 : done + block + 1, some] = rows[:, 1:].swapaxes(0, 1)
+            contacts[done : done + block, some] = counts.swapaxes(0, 1)
+            states[some], outcomes[some] = part, ended
+        done += block
+    doubts = contacts[..., -1].sum(axis=0)
+    statuses = tuple(
+        Status.UNCERTAIN if outcome == OK and doubt else _STATUS[int(outcome)]
+        for outcome, doubt in zip(outcomes, doubts, strict=True)
+    )
+    return ManyStrobes(kept, contacts[..., :-1], doubts, statuses)
 
 
 def carry(
@@ -173,7 +245,7 @@ def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, f
 
 
 _Record = namedtuple("_Record", "used piece poly event state")
-_NOTHING = np.array([-1, 0], dtype=np.int64)
+_NO_HOLD, _NO_SUMS = np.zeros(4), np.empty(0)
 
 
 def _columns(props: Propagators) -> int:
@@ -193,38 +265,83 @@ def _run(
     base: float = 0.0,
     record: _Record | None = None,
 ) -> tuple[Status, Array, Array]:
-    """Calls the kernel: state (n,) and the rows of tangents (m, n) are carried in place. Where the
-    motion comes to a region without tables, they are built, and it goes on."""
-    shape, n = props.shape, state.size
-    strobes = np.full((stretches + 1, n), np.nan)  # what is not reached stays NaN
-    counts = np.zeros((stretches, _columns(props)), dtype=np.int64)
+    """`_run_all` of one motion: state (n,) and the rows of tangents (m, n) are carried in place. Returns its
+    status, strobes (stretches+1, n) and counts (stretches, columns)."""
+    outcomes, strobes, counts = _run_all(
+        props, state[None], start, length, stretches, tangents, sums, _hold(props, hold, base), record
+    )
+    return _STATUS[int(outcomes[0])], strobes, counts[0]
+
+
+def _run_all(
+    props: Propagators,
+    states: Array,
+    start: float,
+    length: float,
+    stretches: int,
+    tangents: Array | None = None,
+    sums: Array | None = None,
+    hold: Array | None = None,
+    record: _Record | None = None,
+) -> tuple[Array, Array, Array]:
+    """Calls the kernel: states (motions, n), and of one motion the rows of tangents (m, n), are carried in
+    place. Where a motion comes to a region without tables, they are built, and it goes on. Returns outcomes
+    (motions,), strobes (motions·(stretches+1), n) and counts (motions, stretches, columns)."""
+    shape, (motions, n) = props.shape, states.shape
+    p, room = shape.p, _room(shape)
+    strobes = np.full((motions * (stretches + 1), n), np.nan)  # what is not reached stays NaN
+    counts = np.zeros((motions, stretches, _columns(props)), dtype=np.int64)
     count = 0 if tangents is None else len(tangents)
-    u, flat = aligned(shape.p, count * shape.p)
-    frame = flat.reshape(count, shape.p)
-    u[0], u[1 : 1 + n] = 1.0, state
+    u, flat = aligned(motions * p, count * p)
+    starts = u.reshape(motions, p)
+    starts[:, 0], starts[:, 1 : 1 + n] = 1.0, states
+    frame = flat.reshape(count, p)
     if tangents is not None:
         frame[:, 1 : 1 + n] = tangents
-    if record is None:
-        record = _Record(
-            _NOTHING, np.empty((0, 2)), np.empty((0, ORDER + 1, n)), np.empty((0, 4)), np.empty((0, n))
-        )
-    modes, on = np.zeros((2, shape.clearances), dtype=np.int64)
-    position = np.zeros(6)
-    progress, held = np.zeros(2, dtype=np.int64), _hold(props, hold, base)
-    space = _march.scratch(shape)
+    outcomes = np.zeros(motions, dtype=np.int64)
+    room.progress[:] = 0
     while True:
         tables = props.tables
         code = _march.run(
-            shape, tables.memory, tables.slot_of, props.rules, u, flat, modes, on, position, progress, start,
-            length, held, strobes, counts, np.empty(0) if sums is None else sums, *record, *space,
+            shape, tables.memory, tables.slot_of, props.rules, u, flat, room.modes, room.on, room.position,
+            room.progress, start, length, _NO_HOLD if hold is None else hold, strobes, counts,
+            _NO_SUMS if sums is None else sums, outcomes, *(record or room.nothing), *room.space,
         )  # fmt: skip
         if code != NEED_REGION:
             break
-        props.build(int(position[NEEDED]))
-    state[:] = u[1 : 1 + n] if code == OK else strobes[progress[1] + 1]
+        props.build(int(room.position[NEEDED]))
+    states[:] = starts[:, 1 : 1 + n]
     if tangents is not None:
         tangents[:] = frame[:, 1 : 1 + n]
-    return _STATUS[code], strobes, counts
+    return outcomes, strobes, counts
+
+
+class _Room:
+    """Work space of the kernel, and what it goes on from after a region was built."""
+
+    def __init__(self, shape: Shape):
+        self.shape = shape
+        self.space = _march.scratch(shape)
+        self.modes, self.on = np.zeros((2, shape.clearances), dtype=np.int64)
+        self.position, self.progress = np.zeros(6), np.zeros(3, dtype=np.int64)
+        self.nothing = _Record(
+            np.array([-1, 0], dtype=np.int64),
+            np.empty((0, 2)),
+            np.empty((0, ORDER + 1, shape.n)),
+            np.empty((0, 4)),
+            np.empty((0, shape.n)),
+        )
+
+
+_rooms = threading.local()
+
+
+def _room(shape: Shape) -> _Room:
+    """This thread's, made anew where the shape is another one."""
+    room: _Room | None = getattr(_rooms, "room", None)
+    if room is None or room.shape != shape:
+        room = _rooms.room = _Room(shape)
+    return room
 
 
 def _snapped(position: float) -> float:
@@ -235,7 +352,7 @@ def _snapped(position: float) -> float:
 
 def _hold(props: Propagators, hold: Hold | None, base: float) -> Array:
     if hold is None:
-        return np.zeros(4)
+        return _NO_HOLD
     window = (np.array([hold.start, hold.stop]) - base) * props.cells_per_cycle
     return np.array([float(hold.clearance), float(hold.boundary), *window])
 
