@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import float64, int64
 
-from gearlash._kernel import inner, kernel
+from gearlash._kernel import float64, inner, int64, kernel
 
 from ._exits import all_roots, ones
 from ._expand import carry_inside
@@ -109,7 +108,8 @@ def _strobe(shape: Shape, memory, slot_of, motion, row, strobes):
         SHAPE, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE,
         MATRIX, TABLE, MUTABLE, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE, MUTABLE,
         MUTABLE, MUTABLE, INTS,
-    )
+    ),
+    alone=True,
 )  # fmt: skip
 def run(
     shape: Shape, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold,
