@@ -45,9 +45,9 @@ def load(code: Code, signature: Signature) -> Callable[..., Any]:
     """A Python function from the machine code of a kernel."""
     from llvmlite import binding
 
+    engine = _engine()  # made first: with it LLVM looks for names in the whole process
     if any(binding.address_of_symbol(name) is None for name in code.needs):
         importlib.import_module("numba")  # it registers helpers of its own, vectorised functions for one
-    engine = _engine()
     engine.add_object_file(binding.ObjectFileRef.from_data(code.object_file))
     engine.finalize_object()
     return callable_at(engine.get_function_address(code.entry), code.entry.rpartition(".")[2], signature)
