@@ -15,6 +15,7 @@ from typing import Any
 
 import numba
 from numba.core import compiler, types
+from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.dispatcher import _FunctionCompiler
 from numba.np import arrayobj
@@ -32,34 +33,70 @@ _KEPT: list[Any] = []  # libraries of numba whose code is in use
 def compile_kernel(kernel: Kernel) -> tuple[Code, int]:
     """The machine code of a kernel, to be kept, and the address of its entry in this process."""
     with global_compiler_lock, _plain_indices():
-        compiled = _Compiler.of(kernel).compile(*_numba_signature(kernel))
+        made: Any = numba.jit(**OPTIONS, _nrt=kernel.allocates)(_resolved(kernel.function, {}))
+        compiled = _Compiler.like(made).compile(*_numba_signature(kernel))
         library = compiled.library
         module = library.create_ir_module("entry")
         write_entry(module, compiled.target_context, compiled.fndesc, kernel)
         if kernel.allocates:
             write_memory(module)
         library.add_ir_module(module)
-        library.enable_object_caching()
+        library.whole = True
         library.finalize()
     _KEPT.append(library)
     final = library._final_module
     outside = [*final.functions, *final.global_variables]
     needs = sorted(one.name for one in outside if one.is_declaration and not one.name.startswith("llvm."))
-    return Code(library._get_compiled_object(), kernel.name, tuple(needs)), library.get_pointer_to_function(kernel.name)
+    code = Code(library._get_compiled_object(), kernel.name, tuple(needs))
+    return code, library.get_pointer_to_function(kernel.name)
 
 
 class _Compiler(_FunctionCompiler):
-    """Stops before machine code is made, so that the entry can be added."""
+    """Of a kernel: stops before machine code is made, so that the entry can be added."""
 
     @classmethod
-    def of(cls, kernel: Kernel) -> _Compiler:
-        function = _resolved(kernel.function, {})
-        made: Any = numba.jit(**OPTIONS, _nrt=kernel.allocates)(function)
-        return cls(function, made.targetdescr, made.targetoptions, {}, compiler.Compiler)
+    def like(cls, made: Any) -> _Compiler:
+        """In place of the compiler of a function of numba."""
+        return cls(made.py_func, made.targetdescr, made.targetoptions, {}, _Pipeline)
 
     def _customize_flags(self, flags: Any) -> Any:
         flags.no_cpython_wrapper = flags.no_cfunc_wrapper = flags.no_compile = True
         return flags
+
+
+class _HelperCompiler(_Compiler):
+    """Of a helper, which nobody calls from Python."""
+
+    def _compile_core(self, args: Any, return_type: Any) -> Any:
+        found = super()._compile_core(args, return_type)
+        name: Any = [].append  # numba tells overloads apart by a built-in function of each: any one will do
+        found.target_context.insert_user_function(name, found.fndesc, [found.library])
+        return found._replace(entry_point=name)
+
+
+class _Library(JITCodeLibrary):
+    """What numba collects machine code in. That of a helper is not optimised and not translated: both happen
+    once, to the whole kernel that it has become part of."""
+
+    whole = False
+
+    def _optimize_final_module(self) -> None:
+        if self.whole:
+            super()._optimize_final_module()
+
+    def _finalize_final_module(self) -> None:
+        if self.whole:
+            super()._finalize_final_module()
+        self._finalized = True
+
+
+class _Pipeline(compiler.Compiler):
+    """A third of the time: numba itself would make every helper callable from Python, with machine code for it
+    and for all that it calls."""
+
+    def __init__(self, typing: Any, target: Any, library: Any, *others: Any):
+        super().__init__(typing, target, library or _Library(target.codegen(), "part"), *others)
+        self.state.library.enable_object_caching()
 
 
 def _resolved(function: FunctionType, known: dict[FunctionType, Any]) -> FunctionType:
@@ -73,9 +110,13 @@ def _resolved(function: FunctionType, known: dict[FunctionType, Any]) -> Functio
             if named in PRIMITIVES:
                 names[name] = getattr(import_module(PRIMITIVES[named]), named.__name__)
             elif named in HELPERS:
-                if named not in known:
-                    known[named] = numba.jit(**OPTIONS, **HELPERS[named])(_resolved(named, known))
-                names[name] = known[named]
+                names[name] = known[named] = known.get(named) or _helper(named, known)
+    return made
+
+
+def _helper(function: FunctionType, known: dict[FunctionType, Any]) -> Any:
+    made: Any = numba.jit(**OPTIONS, **HELPERS[function])(_resolved(function, known))
+    made._compiler = _HelperCompiler.like(made)
     return made
 
 
