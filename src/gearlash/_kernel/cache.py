@@ -1,10 +1,10 @@
 """Compiled kernels as files.
 
 Every version of the kernel sources has a folder of its own, named by a hash of *all* of them: numba alone
-would look at the file of the function only and keep a caller whose callee has changed. A kernel is one file in
-it, named also by what its machine code depends on: processor and its features, Python, numba. So one folder
-may serve several machines. Folders unused for a month go when a new one is made. `GEARLASH_CACHE_DIR` names
-another place."""
+would look at the file of the function only and keep a caller whose callee has changed. A kernel is one file
+in it, named also by what its machine code depends on: processor and its features, Python, numba. So one
+folder may serve several machines. Folders unused for a month go when a new one is made.
+`GEARLASH_CACHE_DIR` names another place."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ SETTINGS = ("CPU_NAME", "CPU_FEATURES", "OPT", "LOOP_VECTORIZE", "SLP_VECTORIZE"
 
 @dataclass(frozen=True)
 class Code:
-    """The machine code of one kernel: an object file, the name of the entry in it, and the names that it needs
-    from elsewhere."""
+    """The machine code of one kernel: an object file, the name of the entry in it, and the names that it
+    needs from elsewhere."""
 
     object_file: bytes
     entry: str

@@ -1,8 +1,8 @@
 """From the source of a kernel to machine code, by numba. Imported only where a kernel is not in the cache.
 
 Without fastmath. Not even contraction to fused multiply-add is left to the compiler: it keeps a vector and a
-scalar version of many loops, chooses by the addresses of arrays, and contracts the two differently, so that the
-last bit would depend on where memory happened to lie. Fused operations are written out (`fma`), and every
+scalar version of many loops, chooses by the addresses of arrays, and contracts the two differently, so that
+the last bit would depend on where memory happened to lie. Fused operations are written out (`fma`), and every
 version of a loop then gives the same bytes."""
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numba
 from numba.core import compiler, types
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler_lock import global_compiler_lock
-from numba.core.dispatcher import _FunctionCompiler
+from numba.core.dispatcher import _FunctionCompiler  # pyright: ignore[reportAttributeAccessIssue]
 from numba.np import arrayobj
 
 from .cache import Code
@@ -26,14 +26,14 @@ from .entry import write_entry
 from .memory import write_memory
 from .signature import ArrayOf, Record, Several
 
-OPTIONS = {"nogil": True, "error_model": "numpy"}
+OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
 _KEPT: list[Any] = []  # libraries of numba whose code is in use
 
 
 def compile_kernel(kernel: Kernel) -> tuple[Code, int]:
     """The machine code of a kernel, to be kept, and the address of its entry in this process."""
     with global_compiler_lock, _plain_indices():
-        made: Any = numba.jit(**OPTIONS, _nrt=kernel.allocates)(_resolved(kernel.function, {}))
+        made = _jit(_resolved(kernel.function, {}), {"_nrt": kernel.allocates})
         compiled = _Compiler.like(made).compile(*_numba_signature(kernel))
         library = compiled.library
         module = library.create_ir_module("entry")
@@ -91,8 +91,8 @@ class _Library(JITCodeLibrary):
 
 
 class _Pipeline(compiler.Compiler):
-    """A third of the time: numba itself would make every helper callable from Python, with machine code for it
-    and for all that it calls."""
+    """A third of the time: numba itself would make every helper callable from Python, with machine code for
+    it and for all that it calls."""
 
     def __init__(self, typing: Any, target: Any, library: Any, *others: Any):
         super().__init__(typing, target, library or _Library(target.codegen(), "part"), *others)
@@ -103,7 +103,11 @@ def _resolved(function: FunctionType, known: dict[FunctionType, Any]) -> Functio
     """The function with what numba takes in place of the helpers and primitives that it names."""
     names = dict(function.__globals__)
     made = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
-    made.__module__, made.__qualname__, made.__doc__ = function.__module__, function.__qualname__, function.__doc__
+    made.__module__, made.__qualname__, made.__doc__ = (
+        function.__module__,
+        function.__qualname__,
+        function.__doc__,
+    )
     for name in function.__code__.co_names:
         named = names.get(name)
         if isinstance(named, FunctionType):
@@ -115,9 +119,13 @@ def _resolved(function: FunctionType, known: dict[FunctionType, Any]) -> Functio
 
 
 def _helper(function: FunctionType, known: dict[FunctionType, Any]) -> Any:
-    made: Any = numba.jit(**OPTIONS, **HELPERS[function])(_resolved(function, known))
+    made = _jit(_resolved(function, known), HELPERS[function])
     made._compiler = _HelperCompiler.like(made)
     return made
+
+
+def _jit(function: FunctionType, options: dict[str, Any]) -> Any:
+    return numba.jit(**OPTIONS, **options)(function)
 
 
 def _numba_signature(kernel: Kernel) -> tuple[tuple[Any, ...], Any]:
@@ -136,9 +144,9 @@ def _numba_type(kind: Any) -> Any:
 
 @contextlib.contextmanager
 def _plain_indices() -> Iterator[None]:
-    """Indices as they are, while kernels are compiled: none of theirs counts from the end, and a test for that at
-    every access keeps loops from becoming vector instructions (and doubles the compiling time). A numba without
-    this function compiles as usual."""
+    """Indices as they are, while kernels are compiled: none of theirs counts from the end, and a test for
+    that at every access keeps loops from becoming vector instructions (and doubles the compiling time). A
+    numba without this function compiles as usual."""
     before = getattr(arrayobj, "fix_integer_index", None)
     if before is not None:
         arrayobj.fix_integer_index = _plain_index  # pyright: ignore[reportAttributeAccessIssue]

@@ -1,5 +1,6 @@
 """The decorators. They import nothing: a kernel is loaded, or compiled, when it is first called or when all
-are asked for (`prepare`). With NUMBA_DISABLE_JIT=1 every kernel is the plain function that it is written as."""
+are asked for (`prepare`). With NUMBA_DISABLE_JIT=1 every kernel is the plain function that it is written
+as."""
 
 from __future__ import annotations
 
@@ -22,7 +23,11 @@ class Kernel:
     def __init__(self, function: FunctionType, signature: Signature, allocates: bool, alone: bool):
         self.function, self.signature, self.allocates, self.alone = function, signature, allocates, alone
         self.name = f"{function.__module__}.{function.__qualname__}"
-        self.__doc__, self.__name__, self.__module__ = function.__doc__, function.__name__, function.__module__
+        self.__doc__, self.__name__, self.__module__ = (
+            function.__doc__,
+            function.__name__,
+            function.__module__,
+        )
         self.entry: Callable[..., Any] = self._first
 
     def __call__(self, *arguments: Any) -> Any:
@@ -60,8 +65,8 @@ else:
 
     def kernel(signature, allocates=False, alone=False):
         """An entry point for one explicit signature. Unless it ``allocates`` arrays it is compiled without
-        reference counts, which cost more than the arithmetic of a small product. ``alone``: it takes as long to
-        compile as all others together, and gets a process of its own for that."""
+        reference counts, which cost more than the arithmetic of a small product. ``alone``: it takes as long
+        to compile as all others together, and gets a process of its own for that."""
 
         def wrap(function):
             if PLAIN:
@@ -90,8 +95,8 @@ else:
         return function
 
     def primitive(home):
-        """A function in place of which kernels get the intrinsic of the same name in module ``home``, which is
-        imported for compiling only."""
+        """A function in place of which kernels get the intrinsic of the same name in module ``home``, which
+        is imported for compiling only."""
 
         def wrap(function):
             PRIMITIVES[function] = home

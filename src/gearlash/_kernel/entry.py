@@ -1,5 +1,5 @@
-"""The entry of a kernel: a function of C's Python interface that takes arguments apart, refuses what the kernel
-was not compiled for, and calls it without the interpreter's lock. Imported for compiling only.
+"""The entry of a kernel: a function of Python's C interface that takes arguments apart, refuses what the
+kernel was not compiled for, and calls it without the interpreter's lock. Imported for compiling only.
 
 Of arrays it reads what NumPy's C interface lays open to every extension: data, shape, strides, flags and type
 at fixed places (`machine` checks that they are there). A call so costs a fraction of a microsecond."""
@@ -44,7 +44,9 @@ def write_entry(module: ir.Module, context: Any, descriptor: Any, kernel: Kernel
         given = builder.load(builder.gep(arguments, [WORD(i)]))
         if isinstance(kind, Record):
             records += 1
-            values.append(entry.record(kind, descriptor.argtypes[i], given, entry.item(types, records), called))
+            values.append(
+                entry.record(kind, descriptor.argtypes[i], given, entry.item(types, records), called)
+            )
         elif isinstance(kind, ArrayOf):
             values.append(entry.array(kind, descriptor.argtypes[i], given, entry.item(types, 0), called))
         else:
@@ -80,9 +82,7 @@ class _Entry:
         return self.python("PyTuple_GetItem", OBJECT, several, WORD(index))
 
     def is_a(self, given: Any, kind: Any) -> Any:
-        return self.builder.icmp_signed(
-            "==", self.python("PyObject_IsInstance", INT, given, kind), INT(1)
-        )
+        return self.builder.icmp_signed("==", self.python("PyObject_IsInstance", INT, given, kind), INT(1))
 
     def read(self, start: Any, place: int, kind: ir.Type) -> Any:
         """A field of a structure."""

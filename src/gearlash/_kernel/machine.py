@@ -59,7 +59,10 @@ def callable_at(address: int, name: str, signature: Signature) -> Callable[..., 
     method = _Method(name.encode(), address, _METH_FASTCALL, None)
     types = (np.ndarray, *(kind.of for kind in signature.arguments if isinstance(kind, Record)))
     make = ctypes.pythonapi.PyCFunction_NewEx
-    make.argtypes, make.restype = (ctypes.POINTER(_Method), ctypes.py_object, ctypes.c_void_p), ctypes.py_object
+    make.argtypes, make.restype = (
+        (ctypes.POINTER(_Method), ctypes.py_object, ctypes.c_void_p),
+        ctypes.py_object,
+    )
     _KEPT.append(method)
     return make(ctypes.byref(method), types, None)
 
@@ -70,8 +73,9 @@ def _engine() -> Any:
 
     binding.initialize_native_target()
     binding.initialize_native_asmprinter()
-    target = binding.Target.from_triple(binding.get_process_triple()).create_target_machine()
-    return binding.create_mcjit_compiler(binding.parse_assembly(""), target)
+    triple = binding.get_process_triple()
+    nothing = binding.parse_assembly(f'target triple = "{triple}"')
+    return binding.create_mcjit_compiler(nothing, binding.Target.from_triple(triple).create_target_machine())
 
 
 @functools.cache
@@ -79,7 +83,7 @@ def _check_layout() -> None:
     """Raises `ImportError` unless an array object is laid out as entries of kernels read it."""
     array = np.zeros((2, 3))
     read = {
-        "data": _at(array, ARRAY_PLACES["data"], ctypes.c_size_t) == array.ctypes.data,
+        "data": _at(array, ARRAY_PLACES["data"], ctypes.c_size_t) == array.__array_interface__["data"][0],
         "ndim": _at(array, ARRAY_PLACES["ndim"], ctypes.c_int) == 2,
         "dtype": _at(array, ARRAY_PLACES["dtype"], ctypes.c_size_t) == id(array.dtype),
         "flags": _at(array, ARRAY_PLACES["flags"], ctypes.c_int) & CARRAY_WRITABLE == CARRAY_WRITABLE,
@@ -91,7 +95,9 @@ def _check_layout() -> None:
         read[name] = tuple((ctypes.c_ssize_t * 2).from_address(first)) == expected
     if not all(read.values()):
         wrong = ", ".join(name for name, right in read.items() if not right)
-        raise ImportError(f"NumPy {np.__version__} lays out arrays in a way that gearlash does not know: {wrong}")
+        raise ImportError(
+            f"NumPy {np.__version__} lays out arrays in a way that gearlash does not know: {wrong}"
+        )
 
 
 def _at(thing: object, place: int, kind: Any) -> Any:

@@ -1,5 +1,5 @@
-"""Memory for the arrays that kernels make: numba's run-time library in as far as they use it, from C's malloc, so
-that machine code needs nothing of numba. Imported for compiling only."""
+"""Memory for the arrays that kernels make: numba's run-time library in as far as they use it, from C's
+malloc, so that machine code needs nothing of numba. Imported for compiling only."""
 
 from __future__ import annotations
 

@@ -1,12 +1,13 @@
 """Every kernel ready: from the cache, else compiled.
 
-Where the cache can be written, kernels are compiled in processes of their own, beside each other (`workshop`),
-and then read from it; where not, here and in memory."""
+Where the cache can be written, kernels are compiled in processes of their own, beside each other
+(`workshop`), and then read from it; where not, here and in memory."""
 
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from typing import Any
 
 from . import cache
 from .declare import KERNELS, Kernel
@@ -35,8 +36,8 @@ def compile_all(missing: Iterable[Kernel]) -> None:
 
 
 def make_ready(kernel: Kernel) -> None:
-    """One kernel, when it is first called. If it is not in the cache, others are likely to be missing too: they
-    are compiled with it where they can be kept."""
+    """One kernel, when it is first called. If it is not in the cache, others are likely to be missing too:
+    they are compiled with it where they can be kept."""
     with _ONE_AT_A_TIME:
         if _loaded(kernel):
             return
@@ -67,6 +68,6 @@ def _compile_here(kernel: Kernel) -> None:
     _be_called(kernel, callable_at(address, kernel.function.__name__, kernel.signature))
 
 
-def _be_called(kernel: Kernel, entry: object) -> None:
-    kernel.entry = entry  # pyright: ignore[reportAttributeAccessIssue]
+def _be_called(kernel: Kernel, entry: Callable[..., Any]) -> None:
+    kernel.entry = entry
     _READY.add(kernel.name)

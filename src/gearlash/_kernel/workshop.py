@@ -1,5 +1,5 @@
-"""Compiles kernels beside each other, in processes of their own: one for each that takes long, one for the rest.
-They hand them over through the cache."""
+"""Compiles kernels beside each other, in processes of their own: one for each that takes long, one for the
+rest. They hand them over through the cache."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ import_module(order["workshop"]).work(order["kernels"])
 
 
 def compile_beside(kernels: Iterable[Kernel]) -> None:
-    """Compiles these into the cache. What a process fails at is missing there afterwards; the caller compiles it
-    itself and meets the reason."""
+    """Compiles these into the cache. What a process fails at is missing there afterwards; the caller compiles
+    it itself and meets the reason."""
     if getattr(sys, "frozen", False) or not sys.executable:
         return  # no Python to start
     with contextlib.ExitStack() as running:

@@ -9,7 +9,7 @@ import time
 
 from .terminal import tell
 
-EXPECTED = 30  # seconds, all kernels on two slow cores
+EXPECTED = 15  # seconds, all kernels on two slow cores
 
 
 def load_engine() -> None:

@@ -61,9 +61,7 @@ if not TYPE_CHECKING:
             builder.cbranch(builder.icmp_signed(">=", left, size), body, behind)
             builder.position_at_end(body)
             row = builder.load(done)
-            _product(
-                builder, blocks, builder.gep(table, [row]), stride, count, x, builder.gep(out, [row])
-            )
+            _product(builder, blocks, builder.gep(table, [row]), stride, count, x, builder.gep(out, [row]))
             builder.store(builder.add(row, size), done)
             builder.branch(head)
             builder.position_at_end(behind)
@@ -207,9 +205,7 @@ if not TYPE_CHECKING:
                     builder.shuffle_vector(
                         value,
                         value,
-                        ir.Constant(
-                            ir.VectorType(ir.IntType(32), width), list(range(start, start + width))
-                        ),
+                        ir.Constant(ir.VectorType(ir.IntType(32), width), list(range(start, start + width))),
                     )
                     for start in (0, width)
                 ]
