@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 from llvmlite import ir
-from numba.core import cgutils
+from numba.core import cgutils, types
 from numba.np import arrayobj
 
 from .declare import Kernel
-from .machine import ARRAY_PLACES, CARRAY_WRITABLE, DTYPE_PLACES
+from .machine import ARRAY_PLACES, CARRAY, DTYPE_PLACES, WRITABLE
 from .signature import ArrayOf, Record, Scalar, Several, int64, void
 
 WORD, INT, BYTE, TRUTH, REAL = ir.IntType(64), ir.IntType(32), ir.IntType(8), ir.IntType(1), ir.DoubleType()
@@ -34,7 +34,7 @@ def write_entry(module: ir.Module, context: Any, descriptor: Any, kernel: Kernel
     names = kernel.function.__code__.co_varnames[: len(signature.arguments)]
     function = ir.Function(module, ir.FunctionType(OBJECT, [OBJECT, OBJECT.as_pointer(), WORD]), kernel.name)
     builder = ir.IRBuilder(function.append_basic_block("entry"))
-    types, arguments, count = function.args
+    classes, arguments, count = function.args
     entry = _Entry(context, builder, name)
     expected = len(signature.arguments)
     with entry.refused_unless(builder.icmp_signed("==", count, WORD(expected))):
@@ -44,11 +44,10 @@ def write_entry(module: ir.Module, context: Any, descriptor: Any, kernel: Kernel
         given = builder.load(builder.gep(arguments, [WORD(i)]))
         if isinstance(kind, Record):
             records += 1
-            values.append(
-                entry.record(kind, descriptor.argtypes[i], given, entry.item(types, records), called)
-            )
+            values.append(entry.record(kind, given, entry.item(classes, records), called))
         elif isinstance(kind, ArrayOf):
-            values.append(entry.array(kind, descriptor.argtypes[i], given, entry.item(types, 0), called))
+            native = descriptor.argtypes[i]
+            values.append(entry.array(kind, native, given, entry.item(classes, 0), called))
         else:
             values.append(entry.scalar(kind, given, called))
     builder.ret(entry.result(signature.result, entry.called(descriptor, values)))
@@ -110,7 +109,7 @@ class _Entry:
                 self.raises("PyExc_TypeError", expected)
         return value
 
-    def record(self, kind: Record, native: Any, given: Any, expected: Any, called: str) -> Any:
+    def record(self, kind: Record, given: Any, expected: Any, called: str) -> Any:
         """A NamedTuple of whole numbers."""
         with self.refused_unless(self.is_a(given, expected)):
             self.raises("PyExc_TypeError", f"{self.name}: {called} is not a {kind.of.__name__}")
@@ -138,7 +137,7 @@ class _Entry:
             data=builder.bitcast(data, self.context.get_value_type(native.dtype).as_pointer()),
             shape=shape,
             strides=strides,
-            itemsize=self.context.get_constant(_intp(), 8),
+            itemsize=self.context.get_constant(types.intp, 8),
             meminfo=None,
         )
         return made._getvalue()
@@ -148,7 +147,7 @@ class _Entry:
         dtype = self.read(given, ARRAY_PLACES["dtype"], OBJECT)
         code, order = (self.read(dtype, DTYPE_PLACES[name], BYTE) for name in ("char", "byteorder"))
         flags = self.read(given, ARRAY_PLACES["flags"], INT)
-        needed = INT(CARRAY_WRITABLE if kind.writable else CARRAY_WRITABLE & ~0x400)
+        needed = INT(CARRAY | WRITABLE if kind.writable else CARRAY)
         fits = builder.icmp_signed("==", builder.and_(flags, needed), needed)
         dimensions = self.read(given, ARRAY_PLACES["ndim"], INT)
         fits = builder.and_(fits, builder.icmp_signed("==", dimensions, INT(kind.dimensions)))
@@ -194,9 +193,3 @@ def _outside(module: ir.Module, name: str, kind: ir.Type) -> Any:
     if name in module.globals:
         return module.globals[name]
     return ir.GlobalVariable(module, kind, name)
-
-
-def _intp() -> Any:
-    from numba.core import types
-
-    return types.intp

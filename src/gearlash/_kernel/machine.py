@@ -24,7 +24,7 @@ ARRAY_PLACES = {
 }
 """Bytes from the start of an array object: fields that NumPy's C interface lays open."""
 DTYPE_PLACES = {"char": HEAD + 9, "byteorder": HEAD + 10}
-CARRAY_WRITABLE = 0x501  # C-contiguous, aligned, writable
+CARRAY, WRITABLE = 0x101, 0x400  # flags of an array: C-contiguous and aligned; writable
 
 _METH_FASTCALL = 0x80
 _KEPT: list[Any] = []  # what C code refers to
@@ -86,7 +86,7 @@ def _check_layout() -> None:
         "data": _at(array, ARRAY_PLACES["data"], ctypes.c_size_t) == array.__array_interface__["data"][0],
         "ndim": _at(array, ARRAY_PLACES["ndim"], ctypes.c_int) == 2,
         "dtype": _at(array, ARRAY_PLACES["dtype"], ctypes.c_size_t) == id(array.dtype),
-        "flags": _at(array, ARRAY_PLACES["flags"], ctypes.c_int) & CARRAY_WRITABLE == CARRAY_WRITABLE,
+        "flags": _at(array, ARRAY_PLACES["flags"], ctypes.c_int) & 0x501 == CARRAY | WRITABLE,
         "char": _at(array.dtype, DTYPE_PLACES["char"], ctypes.c_char) == b"d",
         "byteorder": _at(array.dtype, DTYPE_PLACES["byteorder"], ctypes.c_char) == b"=",
     }
