@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from importlib import import_module, invalidate_caches
@@ -176,6 +177,7 @@ def test_memory_that_cannot_be_had_is_said(tiny: Any):
         tiny.extremes(2**55)
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="ru_maxrss in kilobytes")
 def test_memory_that_was_had_is_given_back(tiny: Any):
     resource = pytest.importorskip("resource")
     tiny.extremes(10**6)
