@@ -12,19 +12,23 @@ import numpy as np
 import pytest
 
 from gearlash._kernel import machine
+from gearlash._kernel.cache import Code
 from kernel.tiny import write
 
 KERNELS = """
 from typing import NamedTuple
 import numpy as np
-from tiny._kernel import ArrayOf, Record, Several, allocating, boolean, float64, fma, inner, int64, kernel, void
+from tiny._kernel import (
+    ArrayOf, Record, Several, allocating, boolean, float64, fma, int64, kernel, void
+)
+
+FLOATS = ArrayOf(float64, 1, writable=False)
 
 class Sizes(NamedTuple):
     first: int
     second: int
 
-@kernel(int64(Record(Sizes), ArrayOf(float64, 2), ArrayOf(int64, 1), ArrayOf(float64, 1, writable=False), float64, int64,
-    boolean))
+@kernel(int64(Record(Sizes), ArrayOf(float64, 2), ArrayOf(int64, 1), FLOATS, float64, int64, boolean))
 def every(sizes, table, counts, read, x, k, negative):
     table[sizes.first, sizes.second] = -x if negative else x
     counts[k] += len(read) * table.shape[0]
@@ -151,9 +155,9 @@ def test_what_does_not_fit_is_refused_by_name(
 
 
 def test_a_record_of_something_else_than_whole_numbers_is_refused(tiny: Any, given: dict[str, Any]):
-    with pytest.raises(TypeError, match="every: sizes.second is not a number"):
+    with pytest.raises(TypeError, match=r"every: sizes\.second is not a number"):
         tiny.every(*{**given, "sizes": tiny.Sizes(1, "two")}.values())
-    with pytest.raises(TypeError, match="every: sizes.second is not a number"):
+    with pytest.raises(TypeError, match=r"every: sizes\.second is not a number"):
         tiny.every(*{**given, "sizes": tuple.__new__(tiny.Sizes, (1,))}.values())
 
 
@@ -199,6 +203,11 @@ def test_first_calls_from_many_threads(tiny: Any):
     for thread in threads:
         thread.join()
     assert found == [7.0] * 8
+
+
+def test_code_that_needs_what_is_nowhere_is_not_loaded():
+    assert machine.can_load(Code(b"", "some.kernel", ("malloc", "PyErr_SetString")))
+    assert not machine.can_load(Code(b"", "some.kernel", ("malloc", "no_such_function_anywhere")))
 
 
 def test_arrays_laid_out_in_another_way_are_not_read(monkeypatch: pytest.MonkeyPatch):

@@ -1,4 +1,5 @@
-"""A package of a few kernels that stands for the whole one: `_kernel` is copied into it and looks at its files."""
+"""A package of a few kernels that stands for the whole one: `_kernel` is copied into it and looks at its
+files."""
 
 from __future__ import annotations
 

@@ -41,13 +41,27 @@ class _Method(ctypes.Structure):
     )
 
 
-def load(code: Code, signature: Signature) -> Callable[..., Any]:
-    """A Python function from the machine code of a kernel."""
+def can_load(code: Code) -> bool:
+    """Whether this process has all that the machine code needs, if need be after importing numba, which
+    brings vectorised functions where they are installed. (LLVM would end the process where something is
+    missing.)"""
+    _engine()  # with it LLVM looks for names in the whole process
+    if _missing(code):
+        importlib.import_module("numba")
+    return not _missing(code)
+
+
+def _missing(code: Code) -> list[str]:
     from llvmlite import binding
 
-    engine = _engine()  # made first: with it LLVM looks for names in the whole process
-    if any(binding.address_of_symbol(name) is None for name in code.needs):
-        importlib.import_module("numba")  # it registers helpers of its own, vectorised functions for one
+    return [name for name in code.needs if binding.address_of_symbol(name) is None]
+
+
+def load(code: Code, signature: Signature) -> Callable[..., Any]:
+    """A Python function from the machine code of a kernel, which `can_load` found loadable."""
+    from llvmlite import binding
+
+    engine = _engine()
     engine.add_object_file(binding.ObjectFileRef.from_data(code.object_file))
     engine.finalize_object()
     return callable_at(engine.get_function_address(code.entry), code.entry.rpartition(".")[2], signature)

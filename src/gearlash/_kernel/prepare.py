@@ -49,11 +49,11 @@ def make_ready(kernel: Kernel) -> None:
 
 def _loaded(kernel: Kernel) -> bool:
     if kernel.name not in _READY:
-        code = cache.read(kernel.name)
-        if code is None:
-            return False
-        from .machine import load
+        from .machine import can_load, load
 
+        code = cache.read(kernel.name)
+        if code is None or not can_load(code):
+            return False
         cache.mark_used(cache.version_folder())
         _be_called(kernel, load(code, kernel.signature))
     return True
