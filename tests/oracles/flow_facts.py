@@ -177,6 +177,20 @@ def touch_beyond_or_short() -> None:
                 assert len(events) == (2 if depth > 0 else 0)
 
 
+def there_and_back_in_a_cell() -> None:
+    """X goes well beyond a boundary and comes back within one cell, or from contact into the gap: the same
+    as with a rest in between."""
+    for depth in (3e-3, 1e-2):
+        for system, start, at in _touches(depth, (3.4, 3.5, 3.6)):
+            props, rest = flow.propagators(system), at / (2 * np.pi)
+            found = flow.carry(props, start, 1.0)
+            assert found.status is Status.OK
+            assert sorted(found.contacts.tolist()) == [0, 0, 1, 1]
+            half = flow.carry(props, start, rest)
+            parts = flow.carry(props, half.state, 1.0 - rest, rest)
+            assert np.abs(found.state - parts.state).max() < 1e-14
+
+
 def touch_within_rounding() -> None:
     """An extremum on the boundary itself: rounding decides, so nothing may be claimed."""
     for system, start, at in _touches(0.0, (2.0, 3.0, 4.0, 5.0, 6.0, 2.3, 4.9)):
@@ -236,8 +250,8 @@ def grid_that_is_too_coarse() -> None:
     """However few cells are tried first, the maps are exact: the majorant asks for more."""
     module: Any = sys.modules["gearlash.flow.regions"]
     assert isinstance(module.STEP, float)
-    aimed, module.STEP = module.STEP, 5.0
-    system = oscillator(gap=(9.0, 9.0), ground=(0.9, 0.1), force=HARMONIC)
+    aimed, module.STEP = module.STEP, 12.0
+    system = oscillator(omega=0.2, gap=(9.0, 9.0), ground=(0.9, 0.1), force=HARMONIC)
     props = flow.propagators(system)
     module.STEP = aimed
     expected = moved(system, 0, [0.2, -0.4], 1.0, 0.0)
@@ -313,7 +327,7 @@ def two_side_by_side() -> None:
     """Each of two uncoupled systems has its own crossing: at one instant, one behind the other in a
     cell, or in different cells."""
     one = _hitting(ContactRule.IN_CONTACT)
-    for gap, later in (((0.3, 0.7), 1.0), ((0.35, 0.6), 1.1), ((0.35, 0.6), 1.6)):
+    for gap, later in (((0.3, 0.7), 1.0), ((0.35, 0.6), 1.1), ((0.35, 0.6), 1.3)):
         two = replace(one, clearances=(replace(one.clearances[0], gap_plus=gap[0], gap_minus=gap[1]),))
         for system in (side_by_side(one, two), side_by_side(two, one)):
             props = flow.propagators(system)
@@ -336,6 +350,7 @@ FACTS: dict[str, Callable[[], None]] = {
         crossing_at_the_end_of_a_cell,
         tangent_over_a_crossing,
         touch_beyond_or_short,
+        there_and_back_in_a_cell,
         touch_within_rounding,
         touch_within_rounding_before_a_crossing,
         transient_peak,

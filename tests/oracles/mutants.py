@@ -88,15 +88,19 @@ def ask(source: Path, *facts: str) -> Verdict:
 _CELL_END, _TANGENT = "crossing_at_the_end_of_a_cell", "tangent_over_a_crossing"
 _TOUCH, _ROUNDING = "touch_beyond_or_short", "touch_within_rounding"
 _BEFORE, _PEAK = "touch_within_rounding_before_a_crossing", "transient_peak"
-_PARTS, _COARSE, _START = "closed_orbit_that_parts", "grid_that_is_too_coarse", "start_on_a_boundary"
+_PARTS, _COARSE, _START, _RETURN = (
+    "closed_orbit_that_parts",
+    "grid_that_is_too_coarse",
+    "start_on_a_boundary",
+    "there_and_back_in_a_cell",
+)
 _NO_WIDTH, _NO_TENSION, _TWO = "no_width_at_all", "release_where_nothing_presses", "two_side_by_side"
 
 _CHOICE = "best, which, through, behind = at, c, boundary, target"  # of the first crossing of all
 _CHOSEN = "best, which, through, behind = (at, c, boundary, target) if {} else (best, which, through, behind)"
 
 BOUNDS = (
-    Mutant("rest without the terms above CHECK", "rest += abs(watched[j])", "rest += 0.0", _CELL_END),
-    Mutant("no rest at all", "memory[row] = rest + ROUNDING * size", "memory[row] = 0.0", _CELL_END),
+    Mutant("no rest at all", "memory[row] = tail + ROUNDING * size", "memory[row] = 0.0", _ROUNDING),
     Mutant("unit rounding zero", "UNIT_ROUNDING = 2.0**-53", "UNIT_ROUNDING = 0.0", _ROUNDING),
     Mutant(
         "place of a boundary exact",
@@ -145,8 +149,8 @@ DIRECTIONS = (
     Mutant("first mode the other way", "moving > bound * memory[shape.scalars]", "moving < 0.0", _START),
     Mutant(
         "surface the other way round",
-        "inward = float(-boundary if mode == FREE else boundary)",
-        "inward = float(boundary if mode == FREE else -boundary)",
+        "return float(-boundary if mode == FREE else boundary)",
+        "return float(boundary if mode == FREE else -boundary)",
         _TOUCH,
     ),
     Mutant(
@@ -157,27 +161,30 @@ DIRECTIONS = (
     ),
     Mutant("any crossing blocks", "DERIVED * near, on == boundary", "DERIVED * near, on != 0", _NO_WIDTH),
     Mutant(
-        "other boundary blocked", "motion.on[which] = boundary", "motion.on[which] = -boundary", _NO_WIDTH
+        "other boundary blocked",
+        "motion.on[which] = boundary",
+        "motion.on[which] = -boundary",
+        "crossing_at_a_crawl",
     ),
 )
 PROOFS = (
     Mutant("every lap clear", "if not (away < below and away < above):", "if False:", _PEAK),
     Mutant(
         "no swing",
-        "swing[c * p + k] = max(swing[c * p + k], peak(out, p + 8 * c, 8) + rest)",
+        "swing[c * p + k] = max(swing[c * p + k], peak(out, p + TERMS * c, TERMS) + rest)",
         "swing[c * p + k] = 0.0",
         _PEAK,
     ),
     Mutant(
         "margin above doubled",
-        "above = (upper - greatest(out, p + 8 * c) - rest) * (1.0 - 1e-9)",
-        "above = (upper - greatest(out, p + 8 * c) - rest) * 2.0",
+        "above = (upper - greatest(out, p + TERMS * c) - rest) * (1.0 - 1e-9)",
+        "above = (upper - greatest(out, p + TERMS * c) - rest) * 2.0",
         _PEAK,
     ),
     Mutant(
         "margin below doubled",
-        "below = (least(out, p + 8 * c) - rest - lower) * (1.0 - 1e-9)",
-        "below = (least(out, p + 8 * c) - rest - lower) * 2.0",
+        "below = (least(out, p + TERMS * c) - rest - lower) * (1.0 - 1e-9)",
+        "below = (least(out, p + TERMS * c) - rest - lower) * 2.0",
         _PEAK,
     ),
     Mutant(
@@ -193,48 +200,72 @@ PROOFS = (
         _PARTS,
     ),
     Mutant(
-        "clear at + without rest",
-        "greatest(moved, first) + rest < plus",
-        "greatest(moved, first) < plus",
-        _CELL_END,
+        "clear above without its bound",
+        "if all_over(moved, first, place + near):",
+        "if all_over(moved, first, place):",
+        _ROUNDING,
     ),
     Mutant(
-        "clear at - without rest",
-        "least(moved, first) - rest > minus",
-        "least(moved, first) > minus",
-        _CELL_END,
-    ),
-    Mutant(
-        "clear in contact + without rest",
-        "return least(moved, first) - rest > 0.0",
-        "return least(moved, first) > 0.0",
-        _CELL_END,
-    ),
-    Mutant(
-        "clear in contact - without rest",
-        "return greatest(moved, first) + rest < 0.0",
-        "return greatest(moved, first) < 0.0",
-        _CELL_END,
+        "clear below without its bound",
+        "if all_under(moved, first, place - near):",
+        "if all_under(moved, first, place):",
+        _ROUNDING,
     ),
     Mutant(
         "clear of the wrong boundary",
-        "plus, minus = memory[shape.gaps + 4 * c],",
-        "plus, minus = memory[shape.gaps + 4 * c + 1],",
+        "gap = memory[shape.gaps + 4 * c + (0 if boundary > 0 else 1)]",
+        "gap = memory[shape.gaps + 4 * c + (1 if boundary > 0 else 0)]",
         _CELL_END,
     ),
-    Mutant("clear of the last clearance only", "clear = clear and _clear(", "clear = _clear(", _TWO),
+    Mutant(
+        "no return behind a crossing",
+        "return AGAIN if _two_changes(beyond, inside) else UNSURE",
+        "return CLEAR",
+        _RETURN,
+    ),
+    Mutant(
+        "there and back where nothing is between",
+        "if between <= s or not side * (polynomial(work, x, between) - place) > near:",
+        "if between <= s:",
+        _TOUCH,
+    ),
+    Mutant(
+        "two changes taken for one",
+        "return THERE_AND_BACK if _two_changes(inside, beyond) else UNSURE",
+        "return CLEAR",
+        _TOUCH,
+    ),
+    Mutant(
+        "always clear behind a crossing",
+        "if _change(beyond, inside) or _two_changes(inside, beyond):",
+        "if True:",
+        _RETURN,
+    ),
+    Mutant("a stretch in between ignored", "(first & (first + 1)) == 0", "True", _TOUCH),
+    Mutant(
+        "crossed boundary of a glance forgotten",
+        "motion.on[which], s, proved = boundary, at, False",
+        "motion.on[which], s, proved = -boundary, at, False",
+        _NO_WIDTH,
+    ),
+    Mutant(
+        "second clearance not looked at",
+        "if verdict != CLEAR: return UNSURE, 0, 0",
+        "if c > 0: continue",
+        _TWO,
+    ),
 )
 SWITCHES = (
     Mutant(
         "pull the other way",
-        "add(-1.0, change, 0, u, 0, shape.p)",
-        "add(1.0, change, 0, u, 0, shape.p)",
+        "add(-sign, change, 0, u, 0, shape.p)",
+        "add(sign, change, 0, u, 0, shape.p)",
         _CELL_END,
     ),
     Mutant(
         "moments without duration",
-        "factor = sign * memory[shape.scalars + 1] * s",
-        "factor = sign * s",
+        "duration = memory[shape.scalars + 1] * s",
+        "duration = s",
         _CELL_END,
     ),
     Mutant(

@@ -9,18 +9,18 @@ import numpy as np
 from gearlash._kernel import ArrayOf, boolean, float64, inner, int64, kernel, void
 
 from ._series import cut_off, pressing
-from ._tables import CHECK, CUBE, FREE, INTS, MUTABLE, NO_TENSION, ORDER, SHAPE, TERMS, Shape
+from ._tables import CUBE, FREE, INTS, MUTABLE, NO_TENSION, ORDER, SHAPE, TERMS, Shape
 from ._vector import greatest, least, linear, move, peak, weigh
 
 UNIT_ROUNDING = 2.0**-53
-ROUNDING = 24.0 * UNIT_ROUNDING  # of a table's entries and of what is summed from them
+ROUNDING = 32.0 * UNIT_ROUNDING  # of a table's entries and of what is summed from them
 DOUBLINGS = 10  # laps of a region, 2^10 of them, after which its own motion repeats
 
 
 @inner
-def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, check, watched, out):
-    """Bernstein coefficients of degree CHECK of what is watched of clearance c (X, or with the rule
-    `no-tension` in contact Φ), a bound on the rest, and one on the error of X, for one column of one cell."""
+def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, watched):
+    """Bernstein coefficients of what is watched of clearance c (X, or with the rule `no-tension` in contact
+    Φ), a bound on their error, and one on the error of X, for one column of one cell."""
     n, count = shape.n, shape.clearances
     x = at + shape.gap + ((cell * count + c) * (1 + n) + column) * TERMS
     bulk = 0.0
@@ -43,27 +43,22 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, check, watch
         size = stiff * size + rate * ORDER * bulk
         tail = stiff * tail + rate * memory[tails + 2 + own] + lost * bulk + cut_off(memory, eta, memory, x)
         pressing(memory, eta, memory, x, memory[x], rate, watched, TERMS, 0)
-    rest = tail
-    for j in range(CHECK + 1, ORDER + 1):
-        rest += abs(watched[j])
-    linear(check, 0, 8, 8, CHECK + 1, watched, 0, out, 0)
-    place = at + shape.step + (cell * (1 + n) + column) * shape.rows + shape.p + 8 * c
-    for i in range(CHECK + 1):
-        memory[place + i] = out[i]
-    memory[row] = rest + ROUNDING * size
+    place = at + shape.step + (cell * (1 + n) + column) * shape.rows + shape.p + TERMS * c
+    linear(memory, shape.bernstein, TERMS, TERMS, ORDER + 1, watched, 0, memory, place)
+    memory[row] = tail + ROUNDING * size
 
 
 @kernel(
-    void(SHAPE, MUTABLE, int64, MUTABLE, CUBE, ArrayOf(float64, 4), INTS, INTS, MUTABLE, boolean),
+    void(SHAPE, MUTABLE, int64, MUTABLE, CUBE, ArrayOf(float64, 4), INTS, INTS, boolean),
     allocates=True,
 )
-def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, check, all_columns):
+def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, all_columns):
     """Sums unit responses to the constant columns of the slot at ``at``, and writes for them (or for all
     columns) the Bernstein coefficients of what is watched, with their bounds.
 
-    amplitudes (u); check (64): Taylor to Bernstein of degree CHECK, by columns."""
+    amplitudes (u)."""
     n, count, cells = shape.n, shape.clearances, shape.cells
-    watched, out = np.zeros(3 * TERMS), np.zeros(8)
+    watched = np.zeros(3 * TERMS)
     for cell in range(cells):
         place = at + shape.step + cell * (1 + n) * shape.rows
         for i in range(shape.rows):
@@ -80,7 +75,7 @@ def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, che
                 for j in range(ORDER + 1):
                     memory[place + j] += amplitudes[u] * gaps[cell, c, u, j]
             for column in range(1 + n if all_columns else 1):
-                _watch(shape, memory, at, cell, c, column, sides, rules, check, watched, out)
+                _watch(shape, memory, at, cell, c, column, sides, rules, watched)
 
 
 @inner
@@ -96,7 +91,7 @@ def _over_the_period(shape: Shape, memory, at, columns, out, swing):
             linear(memory, step, rows, rows, 1 + n, columns, k * p, out, 0)
             for c in range(count):
                 rest = weigh(memory, at + shape.rest + (cell * count + c) * p, p, columns, k * p)
-                swing[c * p + k] = max(swing[c * p + k], peak(out, p + 8 * c, 8) + rest)
+                swing[c * p + k] = max(swing[c * p + k], peak(out, p + TERMS * c, TERMS) + rest)
             move(out, 0, columns, k * p, p)
     for c in range(count):
         swing[c * p] = 0.0
@@ -117,8 +112,8 @@ def _margins(shape: Shape, memory, at, sides, u, out):
             lower = -memory[shape.gaps + 4 * c + 1] if sides[c] == FREE else 0.0
             upper = memory[shape.gaps + 4 * c] if sides[c] == FREE else 0.0
             margin = at + shape.margin + 2 * c
-            below = (least(out, p + 8 * c) - rest - lower) * (1.0 - 1e-9)
-            above = (upper - greatest(out, p + 8 * c) - rest) * (1.0 - 1e-9)
+            below = (least(out, p + TERMS * c) - rest - lower) * (1.0 - 1e-9)
+            above = (upper - greatest(out, p + TERMS * c) - rest) * (1.0 - 1e-9)
             memory[margin] = below if not below >= memory[margin] else memory[margin]
             memory[margin + 1] = above if not above >= memory[margin + 1] else memory[margin + 1]
         move(out, 0, u, 0, p)

@@ -131,6 +131,20 @@ def _keep_backward(shape: Shape, memory, at, cell, lanes, x):
             place = at + shape.pull + ((cell * count + c) * (ORDER + 1) + j) * shape.p
             for i in range(shape.n):
                 memory[place + 1 + i] = x[(c * (ORDER + 1) + j) * lanes + i]
+        for side in range(2):
+            _times_stiffness(shape, memory, at, cell, c, side)
+
+
+@inner
+def _times_stiffness(shape: Shape, memory, at, cell, c, side):
+    """`push` of one side of a clearance in one cell, behind ORDER cut off: `first_guess` has the rates of
+    flow and stiffness together."""
+    p, row = shape.p, cell * shape.clearances + c
+    pull = at + shape.pull + row * (ORDER + 1) * p
+    push = at + shape.push + (2 * row + side) * (ORDER + 1) * p
+    eta = shape.eta + (2 * row + side) * TERMS
+    for j in range(ORDER + 1):
+        linear(memory, pull + j * p, -p, p, j + 1, memory, eta, memory, push + j * p)
 
 
 @allocating

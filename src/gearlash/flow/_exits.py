@@ -12,11 +12,11 @@ Source: G. Farin, Curves and Surfaces for CAGD, 5th ed. (2002); B. Mourrain, F. 
 
 from __future__ import annotations
 
-from gearlash._kernel import fma, inlined, inner
+from gearlash._kernel import inlined, inner
 
-from ._series import powers, recentre
+from ._series import jet, recentre
 from ._tables import ORDER, TERMS, Shape
-from ._vector import linear, times, weigh
+from ._vector import LANES, linear, powers, times, weigh
 from ._work import DEPTH, LIMITS, LOCAL, ONES, POWERS, SCALED, STACK, SURFACE
 
 NONE = 2.0  # "no root in [0, 1]"
@@ -84,7 +84,7 @@ def _isolate(shape: Shape, memory, work, first, bound):
                 return lo, undecided  # at the beginning, within rounding
             fall = work[b + place] - work[b + place + 1]
             guess = lo + (hi - lo) * (place + work[b + place] / fall) / m
-            return _polish(work, LOCAL + first, m, lo, hi, guess, 1.0), undecided
+            return polish(work, LOCAL + first, 0.0, lo, hi, guess, 1.0), undecided
         last = work[b + m]
         if last >= -bound and _falling(work, b, m, bound):
             continue  # one root at most, and it lies at or behind the end: the next interval has it
@@ -158,31 +158,31 @@ def _split(work, right, left, m):
 
 
 @inlined
-def _polish(work, at, degree, lo, hi, guess, sign):
-    """The one root in [lo, hi], where sign times the polynomial falls from + to -: Halley's method kept
-    inside a shrinking bracket. It ends where the next step, of third order, would be below rounding."""
+def polish(work, at, place, lo, hi, guess, sign):
+    """Where in [lo, hi] the polynomial of `TERMS` coefficients comes to ``place``, while sign times it falls:
+    Halley's method kept inside a shrinking bracket. It ends where the next step, of third order, would be
+    below rounding."""
     s = guess if lo < guess < hi else 0.5 * (lo + hi)
     for _ in range(100):
-        value, slope, bend = work[at + degree], 0.0, 0.0
-        for j in range(degree - 1, -1, -1):
-            bend = fma(bend, s, slope)
-            slope = fma(slope, s, value)
-            value = fma(value, s, work[at + j])
+        value, slope, half_bend = jet(work, at, s)
+        value -= place
         if sign * value > 0.0:
             lo = s
         elif sign * value < 0.0:
             hi = s
         else:
             return s
-        divisor = slope * slope - value * bend
+        divisor = slope * slope - value * half_bend
         change = -value * slope / divisor if divisor > 0.0 else 2.0
-        step = s + change
-        if not lo < step < hi:
+        step = min(max(s + change, lo), hi)
+        if abs(change) <= 2.3e-16 * s or (
+            abs(change) <= 1e-6 and abs(change * half_bend) <= 1e-6 * abs(slope)
+        ):
+            return step
+        if step in (lo, hi):
             step = 0.5 * (lo + hi)
             if step in (lo, hi):
                 return step
-        elif abs(change) <= 2.3e-16 * s or (abs(change) <= 1e-6 and abs(change * bend) <= 1e-6 * abs(slope)):
-            return step
         s = step
     return s
 
@@ -206,7 +206,7 @@ def all_roots(c, at, degree, basis, table, stack, limits, out):
             continue
         if changes == 1 and stack[b] * stack[b + degree] < 0.0:
             sign = 1.0 if stack[b] > 0.0 else -1.0
-            out[count] = _polish(c, at, degree, lo, hi, 0.5 * (lo + hi), sign)
+            out[count] = polish(c, at, 0.0, lo, hi, 0.5 * (lo + hi), sign)
             count += 1
             continue
         if hi - lo < 2.0**-DEPTH or top + 2 > DEPTH:
@@ -232,6 +232,8 @@ def _sign_changes(b, at, m):
 
 @inner
 def ones(work):
-    """Writes the weights of a plain sum of absolute values."""
+    """Writes the weights of a plain sum of absolute values, and zeros behind `LOCAL`."""
     for j in range(TERMS):
         work[ONES + j] = 1.0
+    for j in range(LANES):
+        work[LOCAL + TERMS + j] = 0.0

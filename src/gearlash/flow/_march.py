@@ -11,7 +11,7 @@ from ._expand import carry_inside
 from ._series import polynomial
 from ._surfaces import first_mode
 from ._switch import region_code
-from ._tables import CUBE, FLOATS, INTS, MATRIX, MUTABLE, ORDER, SHAPE, TABLE, TERMS, Shape
+from ._tables import CUBE, FLOATS, INTS, MATRIX, MUTABLE, ORDER, SHAPE, TABLE, TERMS, Shape, aligned
 from ._walk import FRESH, NEED_REGION, NEEDED, OK, Motion, Record, sides_of, slot_place, walk
 from ._work import DEPTH, GAPS
 
@@ -20,7 +20,7 @@ def scratch(shape: Shape) -> tuple[np.ndarray, ...]:
     """Work space of one call of `run`."""
     n, p, j = shape.n, shape.p, shape.clearances
     sizes = (GAPS + j * TERMS + p, max(shape.rows, p), (ORDER + 1) * p, (4 * j + n) * TERMS, n + j, p)
-    return (*(np.zeros(size) for size in sizes), np.zeros(j, dtype=np.int64))
+    return (*aligned(*sizes), np.zeros(j, dtype=np.int64))
 
 
 STARTED, STRETCH = 0, 1  # in `progress`: how far a call came that ran into an unbuilt region

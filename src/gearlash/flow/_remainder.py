@@ -10,7 +10,7 @@ from ._tables import ORDER, Shape
 
 TAIL = 24  # further terms of the majorant
 LAST = ORDER + TAIL
-FALL = 0.25  # ratio of the geometric series that bounds all terms behind the last
+FALL = 0.375  # ratio of the geometric series that bounds all terms behind the last
 ATTEMPTS = 30  # at finding its first term
 
 

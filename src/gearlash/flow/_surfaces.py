@@ -6,14 +6,15 @@ from __future__ import annotations
 from gearlash._kernel import inlined, inner
 
 from ._assemble import UNIT_ROUNDING
-from ._exits import NONE, first_exit
+from ._exits import NONE, first_exit, polish
+from ._glance import AGAIN, CLEAR, ONCE, UNSURE, farthest, glance, leaving
 from ._series import cut_off, fourier_value, polynomial, pressing
 from ._tables import FREE, MINUS, NO_TENSION, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Shape
 from ._vector import linear, multiple, weigh
 from ._work import BUFFER, GAPS, ONES, SURFACE
 
-ROUNDING = 24.0 * UNIT_ROUNDING  # of a boundary's place
-DERIVED = 84.0  # a bound on the derivative of what is bounded by 1: at most this (`_remainder`)
+ROUNDING = 32.0 * UNIT_ROUNDING  # of a boundary's place
+DERIVED = 94.0  # a bound on the derivative of what is bounded by 1: at most this (`_remainder`)
 NO_STOP = 1e300  # the gap of a side that has nothing to hit
 
 
@@ -22,6 +23,61 @@ def gap_series(shape: Shape, memory, slot, cell, c, u, work):
     """GAPS ← Taylor coefficients of X - edge of clearance c over the cell that starts (virtually) at u."""
     place = slot + shape.gap + (cell * shape.clearances + c) * (1 + shape.n) * TERMS
     linear(memory, place, TERMS, TERMS, 1 + shape.n, u, 0, work, GAPS + c * TERMS)
+
+
+@inlined
+def _inward(mode, boundary):
+    """The sign of X - place on the side of a boundary on which a mode is."""
+    return float(-boundary if mode == FREE else boundary)
+
+
+@inlined
+def outlook(shape: Shape, memory, slot, cell, c, mode, rule, on, u, moved):
+    """What a whole cell brings for clearance c, seen at a glance: (a verdict of `glance`, the boundary ±1
+    that it is about). ``on``: the boundary that was crossed just before in this cell, or 0; moved (rows): what
+    the table `step` makes of u."""
+    first = shape.p + TERMS * c
+    near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
+    if mode == PLUS or mode == MINUS:  # noqa: PLR1714 - kernels know no sets
+        boundary = 1 if mode == PLUS else -1
+        pressing = rule == NO_TENSION  # then it is the force that is watched, and it may jump
+        found = glance(moved, first, float(boundary), 0.0, near, on == boundary and not pressing)
+        return (UNSURE if pressing and found != CLEAR else found), boundary
+    if mode != FREE:
+        return UNSURE, 0
+    near += ROUNDING * memory[shape.reach + c]
+    verdict, through = CLEAR, 0
+    for boundary in (1, -1):
+        gap = memory[shape.gaps + 4 * c + (0 if boundary > 0 else 1)]
+        if gap >= NO_STOP:
+            continue
+        found = glance(moved, first, -float(boundary), boundary * gap, near, on == boundary)
+        if found != CLEAR:
+            if verdict != CLEAR or rule == NO_TENSION:
+                return UNSURE, 0
+            verdict, through = found, boundary
+    return verdict, through
+
+
+@inlined
+def one_crossing(shape: Shape, memory, slot, cell, c, mode, boundary, verdict, s, u, moved, work):
+    """Where X crosses the boundary of which ``verdict`` (not `CLEAR`, not `UNSURE`) speaks for the first time
+    behind s, or `NONE` where that is not proved; fills GAPS on the way."""
+    inward = _inward(mode, boundary)
+    place = boundary * memory[shape.gaps + 4 * c + (0 if boundary > 0 else 1)] if mode == FREE else 0.0
+    first, x = shape.p + TERMS * c, GAPS + c * TERMS
+    gap_series(shape, memory, slot, cell, c, u, work)
+    lo, hi = s, 1.0
+    if verdict != ONCE:  # two crossings or none: two, where a point between them is found
+        side = inward if verdict == AGAIN else -inward
+        between = farthest(moved, first, side)
+        near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
+        near += ROUNDING * memory[shape.reach + c]
+        if between <= s or not side * (polynomial(work, x, between) - place) > near:
+            return NONE
+        lo, hi = (between, 1.0) if verdict == AGAIN else (s, between)
+    start = leaving(moved, first, inward, place, verdict == AGAIN)
+    return polish(work, x, place, lo, hi, start, inward)
 
 
 @inlined
@@ -54,7 +110,7 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
                 mode == beyond, work,
             )  # fmt: skip
         else:  # the place of the boundary
-            inward = float(-boundary if mode == FREE else boundary)
+            inward = _inward(mode, boundary)
             if mode == beyond and rule == NO_TENSION and damping != 0.0:
                 continue  # the force is zero before
             if inward * (work[x] - edge) - swing > near:

@@ -6,8 +6,9 @@ the crossing. Both flows differ by one force only, q(s) = Φ_B - Φ_A along the 
 
     z_B(0) = z_A(0) - ∫_0^s* [flow of B from s to 0] g q(s) ds,
 
-an integral of polynomials: `pull` times the moments of q. No series of the state is needed. Where the
-field jumps, the derivative of s* with respect to the start adds ± ζ g hᵀ at the crossing (never as a
+an integral of polynomials. The product of that flow and the stiffness is in the table `push`, so that it is
+`push` times the moments of X - edge; a damping that sets in too adds `pull` times those of dX/ds. No series
+of the state is needed. Where the field jumps, the derivative of s* with respect to the start adds ± ζ g hᵀ at the crossing (never as a
 quotient, which would be 0/0 at grazing; M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008,
 ch. 2, doi:10.1007/978-1-84628-708-4)."""
 
@@ -15,10 +16,10 @@ from __future__ import annotations
 
 from gearlash._kernel import inlined, inner
 
-from ._series import polynomial, powers, pressing
+from ._series import derivative, polynomial
 from ._tables import ALWAYS, FREE, IN_CONTACT, MINUS, NO_TENSION, ORDER, TERMS, Shape
-from ._vector import add, linear, multiple, times
-from ._work import BUFFER, GAPS, MOMENTS, OTHER, POWERS, PUSH
+from ._vector import add, linear, move, multiple, powers, times
+from ._work import GAPS, MOMENTS, OTHER, POWERS, PUSH
 
 
 @inlined
@@ -42,13 +43,10 @@ def switch_state(shape: Shape, memory, source, target, cell, c, boundary, sign, 
     """u (p) ← the virtual start in the region of the slot ``target``, behind a crossing at s; sign is +1
     where the force sets in, -1 where it ceases. GAPS holds X - edge of clearance c along u."""
     side = 0 if boundary > 0 else 1
-    eta = shape.eta + ((cell * shape.clearances + c) * 2 + side) * TERMS
-    x = GAPS + c * TERMS
     edge = boundary * memory[shape.gaps + 4 * c + side] if sign > 0.0 else 0.0
     rate = 0.0 if rule == ALWAYS else memory[shape.gaps + 4 * c + 2 + side] / memory[shape.scalars + 1]
-    pressing(memory, eta, work, x, work[x] - edge, rate, work, BUFFER, PUSH)
-    _moments(shape, memory, sign, s, work)
-    _pull(shape, memory, target, cell, c, u, work, change)
+    _change(shape, memory, target, cell, c, side, s, GAPS + c * TERMS, edge, rate, work, change)
+    add(-sign, change, 0, u, 0, shape.p)
     add(1.0, memory, source + shape.centre, u, 0, shape.p)
     add(-1.0, memory, target + shape.centre, u, 0, shape.p)
 
@@ -59,34 +57,43 @@ def switch_tangent(
 ):
     """The same for a tangent v (p), in place; ``overlapping``: rule `no-tension`, crossing where Φ = 0."""
     side = 0 if boundary > 0 else 1
-    eta = shape.eta + ((cell * shape.clearances + c) * 2 + side) * TERMS
     place = source + shape.gap + (cell * shape.clearances + c) * (1 + shape.n) * TERMS
     linear(memory, place, TERMS, TERMS, 1 + shape.n, v, 0, work, OTHER)
     damping = 0.0 if rule == ALWAYS else memory[shape.gaps + 4 * c + 2 + side]
     rate = damping / memory[shape.scalars + 1]
-    pressing(memory, eta, work, OTHER, work[OTHER], rate, work, BUFFER, PUSH)
-    _moments(shape, memory, sign, s, work)
+    _change(shape, memory, target, cell, c, side, s, OTHER, 0.0, rate, work, change)
+    add(-sign, change, 0, v, 0, shape.p)
     if rule == IN_CONTACT or (rule == NO_TENSION and not overlapping):
         jump = sign * damping * polynomial(work, OTHER, s)
-        for i in range(ORDER + 1):
-            work[MOMENTS + i] -= jump
-            jump *= s
-    _pull(shape, memory, target, cell, c, v, work, change)
+        place = target + shape.pull + (cell * shape.clearances + c) * (ORDER + 1) * shape.p
+        linear(memory, place, shape.p, shape.p, ORDER + 1, work, POWERS, change, 0)
+        add(jump, change, 0, v, 0, shape.p)
 
 
 @inner
-def _moments(shape: Shape, memory, sign, s, work):
-    """MOMENTS ← ∫_0^s σ^i PUSH(σ) dσ · cell duration · sign."""
-    factor = sign * memory[shape.scalars + 1] * s
+def _change(shape: Shape, memory, target, cell, c, side, s, x, edge, rate, work, change):
+    """change (p) ← what the force η·(X - edge) + rate·dX/ds would do from 0 to s, led back to 0; X from
+    place ``x``."""
+    p, row = shape.p, cell * shape.clearances + c
+    duration = memory[shape.scalars + 1] * s
     powers(s, work, POWERS)
+    move(work, x, work, PUSH, TERMS)
+    add(-edge, memory, shape.pascal, work, PUSH, TERMS)  # its first column is the constant 1
+    _moments(shape, memory, work)
+    place = target + shape.push + (2 * row + side) * (ORDER + 1) * p
+    linear(memory, place, p, p, ORDER + 1, work, MOMENTS, change, 0)
+    multiple(duration, change, 0, change, 0, p)
+    if rate != 0.0:
+        derivative(work, x, rate, work, PUSH)
+        _moments(shape, memory, work)
+        place, more = target + shape.pull + row * (ORDER + 1) * p, GAPS + shape.clearances * TERMS
+        linear(memory, place, p, p, ORDER + 1, work, MOMENTS, work, more)
+        add(duration, work, more, change, 0, p)
+
+
+@inner
+def _moments(shape: Shape, memory, work):
+    """MOMENTS ← ∫_0^s σ^i PUSH(σ) dσ / s, for the s whose powers are in POWERS; PUSH is spent."""
     times(work, POWERS, work, PUSH, TERMS)
     linear(memory, shape.hilbert, TERMS, TERMS, ORDER + 1, work, PUSH, work, MOMENTS)
     times(work, POWERS, work, MOMENTS, TERMS)
-    multiple(factor, work, MOMENTS, work, MOMENTS, TERMS)
-
-
-@inner
-def _pull(shape: Shape, memory, target, cell, c, u, work, change):
-    place = target + shape.pull + (cell * shape.clearances + c) * (ORDER + 1) * shape.p
-    linear(memory, place, shape.p, shape.p, ORDER + 1, work, MOMENTS, change, 0)
-    add(-1.0, change, 0, u, 0, shape.p)

@@ -25,9 +25,8 @@ PLUS, FREE, MINUS = 0, 1, 2  # of a clearance: contact on side +, none, contact 
 OVER_PLUS, OVER_MINUS = 3, 4  # rule `no-tension`: still beyond the boundary, but nothing presses
 ALWAYS, IN_CONTACT, NO_TENSION = 0, 1, 2
 
-ORDER = 18  # degree of every Taylor polynomial
-TERMS = 24  # its coefficients, padded to whole blocks
-CHECK = 7  # degree of the Bernstein polynomials that prove "no event in this cell": one block
+ORDER = 23  # degree of every Taylor polynomial
+TERMS = 24  # its coefficients: whole blocks
 
 
 class Shape(NamedTuple):
@@ -37,7 +36,7 @@ class Shape(NamedTuple):
     p: int  # 1 + n, padded
     clearances: int
     cells: int
-    rows: int  # of a column of `step`: state, then one block a clearance of Bernstein coefficients
+    rows: int  # of a column of `step`: state, then Bernstein coefficients of every clearance
     harmonics: int  # of the longest series
     scalars: int  # ω/N (of the phase per τ), cell duration in τ, cell width in θ
     gaps: int  # (clearances, 4): D⁺, D⁻, ζ⁺, ζ⁻
@@ -60,6 +59,7 @@ class Shape(NamedTuple):
     gap: int  # (cells, clearances, 1+n, TERMS): Taylor coefficients of X - edge
     bound: int  # (cells, clearances, p): bound on the error of X: remainder and rounding
     pull: int  # (cells, clearances, ORDER+1, p): flow from s back to 0, applied to g: coefficients in s
+    push: int  # (cells, clearances, 2, ORDER+1, p): `pull` times η of side +, side -
     matrix: int  # (n + clearances, p): columns of M with its damping, then of g
     forcing: int  # (n, 2H+1)
     tail: int  # (clearances, 4): Taylor remainder of X, of dX/ds: per unit of Σ|z|, constant
@@ -80,6 +80,17 @@ INTS = ArrayOf(int64, 1)
 TABLE = ArrayOf(int64, 2)
 
 
+def aligned(*sizes: int) -> list[Array]:
+    """Zeros, each array on a cache line of its own: a block of eight then never lies across two, which costs
+    twice the time to load and many times that to load just after it was stored."""
+    from ._vector import LANES, padded
+
+    places = np.cumsum([0, *(padded(size) for size in sizes)])
+    room = np.zeros(int(places[-1]) + LANES)
+    first = -(room.ctypes.data // room.itemsize) % LANES
+    return [room[first + at : first + at + size] for at, size in zip(places[:-1], sizes, strict=True)]
+
+
 class Plan(NamedTuple):
     """Sizes of a system from which a `Shape` is laid out."""
 
@@ -95,7 +106,7 @@ def lay_out(plan: Plan) -> Shape:
 
     n, j, cells, width = plan.n, plan.clearances, plan.cells, 2 * plan.harmonics + 1
     p = padded(n + 1)
-    rows = p + 8 * j
+    rows = p + TERMS * j
     places, size = [], 0
     for length in (3, 4 * j, j, j * p, j * width, j * p, j * width, 2 * j * width, cells * j * 2 * TERMS,
                    2 * j, 2 * (ORDER + 1) * TERMS, (ORDER + 1) * TERMS, (ORDER + 1) * TERMS):  # fmt: skip
@@ -103,7 +114,7 @@ def lay_out(plan: Plan) -> Shape:
         size += padded(length)
     inside, slot = [], 0
     for length in (cells * (1 + n) * rows, cells * j * p, cells * j * (1 + n) * TERMS, cells * j * p,
-                   cells * j * (ORDER + 1) * p, (n + j) * p, n * width, 4 * j, p, (1 + n) * p, p, j * p,
+                   cells * j * (ORDER + 1) * p, 2 * cells * j * (ORDER + 1) * p, (n + j) * p, n * width, 4 * j, p, (1 + n) * p, p, j * p,
                    2 * j, j):  # fmt: skip
         inside.append(slot)
         slot += padded(length)

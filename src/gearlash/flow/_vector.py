@@ -12,6 +12,7 @@ from typing import Any
 from gearlash._kernel import primitive
 
 LANES = 8
+MASKED = 24  # values of which one mask or extreme is made: the coefficients of a polynomial
 _written_out = primitive(f"{__package__}._vector_code")
 
 
@@ -68,17 +69,56 @@ def add(factor: float, source: Any, at: int, target: Any, to: int, count: int) -
 
 @_written_out
 def least(values: Any, at: int) -> float:
-    """Least of the eight values from a place on."""
-    return float(min(values[at : at + LANES]))
+    """Least of the `MASKED` values from a place on."""
+    return float(min(values[at : at + MASKED]))
 
 
 @_written_out
 def greatest(values: Any, at: int) -> float:
-    """Largest of the eight values from a place on."""
-    return float(max(values[at : at + LANES]))
+    """Largest of the `MASKED` values from a place on."""
+    return float(max(values[at : at + MASKED]))
 
 
 @_written_out
 def weigh(weights: Any, at: int, count: int, x: Any, first: int) -> float:
     """Σ weights[at + i] |x[first + i]|, i < count (a multiple of eight)."""
     return float(sum(weights[at + i] * abs(x[first + i]) for i in range(count)))
+
+
+@_written_out
+def powers(s: float, out: Any, to: int) -> None:
+    """out[to:to+MASKED] ← 1, s, s², …: in kernels a block at a time, not one after the other."""
+    power = 1.0
+    for k in range(MASKED):
+        out[to + k] = power
+        power *= s
+
+
+@_written_out
+def over(values: Any, at: int, limit: float) -> int:
+    """Mask of the values from a place on that are above the limit: bit i for value i."""
+    return sum(1 << i for i in range(MASKED) if values[at + i] > limit)
+
+
+@_written_out
+def under(values: Any, at: int, limit: float) -> int:
+    """Mask of the values from a place on that are below the limit."""
+    return sum(1 << i for i in range(MASKED) if values[at + i] < limit)
+
+
+@_written_out
+def all_over(values: Any, at: int, limit: float) -> bool:
+    """Whether all `MASKED` values from a place on are above the limit."""
+    return bool(min(values[at : at + MASKED]) > limit)
+
+
+@_written_out
+def all_under(values: Any, at: int, limit: float) -> bool:
+    """Whether all are below."""
+    return bool(max(values[at : at + MASKED]) < limit)
+
+
+@_written_out
+def ones_in(mask: int) -> int:
+    """Number of ones of a mask."""
+    return int(mask).bit_count()

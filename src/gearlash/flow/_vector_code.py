@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ._vector import LANES
+from ._vector import LANES, MASKED
 
 if not TYPE_CHECKING:
     from llvmlite import ir
@@ -50,7 +50,7 @@ if not TYPE_CHECKING:
         builder = ir.IRBuilder(function.append_basic_block("entry"))
         done = builder.alloca(_INDEX)
         builder.store(_INDEX(0), done)
-        for blocks in (3, 2, 1):
+        for blocks in (4, 3, 2, 1):
             size = _INDEX(LANES * blocks)
             head, body, behind = (
                 function.append_basic_block(f"{part}{blocks}") for part in ("head", "body", "behind")
@@ -182,35 +182,43 @@ if not TYPE_CHECKING:
             last = builder.phi(_VECTOR)
             last.add_incoming(zero, before)
             last.add_incoming(new, loop)
-            parts = [builder.extract_element(last, ir.IntType(32)(i)) for i in range(LANES)]
-            while len(parts) > 1:
-                parts = [join(builder, a, b) for a, b in zip(parts[::2], parts[1::2], strict=True)]
-            return parts[0]
+            return _joined(builder, last, join)
 
         return generate
 
+    def _halves(builder, value, width):
+        """The two halves of a vector."""
+        kind = ir.VectorType(ir.IntType(32), width // 2)
+        return [
+            builder.shuffle_vector(value, value, ir.Constant(kind, list(range(start, start + width // 2))))
+            for start in (0, width // 2)
+        ]
+
+    def _joined(builder, value, join):
+        """All lanes joined to one number, half with half."""
+        width = LANES
+        while width > 1:
+            value, width = join(builder, *_halves(builder, value, width)), width // 2
+        return builder.extract_element(value, ir.IntType(32)(0))
+
     def _larger(builder, a, b):
-        kind = ir.FunctionType(_DOUBLE, [_DOUBLE, _DOUBLE])
-        return builder.call(builder.module.declare_intrinsic("llvm.maximum.f64", (), kind), [a, b])
+        kind = ir.FunctionType(a.type, [a.type, a.type])
+        name = f"llvm.maximum.v{a.type.count}f64"
+        return builder.call(builder.module.declare_intrinsic(name, (), kind), [a, b])
 
     def _extreme(test):
-        """The extreme lane of one block; NaN may get lost."""
+        """The extreme of `MASKED` values; NaN may get lost."""
 
         def generate(context, builder, signature, arguments):
             pointer = _pointer(context, builder, signature.args[0], arguments[0])
-            value, width = _load(builder, pointer, arguments[1]), LANES
-            while width > 1:
-                width //= 2
-                half = [
-                    builder.shuffle_vector(
-                        value,
-                        value,
-                        ir.Constant(ir.VectorType(ir.IntType(32), width), list(range(start, start + width))),
-                    )
-                    for start in (0, width)
-                ]
-                value = builder.select(builder.fcmp_ordered(test, *half), *half)
-            return builder.extract_element(value, ir.IntType(32)(0))
+            value = _load(builder, pointer, arguments[1])
+            for first in range(LANES, MASKED, LANES):
+                other = _load(builder, pointer, builder.add(arguments[1], _INDEX(first)))
+                value = choose(builder, value, other)
+            return _joined(builder, value, choose)
+
+        def choose(builder, a, b):
+            return builder.select(builder.fcmp_ordered(test, a, b), a, b)
 
         return generate
 
@@ -286,3 +294,75 @@ if not TYPE_CHECKING:
     def weigh(typing, weights, at, count, x, first):
         signature = types.float64(weights, types.int64, types.int64, x, types.int64)
         return signature, _reduction("weighed", lambda builder, a, b: builder.fadd(a, b), weighted=True)
+
+    @intrinsic
+    def powers(typing, s, out, to):
+        def generate(context, builder, signature, arguments):
+            pointer = _pointer(context, builder, signature.args[1], arguments[1])
+            power, block = arguments[0], None
+            for bit in range(3):  # s, s², s⁴ where that bit of the lane's number is set
+                chosen = [ir.IntType(1)(lane >> bit & 1) for lane in range(LANES)]
+                mask = ir.Constant(ir.VectorType(ir.IntType(1), LANES), chosen)
+                factor = builder.select(mask, _splat(builder, power), ir.Constant(_VECTOR, [1.0] * LANES))
+                block = factor if block is None else builder.fmul(block, factor)
+                power = builder.fmul(power, power)
+            for first in range(0, MASKED, LANES):
+                place = _lanes(builder, pointer, builder.add(arguments[2], _INDEX(first)))
+                builder.store(block, place, align=8)
+                block = builder.fmul(block, _splat(builder, power))  # by s⁸
+            return context.get_dummy_value()
+
+        return types.void(types.float64, out, types.int64), generate
+
+    def _mask(test):
+        """Bit i: whether ``test`` holds between value i and the limit; NaN never does."""
+
+        def generate(context, builder, signature, arguments):
+            pointer = _pointer(context, builder, signature.args[0], arguments[0])
+            limit, mask = _splat(builder, arguments[2]), _INDEX(0)
+            for first in range(0, MASKED, LANES):
+                value = _load(builder, pointer, builder.add(arguments[1], _INDEX(first)))
+                bits = builder.bitcast(builder.fcmp_ordered(test, value, limit), ir.IntType(LANES))
+                mask = builder.or_(mask, builder.shl(builder.zext(bits, _INDEX), _INDEX(first)))
+            return mask
+
+        return generate
+
+    @intrinsic
+    def over(typing, values, at, limit):
+        return types.int64(values, types.int64, types.float64), _mask(">")
+
+    @intrinsic
+    def under(typing, values, at, limit):
+        return types.int64(values, types.int64, types.float64), _mask("<")
+
+    def _every(test):
+        """Whether ``test`` holds between all values and the limit."""
+
+        def generate(context, builder, signature, arguments):
+            pointer = _pointer(context, builder, signature.args[0], arguments[0])
+            limit, joined = _splat(builder, arguments[2]), None
+            for first in range(0, MASKED, LANES):
+                value = _load(builder, pointer, builder.add(arguments[1], _INDEX(first)))
+                holds = builder.fcmp_ordered(test, value, limit)
+                joined = holds if joined is None else builder.and_(joined, holds)
+            bits = builder.bitcast(joined, ir.IntType(LANES))
+            return builder.icmp_unsigned("==", bits, ir.IntType(LANES)(2**LANES - 1))
+
+        return generate
+
+    @intrinsic
+    def all_over(typing, values, at, limit):
+        return types.boolean(values, types.int64, types.float64), _every(">")
+
+    @intrinsic
+    def all_under(typing, values, at, limit):
+        return types.boolean(values, types.int64, types.float64), _every("<")
+
+    @intrinsic
+    def ones_in(typing, mask):
+        def generate(context, builder, signature, arguments):
+            kind = ir.FunctionType(_INDEX, [_INDEX])
+            return builder.call(builder.module.declare_intrinsic("llvm.ctpop.i64", (), kind), arguments)
+
+        return types.int64(types.int64), generate

@@ -16,10 +16,11 @@ from gearlash._kernel import inlined, inner
 
 from ._exits import NONE
 from ._expand import carry_inside, expand
-from ._surfaces import next_exit
+from ._glance import AGAIN, CLEAR, UNSURE
+from ._surfaces import next_exit, one_crossing, outlook
 from ._switch import region_code, side_of, switch_state, switch_tangent
 from ._tables import FREE, MINUS, ORDER, OVER_MINUS, OVER_PLUS, PLUS, Array, Shape
-from ._vector import add, greatest, least, linear, move, weigh
+from ._vector import add, linear, move, weigh
 
 OK, TOO_MANY, DIVERGED, NEED_REGION = 0, 1, 2, 3
 EVENTS_PER_CELL = 4096
@@ -64,17 +65,19 @@ def slot_place(shape: Shape, slot_of, modes):
 
 
 @inlined
-def _clear(shape: Shape, memory, slot, cell, c, mode, u, moved):
-    """Whether clearance c is proved to keep its mode through the whole cell that starts at u."""
-    place = slot + shape.rest + (cell * shape.clearances + c) * shape.p
-    rest = weigh(memory, place, shape.p, u, 0)
-    first = shape.p + 8 * c
-    if mode == PLUS:
-        return least(moved, first) - rest > 0.0
-    if mode == MINUS:
-        return greatest(moved, first) + rest < 0.0
-    plus, minus = memory[shape.gaps + 4 * c], -memory[shape.gaps + 4 * c + 1]
-    return mode == FREE and least(moved, first) - rest > minus and greatest(moved, first) + rest < plus
+def _survey(shape: Shape, memory, slot, k, rules, motion):
+    """What a whole cell brings, seen at a glance: nothing (`CLEAR`), something of one clearance (a verdict of
+    `glance`, clearance, boundary), or what must be looked at in pieces (`UNSURE`)."""
+    verdict, which, through = CLEAR, 0, 0
+    for c in range(shape.clearances):
+        found, boundary = outlook(
+            shape, memory, slot, k, c, motion.modes[c], rules[c], motion.on[c], motion.u, motion.moved
+        )
+        if found != CLEAR:
+            if verdict != CLEAR:
+                return UNSURE, 0, 0
+            verdict, which, through = found, c, boundary
+    return verdict, which, through
 
 
 @inner
@@ -105,23 +108,43 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
         if arriving and proved:
             break  # the last cell was proved to be clear, its end too
         end = s if arriving else (1.0 if cell < stop_cell else stop_s)
-        if s == 0.0 and end == 1.0 and (whole or not (keep or (hold[2] < cell + 1.0 and hold[3] > cell))):
-            if k == 0 and whole and cell + cells <= stop_cell and _lap(shape, memory, slot, modes, u, moved):
-                _leap(shape, memory, slot + shape.lap, p, u, motion.tangents, m, moved)
-                cell, proved = cell + cells, True
-                continue
+        if end == 1.0 and (whole or not (keep or (hold[2] < cell + 1.0 and hold[3] > cell))):
+            if k == 0 and s == 0.0 and whole and cell + cells <= stop_cell:
+                if _lap(shape, memory, slot, modes, u, moved):
+                    _leap(shape, memory, slot + shape.lap, p, u, motion.tangents, m, moved)
+                    cell, proved = cell + cells, True
+                    continue
             step = slot + shape.step + k * (1 + shape.n) * shape.rows
             linear(memory, step, shape.rows, shape.rows, 1 + shape.n, u, 0, moved, 0)
-            clear = True
-            for c in range(shape.clearances):
-                clear = clear and _clear(shape, memory, slot, k, c, modes[c], u, moved)
-            if clear:
+            verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion)
+            if verdict == CLEAR:
                 move(moved, 0, u, 0, p)
                 if m > 0:
                     _tangents_on(shape, memory, step, shape.rows, motion.tangents, m, moved)
+                if s != 0.0:
+                    s = 0.0
+                    _leave_behind(motion)
                 cell += 1
                 k = k + 1 if k + 1 < cells else 0
                 proved = True
+                continue
+            at = NONE
+            if verdict == AGAIN or (verdict != UNSURE and s == 0.0):
+                at = one_crossing(
+                    shape, memory, slot, k, which, modes[which], boundary, verdict, s, u, moved, motion.work
+                )
+            if at != NONE:
+                motion.position[0], motion.position[1] = cell, s
+                behind = FREE if modes[which] != FREE else (PLUS if boundary > 0 else MINUS)
+                outcome = _cross(
+                    shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind,
+                    False, False, counts, record,
+                )  # fmt: skip
+                if outcome != OK:
+                    return outcome
+                _leave_behind(motion)
+                motion.on[which], s, proved = boundary, at, False
+                slot = slot_place(shape, slot_of, modes)
                 continue
         if not _bounded(u, p):  # no polynomial of infinities can be subdivided to an end
             return DIVERGED
@@ -268,7 +291,7 @@ def _first(shape: Shape, memory, slot, k, rules, motion, s, stop, held_clearance
     return best, which, through, behind, undecided
 
 
-@inlined
+@inner
 def _cross(
     shape: Shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind, silent, undecided,
     counts, record,

@@ -7,14 +7,14 @@ from ._tables import TERMS
 DEPTH = 44  # subdivisions: an interval of 2^-44 of a piece is below the rounding of its ends
 
 SCALED = 0  # a polynomial with its variable scaled
-LOCAL = TERMS  # a polynomial in the local time of its piece
-SURFACE = 2 * TERMS  # distance to a surface
-PUSH = 3 * TERMS  # force that sets in or ceases
-MOMENTS = 4 * TERMS
-OTHER = 5 * TERMS
-ONES = 6 * TERMS
-POWERS = 7 * TERMS
-BUFFER = 8 * TERMS  # (2, TERMS)
-STACK = 10 * TERMS  # (DEPTH+2, TERMS): Bernstein coefficients of subintervals
+LOCAL = TERMS  # a polynomial in the local time of its piece, with a block of zeros behind it
+SURFACE = 3 * TERMS  # distance to a surface
+PUSH = 4 * TERMS  # force that sets in or ceases
+MOMENTS = 5 * TERMS
+OTHER = 6 * TERMS
+ONES = 7 * TERMS
+POWERS = 8 * TERMS
+BUFFER = 9 * TERMS  # (2, TERMS)
+STACK = 11 * TERMS  # (DEPTH+2, TERMS): Bernstein coefficients of subintervals
 LIMITS = STACK + (DEPTH + 2) * TERMS  # (DEPTH+2, 2): their ends
-GAPS = LIMITS + 4 * TERMS  # (clearances, TERMS): X over the cell
+GAPS = LIMITS + 4 * TERMS  # (clearances, TERMS): X over the cell; behind them (p) one more change

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from gearlash.system import GearlashError, Status
 
 from . import _march
-from ._tables import ORDER, Array
+from ._tables import ORDER, Array, aligned
 from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
 from .events import Events, Trace
 from .propagators import Propagators
@@ -199,7 +199,8 @@ def _run(
     strobes = np.full((stretches + 1, n), np.nan)  # what is not reached stays NaN
     counts = np.zeros((stretches, _columns(props)), dtype=np.int64)
     count = 0 if tangents is None else len(tangents)
-    u, frame = np.zeros(shape.p), np.zeros((count, shape.p))
+    u, flat = aligned(shape.p, count * shape.p)
+    frame = flat.reshape(count, shape.p)
     u[0], u[1 : 1 + n] = 1.0, state
     if tangents is not None:
         frame[:, 1 : 1 + n] = tangents
@@ -209,7 +210,7 @@ def _run(
         )
     modes, on = np.zeros((2, shape.clearances), dtype=np.int64)
     position = np.zeros(6)
-    progress, flat, held = np.zeros(2, dtype=np.int64), frame.reshape(-1), _hold(props, hold, base)
+    progress, held = np.zeros(2, dtype=np.int64), _hold(props, hold, base)
     space = _march.scratch(shape)
     while True:
         tables = props.tables

@@ -17,7 +17,6 @@ from ._cells import EDGE, OFFSET, respond, stiffness_series
 from ._surfaces import NO_STOP
 from ._tables import (
     ALWAYS,
-    CHECK,
     IN_CONTACT,
     NO_TENSION,
     ORDER,
@@ -25,6 +24,7 @@ from ._tables import (
     Array,
     Plan,
     Shape,
+    aligned,
     constants,
     lay_out,
 )
@@ -155,7 +155,7 @@ def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagator
             f"{cells} cells of {system.size} states would need {8 * shape.slot / 1e9:.1f} GB: the frequency "
             f"{system.omega:g} is too far below the fastest natural frequency"
         )
-    memory = np.zeros(shape.slots)
+    (memory,) = aligned(shape.slots)
     constants(shape, memory)
     _write_system(system, shape, memory)
     stiffness_series(shape, memory)
@@ -176,14 +176,13 @@ def _with_region(props: Propagators, code: int, bound: float) -> Tables | None:
     system, shape, old = props.system, props.shape, props.tables
     like = twin(system, code)
     at = len(old.memory)
-    memory = np.empty(at + shape.slot)
+    (memory,) = aligned(at + shape.slot)
     memory[:at] = old.memory
     if like != code and old.slot_of[like] >= 0:
         place = shape.slots + int(old.slot_of[like]) * shape.slot
         memory[at:] = old.memory[place : place + shape.slot]
         props.responses[code] = props.responses[like]
     else:
-        memory[at:] = 0.0
         responses = _responses(props, memory, at, sides_of(code, shape.clearances))
         if not responses[2] <= bound:
             return None
@@ -215,7 +214,8 @@ def _responses(props: Propagators, memory: Array, at: int, sides: Sides) -> tupl
 def _with_amplitudes(system: System, reuse: Propagators) -> Propagators:
     """The same homogeneous tables under other loads, errors and gaps."""
     tables, shape = reuse.tables, reuse.shape
-    memory = tables.memory.copy()
+    (memory,) = aligned(len(tables.memory))
+    memory[:] = tables.memory
     _write_system(system, shape, memory)
     found = Propagators(
         system,
@@ -270,22 +270,9 @@ def _assemble(
         )  # fmt: skip
     assemble(
         shape, memory, at, amplitudes, ends, gaps, np.array(sides, dtype=np.int64), props.rules,
-        _TO_CHECK.copy(), everything,
+        everything,
     )  # fmt: skip
     laps(shape, memory, at, np.array(sides, dtype=np.int64))
-
-
-def _to_check() -> Array:
-    from math import comb
-
-    table = np.zeros((CHECK + 1, CHECK + 1))
-    for k in range(CHECK + 1):
-        for i in range(k, CHECK + 1):
-            table[k, i] = comb(i, k) / comb(CHECK, k)
-    return table.ravel()
-
-
-_TO_CHECK = _to_check()
 
 
 def left_out(series: Array, width: float) -> tuple[float, float]:

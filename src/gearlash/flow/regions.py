@@ -16,8 +16,9 @@ from ._cells import EDGE, FORCED, OFFSET, spectral_radius
 from ._tables import FREE, MINUS, PLUS, Array
 
 Sides = tuple[int, ...]
+FEW = 3  # clearances up to which every region is asked for its fastest rate
 ALIKE = 3.0  # condition number of the directions h/|h| above which no centres are used
-STEP = 1.1  # (spectral radius + highest harmonic) × cell duration aimed at: degree 18 then suffices
+STEP = 1.85  # (spectral radius + highest harmonic) × cell duration aimed at: degree 23 then suffices
 
 
 def code_of(sides: Sides) -> int:
@@ -127,9 +128,11 @@ def edges_of(system: System, sides: Sides) -> Array:
 
 
 def first_guess(system: System) -> int:
-    """Cells from the fastest rate that occurs with all contacts closed at their extremes, or open."""
-    fastest = 0.0
-    for sides, lowest in product(extreme_regions(system), (False, True)):
+    """Cells from the fastest rate that occurs in any region (of many clearances: with all contacts closed,
+    or open), stiffness at its extremes."""
+    fastest, count = 0.0, len(system.clearances)
+    regions = [sides_of(code, count) for code in range(3**count)] if 1 < count <= FEW else []
+    for sides, lowest in product(regions or extreme_regions(system), (False, True)):
         closed = matrix_of(system, sides)
         for clearance, side in zip(system.clearances, sides, strict=True):
             if side != FREE:
