@@ -16,7 +16,8 @@ from typing import Any
 import pytest
 
 import gearlash as gl
-from gearlash._kernel import cache_folder, sources_hash
+from gearlash._kernel import compile_all, load_all
+from gearlash._kernel.cache import version_folder
 from gearlash.cli.folder import MARKER
 from gearlash.results import load
 
@@ -204,11 +205,12 @@ def test_ctrl_c_from_the_terminal_leaves_a_usable_file(workers: str, tmp_path: P
 
 
 def test_a_damaged_cache_is_compiled_again_and_told(tmp_path: Path):
-    from gearlash import flow  # noqa: F401 - fills the cache
+    from gearlash import flow  # noqa: F401 - declares the kernels
 
-    shutil.copytree(cache_folder() / sources_hash()[:16], tmp_path / sources_hash()[:16])
-    (index,) = tmp_path.glob("*/*spectral_radius*.nbi")
-    index.write_bytes(index.read_bytes()[:-9])
+    compile_all(load_all())
+    shutil.copytree(version_folder(), tmp_path / version_folder().name)
+    for file in tmp_path.glob("*/*spectral_radius*.kernel"):
+        file.write_bytes(file.read_bytes()[:-9])
     env = {"GEARLASH_CACHE_DIR": str(tmp_path)}
     ran = process(*RUN, env=env)
     assert ran.returncode == 0

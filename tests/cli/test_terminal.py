@@ -5,12 +5,15 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from typing import cast
 
 import pytest
 
-from gearlash.cli.notice import compilation_told
+from gearlash._kernel import Kernel, compile_all, load_all
+from gearlash.cli.notice import load_engine
 from gearlash.cli.spelling import spelled
 from gearlash.cli.terminal import prepare_streams
+from gearlash.flow._cells import spectral_radius
 
 COMMAND = [sys.executable, "-c", "from gearlash.cli import main; main()"]
 
@@ -61,30 +64,31 @@ def test_standard_output_closed_from_the_start():
     assert (ran.returncode, ran.stderr) == (0, b"")
 
 
-def test_compiling_is_told_once_and_only_if_it_happens(capfd: pytest.CaptureFixture[str]):
-    import numba
-
+def test_compiling_is_told_once_and_only_if_it_happens(
+    capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+):
     prepare_streams()
-    with compilation_told():
-        pass
+    kernel = cast(Kernel, spectral_radius)
+    compile_all(load_all())
+    load_engine()
     assert capfd.readouterr().err == ""
-    with compilation_told():
-        numba.njit(lambda x: x + 1)(1)
-        numba.njit(lambda x: x + 2)(1)
+    missing = [[kernel], []]
+    monkeypatch.setattr("gearlash._kernel.load_all", lambda: missing.pop(0))
+    load_engine()
     told = capfd.readouterr()
     assert told.out == ""
-    assert told.err.count("compiling kernels, about 30 s, once") == 1
+    assert told.err.count("compiling kernels, about 15 s, once") == 1
     assert "compiled in" in told.err
+    load_engine()
+    assert capfd.readouterr().err == ""
 
 
 def test_compiling_without_a_folder_to_keep_it_says_so(
     capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ):
-    import numba
-
     monkeypatch.setenv("GEARLASH_CACHE_DIR", "/dev/null/nowhere")
-    with compilation_told():
-        numba.njit(lambda x: x + 3)(1)
+    monkeypatch.setattr("gearlash._kernel.load_all", lambda: [spectral_radius])
+    load_engine()
     text = " ".join(capfd.readouterr().err.split())
     assert "cannot be written, so every run will" in text
     assert "GEARLASH_CACHE_DIR" in text

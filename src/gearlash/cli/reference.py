@@ -35,7 +35,7 @@ ENVIRONMENT = """\
 | `NO_COLOR`, `TERM=dumb` | Print without colours. |
 
 - No folder for compiled kernels, or one that cannot be written (read-only home, full disk): every run
-  compiles, about 30 s, and says so. A cached kernel that is missing or damaged is compiled again. Kernels
+  compiles, about 15 s, and says so. A cached kernel that is missing or damaged is compiled again. Kernels
   of other versions go when those of a new one are stored and nothing has used them for 30 days.
 - `--out` names a file, or a place that cannot be written: exit code 2, before anything is computed.
 - The disk is full when results are written: they are still printed, each file is there whole or not at

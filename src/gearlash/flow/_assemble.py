@@ -5,9 +5,8 @@ They depend on load, error and gap, and are summed anew when one of those change
 from __future__ import annotations
 
 import numpy as np
-from numba import float64, int64, types
 
-from gearlash._kernel import inner, kernel
+from gearlash._kernel import ArrayOf, boolean, float64, inner, int64, kernel, void
 
 from ._series import cut_off, pressing
 from ._tables import CUBE, FREE, INTS, MUTABLE, NO_TENSION, ORDER, SHAPE, TERMS, Shape
@@ -50,9 +49,7 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, watched):
 
 
 @kernel(
-    types.void(
-        SHAPE, MUTABLE, int64, MUTABLE, CUBE, types.Array(float64, 4, "C"), INTS, INTS, types.boolean
-    ),
+    void(SHAPE, MUTABLE, int64, MUTABLE, CUBE, ArrayOf(float64, 4), INTS, INTS, boolean),
     allocates=True,
 )
 def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, all_columns):
@@ -122,7 +119,7 @@ def _margins(shape: Shape, memory, at, sides, u, out):
         move(out, 0, u, 0, p)
 
 
-@kernel(types.void(SHAPE, MUTABLE, int64, INTS), allocates=True)
+@kernel(void(SHAPE, MUTABLE, int64, INTS), allocates=True)
 def laps(shape: Shape, memory, at, sides):
     """Writes what proves a whole base period to be clear at once: the map over it, a motion in the
     region that (where it is stable) repeats itself, how far that one stays from its limits, and how far

@@ -8,9 +8,8 @@ vectors, and all are carried through the recurrence of a cell at once."""
 from __future__ import annotations
 
 import numpy as np
-from numba import float64, int64, types
 
-from gearlash._kernel import allocating, inner, kernel
+from gearlash._kernel import ArrayOf, Several, allocating, float64, inner, int64, kernel, void
 
 from ._remainder import eta_bounds, majorant
 from ._series import fill, fourier_taylor
@@ -22,7 +21,7 @@ EDGE, OFFSET, FORCED = 0, 1, 2  # kinds of unit input; the first two start from 
 _padded = inner(padded)
 
 
-@kernel(types.void(SHAPE, MUTABLE))
+@kernel(void(SHAPE, MUTABLE))
 def stiffness_series(shape: Shape, memory):
     """Fills `eta`: Taylor coefficients of η over every cell, for both sides of every clearance."""
     width, series = memory[shape.scalars + 2], 2 * shape.harmonics + 1
@@ -188,8 +187,8 @@ def _through_cells(
 
 
 @kernel(
-    types.UniTuple(float64, 2)(
-        SHAPE, MUTABLE, int64, MATRIX, MATRIX, MATRIX, MATRIX, INTS, TABLE, CUBE, types.Array(float64, 4, "C")
+    Several(float64, 2)(
+        SHAPE, MUTABLE, int64, MATRIX, MATRIX, MATRIX, MATRIX, INTS, TABLE, CUBE, ArrayOf(float64, 4)
     ),
     allocates=True,
 )
@@ -217,7 +216,7 @@ def respond(shape: Shape, memory, at, matrix, readers, actors, centres, sides, u
     return max(value, back), derived
 
 
-@kernel(float64(MATRIX, types.int64), allocates=True)
+@kernel(float64(MATRIX, int64), allocates=True)
 def spectral_radius(matrix, squarings):
     """Estimate of the largest |eigenvalue| as ‖A^(2^k)‖^(1/2^k), by plain loops so that it is the same
     everywhere."""

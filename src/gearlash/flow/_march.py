@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import float64, int64
 
-from gearlash._kernel import inner, kernel
+from gearlash._kernel import float64, inner, int64, kernel
 
 from ._exits import all_roots, ones
 from ._expand import carry_inside
@@ -179,7 +178,8 @@ def _carry(
         SHAPE, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE,
         MATRIX, CUBE_OF_INTS, MUTABLE, INTS, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE,
         MUTABLE, MUTABLE, MUTABLE, INTS,
-    )
+    ),
+    alone=True,
 )  # fmt: skip
 def run(
     shape: Shape, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold,
@@ -194,8 +194,8 @@ def run(
     ended. With sums (m), of one motion only, tangents are orthonormalised after each stretch. used[0] = -1
     records nothing, else piece, poly, event and state are filled (`Record`), of one motion. modes, on
     (clearances), position (6), progress (3), zero at first, let a call that returned `NEED_REGION` go on once
-    that region is built. The last seven are work space (`scratch`). One entry point: compiling each variant
-    apart would cost a new user half a minute."""
+    that region is built. The last seven are work space (`scratch`). One entry point: each variant would
+    have to be compiled for itself."""
     p, motions, stretches = shape.p, counts.shape[0], counts.shape[1]
     m = len(tangents) // (p * motions)
     ones(work)

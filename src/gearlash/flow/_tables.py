@@ -12,10 +12,12 @@ from __future__ import annotations
 
 from functools import cache
 from math import comb
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from gearlash._kernel import ArrayOf, Record, float64, int64
 
 Array = NDArray[Any]  # of float64, where nothing else is said
 
@@ -69,27 +71,14 @@ class Shape(NamedTuple):
     lag: int  # (clearances): h·c - edge - mean of e, zero wherever a centre can be had
 
 
-if TYPE_CHECKING:
-    SHAPE: Any
-    FLOATS: Any
-    MUTABLE: Any
-    MATRIX: Any
-    CUBE: Any
-    INTS: Any
-    CUBE_OF_INTS: Any
-    TABLE: Any
-else:
-    import numba
-    from numba import types
-
-    SHAPE = numba.typeof(Shape(*range(len(Shape._fields))))
-    FLOATS = types.Array(types.float64, 1, "C", readonly=True)
-    MUTABLE = types.float64[::1]
-    MATRIX = types.float64[:, ::1]
-    CUBE = types.Array(types.float64, 3, "C")
-    INTS = types.int64[::1]
-    CUBE_OF_INTS = types.int64[:, :, ::1]
-    TABLE = types.int64[:, ::1]
+SHAPE = Record(Shape)
+FLOATS = ArrayOf(float64, 1, writable=False)
+MUTABLE = ArrayOf(float64, 1)
+MATRIX = ArrayOf(float64, 2)
+CUBE = ArrayOf(float64, 3)
+INTS = ArrayOf(int64, 1)
+CUBE_OF_INTS = ArrayOf(int64, 3)
+TABLE = ArrayOf(int64, 2)
 
 
 def aligned(*sizes: int) -> list[Array]:

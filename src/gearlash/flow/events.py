@@ -40,11 +40,11 @@ class Events:
         clearance, boundary = kind[:, 0].astype(np.int64), kind[:, 1].astype(np.int64)
         engaging = kind[:, 2] == 1.0
         velocity, force = np.empty(len(phase)), np.empty(len(phase))
-        for j in np.unique(clearance):
+        for j in sorted(set(clearance.tolist())):  # np.unique would import masked arrays, 30 ms
             chosen = clearance == j
-            velocity[chosen] = gap_velocity(system, phase[chosen], state[chosen], int(j))
+            velocity[chosen] = gap_velocity(system, phase[chosen], state[chosen], j)
             force[chosen] = _event_force(
-                system, int(j), phase[chosen], state[chosen], velocity[chosen], boundary[chosen],
+                system, j, phase[chosen], state[chosen], velocity[chosen], boundary[chosen],
                 engaging[chosen],
             )  # fmt: skip
         return Events(phase, state, velocity, force, clearance, boundary, engaging)

@@ -6,7 +6,6 @@ import json
 import platform
 from importlib.metadata import PackageNotFoundError, version
 
-import numba
 import numpy as np
 
 from gearlash.case import Case
@@ -20,7 +19,7 @@ def provenance(model: Case | Family) -> dict[str, str]:
     own = {
         "gearlash_version": package_version(),
         "numpy_version": np.__version__,
-        "numba_version": numba.__version__,
+        "numba_version": version("numba"),
         "python_version": platform.python_version(),
     }
     if isinstance(model, Family):

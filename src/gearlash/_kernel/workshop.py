@@ -1,0 +1,76 @@
+"""Compiles kernels beside each other, in processes of their own: one for each that takes long, one for the
+rest. They hand them over through the cache."""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+import json
+import subprocess
+import sys
+from collections.abc import Iterable, Iterator
+from importlib import import_module
+
+from . import cache
+from .declare import KERNELS, Kernel
+
+PROGRAM = """
+import json, sys
+order = json.load(sys.stdin)
+sys.path[:] = order["path"]
+from importlib import import_module
+import_module(order["workshop"]).work(order["kernels"])
+"""
+
+
+def compile_beside(kernels: Iterable[Kernel]) -> None:
+    """Compiles these into the cache. What a process fails at is missing there afterwards; the caller compiles
+    it itself and meets the reason."""
+    if getattr(sys, "frozen", False) or not sys.executable:
+        return  # no Python to start
+    with contextlib.ExitStack() as running:
+        processes = [running.enter_context(_started(share)) for share in _shares(kernels)]
+        for process in processes:
+            process.wait()
+
+
+def _shares(kernels: Iterable[Kernel]) -> list[list[Kernel]]:
+    kernels = list(kernels)
+    shares = [[kernel] for kernel in kernels if kernel.alone]
+    return [share for share in (*shares, [kernel for kernel in kernels if not kernel.alone]) if share]
+
+
+@contextlib.contextmanager
+def _started(kernels: list[Kernel]) -> Iterator[subprocess.Popen[str]]:
+    """A process that compiles these; ended with the block."""
+    order = {
+        "path": sys.path,
+        "workshop": __name__,
+        "kernels": [(kernel.function.__module__, kernel.name) for kernel in kernels],
+    }
+    process = subprocess.Popen(
+        [sys.executable, "-c", PROGRAM],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    )
+    try:
+        assert process.stdin is not None
+        with contextlib.suppress(BrokenPipeError), process.stdin:
+            json.dump(order, process.stdin)
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+
+
+def work(order: list[tuple[str, str]]) -> None:
+    """What such a process does."""
+    gc.disable()  # a tenth of the time, and the process ends soon
+    from .compiling import compile_kernel
+
+    for module, name in order:
+        import_module(module)
+        code, _ = compile_kernel(KERNELS[name])
+        cache.write(name, code)
