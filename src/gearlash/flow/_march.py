@@ -117,7 +117,7 @@ def _strobe(shape: Shape, memory, slot_of, motion, row, strobes):
 
 
 @inner
-def _begin(shape: Shape, memory, slot_of, rules, motion, m, start, length, strobe, strobes, origin):
+def _begin(shape: Shape, memory, slot_of, rules, motion, m, start, length, strobes, origin):
     """Puts a motion at its start, or returns `NEED_REGION`."""
     u, modes, position = motion.u, motion.modes, motion.position
     cell = int(np.floor(start))
@@ -130,7 +130,7 @@ def _begin(shape: Shape, memory, slot_of, rules, motion, m, start, length, strob
         position[NEEDED] = region_code(modes)
         return NEED_REGION
     for i in range(shape.n):
-        strobes[strobe, i] = u[1 + i]
+        strobes[0, i] = u[1 + i]
     position[0], position[1], position[FRESH] = cell, s, 1.0
     add(-1.0, memory, slot + shape.centre, u, 0, shape.p)
     _inside(shape, memory, slot, motion, s, 0.0, u)
@@ -141,10 +141,10 @@ def _begin(shape: Shape, memory, slot_of, rules, motion, m, start, length, strob
 
 @inner
 def _carry(
-    shape: Shape, memory, slot_of, rules, motion, m, length, hold, strobe, strobes, counts, sums, progress,
-    record, origin,
+    shape: Shape, memory, slot_of, rules, motion, m, length, hold, strobes, counts, sums, progress, record,
+    origin,
 ):  # fmt: skip
-    """Carries a motion over the stretches that are left of it; strobes go to the rows behind ``strobe``."""
+    """Carries a motion over the stretches that are left of it."""
     position, n = motion.position, shape.n
     while progress[STRETCH] < len(counts):
         stretch = progress[STRETCH]
@@ -154,11 +154,14 @@ def _carry(
         )
         if outcome == NEED_REGION:
             return outcome
-        row = strobe + stretch + 1
+        row = stretch + 1
         _strobe(shape, memory, slot_of, motion, row, strobes)
         if outcome != OK:
             for i in range(n):
                 motion.u[1 + i] = strobes[row, i]
+            for later in range(row + 1, len(counts) + 1):
+                for i in range(n):
+                    strobes[later, i] = np.nan
             return outcome
         if len(sums) > 0:
             _orthonormalise(motion.tangents, m, shape.p, sums)
@@ -169,14 +172,14 @@ def _carry(
     slot = slot_place(shape, slot_of, motion.modes)
     _tangents_inside(shape, memory, slot, motion, m, 0.0, position[1], origin)
     for i in range(n):
-        motion.u[1 + i] = strobes[strobe + len(counts), i]
+        motion.u[1 + i] = strobes[len(counts), i]
     return OK
 
 
 @kernel(
     int64(
         SHAPE, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE,
-        MATRIX, CUBE_OF_INTS, MUTABLE, INTS, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE,
+        CUBE, CUBE_OF_INTS, MUTABLE, INTS, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE,
         MUTABLE, MUTABLE, MUTABLE, INTS,
     ),
     alone=True,
@@ -189,33 +192,33 @@ def run(
     """The one march: carries motions, one after the other, in place over stretches of `length` cells: of each
     u (p) = (1, z) and tangents (m·p) = (0, v), side by side in their arrays.
 
-    strobes (motions·(stretches+1), n) receives the states at every start and at the end, counts (motions,
+    strobes (motions, stretches+1, n) receives the states at every start and at the end (NaN where a motion
+    does not come), counts (motions,
     stretches, 4·clearances+1), zero at first, what happened in each stretch, outcomes (motions) how each
     ended. With sums (m), of one motion only, tangents are orthonormalised after each stretch. used[0] = -1
     records nothing, else piece, poly, event and state are filled (`Record`), of one motion. modes, on
     (clearances), position (6), progress (3), zero at first, let a call that returned `NEED_REGION` go on once
     that region is built. The last seven are work space (`scratch`). One entry point: each variant would
     have to be compiled for itself."""
-    p, motions, stretches = shape.p, counts.shape[0], counts.shape[1]
+    p, motions = shape.p, len(counts)
     m = len(tangents) // (p * motions)
     ones(work)
     record = Record(used, piece, poly, event, state)
     while progress[MOTION] < motions:
         which = progress[MOTION]
-        strobe = which * (stretches + 1)
         motion = Motion(
             u[which * p : (which + 1) * p], tangents[which * m * p : (which + 1) * m * p], modes, position,
             work, moved, zc, series, factors, sides, on,
         )  # fmt: skip
         if progress[STARTED] == 0:
             outcome = _begin(
-                shape, memory, slot_of, rules, motion, m, start, length, strobe, strobes, origin
+                shape, memory, slot_of, rules, motion, m, start, length, strobes[which], origin
             )
             if outcome != OK:
                 return outcome
             progress[STARTED], progress[STRETCH] = 1, 0
         outcome = _carry(
-            shape, memory, slot_of, rules, motion, m, length, hold, strobe, strobes, counts[which], sums,
+            shape, memory, slot_of, rules, motion, m, length, hold, strobes[which], counts[which], sums,
             progress, record, origin,
         )  # fmt: skip
         if outcome == NEED_REGION:

@@ -10,7 +10,7 @@ from ._exits import NONE, first_exit, polish
 from ._glance import AGAIN, CLEAR, ONCE, UNSURE, farthest, glance, leaving
 from ._series import cut_off, fourier_value, polynomial, pressing
 from ._tables import FREE, MINUS, NO_TENSION, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Shape
-from ._vector import linear, multiple, weigh
+from ._vector import all_over, all_under, linear, multiple, weigh
 from ._work import BUFFER, GAPS, ONES, SURFACE
 
 ROUNDING = 32.0 * UNIT_ROUNDING  # of a boundary's place
@@ -29,6 +29,20 @@ def gap_series(shape: Shape, memory, slot, cell, c, u, work):
 def _inward(mode, boundary):
     """The sign of X - place on the side of a boundary on which a mode is."""
     return float(-boundary if mode == FREE else boundary)
+
+
+@inlined
+def stays(shape: Shape, memory, slot, cell, c, mode, u, moved):
+    """Whether clearance c is proved at a glance to keep its mode through a whole cell."""
+    near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
+    first = shape.p + TERMS * c
+    if mode == FREE:
+        near += ROUNDING * memory[shape.reach + c]
+        plus, minus = memory[shape.gaps + 4 * c], memory[shape.gaps + 4 * c + 1]
+        return all_under(moved, first, plus - near) and all_over(moved, first, near - minus)
+    if mode == PLUS:
+        return all_over(moved, first, near)
+    return mode == MINUS and all_under(moved, first, -near)
 
 
 @inlined

@@ -17,7 +17,7 @@ from gearlash._kernel import inlined, inner
 from ._exits import NONE
 from ._expand import carry_inside, expand
 from ._glance import AGAIN, CLEAR, UNSURE
-from ._surfaces import next_exit, one_crossing, outlook
+from ._surfaces import next_exit, one_crossing, outlook, stays
 from ._switch import region_code, side_of, switch_state, switch_tangent
 from ._tables import FREE, MINUS, ORDER, OVER_MINUS, OVER_PLUS, PLUS, Array, Shape
 from ._vector import add, linear, move, weigh
@@ -109,25 +109,25 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
             break  # the last cell was proved to be clear, its end too
         end = s if arriving else (1.0 if cell < stop_cell else stop_s)
         if end == 1.0 and (whole or not (keep or (hold[2] < cell + 1.0 and hold[3] > cell))):
-            if k == 0 and s == 0.0 and whole and cell + cells <= stop_cell:
-                if _lap(shape, memory, slot, modes, u, moved):
-                    _leap(shape, memory, slot + shape.lap, p, u, motion.tangents, m, moved)
-                    cell, proved = cell + cells, True
+            if s == 0.0:
+                left = stop_cell - cell if whole else 1
+                passed, k = _over_clear_cells(shape, memory, slot, motion, m, k, left, whole)
+                if passed > 0:
+                    cell, proved = cell + passed, True
+                if passed == left:
                     continue
-            step = slot + shape.step + k * (1 + shape.n) * shape.rows
-            linear(memory, step, shape.rows, shape.rows, 1 + shape.n, u, 0, moved, 0)
-            verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion)
-            if verdict == CLEAR:
-                move(moved, 0, u, 0, p)
-                if m > 0:
+                verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion)
+            else:
+                step = slot + shape.step + k * (1 + shape.n) * shape.rows
+                linear(memory, step, shape.rows, shape.rows, 1 + shape.n, u, 0, moved, 0)
+                verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion)
+                if verdict == CLEAR:
+                    move(moved, 0, u, 0, p)
                     _tangents_on(shape, memory, step, shape.rows, motion.tangents, m, moved)
-                if s != 0.0:
-                    s = 0.0
                     _leave_behind(motion)
-                cell += 1
-                k = k + 1 if k + 1 < cells else 0
-                proved = True
-                continue
+                    cell, s, proved = cell + 1, 0.0, True
+                    k = k + 1 if k + 1 < cells else 0
+                    continue
             at = NONE
             if verdict == AGAIN or (verdict != UNSURE and s == 0.0):
                 at = one_crossing(
@@ -170,6 +170,32 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
         _leave_behind(motion)
     motion.position[0], motion.position[1] = cell, s
     return OK if _bounded(u, p) else DIVERGED
+
+
+@inlined
+def _over_clear_cells(shape: Shape, memory, slot, motion, m, k, left, laps):
+    """Carries a motion over cells that are proved to be clear, from cell k and ``left`` of them at the most,
+    whole base periods at once if it may (``laps``). Returns their number and the cell behind them; of that
+    one `moved` holds what the table `step` makes of u, if one is left."""
+    u, moved, cells, passed = motion.u, motion.moved, shape.cells, 0
+    while passed < left:
+        if k == 0 and laps and passed + cells <= left and _lap(shape, memory, slot, motion.modes, u, moved):
+            _leap(shape, memory, slot + shape.lap, shape.p, u, motion.tangents, m, moved)
+            passed += cells
+            continue
+        step = slot + shape.step + k * (1 + shape.n) * shape.rows
+        linear(memory, step, shape.rows, shape.rows, 1 + shape.n, u, 0, moved, 0)
+        clear = True
+        for c in range(shape.clearances):
+            clear = clear and stays(shape, memory, slot, k, c, motion.modes[c], u, moved)
+        if not clear:
+            break
+        move(moved, 0, u, 0, shape.p)
+        if m > 0:
+            _tangents_on(shape, memory, step, shape.rows, motion.tangents, m, moved)
+        passed += 1
+        k = k + 1 if k + 1 < cells else 0
+    return passed, k
 
 
 @inner

@@ -7,6 +7,7 @@ from collections import namedtuple
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import floor
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -137,28 +138,36 @@ def march_many(
 def _march_part(props: Propagators, states: Array, stretches: int, stretch: int) -> ManyStrobes:
     """All on this thread, in calls of the same length as those of `march`."""
     count = len(states)
-    kept = np.full((stretches + 1, count, states.shape[1]), np.nan)
-    contacts = np.zeros((stretches, count, _columns(props)), dtype=np.int64)
-    kept[0] = states
+    kept = np.empty((count, stretches + 1, states.shape[1]))
+    contacts = np.zeros((count, stretches, _columns(props)), dtype=np.int64)
+    kept[:, 0] = states
     outcomes, done, block = np.zeros(count, dtype=np.int64), 0, _block(props, stretch)
     while done < stretches:
         block = min(block, stretches - done)
         together = max(1, TOGETHER // (block * stretch))
-        going = np.flatnonzero(outcomes == OK)
-        for some in np.split(going, range(together, len(going), together)):
-            part = np.ascontiguousarray(states[some])
-            ended, strobes, counts = _run_all(props, part, 0.0, float(stretch * props.cells), block)
-            rows = strobes.reshape(len(some), block + 1, -1)
-            kept[done + 1 : done + block + 1, some] = rows[:, 1:].swapaxes(0, 1)
-            contacts[done : done + block, some] = counts.swapaxes(0, 1)
-            states[some], outcomes[some] = part, ended
+        kept[outcomes != OK, done + 1 : done + block + 1] = np.nan
+        for motions in _groups(np.flatnonzero(outcomes == OK), together):
+            part, at_once = states[motions], block == stretches
+            rows = kept[motions] if at_once else np.empty((len(part), block + 1, part.shape[1]))
+            counts = contacts[motions] if at_once else np.zeros((len(part), block, _columns(props)), np.int64)
+            outcomes[motions] = _run_all(props, part, 0.0, float(stretch * props.cells), rows, counts)
+            states[motions] = part
+            if not at_once:
+                kept[motions, done + 1 : done + block + 1] = rows[:, 1:]
+                contacts[motions, done : done + block] = counts
         done += block
-    doubts = contacts[..., -1].sum(axis=0)
+    doubts = contacts[..., -1].sum(axis=1)
     statuses = tuple(
         Status.UNCERTAIN if outcome == OK and doubt else _STATUS[int(outcome)]
         for outcome, doubt in zip(outcomes, doubts, strict=True)
     )
-    return ManyStrobes(kept, contacts[..., :-1], doubts, statuses)
+    return ManyStrobes(kept.swapaxes(0, 1), contacts[..., :-1].swapaxes(0, 1), doubts, statuses)
+
+
+def _groups(going: Array, size: int) -> list[Any]:
+    """Numbers of motions, so many together: as slices where they follow each other (no copy is made)."""
+    parts = [going[i : i + size] for i in range(0, len(going), size)]
+    return [slice(p[0], p[-1] + 1) if p[-1] - p[0] + 1 == len(p) else p for p in parts]
 
 
 def carry(
@@ -267,10 +276,12 @@ def _run(
 ) -> tuple[Status, Array, Array]:
     """`_run_all` of one motion: state (n,) and the rows of tangents (m, n) are carried in place. Returns its
     status, strobes (stretches+1, n) and counts (stretches, columns)."""
-    outcomes, strobes, counts = _run_all(
-        props, state[None], start, length, stretches, tangents, sums, _hold(props, hold, base), record
+    strobes = np.empty((1, stretches + 1, len(state)))
+    counts = np.zeros((1, stretches, _columns(props)), dtype=np.int64)
+    outcomes = _run_all(
+        props, state[None], start, length, strobes, counts, tangents, sums, _hold(props, hold, base), record
     )
-    return _STATUS[int(outcomes[0])], strobes, counts[0]
+    return _STATUS[int(outcomes[0])], strobes[0], counts[0]
 
 
 def _run_all(
@@ -278,19 +289,18 @@ def _run_all(
     states: Array,
     start: float,
     length: float,
-    stretches: int,
+    strobes: Array,
+    counts: Array,
     tangents: Array | None = None,
     sums: Array | None = None,
     hold: Array | None = None,
     record: _Record | None = None,
-) -> tuple[Array, Array, Array]:
+) -> Array:
     """Calls the kernel: states (motions, n), and of one motion the rows of tangents (m, n), are carried in
-    place. Where a motion comes to a region without tables, they are built, and it goes on. Returns outcomes
-    (motions,), strobes (motions·(stretches+1), n) and counts (motions, stretches, columns)."""
+    place, strobes (motions, stretches+1, n) written, counts (motions, stretches, columns) added to. Where a
+    motion comes to a region without tables, they are built, and it goes on. Returns outcomes (motions,)."""
     shape, (motions, n) = props.shape, states.shape
     p, room = shape.p, _room(shape)
-    strobes = np.full((motions * (stretches + 1), n), np.nan)  # what is not reached stays NaN
-    counts = np.zeros((motions, stretches, _columns(props)), dtype=np.int64)
     count = 0 if tangents is None else len(tangents)
     u, flat = aligned(motions * p, count * p)
     starts = u.reshape(motions, p)
@@ -313,7 +323,7 @@ def _run_all(
     states[:] = starts[:, 1 : 1 + n]
     if tangents is not None:
         tangents[:] = frame[:, 1 : 1 + n]
-    return outcomes, strobes, counts
+    return outcomes
 
 
 class _Room:
