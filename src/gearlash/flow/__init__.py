@@ -1,6 +1,7 @@
 """The exact flow: cell propagators, contact events, marching, variational flow."""
 
 from .events import Events, Extrema, Samples, Trace
+from .growth import Growth, growth
 from .march import Carried, Hold, Strobes, carry, march, orthonormal_growth, trace, variational
 from .propagators import Propagators, propagators
 
@@ -8,12 +9,14 @@ __all__ = [
     "Carried",
     "Events",
     "Extrema",
+    "Growth",
     "Hold",
     "Propagators",
     "Samples",
     "Strobes",
     "Trace",
     "carry",
+    "growth",
     "march",
     "orthonormal_growth",
     "propagators",
