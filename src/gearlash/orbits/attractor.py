@@ -40,9 +40,9 @@ FIRST = 96  # base periods before the first attempt: most motions are near their
 DOUBLING = 500  # base periods up to which each attempt waits for twice as long as the one before
 NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
 STEADY, GROWTH = 0.02, 0.25  # change of size from half to half of a quasi-periodic, of a chaotic motion
-FOLDS = 75.0  # growth, in powers of e, of neighbours of a motion that is called chaotic: twice what can happen
+FOLDS = 120.0  # growth, in powers of e, of neighbours of a motion that is called chaotic: three times what can happen
 # while a motion leaves, from within rounding, an unstable orbit; and most chaotic transients end before
-LONG = 4  # times `exponent_periods`: then an exponent above zero by two error bars is enough
+LONG = 4  # times `exponent_periods`, then even slow growth is long enough
 REPELLED = np.log(10.0)  # neighbours that grow so much in a period are not near a stable orbit of it
 FAR = 0.1  # the best return is worth one up to here
 REACH = 0.3  # of the motion's size: Newton's first step to an orbit that a motion approaches is shorter
@@ -98,12 +98,12 @@ class _Search:
             status = self.motion.march(block)
             if status not in MOVING:
                 return self.unresolved(status, "the motion could not be carried on", NOTHING)
-            found = self.newton()
+            found, last = self.newton(), self.motion.used >= self.settings.budget
             if found is None and self.motion.used >= self.settings.patience:
-                found = self.aperiodic()
+                found = self.aperiodic(last)
             if found is not None:
                 return found
-            if self.motion.used >= self.settings.budget:
+            if last:
                 return self.give_up()
             self.motion.watch()
             block = self.block()
@@ -250,7 +250,7 @@ class _Search:
         apart = np.abs(states[:, None] - points[None]).max(axis=2)
         return float(apart.min(axis=1).max())
 
-    def aperiodic(self) -> Attractor | None:
+    def aperiodic(self, last: bool) -> Attractor | None:
         """The motion as aperiodic: if its largest exponent is above zero, or if it is zero (quasi-periodic).
         Either way the motion must be seen to persist without closing: one that leaves an unstable orbit has
         an exponent above zero too."""
@@ -258,7 +258,7 @@ class _Search:
         if found is None:
             return None
         text = f"largest exponent {found.value:.2e} ± {found.error:.0e} over {found.periods} periods"
-        if self.grows(found) and self.persists(GROWTH):
+        if self.grows(found, last) and self.persists(GROWTH):
             return self.settled(f"aperiodic: {text}", found)
         if self.is_zero(found) and self.persists(STEADY):
             longer = self.longer()
@@ -268,12 +268,13 @@ class _Search:
             return self.settled(told, found)
         return None
 
-    def grows(self, found: Average) -> bool:
-        """Whether the exponent is above zero for sure, and for long enough."""
-        if found.periods >= LONG * self.settings.exponent_periods:
-            return found.value > 2.0 * found.error
-        folds = found.value * found.periods * self.props.system.period
-        return found.value * self.settings.precision > found.error and folds >= FOLDS
+    def grows(self, found: Average, last: bool) -> bool:
+        """Whether the exponent is above zero for sure, and for long enough. What grows too slowly for that,
+        or was not settled until the `last` period, is content with two error bars."""
+        slow = found.value * found.periods * self.props.system.period < FOLDS
+        if slow and not last and found.periods < LONG * self.settings.exponent_periods:
+            return False
+        return found.value > found.error * (2.0 if slow or last else 1.0 / self.settings.precision)
 
     def is_zero(self, found: Average) -> bool:
         return found.periods >= self.settings.exponent_periods and abs(found.value) <= 2.0 * found.error
