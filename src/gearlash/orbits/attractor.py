@@ -277,7 +277,10 @@ class _Search:
         return found.value > found.error * (2.0 if slow or last else 1.0 / self.settings.precision)
 
     def is_zero(self, found: Average) -> bool:
-        return found.periods >= self.settings.exponent_periods and abs(found.value) <= 2.0 * found.error
+        """Within its bar, and what the two ends of the average may change it by."""
+        enough = found.periods >= self.settings.exponent_periods
+        ends = 1.0 / (found.periods * self.props.system.period)
+        return enough and abs(found.value) <= 2.0 * found.error + ends
 
     def persists(self, within: float) -> bool:
         return self.motion.persists(within, self.settings.max_period)

@@ -15,7 +15,7 @@ from gearlash.system import Status
 Array = NDArray[np.float64]
 
 STRETCH = 24  # base periods, at least, over which one growth is recorded
-STRETCHES = 8  # of one march, at most about
+STRETCHES = 48  # of the whole motion, at most about
 SETTLE = 6  # one part in so many of the record, its first, is left to settle
 STUDENT = {20: 2.093, 10: 2.262}  # batches → 95 % two-sided, one degree of freedom less
 STILL = 1e-6  # size of σ_t, of the state, below which a motion is as good as an orbit
@@ -63,7 +63,7 @@ class Wandering:
         if self._tangent is None:
             new = flow.march(self.props, self.state, periods)
         else:
-            stretch = max(STRETCH, periods // STRETCHES)
+            stretch = max(STRETCH, (self.used + periods) // STRETCHES)
             new = flow.growth(self.props, self.state, self._tangent, periods, stretch)
             self._tangent = new.tangent
             self._logs = np.concatenate([self._logs, new.logarithms])
@@ -87,19 +87,20 @@ class Wandering:
         """The largest exponent from all of the record but its first part; None while it is too short."""
         ends = np.concatenate([[0], np.cumsum(self._lengths)])
         first = int(np.searchsorted(ends, ends[-1] / SETTLE))
-        for parts in STUDENT:
+        for parts, student in STUDENT.items():
             cuts = np.unique(np.searchsorted(ends, np.linspace(ends[first], ends[-1], parts + 1)))
             if len(cuts) == parts + 1:
-                return self._average(ends, cuts)
-        return None
-
-    def _average(self, ends: NDArray[np.int64], cuts: NDArray[np.int64]) -> Average:
-        parts = len(cuts) - 1
-        sums, lengths = np.concatenate([[0.0], np.cumsum(self._logs)])[cuts], ends[cuts]
-        rates = np.diff(sums) / np.diff(lengths) / self.props.system.period
-        periods = int(lengths[-1] - lengths[0])
-        value = float(sums[-1] - sums[0]) / (periods * self.props.system.period)
-        return Average(value, float(STUDENT[parts] * rates.std(ddof=1)) / parts**0.5, periods)
+                break
+        else:
+            return None
+        lengths = np.diff(ends[cuts])
+        sums = np.diff(np.concatenate([[0.0], np.cumsum(self._logs)])[cuts])
+        periods = int(lengths.sum())
+        mean = float(sums.sum()) / periods
+        apart = sums - mean * lengths  # batches are of about the same length only
+        error = student * float(np.sqrt((apart**2).sum() * parts / (parts - 1))) / periods
+        duration = self.props.system.period
+        return Average(mean / duration, error / duration, periods)
 
     def growth(self, periods: int) -> float:
         """Logarithm of the growth over ``periods``, on the average of the last two times as many (but no
