@@ -200,21 +200,21 @@ PROOFS = (
         _PARTS,
     ),
     Mutant(
-        "clear above without its bound",
-        "if all_over(moved, first, place + near):",
-        "if all_over(moved, first, place):",
+        "clear in the gap without its bound",
+        "return all_under(moved, first, plus - near) and all_over(moved, first, near - minus)",
+        "return all_under(moved, first, plus) and all_over(moved, first, -minus)",
         _ROUNDING,
     ),
     Mutant(
-        "clear below without its bound",
-        "if all_under(moved, first, place - near):",
-        "if all_under(moved, first, place):",
+        "clear in contact + without its bound",
+        "return all_over(moved, first, near)",
+        "return all_over(moved, first, 0.0)",
         _ROUNDING,
     ),
     Mutant(
         "clear of the wrong boundary",
-        "gap = memory[shape.gaps + 4 * c + (0 if boundary > 0 else 1)]",
-        "gap = memory[shape.gaps + 4 * c + (1 if boundary > 0 else 0)]",
+        "plus, minus = memory[shape.gaps + 4 * c],",
+        "plus, minus = memory[shape.gaps + 4 * c + 1],",
         _CELL_END,
     ),
     Mutant(
@@ -232,7 +232,7 @@ PROOFS = (
     Mutant(
         "two changes taken for one",
         "return THERE_AND_BACK if _two_changes(inside, beyond) else UNSURE",
-        "return CLEAR",
+        "return ONCE",
         _TOUCH,
     ),
     Mutant(

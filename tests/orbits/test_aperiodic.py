@@ -182,3 +182,40 @@ def test_budget_is_kept_about():
     )
     assert found.periods_used <= 3_000 + 2_000 + 2 * 1_024 + 4 * 500
     assert found.periods_used >= 500
+
+
+@pytest.mark.parametrize("away", [0.0, 1e-6, 2e-6, 3e-6])
+def test_patience_outlasts_a_chaotic_transient(away):
+    """Some 2,500 periods of chaos on the average, with an exponent like any other, end in 6-4-2."""
+    family, values = one_dof(), {"omega": 1.12, "D": 0.82, "error": 0.37}
+    props, start = built(family, **values), family.start(values) + away
+    assert attractor(props, start, Settings(patience=40_000, budget=60_000)).label == "6-4-2"
+    short = attractor(props, start)
+    assert short.label in ("6-4-2", "aperiodic")
+    assert short.periods_used < 40_000
+
+
+def test_no_motion_is_called_aperiodic_before_patience():
+    props, start = built(article(), omega=0.78, D=0.3), article().start({"D": 0.3})
+    for patience in (200, 700, 1_700):
+        found = attractor(props, start, Settings(patience=patience))
+        assert type(found) is Aperiodic
+        assert patience <= found.periods_used
+
+
+def test_precision_sharpens_the_exponent():
+    """Asked for a smaller bar, it is, and both averages agree."""
+    props, start = built(article(), omega=0.78, D=0.3), article().start({"D": 0.3})
+    rough, sharp = attractor(props, start), attractor(props, start, Settings(precision=0.07))
+    assert type(rough) is type(sharp) is Aperiodic
+    assert sharp.exponent_error <= 0.07 * sharp.largest_exponent
+    assert sharp.exponent_error < rough.exponent_error <= rough.largest_exponent / 3.0
+    assert sharp.periods_used > rough.periods_used
+    assert abs(rough.largest_exponent - sharp.largest_exponent) <= rough.exponent_error + sharp.exponent_error
+
+
+@pytest.mark.parametrize(("family", "place"), CHAOS, ids=NAMES)
+def test_the_exponent_of_a_search_is_that_of_a_long_average(family, place):
+    found = cold(family(), **place)
+    long = lyapunov(found.propagators, found.final_state, 12_000, count=1)
+    assert abs(found.largest_exponent - long.values[0]) <= found.exponent_error + long.errors[0]

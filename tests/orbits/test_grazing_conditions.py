@@ -16,7 +16,7 @@ PLACES = [
     (article, {"omega": 0.83}),
     (article, {"omega": 0.78, "D": 0.39}),
     (article, {"omega": 0.78, "D": 0.375}),
-    (one_dof, {"omega": 1.02, "D": 0.7, "error": 0.3}),
+    (one_dof, {"omega": 1.39, "D": 0.61, "error": 0.36}),
 ]
 NAMES = [f"{family.__name__}-{'-'.join(map(str, place.values()))}" for family, place in PLACES]
 

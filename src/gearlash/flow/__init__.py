@@ -1,6 +1,7 @@
 """The exact flow: cell propagators, contact events, marching, variational flow."""
 
 from .events import Events, Extrema, Samples, Trace
+from .growth import Growth, growth
 from .march import (
     Carried,
     Hold,
@@ -19,6 +20,7 @@ __all__ = [
     "Carried",
     "Events",
     "Extrema",
+    "Growth",
     "Hold",
     "ManyStrobes",
     "Propagators",
@@ -26,6 +28,7 @@ __all__ = [
     "Strobes",
     "Trace",
     "carry",
+    "growth",
     "march",
     "march_many",
     "orthonormal_growth",

@@ -16,7 +16,7 @@ from gearlash._kernel import inlined, inner
 
 from ._exits import NONE
 from ._expand import carry_inside, expand
-from ._glance import AGAIN, CLEAR, UNSURE
+from ._glance import AGAIN, CLEAR, ONCE, THERE_AND_BACK, UNSURE
 from ._surfaces import next_exit, one_crossing, outlook, stays
 from ._switch import region_code, side_of, switch_state, switch_tangent
 from ._tables import FREE, MINUS, ORDER, OVER_MINUS, OVER_PLUS, PLUS, Array, Shape
@@ -129,7 +129,7 @@ def walk(shape: Shape, memory, slot_of, rules, motion, m, stop_cell, stop_s, hol
                     k = k + 1 if k + 1 < cells else 0
                     continue
             at = NONE
-            if verdict == AGAIN or (verdict != UNSURE and s == 0.0):
+            if verdict == AGAIN or (s == 0.0 and verdict in (ONCE, THERE_AND_BACK)):
                 at = one_crossing(
                     shape, memory, slot, k, which, modes[which], boundary, verdict, s, u, moved, motion.work
                 )

@@ -5,15 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
-from gearlash.flow import Propagators, Strobes
+from gearlash.flow import Propagators
+from gearlash.flow.march import start_state
 from gearlash.system import Status, System
 
-from .lyapunov import Exponents, lyapunov
 from .results import Aperiodic, Attractor, Orbit, Unresolved
 from .shooting import TOLERANCE, Shot, minimal, shoot
+from .wandering import SETTLE, STRETCH, Average, Wandering
 
 Array = NDArray[np.float64]
 
@@ -21,29 +23,39 @@ Array = NDArray[np.float64]
 @dataclass(frozen=True)
 class Settings:
     """``max_period`` (base periods) up to which orbits are looked for; ``budget`` of base periods for the
-    transient; ``patience``: base periods after which a motion without a periodic orbit is asked for its
-    exponent, averaged over ``exponent_periods``; where that does not settle it, it is asked again after twice
-    as long, and over twice as many."""
+    whole search; ``patience``: base periods before which no motion is called aperiodic. It then is, if it
+    persists, and its exponent stands above zero by 1/``precision`` of its error bar and for long enough
+    (chaos), or is zero within its bar, averaged over ``exponent_periods`` at least (quasi-periodic). Where
+    neither settles it, it is asked again after half as long again, over all of the motion."""
 
     max_period: int = 64
     budget: int = 20_000
     patience: int = 1_000
-    exponent_periods: int = 1_500
+    exponent_periods: int = 1_000
+    precision: float = 1.0 / 3.0
 
 
 DEFAULT = Settings()
-FIRST = 24  # base periods before the first attempt
+FIRST = 96  # base periods before the first attempt: most motions are near their orbit then
+DOUBLING = 500  # base periods up to which each attempt waits for twice as long as the one before
 NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
-WINDOW = 1_024  # base periods of each window that a persistent motion is compared in
-STEADY, GROWTH = 0.02, 0.25  # change of size from window to window of a quasi-periodic, of a chaotic motion
-STILL = 1e-6  # size of σ_t, of the state, below which a motion is as good as an orbit
+STEADY, GROWTH = 0.02, 0.25  # change of size from half to half of a quasi-periodic, of a chaotic motion
+FOLDS = 120.0  # growth, in powers of e, of neighbours of a motion that is called chaotic: three times what can happen
+# while a motion leaves, from within rounding, an unstable orbit; and most chaotic transients end before
+LONG = 4  # times `exponent_periods`, then even slow growth is long enough
+REPELLED = np.log(10.0)  # neighbours that grow so much in a period are not near a stable orbit of it
 FAR = 0.1  # the best return is worth one up to here
+REACH = 0.3  # of the motion's size: Newton's first step to an orbit that a motion approaches is shorter
 SLOW = 1e-2  # a return this close that Newton cannot use is asked at half its period too: beside a doubling
 CAPTURED = (
     1e-3  # a motion so close to a stable orbit (of the motion's size), and closing in, will not leave it
 )
+MOVING = (Status.OK, Status.UNCERTAIN)
+NOTHING = Average(np.nan, np.nan, 0)
+AT_ONCE = 128  # base periods marched at once, where several of these look-backs will be needed
 CLOSER = 6  # times running that one farther away must come closer; by chance it does so once in 6! = 720
 BRANCH = (1e-4, 1e-3, 1e-2, 3e-2, 0.1)  # steps along the critical direction, in units of the motion's size
+LAST = 32  # states whose returns are looked at before all are
 
 
 def attractor(
@@ -60,7 +72,7 @@ def attractor(
     approach it; a slow transient therefore goes on, and is neither called periodic with a wrong P nor
     aperiodic."""
     props = flow.propagators(system) if isinstance(system, System) else system
-    search = _Search(props, settings, flow.march(props, start, 0).states[0])
+    search = _Search(props, settings, start_state(start, props.system.size))
     if trial is not None:
         found = search.attempt(np.asarray(trial[0], dtype=np.float64), trial[1])
         if found is not None and found.stable:
@@ -72,54 +84,72 @@ class _Search:
     """One search: the motion so far, and the attempts made on it."""
 
     def __init__(self, props: Propagators, settings: Settings, start: Array):
-        self.props, self.settings, self.state = props, settings, start
-        self.used = self.undecided = 0
-        self.strobes = start[None]
+        self.props, self.settings = props, settings
+        self.motion = Wandering(props, start)
+        self.sized = -1, 0.0  # when the size was taken, and it
+        self.failed: dict[int, float] = {}  # period → its return when it was last looked at
+        averaged = settings.exponent_periods
+        quiet = averaged + averaged // (SETTLE - 1) + FIRST + 2 * STRETCH
+        self.places = settings.patience, max(settings.patience, quiet)  # to ask at, if near
 
     def run(self) -> Attractor:
-        block, ask, average = FIRST, self.settings.patience, self.settings.exponent_periods
+        block = FIRST
         while True:
-            progress = self.march(block)
-            if progress.status not in (Status.OK, Status.UNCERTAIN):
-                return self.unresolved(progress.status, "the motion could not be carried on", np.nan, np.nan)
-            found = self.newton()
+            status = self.motion.march(block)
+            if status not in MOVING:
+                return self.unresolved(status, "the motion could not be carried on", NOTHING)
+            found, last = self.newton(), self.motion.used >= self.settings.budget
+            if found is None and self.motion.used >= self.settings.patience:
+                found = self.aperiodic(last)
             if found is not None:
                 return found
-            if self.used >= ask:
-                aperiodic = self.aperiodic(average, again=average > self.settings.exponent_periods)
-                if aperiodic is not None:
-                    return aperiodic
-                ask, average = 2 * self.used, 2 * average
-            if self.used >= self.settings.budget:
+            if last:
                 return self.give_up()
-            block = min(2 * block, 2_000, max(1, self.settings.budget - self.used))
+            self.motion.watch()
+            block = self.block()
 
-    def march(self, periods: int) -> Strobes:
-        progress = flow.march(self.props, self.state, periods)
-        keep = 2 * self.settings.max_period + 2
-        self.strobes = np.concatenate([self.strobes[:-1], progress.states])[-keep:]
-        self.state = self.strobes[-1]
-        self.used += periods
-        self.undecided += progress.undecided
-        return progress
+    def block(self) -> int:
+        """Base periods until the next attempt."""
+        used, settings = self.motion.used, self.settings
+        block = used if used < DOUBLING else used // 2
+        for place in self.places:
+            if used < place < used + 1.3 * block:
+                block = place - used
+                break
+        return max(1, min(block, settings.budget - used))
+
+    @property
+    def strobes(self) -> Array:
+        """The last of the states."""
+        return self.motion.states[-(2 * self.settings.max_period + 2) :]
+
+    @property
+    def state(self) -> Array:
+        return self.motion.state
 
     @property
     def size(self) -> float:
         """Size of the motion on σ_t: the unit for "near"."""
-        return max(
-            float(np.ptp(self.strobes, axis=0).max()), 1e-3 * max(1.0, float(np.abs(self.strobes).max()))
-        )
+        if self.sized[0] != self.motion.used:
+            high, low = self.strobes.max(axis=0), self.strobes.min(axis=0)
+            scale = max(1.0, float(high.max()), -float(low.min()))
+            self.sized = self.motion.used, max(float((high - low).max()), 1e-3 * scale)
+        return self.sized[1]
 
     def newton(self) -> Orbit | None:
-        """Tries the most promising periods: the least that nearly returns, and the one that returns best."""
+        """Tries the most promising periods: the least that nearly returns, and the one that returns best;
+        one that failed, again only where it
+        returns closer than it did then."""
         for period in self.candidates():
-            found = self.solved(period)
+            before, self.failed[period] = self.failed.get(period, np.inf), self.gap(period)
+            found = self.solved(period) if self.failed[period] < before else None
             if found is not None:
                 return found
         return None
 
     def solved(self, period: int) -> Orbit | None:
-        shot = shoot(self.props, self.state, period, iterations=8, patient=False)
+        reach = max(REACH * self.size, self.gap(period))
+        shot = shoot(self.props, self.state, period, iterations=8, reach=reach)
         if shot.residual <= TOLERANCE:
             return self.accept(minimal(self.props, shot))
         # Beside a doubling Newton's matrix is all but singular for the doubled period, not for the single
@@ -140,7 +170,7 @@ class _Search:
         chosen = ([int(near[0]) + 1] if len(near) else []) + (
             [best] if returns[best - 1] < FAR * self.size else []
         )
-        return list(dict.fromkeys(chosen))
+        return [p for p in dict.fromkeys(chosen) if self.motion.growth(p) < REPELLED]
 
     def attempt(self, state: Array, period: int) -> Orbit | None:
         """A neighbour's orbit as a first guess, without a transient; None if it is no longer stable."""
@@ -164,7 +194,7 @@ class _Search:
     def orbit(self, shot: Shot) -> Orbit:
         doubt = "" if shot.status is Status.OK else " (a contact lies within rounding of touching)"
         message = f"periodic, residual {shot.residual:.1e}, least period {shot.period}{doubt}"
-        return Orbit(self.props, shot, self.used, shot.status, message)
+        return Orbit(self.props, shot, self.motion.used, shot.status, message)
 
     def doubled(self, shot: Shot) -> Orbit | None:
         """Newton for twice the period from steps along the direction of the multiplier near -1."""
@@ -183,118 +213,126 @@ class _Search:
         return None
 
     def approached(self, orbit: Orbit) -> bool:
-        """Marches on, and asks whether the distance to the orbit shrinks as its multipliers promise, again
-        and again until it is small: a motion that wanders by may come closer once."""
+        """Whether the distance to the orbit has shrunk as its multipliers promise; if not, marches on, and
+        asks again and again until it is small: a motion that wanders by may come closer once."""
         points, rate = orbit.strobes, max(abs(orbit.leading), 1e-3)
         tenfold = np.ceil(np.log(0.1) / np.log(rate)) if rate < 1.0 else 400
         laps = int(np.clip(tenfold, 1, max(1, 800 // len(points))))
-        promised = max(0.5, min(0.999, 2.0 * rate**laps))
-        window = min(
-            64, max(1, laps * len(points) // 4)
-        )  # a spiral is nearer and farther on each of its turns
-        before = self.away(points, window)
-        for _ in range(CLOSER):
-            if before <= 1e-9 * self.size:
+        promised, lap = max(0.5, min(0.999, 2.0 * rate**laps)), laps * len(points)
+        window = min(64, max(1, lap // 4))  # a spiral is nearer and farther on each of its turns
+        here, size = self.motion.used, self.size
+        before = self.away(points, window, here)
+        if here >= lap + window and before <= CAPTURED * size:
+            if before <= promised * self.away(points, window, here - lap):
+                return True
+        for asked in range(CLOSER):
+            if before <= 1e-9 * size:
                 break
-            progress = self.march(laps * len(points))
-            after = self.away(points, window)
-            if progress.status not in (Status.OK, Status.UNCERTAIN):
+            if here == self.motion.used:
+                needed = np.ceil(np.log10(max(before / (CAPTURED * size), 10.0)))
+                calls = int(min(CLOSER - asked, needed, max(1, AT_ONCE // lap)))
+                if self.motion.march(calls * lap) not in MOVING:
+                    return False
+            here += lap
+            after = self.away(points, window, here)
+            if after > max(promised * before, 1e-9 * size):
                 return False
-            if after > max(promised * before, 1e-9 * self.size):
-                return False
-            if after <= CAPTURED * self.size:
+            if after <= CAPTURED * size:
                 break
             before = after
         return True
 
-    def away(self, points: Array, window: int) -> float:
-        """Largest distance of the last few strobes to the nearest points of an orbit."""
-        apart = np.abs(self.strobes[-window:, None] - points[None]).max(axis=2)
+    def away(self, points: Array, window: int, here: int) -> float:
+        """Largest distance of the last few strobes before a place to the nearest points of an orbit."""
+        states = self.motion.states[max(0, here + 1 - window) : here + 1]
+        if len(points) == 1:
+            return float(np.abs(states - points).max())
+        apart = np.abs(states[:, None] - points[None]).max(axis=2)
         return float(apart.min(axis=1).max())
 
-    def aperiodic(self, periods: int, again: bool) -> Attractor | None:
-        """The motion as aperiodic: if its largest exponent is above zero by twice its error bar, or,
-        asked `again`, if it is zero within it (quasi-periodic). Either way the motion must be seen to persist
-        without closing: one that leaves an unstable orbit has an exponent above zero too."""
-        found = self.exponent(periods)
+    def aperiodic(self, last: bool) -> Attractor | None:
+        """The motion as aperiodic: if its largest exponent is above zero, or if it is zero (quasi-periodic).
+        Either way the motion must be seen to persist without closing: one that leaves an unstable orbit has
+        an exponent above zero too."""
+        found = self.motion.exponent()
         if found is None:
             return None
-        value, error = float(found.values[0]), float(found.errors[0])
-        text = f"largest exponent {value:.2e} ± {error:.0e} over {found.periods} periods"
-        if value > 2.0 * error and self.persists(GROWTH):
-            message = f"aperiodic: {text}"
-        elif again and abs(value) <= 2.0 * error and self.persists(STEADY):
+        text = f"largest exponent {found.value:.2e} ± {found.error:.0e} over {found.periods} periods"
+        if self.grows(found, last) and self.persists(GROWTH):
+            return self.settled(f"aperiodic: {text}", found)
+        if self.is_zero(found) and self.persists(STEADY):
             longer = self.longer()
             if longer is not None:
-                return self.too_long(longer, value, error)
-            message = (
-                f"aperiodic, quasi-periodic as far as can be seen: {text}, and it persists without closing"
-            )
-        else:
-            return None
-        return Aperiodic(
-            self.props, self.state, value, error, self.used, found.status, message, self.undecided
-        )
+                return self.too_long(longer, found)
+            told = f"aperiodic, quasi-periodic as far as can be seen: {text}, and it persists without closing"
+            return self.settled(told, found)
+        return None
+
+    def grows(self, found: Average, last: bool) -> bool:
+        """Whether the exponent is above zero for sure, and for long enough. What grows too slowly for that,
+        or was not settled until the `last` period, is content with two error bars."""
+        slow = found.value * found.periods * self.props.system.period < FOLDS
+        if slow and not last and found.periods < LONG * self.settings.exponent_periods:
+            return False
+        return found.value > found.error * (2.0 if slow or last else 1.0 / self.settings.precision)
+
+    def is_zero(self, found: Average) -> bool:
+        """Within its bar, and what the two ends of the average may change it by."""
+        enough = found.periods >= self.settings.exponent_periods
+        ends = 1.0 / (found.periods * self.props.system.period)
+        return enough and abs(found.value) <= 2.0 * found.error + ends
 
     def persists(self, within: float) -> bool:
-        """Whether size and returns of the motion are the same in two windows, but for the part ``within``,
-        and it closes in neither: a slow transient shrinks or grows, or all but closes."""
-        longest = self.settings.max_period
-        sizes, returns = [], []
-        for _ in range(2):
-            progress = flow.march(self.props, self.state, WINDOW)
-            states = progress.states
-            self.used += WINDOW
-            self.undecided += progress.undecided
-            self.state = states[-1]
-            self.strobes = states[-(2 * longest + 2) :]
-            sizes.append(float(np.ptp(states, axis=0).max()))
-            gaps = [np.abs(states[p:] - states[:-p]).max(axis=1).mean() for p in range(1, longest + 1)]
-            returns.append(min(gaps))
-        grows, parts = (late / max(early, 1e-300) - 1.0 for early, late in (sizes, returns))
-        if sizes[1] < STILL * max(1.0, float(np.abs(self.state).max())):
-            return False  # held on an unstable orbit by rounding
-        return abs(grows) < within and abs(parts) < 5.0 * within and returns[1] > 1e-3 * sizes[1]
-
-    def exponent(self, periods: int) -> Exponents | None:
-        found = lyapunov(self.props, self.state, periods, count=1)
-        self.used += found.periods
-        return found if found.status in (Status.OK, Status.UNCERTAIN) else None
+        return self.motion.persists(within, self.settings.max_period)
 
     def give_up(self) -> Attractor:
-        found = self.exponent(2 * self.settings.exponent_periods)
-        value = float(found.values[0]) if found is not None else np.nan
-        error = float(found.errors[0]) if found is not None else np.nan
+        found = self.motion.exponent()
+        if found is None:  # of a short search
+            self.motion.watch()
+            self.motion.march(self.settings.exponent_periods)
+            found = self.motion.exponent() or NOTHING
         longer = self.longer()
         if longer is not None:
-            return self.too_long(longer, value, error)
-        limit = self.settings.max_period
+            return self.too_long(longer, found)
         reason = (
-            f"no stable orbit up to period {limit} within {self.used} periods; "
-            f"largest exponent {value:.1e} ± {error:.0e}"
+            f"no stable orbit up to period {self.settings.max_period} within {self.motion.used} periods; "
+            f"largest exponent {found.value:.1e} ± {found.error:.0e}"
         )
-        return self.unresolved(Status.UNRESOLVED, reason, value, error)
+        return self.unresolved(Status.UNRESOLVED, reason, found)
 
-    def too_long(self, period: int, value: float, error: float) -> Unresolved:
+    def too_long(self, period: int, found: Average) -> Unresolved:
         limit = self.settings.max_period
         reason = f"near a stable orbit of {period} base periods, more than the {limit} that were looked for"
-        return self.unresolved(Status.UNRESOLVED, reason, value, error)
+        return self.unresolved(Status.UNRESOLVED, reason, found)
 
     def longer(self) -> int | None:
         """The least period, beyond those looked for, of a stable orbit that the motion is close to."""
         limit = self.settings.max_period
-        states = flow.march(self.props, self.state, 8 * limit).states
-        returns = [np.abs(states[p:] - states[:-p]).max() for p in range(limit + 1, 4 * limit + 1)]
-        best = int(np.argmin(returns))
-        if not returns[best] < NEAR * self.size:
+        needed = 4 * limit + max(4 * limit, LAST)
+        if needed > self.motion.used:
+            self.motion.march(needed - self.motion.used)
+        states, near = self.motion.states[-needed - 1 :], NEAR * self.size
+        past = sliding_window_view(states[-LAST - 4 * limit : -limit - 1], LAST, axis=0)[::-1]
+        apart = np.abs(past - states[-LAST:].T).max(axis=(1, 2))  # limit + 1 to 4·limit periods ago
+        periods = limit + 1 + np.flatnonzero(apart < near)
+        returns = [float(np.abs(states[p:] - states[:-p]).max()) for p in periods]
+        if not returns or not min(returns) < near:
             return None
-        shot = shoot(self.props, states[-1], limit + 1 + best)
+        guess = int(periods[np.argmin(returns)])
+        shot = shoot(self.props, states[-1], guess, reach=REACH * self.size)
         if shot.residual > TOLERANCE:
             return None
-        near = np.abs(shot.state - states[-1]).max() < FAR * self.size
+        close = np.abs(shot.state - states[-1]).max() < FAR * self.size
         shot = minimal(self.props, shot)
-        return shot.period if near and shot.period > limit and self.orbit(shot).stable else None
+        return shot.period if close and shot.period > limit and self.orbit(shot).stable else None
 
-    def unresolved(self, status: Status, reason: str, value: float, error: float) -> Unresolved:
+    def settled(self, message: str, found: Average) -> Aperiodic:
+        status = Status.UNCERTAIN if self.motion.doubtful else Status.OK
+        return Aperiodic(*self.told(found), status, message, self.motion.undecided)
+
+    def unresolved(self, status: Status, reason: str, found: Average) -> Unresolved:
         message = f"{reason}: {status.advice}"
-        return Unresolved(self.props, self.state, value, error, self.used, status, message, self.undecided)
+        return Unresolved(*self.told(found), status, message, self.motion.undecided)
+
+    def told(self, found: Average) -> tuple[Propagators, Array, float, float, int]:
+        return self.props, self.state.copy(), found.value, found.error, self.motion.used

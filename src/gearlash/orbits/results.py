@@ -63,11 +63,10 @@ class Orbit:
     @cached_property
     def signature(self) -> Signature:
         """P-Q-R, and Q-R of every further clearance."""
-        counts = []
-        for clearance in range(len(self.propagators.system.clearances)):
-            events = self.events.of(clearance)
-            drive, back = (int((events.engaging & (events.boundary == b)).sum()) for b in (1, -1))
-            counts.append((drive, back))
+        contacts = self.shot.contacts
+        if contacts is None:
+            contacts = flow.carry(self.propagators, self.state, float(self.period)).contacts
+        counts = [(int(drive), int(back)) for drive, back, *_ in contacts.reshape(-1, 4)]
         (drive, back), *others = counts
         return Signature(self.period, drive, back, tuple(others))
 
@@ -78,6 +77,10 @@ class Orbit:
     @cached_property
     def strobes(self) -> NDArray[np.float64]:
         """σ_t: the states (P, n) at phase zero of every base period."""
+        if self.shot.strobes is not None:
+            return self.shot.strobes
+        if self.shot.period == 1:
+            return self.state[None]
         return flow.march(self.propagators, self.state, self.shot.period).states[:-1]
 
     @cached_property

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import isfinite
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,7 +21,8 @@ ITERATIONS = 25
 class Shot:
     """A solution of P^period(z) = z: state (n,), period in base periods, residual (∞-norm of the return
     relative to max(1, |z|)), monodromy (n, n), and a bound on the error of the state from residual and
-    rounding."""
+    rounding. ``contacts`` (4·clearances,) as in `flow.Strobes`, over the whole period, where they were
+    counted; ``strobes`` (period, n) the states at phase zero, where they were marched."""
 
     state: NDArray[np.float64]
     period: int
@@ -29,54 +31,67 @@ class Shot:
     error: float
     iterations: int
     status: Status
+    contacts: NDArray[np.int64] | None = None
+    strobes: NDArray[np.float64] | None = None
 
 
 def shoot(
-    props: Propagators, guess: ArrayLike, period: int, iterations: int = ITERATIONS, patient: bool = True
+    props: Propagators,
+    guess: ArrayLike,
+    period: int,
+    iterations: int = ITERATIONS,
+    reach: float | None = None,
 ) -> Shot:
     """Newton's method from ``guess`` (n,) for a fixed point of the ``period``-fold map. Steps that make the
-    residual grow tenfold end the search with status `not-converged`; without patience, so does a residual
-    that two steps have not halved."""
+    residual grow tenfold end the search with status `not-converged`. With ``reach`` a guess is expected to be
+    near: the search ends too where the first step is longer, or does not make the residual smaller, and where
+    two steps have not halved it."""
     z = np.array(guess, dtype=np.float64)
-    cycles = float(period * props.system.cycles)
-    best: Shot | None = None
+    cycles, unit = float(period * props.system.cycles), np.eye(len(z))
+    best: tuple[NDArray[np.float64], float, flow.Carried, int] | None = None
     residuals: list[float] = []
     for iteration in range(iterations):
         end = flow.variational(props, z, cycles)
         if end.jacobian is None or end.status not in (Status.OK, Status.UNCERTAIN):
-            return best or _failed(z, period, iteration, end.status)
+            return _failed(z, period, iteration, end.status) if best is None else _shot(period, *best)
         defect = end.state - z
-        scale = max(1.0, float(np.abs(z).max()))
-        residual = float(np.abs(defect).max()) / scale
-        if best is None or residual < best.residual:
-            best = _shot(z, period, residual, end.jacobian, iteration, end.status)
-        elif residual > 10.0 * best.residual or best.residual <= TOLERANCE:
+        residual = float(np.abs(defect).max()) / max(1.0, float(np.abs(z).max()))
+        if best is None or residual < best[1]:
+            best = z, residual, end, iteration
+        elif residual > 10.0 * best[1] or best[1] <= TOLERANCE:
             break
         residuals.append(residual)
-        hopeless = not patient and iteration >= 2 and residual > 0.5 * residuals[-3]
-        if residual <= GOAL or hopeless:
+        if residual <= GOAL or (reach is not None and _hopeless(residuals)):
             break
         try:
-            z = z - np.linalg.solve(end.jacobian - np.eye(len(z)), defect)
+            step = np.linalg.solve(end.jacobian - unit, defect)
         except np.linalg.LinAlgError:
             break
-        if not np.isfinite(z).all():
+        length = float(np.abs(step).max())
+        if not isfinite(length) or (reach is not None and iteration == 0 and length > reach):
             break
+        z = z - step
     assert best is not None
-    return best
+    return _shot(period, *best)
 
 
-def _shot(z, period, residual, jacobian, iteration, status) -> Shot:
+def _hopeless(residuals: list[float]) -> bool:
+    if len(residuals) == 2:
+        return residuals[1] > residuals[0]
+    return len(residuals) > 2 and residuals[-1] > 0.5 * residuals[-3]
+
+
+def _shot(period: int, z: NDArray[np.float64], residual: float, end: flow.Carried, iteration: int) -> Shot:
     """A shot with the error bound |(J - I)^-1| · (residual + rounding of the return)."""
-    rounding = 1e-15 * (1.0 + np.abs(jacobian).sum(axis=1).max())
+    assert end.jacobian is not None
+    rounding = 1e-15 * (1.0 + np.abs(end.jacobian).sum(axis=1).max())
     try:
-        gain = float(np.abs(np.linalg.inv(jacobian - np.eye(len(z)))).sum(axis=1).max())
+        gain = float(np.abs(np.linalg.inv(end.jacobian - np.eye(len(z)))).sum(axis=1).max())
     except np.linalg.LinAlgError:
         gain = np.inf
-    scale = max(1.0, float(np.abs(z).max()))
-    error = gain * (residual + rounding) * scale
-    converged = status if residual <= TOLERANCE else Status.NOT_CONVERGED
-    return Shot(z.copy(), period, residual, jacobian, error, iteration, converged)
+    error = gain * (residual + rounding) * max(1.0, float(np.abs(z).max()))
+    converged = end.status if residual <= TOLERANCE else Status.NOT_CONVERGED
+    return Shot(z, period, residual, end.jacobian, error, iteration, converged, end.contacts)
 
 
 def _failed(z, period, iteration, status: Status) -> Shot:
@@ -91,6 +106,7 @@ def minimal(props: Propagators, shot: Shot) -> Shot:
     if shot.period == 1 or not np.isfinite(shot.error):
         return shot
     strobes = flow.march(props, shot.state, shot.period).states
+    shot = replace(shot, strobes=strobes[:-1])
     scale = max(1.0, float(np.abs(strobes).max()))
     for divisor in (d for d in range(1, shot.period) if shot.period % d == 0):
         distance = float(np.abs(strobes[divisor] - strobes[0]).max())
@@ -101,5 +117,5 @@ def minimal(props: Propagators, shot: Shot) -> Shot:
         if smaller.residual <= TOLERANCE and near:
             return smaller
         if distance <= 10.0 * shot.error:
-            return Shot(**{**shot.__dict__, "status": Status.UNCERTAIN})
+            return replace(shot, status=Status.UNCERTAIN)
     return shot

@@ -1,0 +1,136 @@
+"""A motion under way: all its strobes, how fast its neighbours leave it, and whether it has settled."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
+
+from gearlash import flow
+from gearlash.flow import Propagators
+from gearlash.system import Status
+
+Array = NDArray[np.float64]
+
+STRETCH = 24  # base periods, at least, over which one growth is recorded
+STRETCHES = 48  # of the whole motion, at most about
+SETTLE = 6  # one part in so many of the record, its first, is left to settle
+STUDENT = {20: 2.093, 10: 2.262}  # batches → 95 % two-sided, one degree of freedom less
+STILL = 1e-6  # size of σ_t, of the state, below which a motion is as good as an orbit
+CLOSED = 1e-3  # mean return, of the size, below which it is closing
+RETURNS = 128  # places of a window, at least, that returns are averaged over
+
+
+class Average(NamedTuple):
+    """The largest exponent per unit of τ, the half-width of its 95 % interval from batch means, and the base
+    periods that it was averaged over."""
+
+    value: float
+    error: float
+    periods: int
+
+
+class Wandering:
+    """A motion from ``start`` (n,) at phase zero. ``used`` base periods were marched so far."""
+
+    def __init__(self, props: Propagators, start: Array):
+        self.props = props
+        self.used = self.undecided = 0
+        self.doubtful = False  # whether a contact lay within rounding of touching while growth was recorded
+        self._table, self._filled = start[None], 1
+        self._tangent: Array | None = None
+        self._logs, self._lengths = np.zeros(0), np.zeros(0, dtype=np.int64)
+
+    @property
+    def states(self) -> Array:
+        """σ_t: every state (used+1, n) so far."""
+        return self._table[: self._filled]
+
+    @property
+    def state(self) -> Array:
+        return self._table[self._filled - 1]
+
+    def watch(self) -> None:
+        """From here on the growth of a tangent is recorded."""
+        if self._tangent is None:
+            n = len(self.state)
+            self._tangent = np.full(n, n**-0.5)
+
+    def march(self, periods: int) -> Status:
+        """Marches on."""
+        if self._tangent is None:
+            new = flow.march(self.props, self.state, periods)
+        else:
+            stretch = max(STRETCH, (self.used + periods) // STRETCHES)
+            new = flow.growth(self.props, self.state, self._tangent, periods, stretch)
+            self._tangent = new.tangent
+            self._logs = np.concatenate([self._logs, new.logarithms])
+            self._lengths = np.concatenate([self._lengths, new.lengths])
+            self.doubtful |= new.undecided > 0
+        self._keep(new.states[1:])
+        self.used += periods
+        self.undecided += new.undecided
+        return new.status
+
+    def _keep(self, states: Array) -> None:
+        total = self._filled + len(states)
+        if total > len(self._table):
+            table = np.empty((2 * total, states.shape[1]))
+            table[: self._filled] = self.states
+            self._table = table
+        self._table[self._filled : total] = states
+        self._filled = total
+
+    def exponent(self) -> Average | None:
+        """The largest exponent from all of the record but its first part; None while it is too short."""
+        ends = np.concatenate([[0], np.cumsum(self._lengths)])
+        first = int(np.searchsorted(ends, ends[-1] / SETTLE))
+        for parts, student in STUDENT.items():
+            cuts = np.unique(np.searchsorted(ends, np.linspace(ends[first], ends[-1], parts + 1)))
+            if len(cuts) == parts + 1:
+                break
+        else:
+            return None
+        lengths = np.diff(ends[cuts])
+        sums = np.diff(np.concatenate([[0.0], np.cumsum(self._logs)])[cuts])
+        periods = int(lengths.sum())
+        mean = float(sums.sum()) / periods
+        apart = sums - mean * lengths  # batches are of about the same length only
+        error = student * float(np.sqrt((apart**2).sum() * parts / (parts - 1))) / periods
+        duration = self.props.system.period
+        return Average(mean / duration, error / duration, periods)
+
+    def growth(self, periods: int) -> float:
+        """Logarithm of the growth over ``periods``, on the average of the last two times as many (but no
+        less than two stretches); zero where nothing is recorded."""
+        ends = np.cumsum(self._lengths[::-1])
+        count = int(np.searchsorted(ends, max(2 * periods, 2 * STRETCH))) + 1
+        if count > len(ends):
+            return 0.0
+        return float(self._logs[-count:].sum()) * periods / float(ends[count - 1])
+
+    def persists(self, within: float, longest: int) -> bool:
+        """Whether size and returns after up to ``longest`` periods are the same in both halves of the motion
+        (its first part left out), but for the part ``within``, and it closes in neither: a slow transient
+        shrinks or grows, or all but closes."""
+        states = self.states[self.used // SETTLE :]
+        half = len(states) // 2
+        windows = states[:half], states[-half:]
+        early, late = (float(np.ptp(window, axis=0).max()) for window in windows)
+        if late < STILL * max(1.0, float(np.abs(self.state).max())):
+            return False  # held on an unstable orbit by rounding
+        before, after = (_least_return(window, longest) for window in windows)
+        grows, parts = late / max(early, 1e-300) - 1.0, after / max(before, 1e-300) - 1.0
+        return abs(grows) < within and abs(parts) < 5.0 * within and after > CLOSED * late
+
+
+def _least_return(states: Array, longest: int) -> float:
+    """The least, over 1 to ``longest`` periods, of the mean distance between a state and the one so many
+    periods later."""
+    longest = min(longest, len(states) // 2)
+    starts = len(states) - longest
+    windows = sliding_window_view(np.ascontiguousarray(states.T), longest + 1, axis=1)
+    windows = windows[:, :: max(1, starts // RETURNS)]
+    return float(np.abs(windows - windows[..., :1]).max(axis=0).mean(axis=0)[1:].min())
