@@ -4,7 +4,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
-.PHONY: help reproduce test lint types format look bench lock clean
+.PHONY: help reproduce test lint types format look bench bench-labels lock clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -21,6 +21,7 @@ help:
 	@echo "make test       environment, then format, lint, types, layers and every test with coverage"
 	@echo "make lint | types | format    one of these alone"
 	@echo "make bench      gearlash and other solvers on the same work; renews docs/benchmarks.md (a quiet machine, please)"
+	@echo "make bench-labels  2,000 labels against brute force; renews docs/benchmark-labels.md"
 	@echo "make look       pages and figures of the report as numbered PNGs (needs a Chromium)"
 	@echo "make lock       pin the newest versions (needs uv)"
 	@echo "make clean      remove .venv and everything made"
@@ -75,6 +76,9 @@ bench: $(VENV)/.dev
 	$(BIN)/gearlash bench --out bench
 	cp bench/benchmarks.md docs/
 	cp bench/images/benchmark-cost.png docs/images/
+
+bench-labels: $(VENV)/.dev
+	$(BIN)/python -m gearlash.bench.labels 2000 docs/benchmark-labels.md
 
 LOCK := uv pip compile --quiet --upgrade --universal --python-version 3.11 --no-emit-index-url \
 	--annotation-style line --custom-compile-command "make lock" pyproject.toml requirements/build.in

@@ -15,7 +15,7 @@ from numba.core import cgutils, types
 from numba.np import arrayobj
 
 from .declare import Kernel
-from .machine import ARRAY_PLACES, CARRAY, DTYPE_PLACES, WRITABLE
+from .machine import ARRAY_PLACES, CARRAY, DTYPE_PLACES, KNOWN, WRITABLE
 from .signature import ArrayOf, Record, Scalar, Several, int64, void
 
 WORD, INT, BYTE, TRUTH, REAL = ir.IntType(64), ir.IntType(32), ir.IntType(8), ir.IntType(1), ir.DoubleType()
@@ -29,25 +29,25 @@ CODES = {
 
 def write_entry(module: ir.Module, context: Any, descriptor: Any, kernel: Kernel) -> None:
     """Adds to a module a function (self, arguments, their number) with the name of the kernel that calls what
-    ``descriptor`` of numba describes; ``self`` holds the types of NumPy arrays and of the records."""
+    ``descriptor`` of numba describes; ``self`` holds what is `KNOWN`, and the types of the records."""
     signature, name = kernel.signature, kernel.function.__name__
     names = kernel.function.__code__.co_varnames[: len(signature.arguments)]
     function = ir.Function(module, ir.FunctionType(OBJECT, [OBJECT, OBJECT.as_pointer(), WORD]), kernel.name)
     builder = ir.IRBuilder(function.append_basic_block("entry"))
     classes, arguments, count = function.args
-    entry = _Entry(context, builder, name)
+    entry = _Entry(context, builder, name, classes)
     expected = len(signature.arguments)
     with entry.refused_unless(builder.icmp_signed("==", count, WORD(expected))):
-        entry.raises("PyExc_TypeError", f"{name} takes {expected} positional arguments")
-    values, records = [], 0
+        entry.raises(TypeError, f"{name} takes {expected} positional arguments")
+    values, records = [], len(KNOWN)
     for i, (kind, called) in enumerate(zip(signature.arguments, names, strict=True)):
         given = builder.load(builder.gep(arguments, [WORD(i)]))
         if isinstance(kind, Record):
-            records += 1
             values.append(entry.record(kind, given, entry.item(classes, records), called))
+            records += 1
         elif isinstance(kind, ArrayOf):
             native = descriptor.argtypes[i]
-            values.append(entry.array(kind, native, given, entry.item(classes, 0), called))
+            values.append(entry.array(kind, native, given, entry.item(classes, KNOWN.index(np.ndarray)), called))
         else:
             values.append(entry.scalar(kind, given, called))
     builder.ret(entry.result(signature.result, entry.called(descriptor, values)))
@@ -56,8 +56,8 @@ def write_entry(module: ir.Module, context: Any, descriptor: Any, kernel: Kernel
 class _Entry:
     """Writes the parts of one entry."""
 
-    def __init__(self, context: Any, builder: ir.IRBuilder, name: str):
-        self.context, self.builder, self.name = context, builder, name
+    def __init__(self, context: Any, builder: ir.IRBuilder, name: str, classes: Any):
+        self.context, self.builder, self.name, self.classes = context, builder, name, classes
 
     def python(self, name: str, result: ir.Type, *arguments: Any) -> Any:
         """Calls a function of Python's C interface."""
@@ -69,9 +69,10 @@ class _Entry:
         """A block for what happens where something does not fit."""
         return self.builder.if_then(self.builder.not_(fits), likely=False)
 
-    def raises(self, error: str, message: str) -> None:
-        """Sets an exception of Python and returns."""
-        kind = self.builder.load(_outside(self.builder.module, error, OBJECT))
+    def raises(self, error: type, message: str) -> None:
+        """Sets an exception of Python and returns. (Its class comes with the classes: libraries that other
+        packages load may bring variables of the same name as Python's.)"""
+        kind = self.item(self.classes, KNOWN.index(error))
         text = self.context.insert_const_string(self.builder.module, message)
         self.python("PyErr_SetString", NOTHING, kind, self.builder.bitcast(text, OBJECT))
         self.builder.ret(NULL)
@@ -95,7 +96,7 @@ class _Entry:
         if kind.name == "boolean":
             truth = self.python("PyObject_IsTrue", INT, given)
             with self.refused_unless(builder.icmp_signed(">=", truth, INT(0))):
-                self.raises("PyExc_TypeError", expected)
+                self.raises(TypeError, expected)
             return builder.icmp_signed("==", truth, INT(1))
         if kind.name == "float64":
             value = self.python("PyFloat_AsDouble", REAL, given)
@@ -106,13 +107,13 @@ class _Entry:
         with builder.if_then(odd, likely=False):
             failed = builder.icmp_unsigned("!=", self.python("PyErr_Occurred", OBJECT), NULL)
             with builder.if_then(failed):
-                self.raises("PyExc_TypeError", expected)
+                self.raises(TypeError, expected)
         return value
 
     def record(self, kind: Record, given: Any, expected: Any, called: str) -> Any:
         """A NamedTuple of whole numbers."""
         with self.refused_unless(self.is_a(given, expected)):
-            self.raises("PyExc_TypeError", f"{self.name}: {called} is not a {kind.of.__name__}")
+            self.raises(TypeError, f"{self.name}: {called} is not a {kind.of.__name__}")
         fields = self.builder.alloca(ir.ArrayType(WORD, kind.size))
         for i, field in enumerate(kind.of._fields):
             value = self.scalar(int64, self.item(given, i), f"{called}.{field}")
@@ -123,9 +124,9 @@ class _Entry:
         """An array as numba hands it to machine code, without an owner."""
         message = f"{self.name}: {called} is not a {kind}"
         with self.refused_unless(self.is_a(given, expected)):
-            self.raises("PyExc_TypeError", message)
+            self.raises(TypeError, message)
         with self.refused_unless(self._fits(kind, given)):
-            self.raises("PyExc_TypeError", message)
+            self.raises(TypeError, message)
         builder, made = self.builder, self.context.make_array(native)(self.context, self.builder)
         lists = [self.read(given, ARRAY_PLACES[name], WORD.as_pointer()) for name in ("shape", "strides")]
         shape, strides = (
@@ -168,7 +169,7 @@ class _Entry:
         )
         self.python("PyEval_RestoreThread", NOTHING, released)
         with self.builder.if_then(status.is_error, likely=False):
-            self.raises("PyExc_MemoryError", f"{self.name}: its work space cannot be had")
+            self.raises(MemoryError, f"{self.name}: its work space cannot be had")
         return result
 
     def result(self, kind: Scalar | Several, value: Any) -> Any:
@@ -180,16 +181,9 @@ class _Entry:
                 self.python("PyTuple_SetItem", INT, made, WORD(i), part)
             return made
         if kind == void:
-            nothing = _outside(self.builder.module, "_Py_NoneStruct", BYTE)
+            nothing = self.item(self.classes, KNOWN.index(None))
             self.python("Py_IncRef", NOTHING, nothing)
             return nothing
         if kind.name == "float64":
             return self.python("PyFloat_FromDouble", OBJECT, value)
         return self.python("PyLong_FromLongLong", OBJECT, value)
-
-
-def _outside(module: ir.Module, name: str, kind: ir.Type) -> Any:
-    """A variable of Python itself."""
-    if name in module.globals:
-        return module.globals[name]
-    return ir.GlobalVariable(module, kind, name)

@@ -24,6 +24,8 @@ ARRAY_PLACES = {
 }
 """Bytes from the start of an array object: fields that NumPy's C interface lays open."""
 DTYPE_PLACES = {"char": HEAD + 9, "byteorder": HEAD + 10}
+KNOWN = (np.ndarray, TypeError, MemoryError, None)
+"""What every entry is given of Python."""
 CARRAY, WRITABLE = 0x101, 0x400  # flags of an array: C-contiguous and aligned; writable
 
 _METH_FASTCALL = 0x80
@@ -71,7 +73,7 @@ def callable_at(address: int, name: str, signature: Signature) -> Callable[..., 
     """A Python function from the address of an entry (see `entry`)."""
     _check_layout()
     method = _Method(name.encode(), address, _METH_FASTCALL, None)
-    types = (np.ndarray, *(kind.of for kind in signature.arguments if isinstance(kind, Record)))
+    types = (*KNOWN, *(kind.of for kind in signature.arguments if isinstance(kind, Record)))
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.argtypes, make.restype = (
         (ctypes.POINTER(_Method), ctypes.py_object, ctypes.c_void_p),

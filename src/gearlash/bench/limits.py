@@ -5,12 +5,13 @@ from __future__ import annotations
 import numba
 import numpy as np
 
+from gearlash.flow import TERMS
+
 from .peers.plain import Array
 from .results import Limit
 from .timing import seconds as seconds_of
 from .works import Work
 
-ORDER = 18  # of the Taylor expansions on both sides of a crossing
 CHAIN = 32  # multiply-adds on each number between reading and writing it: memory does not count
 VECTOR = 512
 
@@ -18,20 +19,20 @@ VECTOR = 512
 def limits(found: list[Work], seconds: dict[str, float]) -> tuple[Limit, ...]:
     """For each piece of work, beside its measured seconds per period.
 
-    A period is at the least one affine map a cell, n² + n multiply-adds, whose n² + n numbers are read. A
-    crossing lies inside a cell: it counts as the state expanded before and after it, ORDER
-    terms of the field's nonzero entries each."""
+    A period is at the least one affine map a cell, to the state behind it and to the `TERMS` coefficients
+    that prove it clear: (n + TERMS)(n + 1) multiply-adds, and as many numbers read. A crossing is the gap as a
+    series, its moments and what they do to the state: TERMS (n + 1) + TERMS² + TERMS·n, and the map of its
+    cell a second time, for the region behind it."""
     peak, bandwidth = peak_multiply_adds(), reading()
     return tuple(_limit(work, peak, bandwidth, seconds[work.name]) for work in found)
 
 
 def _limit(work: Work, peak: float, bandwidth: float, seconds: float) -> Limit:
     n, cells = work.system.size, work.props.cells
-    (clearance,) = work.system.clearances
-    entries = int(np.count_nonzero(work.system.matrix) + np.count_nonzero(clearance.g) + 1)
-    maps = float(cells * (n * n + n))
-    expansions = work.crossings * 2.0 * ORDER * entries
-    table = 8 * cells * (n * n + n)
+    each = (n + TERMS) * (n + 1)
+    maps = float(cells * each)
+    expansions = work.crossings * (TERMS * (2 * n + 1 + TERMS) + each)
+    table = 8 * cells * each
     arithmetic = (maps + expansions) / peak
     return Limit(
         work.name, n, cells, work.crossings, maps, expansions, table, peak, bandwidth, seconds,

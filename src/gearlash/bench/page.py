@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from gearlash.flow import TERMS
+
 from .explained import sizes_explained
 from .results import OWN, Benchmark, Limit, Row
 from .words import NOTHING, aim, error, measured, ratio, time, verdict
@@ -35,10 +37,10 @@ newer, and numbakit-ode fails to start with current versions of scipy.
 LIMIT = """\
 ## The limit
 
-A period is at the least one affine map a cell: n² + n multiply-adds, and as many numbers to read. A
-crossing counts as the state expanded on both sides of it: 18 terms of the nonzero entries of the
-field each. Everything beyond that is the proof that no crossing was missed, finding roots, and
-overhead. The peak is that of this core, measured by a loop of nothing but multiply-adds ({peak:.1f}
+A period is at the least one affine map a cell, to the state behind it and to the {terms} coefficients that
+prove it clear: (n + {terms})(n + 1) multiply-adds, and as many numbers to read. A crossing is the gap as a
+series, its moments, what they do to the state, and its cell's map once more for the region behind it.
+Everything beyond that is reading the proof, finding roots, and overhead. The peak is that of this core, measured by a loop of nothing but multiply-adds ({peak:.1f}
 billion a second); tables are read from the first cache at {bandwidth:.0f} GB/s. *Least* is the
 longer of arithmetic at the peak and reading at that speed; *share* is necessary arithmetic over
 peak.
@@ -125,7 +127,7 @@ def _facts(title: str, facts: dict[str, float]) -> str:
 
 
 def _limit(limits: Sequence[Limit]) -> Iterator[str]:
-    yield LIMIT.format(peak=limits[0].peak / 1e9, bandwidth=limits[0].bandwidth / 1e9)
+    yield LIMIT.format(terms=TERMS, peak=limits[0].peak / 1e9, bandwidth=limits[0].bandwidth / 1e9)
     head = (
         "work", "states", "cells", "crossings", "multiply-adds: maps", "crossings", "table", "least", "took",
         "times least", "share of peak",

@@ -71,7 +71,7 @@ class Limit:
     cells: int
     crossings: float
     multiply_adds: Annotated[float, "fused, of the cells' maps"]
-    crossing_multiply_adds: Annotated[float, "fused, of the expansions on both sides of the crossings"]
+    crossing_multiply_adds: Annotated[float, "fused, of the crossings"]
     table_bytes: Annotated[int, "numbers of the cells' maps"]
     peak: Annotated[float, "fused multiply-adds per second of this core, measured"]
     bandwidth: Annotated[float, "bytes per second that this core reads from such a table, measured"]

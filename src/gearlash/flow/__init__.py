@@ -1,5 +1,6 @@
 """The exact flow: cell propagators, contact events, marching, variational flow."""
 
+from ._tables import TERMS
 from .events import Events, Extrema, Samples, Trace
 from .growth import Growth, growth
 from .march import (
@@ -17,6 +18,7 @@ from .march import (
 from .propagators import Propagators, propagators
 
 __all__ = [
+    "TERMS",
     "Carried",
     "Events",
     "Extrema",

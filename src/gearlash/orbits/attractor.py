@@ -40,8 +40,10 @@ FIRST = 96  # base periods before the first attempt: most motions are near their
 DOUBLING = 500  # base periods up to which each attempt waits for twice as long as the one before
 NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
 STEADY, GROWTH = 0.02, 0.25  # change of size from half to half of a quasi-periodic, of a chaotic motion
-FOLDS = 120.0  # growth, in powers of e, of neighbours of a motion that is called chaotic: three times what can happen
-# while a motion leaves, from within rounding, an unstable orbit; and most chaotic transients end before
+FOLDS = (
+    120.0  # growth, in powers of e, of neighbours of a motion that is called chaotic: three times what can
+)
+# happen while a motion leaves, from within rounding, an unstable orbit; most chaotic transients end before
 LONG = 4  # times `exponent_periods`, then even slow growth is long enough
 REPELLED = np.log(10.0)  # neighbours that grow so much in a period are not near a stable orbit of it
 FAR = 0.1  # the best return is worth one up to here
@@ -138,8 +140,8 @@ class _Search:
 
     def newton(self) -> Orbit | None:
         """Tries the most promising periods: the least that nearly returns, and the one that returns best;
-        one that failed, again only where it
-        returns closer than it did then."""
+        one that
+        failed, again only where it returns closer than it did then."""
         for period in self.candidates():
             before, self.failed[period] = self.failed.get(period, np.inf), self.gap(period)
             found = self.solved(period) if self.failed[period] < before else None
@@ -222,9 +224,9 @@ class _Search:
         window = min(64, max(1, lap // 4))  # a spiral is nearer and farther on each of its turns
         here, size = self.motion.used, self.size
         before = self.away(points, window, here)
-        if here >= lap + window and before <= CAPTURED * size:
-            if before <= promised * self.away(points, window, here - lap):
-                return True
+        near = here >= lap + window and before <= CAPTURED * size
+        if near and before <= promised * self.away(points, window, here - lap):
+            return True
         for asked in range(CLOSER):
             if before <= 1e-9 * size:
                 break

@@ -87,7 +87,7 @@ class Wandering:
         """The largest exponent from all of the record but its first part; None while it is too short."""
         ends = np.concatenate([[0], np.cumsum(self._lengths)])
         first = int(np.searchsorted(ends, ends[-1] / SETTLE))
-        for parts, student in STUDENT.items():
+        for parts in STUDENT:
             cuts = np.unique(np.searchsorted(ends, np.linspace(ends[first], ends[-1], parts + 1)))
             if len(cuts) == parts + 1:
                 break
@@ -98,7 +98,7 @@ class Wandering:
         periods = int(lengths.sum())
         mean = float(sums.sum()) / periods
         apart = sums - mean * lengths  # batches are of about the same length only
-        error = student * float(np.sqrt((apart**2).sum() * parts / (parts - 1))) / periods
+        error = STUDENT[parts] * float(np.sqrt((apart**2).sum() * parts / (parts - 1))) / periods
         duration = self.props.system.period
         return Average(mean / duration, error / duration, periods)
 

@@ -1,0 +1,186 @@
+"""Labels of random pixels against brute force, which knows nothing of Newton, exponents or certificates.
+
+`python -m gearlash.bench.labels PIXELS PAGE` (`make bench-labels`) marches every pixel of a fixed random set
+from the same cold start as the map does, for a long time, and reads the label off the last strobes. Every
+disagreement is put into a class by a computation of its own."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+from time import perf_counter
+
+import numpy as np
+
+from gearlash import flow
+from gearlash.flow import Propagators
+from gearlash.orbits import Orbit, Unresolved, attractor
+
+from .peers.plain import Array
+from .pixels import pixel_values
+from .works import family
+
+PERIODS, MOST = 20_000, 320_000  # base periods of brute force, and as long as it still comes closer
+LONGEST = 64  # period looked for
+WINDOW = 4 * LONGEST
+CLOSED, CLOSING = 1e-9, 1e-3  # return, of max(1, |z|): it repeats; it may yet
+SHIFTS = (1e-13, -1e-13, 3e-13, -3e-13, 1e-12, -1e-12, 3e-12)  # of the start: rounding, and little more
+APERIODIC = "aperiodic"
+CHANCE, LATE, ABOVE, UNDECIDED, OPEN = (
+    "decided by rounding", "longer transient", "period above 64", "unresolved, and said so", "not explained",
+)  # fmt: skip
+EXPLAINED = {
+    CHANCE: "irregular for so long that changes of the start by 1e-13 to 3e-12 lead to either motion",
+    LATE: "brute force leaves the irregular motion only later than the search looks, or closes only then",
+    ABOVE: "brute force finds no period up to 64, the search names a longer one",
+    UNDECIDED: "the search gives no label, and its reason",
+    OPEN: "none of these",
+}
+
+
+@dataclass(frozen=True)
+class Compared:
+    """One pixel: both labels, base periods and seconds of the search, and of a disagreement its class."""
+
+    omega: float
+    D: float
+    label: str
+    brute: str
+    kind: str
+    periods: int
+    seconds: float
+    why: str = ""
+    figures: str = ""
+
+
+def brute_force(props: Propagators, start: Array, periods: int = PERIODS) -> tuple[str, int]:
+    """Label after ``periods``, or more of them while the motion still closes in; and how many there were."""
+    z, used = np.array(start, dtype=np.float64), 0
+    while True:
+        z = flow.march(props, z, 1, periods - used).states[-1]
+        used = periods
+        run = flow.march(props, z, WINDOW)
+        label, least = read(run.states, run.contacts)
+        if label != APERIODIC or not CLOSED < least < CLOSING or 2 * periods > MOST:
+            return label, used
+        periods *= 2
+
+
+def read(states: Array, contacts: Array) -> tuple[str, float]:
+    """The label of strobes (periods+1, n) with their contacts, and the least return of them all."""
+    scale = max(1.0, float(np.abs(states).max()))
+    returns = [float(np.abs(states[p:] - states[:-p]).max()) / scale for p in range(1, LONGEST + 1)]
+    for period, size in enumerate(returns, start=1):
+        if size <= CLOSED:
+            drive, back = contacts[-period:, :2].sum(axis=0)
+            return f"{period}-{drive}-{back}", size
+    return APERIODIC, min(returns)
+
+
+def compare(values: dict[str, float]) -> Compared:
+    """The search and brute force at one pixel."""
+    pairs = family("article")
+    start, began = pairs.start(values), perf_counter()
+    found = attractor(flow.propagators(pairs.system(values)), start)
+    seconds, props = perf_counter() - began, found.propagators
+    kind = (
+        "periodic"
+        if isinstance(found, Orbit)
+        else "unresolved"
+        if isinstance(found, Unresolved)
+        else APERIODIC
+    )
+    label = found.label if kind == "periodic" else kind
+    brute, used = brute_force(props, start)
+    why, figures = ("", "") if label == brute else explain(props, start, label, brute, used, found.message)
+    return Compared(
+        values["omega"], values["D"], label, brute, kind, found.periods_used, seconds, why, figures
+    )
+
+
+def explain(
+    props: Propagators, start: Array, label: str, brute: str, used: int, message: str
+) -> tuple[str, str]:
+    """The class of a disagreement, and its figures."""
+    if label == "unresolved":
+        return (ABOVE if "more than the" in message else UNDECIDED), message.partition(": ")[0]
+    others = Counter(brute_force(props, start * (1.0 + shift) + shift, used)[0] for shift in SHIFTS)
+    if label in others and others[label] < len(SHIFTS):
+        return CHANCE, ", ".join(f"{name} {count}×" for name, count in others.most_common())
+    if label == APERIODIC:
+        return LATE, f"settled at {_settled(props, start, used):,} base periods"
+    later, more = brute_force(props, start, 10 * used)
+    if later == label:
+        return LATE, f"brute force gives it after {more:,} base periods"
+    return OPEN, f"brute force after {more:,}: {later}; shifted starts: {dict(others)}"
+
+
+def _settled(props: Propagators, start: Array, used: int) -> int:
+    """When brute force had come to its orbit, to a hundred base periods."""
+    run = flow.march(props, start, used // 100, 100)
+    end = flow.march(props, run.states[-1], LONGEST).states
+    away = np.abs(run.states[:, None] - end[None]).max(axis=2).min(axis=1)
+    far = np.flatnonzero(away > CLOSING * max(1.0, float(np.abs(end).max())))
+    return 100 * (int(far[-1]) + 1) if len(far) else 0
+
+
+def page(found: Sequence[Compared]) -> str:
+    """Markdown."""
+    lines = [
+        "# Labels against brute force",
+        "",
+        "Written by `make bench-labels`; do not edit. Random pixels of the article's (ω, D) plane, from the cold",
+        f"start. Brute force marches {PERIODS:,} base periods (up to {MOST:,} while it still closes in) and reads",
+        f"the least period up to {LONGEST} after which strobes return within {CLOSED:.0e}; what does not is called",
+        "aperiodic.",
+        "",
+        f"**{sum(not f.why for f in found):,} of {len(found):,} labels are equal.**",
+        "",
+        "| motion | pixels | base periods of the search: mean | median | ms a pixel |",
+        "|---|---|---|---|---|",
+        *_statistics(found),
+        "",
+        "| why they differ | pixels | what that is |",
+        "|---|---|---|",
+        *(f"| {why} | {sum(f.why == why for f in found)} | {text} |" for why, text in EXPLAINED.items()),
+        "",
+        "| ω | D | search | brute force | why | figures |",
+        "|---|---|---|---|---|---|",
+        *(
+            f"| {f.omega:.6f} | {f.D:.6f} | {f.label} | {f.brute} | {f.why} | {f.figures} |"
+            for f in found
+            if f.why
+        ),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _statistics(found: Sequence[Compared]) -> Iterable[str]:
+    kinds = ["all", *dict.fromkeys(f.kind for f in found)]
+    for kind in kinds:
+        some = [f for f in found if kind in ("all", f.kind)]
+        periods = [f.periods for f in some]
+        spent = 1e3 * float(np.mean([f.seconds for f in some]))
+        yield f"| {kind} | {len(some)} | {np.mean(periods):,.0f} | {np.median(periods):,.0f} | {spent:.2f} |"
+
+
+def main(count: int, target: Path) -> None:
+    """Compares so many pixels on all cores and writes the page."""
+    points, found = pixel_values(count), []
+    compare(points[0])  # kernels are compiled before there are workers
+    with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
+        for one in pool.map(compare, points, chunksize=4):
+            found.append(one)
+            if len(found) % 50 == 0:
+                different = sum(bool(f.why) for f in found)
+                print(f"{len(found)} of {count} pixels, {different} labels differ", file=sys.stderr)
+    target.write_text(page(found), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]), Path(sys.argv[2]))
