@@ -162,8 +162,8 @@ DIRECTIONS = (
     Mutant("any crossing blocks", "DERIVED * near, on == boundary", "DERIVED * near, on != 0", _NO_WIDTH),
     Mutant(
         "other boundary blocked",
-        "motion.on[which] = boundary",
-        "motion.on[which] = -boundary",
+        "motion.on[which] = boundary events += 1",
+        "motion.on[which] = -boundary; events += 1",
         "crossing_at_a_crawl",
     ),
 )

@@ -47,7 +47,9 @@ def write_entry(module: ir.Module, context: Any, descriptor: Any, kernel: Kernel
             records += 1
         elif isinstance(kind, ArrayOf):
             native = descriptor.argtypes[i]
-            values.append(entry.array(kind, native, given, entry.item(classes, KNOWN.index(np.ndarray)), called))
+            values.append(
+                entry.array(kind, native, given, entry.item(classes, KNOWN.index(np.ndarray)), called)
+            )
         else:
             values.append(entry.scalar(kind, given, called))
     builder.ret(entry.result(signature.result, entry.called(descriptor, values)))

@@ -20,8 +20,8 @@ def limits(found: list[Work], seconds: dict[str, float]) -> tuple[Limit, ...]:
     """For each piece of work, beside its measured seconds per period.
 
     A period is at the least one affine map a cell, to the state behind it and to the `TERMS` coefficients
-    that prove it clear: (n + TERMS)(n + 1) multiply-adds, and as many numbers read. A crossing is the gap as a
-    series, its moments and what they do to the state: TERMS (n + 1) + TERMS² + TERMS·n, and the map of its
+    that prove it clear: (n + TERMS)(n + 1) multiply-adds, and as many numbers read. A crossing is the gap as
+    a series, its moments and what they do to the state: TERMS (n + 1) + TERMS² + TERMS·n, and the map of its
     cell a second time, for the region behind it."""
     peak, bandwidth = peak_multiply_adds(), reading()
     return tuple(_limit(work, peak, bandwidth, seconds[work.name]) for work in found)

@@ -40,10 +40,10 @@ LIMIT = """\
 A period is at the least one affine map a cell, to the state behind it and to the {terms} coefficients that
 prove it clear: (n + {terms})(n + 1) multiply-adds, and as many numbers to read. A crossing is the gap as a
 series, its moments, what they do to the state, and its cell's map once more for the region behind it.
-Everything beyond that is reading the proof, finding roots, and overhead. The peak is that of this core, measured by a loop of nothing but multiply-adds ({peak:.1f}
-billion a second); tables are read from the first cache at {bandwidth:.0f} GB/s. *Least* is the
-longer of arithmetic at the peak and reading at that speed; *share* is necessary arithmetic over
-peak.
+Everything beyond that is reading the proof, finding roots, and overhead. The peak is that of this core,
+measured by a loop of nothing but multiply-adds ({peak:.1f} billion a second); tables are read from the first
+cache at {bandwidth:.0f} GB/s. *Least* is the longer of arithmetic at the peak and reading at that speed;
+*share* is necessary arithmetic over peak.
 """
 MAP = """\
 Every pixel starts cold. gearlash's row gives label and largest exponent, from the equations on; heyoka's

@@ -23,7 +23,7 @@ def _change(first, last):
     at most between that may be either: one change of sides."""
     rest = ALL ^ last
     found = first != 0 and last != 0 and (first & (first + 1)) == 0
-    return found and (rest == first or rest == 2 * first + 1)  # noqa: PLR1714 - kernels know no sets
+    return found and (rest == first or rest == 2 * first + 1)
 
 
 @inlined

@@ -186,8 +186,8 @@ def _carry(
 )  # fmt: skip
 def run(
     shape: Shape, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold,
-    strobes, counts, sums, outcomes, used, piece, poly, event, state, work, moved, zc, series, factors, origin,
-    sides,
+    strobes, counts, sums, outcomes, used, piece, poly, event, state, work, moved, zc, series, factors,
+    origin, sides,
 ):  # fmt: skip
     """The one march: carries motions, one after the other, in place over stretches of `length` cells: of each
     u (p) = (1, z) and tangents (m·p) = (0, v), side by side in their arrays.
@@ -211,9 +211,7 @@ def run(
             work, moved, zc, series, factors, sides, on,
         )  # fmt: skip
         if progress[STARTED] == 0:
-            outcome = _begin(
-                shape, memory, slot_of, rules, motion, m, start, length, strobes[which], origin
-            )
+            outcome = _begin(shape, memory, slot_of, rules, motion, m, start, length, strobes[which], origin)
             if outcome != OK:
                 return outcome
             progress[STARTED], progress[STRETCH] = 1, 0

@@ -7,7 +7,7 @@ import numpy as np
 from gearlash._kernel import fma, inlined, inner
 
 from ._tables import ORDER, TERMS
-from ._vector import linear, move, multiple, powers, times
+from ._vector import linear, move, powers, times
 
 NEAR_ZERO = 1e-9
 

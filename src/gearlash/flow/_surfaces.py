@@ -48,11 +48,11 @@ def stays(shape: Shape, memory, slot, cell, c, mode, u, moved):
 @inlined
 def outlook(shape: Shape, memory, slot, cell, c, mode, rule, on, u, moved):
     """What a whole cell brings for clearance c, seen at a glance: (a verdict of `glance`, the boundary ±1
-    that it is about). ``on``: the boundary that was crossed just before in this cell, or 0; moved (rows): what
-    the table `step` makes of u."""
+    that it is about). ``on``: the boundary that was crossed just before in this cell, or 0; moved (rows):
+    what the table `step` makes of u."""
     first = shape.p + TERMS * c
     near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
-    if mode == PLUS or mode == MINUS:  # noqa: PLR1714 - kernels know no sets
+    if mode in (PLUS, MINUS):
         boundary = 1 if mode == PLUS else -1
         pressing = rule == NO_TENSION  # then it is the force that is watched, and it may jump
         found = glance(moved, first, float(boundary), 0.0, near, on == boundary and not pressing)

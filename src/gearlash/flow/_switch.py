@@ -8,9 +8,9 @@ the crossing. Both flows differ by one force only, q(s) = Φ_B - Φ_A along the 
 
 an integral of polynomials. The product of that flow and the stiffness is in the table `push`, so that it is
 `push` times the moments of X - edge; a damping that sets in too adds `pull` times those of dX/ds. No series
-of the state is needed. Where the field jumps, the derivative of s* with respect to the start adds ± ζ g hᵀ at the crossing (never as a
-quotient, which would be 0/0 at grazing; M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008,
-ch. 2, doi:10.1007/978-1-84628-708-4)."""
+of the state is needed. Where the field jumps, the derivative of s* with respect to the start adds ± ζ g hᵀ
+at the crossing (never as a quotient, which would be 0/0 at grazing; M. di Bernardo et al., Piecewise-smooth
+Dynamical Systems, 2008, ch. 2, doi:10.1007/978-1-84628-708-4)."""
 
 from __future__ import annotations
 

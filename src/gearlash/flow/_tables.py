@@ -115,8 +115,8 @@ def lay_out(plan: Plan) -> Shape:
         size += padded(length)
     inside, slot = [], 0
     for length in (cells * (1 + n) * rows, cells * j * p, cells * j * (1 + n) * TERMS, cells * j * p,
-                   cells * j * (ORDER + 1) * p, 2 * cells * j * (ORDER + 1) * p, (n + j) * p, n * width, 4 * j, p, (1 + n) * p, p, j * p,
-                   2 * j, j):  # fmt: skip
+                   cells * j * (ORDER + 1) * p, 2 * cells * j * (ORDER + 1) * p, (n + j) * p, n * width,
+                   4 * j, p, (1 + n) * p, p, j * p, 2 * j, j):  # fmt: skip
         inside.append(slot)
         slot += padded(length)
     return Shape._make([n, p, j, cells, rows, plan.harmonics, *places, size, slot, *inside])

@@ -40,10 +40,9 @@ FIRST = 96  # base periods before the first attempt: most motions are near their
 DOUBLING = 500  # base periods up to which each attempt waits for twice as long as the one before
 NEAR = 0.02  # a return this close (of the motion's size) is worth an attempt
 STEADY, GROWTH = 0.02, 0.25  # change of size from half to half of a quasi-periodic, of a chaotic motion
-FOLDS = (
-    120.0  # growth, in powers of e, of neighbours of a motion that is called chaotic: three times what can
-)
-# happen while a motion leaves, from within rounding, an unstable orbit; most chaotic transients end before
+FOLDS = 120.0
+"""Growth, in powers of e, of neighbours of a motion that is called chaotic: three times what can happen while
+a motion leaves, from within rounding, an unstable orbit; and most chaotic transients end before."""
 LONG = 4  # times `exponent_periods`, then even slow growth is long enough
 REPELLED = np.log(10.0)  # neighbours that grow so much in a period are not near a stable orbit of it
 FAR = 0.1  # the best return is worth one up to here

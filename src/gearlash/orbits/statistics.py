@@ -49,15 +49,17 @@ class MotionStatistics:
 
 def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatistics:
     """Of one clearance, by Gauss quadrature on every exact piece, with extremes of X from its exact extrema;
-    extremes of the force are taken on 48 points a piece and at its ends."""
+    extremes of the force are those of the parabolas through the extreme ones of 48 points a piece."""
     trace = attractor.trace
     weight = (trace.lengths[:, None] * WEIGHTS[None, :] / 2.0).ravel()
     samples = trace.at(_phases(trace, (NODES + 1.0) / 2.0), clearance)
     weight = weight / weight.sum()
     mean, square = float(weight @ samples.force), float(weight @ samples.force**2)
     dense = trace.at(_phases(trace, np.linspace(1e-12, 1.0 - 1e-12, 48)), clearance)
+    rows = dense.force.reshape(len(trace.lengths), -1)
+    least, most = -max(map(top, -rows)), max(map(top, rows))
     force = ForceStatistics(
-        float(dense.force.min()), float(dense.force.max()), mean, float(np.sqrt(square)),
+        least, most, mean, float(np.sqrt(square)),
         float(np.sqrt(max(square - mean**2, 0.0))),
     )  # fmt: skip
     x = samples.displacement
@@ -67,6 +69,16 @@ def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatist
     free = float(trace.lengths[trace.regions_of(clearance) == FREE].sum() / trace.lengths.sum())
     rms = float(np.sqrt(max(float(weight @ (x - average) ** 2), 0.0)))
     return MotionStatistics(force, rms, float(high - low), float(low), float(high), free)
+
+
+def top(values: NDArray[np.float64]) -> float:
+    """The largest of equally spaced values, refined by the parabola through it and its neighbours."""
+    i = int(np.argmax(values))
+    if i in (0, len(values) - 1):
+        return float(values[i])
+    before, best, after = (float(v) for v in values[i - 1 : i + 2])
+    bend, slope = before - 2.0 * best + after, after - before
+    return best - slope**2 / (8.0 * bend) if bend < 0.0 else best
 
 
 def _phases(trace, local: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from gearlash.flow import Trace
 from gearlash.flow.events import contact_force
+from gearlash.orbits.statistics import top
 
 Array = NDArray[np.float64]
 
@@ -19,7 +20,7 @@ CLOSER = np.linspace(0.0, 1.0, 61)
 def force_figures(trace: Trace) -> dict[str, float]:
     """Extremes of X (exact, at its extrema), extremes and rms of Φ, share of time without contact (0 to 1).
 
-    Each piece of the motion is read at 10 Gauss nodes and both ends. Pieces are shorter than a fifth of the
+    Each piece of the motion is read at 10 Gauss nodes and both ends. Pieces are shorter than a third of the
     fastest oscillation, so the rms is good to rounding; around its extreme readings Φ is read once more,
     closely, and a parabola makes the extremes good to about 1e-8 of their span.
     """
@@ -65,14 +66,4 @@ def _extremes(trace: Trace, force: Array, phase: Array) -> tuple[float, float]:
     local = (cells - trace.positions[piece]) / trace.lengths[piece]
     closer = _read(trace, piece, local)[1]
     least, most = closer[: len(CLOSER)], closer[len(CLOSER) :]
-    return -max(_top(-least), float(-flat.min())), max(_top(most), float(flat.max()))
-
-
-def _top(values: Array) -> float:
-    """The largest of equally spaced values, refined by the parabola through it and its neighbours."""
-    i = int(np.argmax(values))
-    if i in (0, len(values) - 1):
-        return float(values[i])
-    before, top, after = (float(v) for v in values[i - 1 : i + 2])
-    bend, slope = before - 2.0 * top + after, after - before
-    return top - slope**2 / (8.0 * bend) if bend < 0.0 else top
+    return -max(top(-least), float(-flat.min())), max(top(most), float(flat.max()))
