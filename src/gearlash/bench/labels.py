@@ -16,6 +16,7 @@ from pathlib import Path
 from time import perf_counter
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators
@@ -71,7 +72,7 @@ def brute_force(props: Propagators, start: Array, periods: int = PERIODS) -> tup
         periods *= 2
 
 
-def read(states: Array, contacts: Array) -> tuple[str, float]:
+def read(states: Array, contacts: NDArray[np.int64]) -> tuple[str, float]:
     """The label of strobes (periods+1, n) with their contacts, and the least return of them all."""
     scale = max(1.0, float(np.abs(states).max()))
     returns = [float(np.abs(states[p:] - states[:-p]).max()) / scale for p in range(1, LONGEST + 1)]
