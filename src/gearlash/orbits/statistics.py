@@ -49,13 +49,13 @@ class MotionStatistics:
 
 def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatistics:
     """Of one clearance, by Gauss quadrature on every exact piece, with extremes of X from its exact extrema;
-    extremes of the force are those of the parabolas through the extreme ones of 48 points a piece."""
+    extremes of the force are those of the parabolas through the extreme ones of 96 points a piece."""
     trace = attractor.trace
     weight = (trace.lengths[:, None] * WEIGHTS[None, :] / 2.0).ravel()
     samples = trace.at(_phases(trace, (NODES + 1.0) / 2.0), clearance)
     weight = weight / weight.sum()
     mean, square = float(weight @ samples.force), float(weight @ samples.force**2)
-    dense = trace.at(_phases(trace, np.linspace(1e-12, 1.0 - 1e-12, 48)), clearance)
+    dense = trace.at(_phases(trace, np.linspace(1e-12, 1.0 - 1e-12, 96)), clearance)
     rows = dense.force.reshape(len(trace.lengths), -1)
     least, most = -max(map(top, -rows)), max(map(top, rows))
     force = ForceStatistics(
