@@ -40,9 +40,9 @@ STARTED, STRETCH, MOTION = 0, 1, 2  # in `progress`: how far a call came that ra
 
 
 @inner
-def _orthonormalise(tangents, m, p, sums):
+def _orthonormalise(tangents, m, p, sums, first):
     """Modified Gram-Schmidt, twice, on the rows of `tangents`; adds the logarithms of their lengths to
-    `sums`."""
+    `sums` from a place on."""
     for i in range(m):
         for _twice in range(2):
             for j in range(i):
@@ -55,7 +55,7 @@ def _orthonormalise(tangents, m, p, sums):
         for k in range(1, p):
             size += tangents[i * p + k] ** 2
         size = np.sqrt(size)
-        sums[i] += np.log(size)
+        sums[first + i] += np.log(size)
         for k in range(1, p):
             tangents[i * p + k] /= size
 
@@ -164,7 +164,7 @@ def _carry(
                     strobes[later, i] = np.nan
             return outcome
         if len(sums) > 0:
-            _orthonormalise(motion.tangents, m, shape.p, sums)
+            _orthonormalise(motion.tangents, m, shape.p, sums, stretch * m)
         if record.used[0] < 0:
             position[0] = stop_cell % shape.cells
         position[2], position[3] = _ahead(int(position[0]), position[1], length)
@@ -195,7 +195,8 @@ def run(
     strobes (motions, stretches+1, n) receives the states at every start and at the end (NaN where a motion
     does not come), counts (motions,
     stretches, 4·clearances+1), zero at first, what happened in each stretch, outcomes (motions) how each
-    ended. With sums (m), of one motion only, tangents are orthonormalised after each stretch. used[0] = -1
+    ended. With sums (stretches·m), of one motion only, tangents are orthonormalised after each stretch,
+    and the logarithms of their lengths added there. used[0] = -1
     records nothing, else piece, poly, event and state are filled (`Record`), of one motion. modes, on
     (clearances), position (6), progress (3), zero at first, let a call that returned `NEED_REGION` go on once
     that region is built. The last seven are work space (`scratch`). One entry point: each variant would

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash.system import Status
 
-from .march import _run, start_state
+from .march import CALL, _run, start_state
 from .propagators import Propagators
 
 Array = NDArray[np.float64]
@@ -34,18 +34,17 @@ def growth(props: Propagators, z: ArrayLike, tangent: ArrayLike, periods: int, s
     left. Ends early, with its status, where the motion could not be carried on."""
     state = start_state(z, props.system.size)
     frame = np.array(tangent, dtype=np.float64)[None]
-    lengths = [stretch] * (periods // stretch) + ([periods % stretch] if periods % stretch else [])
-    parts, logarithms, undecided, status = [state[None].copy()], np.zeros(len(lengths)), 0, Status.OK
-    for i, length in enumerate(lengths):
+    parts, sums, undecided, status, done = [state[None].copy()], np.zeros(periods), 0, Status.OK, 0
+    while done < periods and status.ok:
+        block = min(CALL, periods - done)
         status, strobes, counts = _run(
-            props, state, 0.0, float(props.cells), length, tangents=frame, sums=logarithms[i : i + 1]
+            props, state, 0.0, float(props.cells), block, tangents=frame, sums=sums[done : done + block]
         )
         parts.append(strobes[1:])
         undecided += int(counts[:, -1].sum())
-        if not status.ok:
-            break
+        done += block
     if status.ok and undecided:
         status = Status.UNCERTAIN
-    return Growth(
-        np.concatenate(parts), frame[0], logarithms, np.array(lengths, dtype=np.int64), undecided, status
-    )
+    starts = np.arange(0, periods, stretch)
+    logarithms, lengths = np.add.reduceat(sums, starts), np.diff(starts, append=periods)
+    return Growth(np.concatenate(parts), frame[0], logarithms, lengths, undecided, status)

@@ -240,9 +240,9 @@ def trace(
 def orthonormal_growth(props: Propagators, z: Array, frame: Array, periods: int) -> tuple[Status, Array]:
     """Carries z (n,) and the orthonormal rows of frame (m, n) in place over base periods; returns the sums
     (m,) of the logarithms of the lengths."""
-    sums = np.zeros(len(frame))
+    sums = np.zeros((periods, len(frame)))
     status, _, counts = _run(props, z, 0.0, float(props.cells), periods, tangents=frame, sums=sums)
-    return _with_doubt(status, counts), sums
+    return _with_doubt(status, counts), sums.sum(axis=0)
 
 
 def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float, float]:
@@ -299,15 +299,12 @@ def _run_all(
     """Calls the kernel: states (motions, n), and of one motion the rows of tangents (m, n), are carried in
     place, strobes (motions, stretches+1, n) written, counts (motions, stretches, columns) added to. Where a
     motion comes to a region without tables, they are built, and it goes on. Returns outcomes (motions,)."""
-    shape, (motions, n) = props.shape, states.shape
-    p, room = shape.p, _room(shape)
-    count = 0 if tangents is None else len(tangents)
-    u, flat = aligned(motions * p, count * p)
-    starts = u.reshape(motions, p)
-    starts[:, 0], starts[:, 1 : 1 + n] = 1.0, states
-    frame = flat.reshape(count, p)
+    shape, motions = props.shape, len(states)
+    room = _room(shape)
+    u, starts, flat, frame = room.vectors(motions, 0 if tangents is None else len(tangents))
+    starts[:] = states
     if tangents is not None:
-        frame[:, 1 : 1 + n] = tangents
+        frame[:] = tangents
     outcomes = np.zeros(motions, dtype=np.int64)
     room.progress[:] = 0
     while True:
@@ -315,14 +312,14 @@ def _run_all(
         code = _march.run(
             shape, tables.memory, tables.slot_of, props.rules, u, flat, room.modes, room.on, room.position,
             room.progress, start, length, _NO_HOLD if hold is None else hold, strobes, counts,
-            _NO_SUMS if sums is None else sums, outcomes, *(record or room.nothing), *room.space,
+            _NO_SUMS if sums is None else sums.reshape(-1), outcomes, *(record or room.nothing), *room.space,
         )  # fmt: skip
         if code != NEED_REGION:
             break
         props.build(int(room.position[NEEDED]))
-    states[:] = starts[:, 1 : 1 + n]
+    states[:] = starts
     if tangents is not None:
-        tangents[:] = frame[:, 1 : 1 + n]
+        tangents[:] = frame
     return outcomes
 
 
@@ -341,6 +338,23 @@ class _Room:
             np.empty((0, 4)),
             np.empty((0, shape.n)),
         )
+        self._vectors: dict[tuple[int, int], tuple[Array, Array, Array, Array]] = {}
+
+    def vectors(self, motions: int, tangents: int) -> tuple[Array, Array, Array, Array]:
+        """Where the states (motions, n) of so many motions lie for the kernel, and as what they are filled in;
+        the same of tangents."""
+        found = self._vectors.get((motions, tangents))
+        if found is None:
+            p, inside = self.shape.p, slice(1, 1 + self.shape.n)
+            u, flat = aligned(motions * p, tangents * p)
+            starts, frame = u.reshape(motions, p), flat.reshape(tangents, p)
+            found = u, starts[:, inside], flat, frame[:, inside]
+            if motions == 1:  # of many, every call may have another number
+                self._vectors[motions, tangents] = found
+        u, _, flat, _ = found
+        u[:], flat[:] = 0.0, 0.0  # a motion that diverged leaves NaN even in what only pads
+        u[:: self.shape.p] = 1.0
+        return found
 
 
 _rooms = threading.local()
