@@ -3,14 +3,13 @@
 from ._tables import TERMS
 from .events import Events, Extrema, Samples, Trace
 from .growth import Growth, growth
+from .many import ManyStrobes, march_many
 from .march import (
     Carried,
     Hold,
-    ManyStrobes,
     Strobes,
     carry,
     march,
-    march_many,
     orthonormal_growth,
     trace,
     variational,

@@ -21,6 +21,7 @@ from ._work import DEPTH, LIMITS, LOCAL, ONES, POWERS, SCALED, STACK, SURFACE
 
 NONE = 2.0  # "no root in [0, 1]"
 CLEAR, ONE, OPEN = 0, 1, 2
+MOST_STEPS = 100  # of `polish`
 
 
 @inlined
@@ -163,28 +164,33 @@ def polish(work, at, place, lo, hi, guess, sign):
     Halley's method kept inside a shrinking bracket. It ends where the next step, of third order, would be
     below rounding."""
     s = guess if lo < guess < hi else 0.5 * (lo + hi)
-    for _ in range(100):
+    for _ in range(MOST_STEPS):
         value, slope, half_bend = jet(work, at, s)
-        value -= place
-        if sign * value > 0.0:
-            lo = s
-        elif sign * value < 0.0:
-            hi = s
-        else:
-            return s
-        divisor = slope * slope - value * half_bend
-        change = -value * slope / divisor if divisor > 0.0 else 2.0
-        step = min(max(s + change, lo), hi)
-        if abs(change) <= 2.3e-16 * s or (
-            abs(change) <= 1e-6 and abs(change * half_bend) <= 1e-6 * abs(slope)
-        ):
-            return step
-        if step in (lo, hi):
-            step = 0.5 * (lo + hi)
-            if step in (lo, hi):
-                return step
-        s = step
+        done, s, lo, hi = halley(value - place, slope, half_bend, sign, lo, hi, s)
+        if done:
+            break
     return s
+
+
+@inlined
+def halley(value, slope, half_bend, sign, lo, hi, s):
+    """One step of `polish` from s: whether it was the last, where it leads, and the bracket."""
+    if sign * value > 0.0:
+        lo = s
+    elif sign * value < 0.0:
+        hi = s
+    else:
+        return True, s, lo, hi
+    divisor = slope * slope - value * half_bend
+    change = -value * slope / divisor if divisor > 0.0 else 2.0
+    step = min(max(s + change, lo), hi)
+    if abs(change) <= 2.3e-16 * s or (abs(change) <= 1e-6 and abs(change * half_bend) <= 1e-6 * abs(slope)):
+        return True, step, lo, hi
+    if step in (lo, hi):
+        step = 0.5 * (lo + hi)
+        if step in (lo, hi):
+            return True, step, lo, hi
+    return False, step, lo, hi
 
 
 @inner

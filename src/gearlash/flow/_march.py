@@ -117,7 +117,7 @@ def _strobe(shape: Shape, memory, slot_of, motion, row, strobes):
 
 
 @inner
-def _begin(shape: Shape, memory, slot_of, rules, motion, m, start, length, strobes, origin):
+def begin(shape: Shape, memory, slot_of, rules, motion, m, start, length, strobes, origin):
     """Puts a motion at its start, or returns `NEED_REGION`."""
     u, modes, position = motion.u, motion.modes, motion.position
     cell = int(np.floor(start))
@@ -212,7 +212,7 @@ def run(
             work, moved, zc, series, factors, sides, on,
         )  # fmt: skip
         if progress[STARTED] == 0:
-            outcome = _begin(shape, memory, slot_of, rules, motion, m, start, length, strobes[which], origin)
+            outcome = begin(shape, memory, slot_of, rules, motion, m, start, length, strobes[which], origin)
             if outcome != OK:
                 return outcome
             progress[STARTED], progress[STRETCH] = 1, 0

@@ -26,7 +26,7 @@ def gap_series(shape: Shape, memory, slot, cell, c, u, work):
 
 
 @inlined
-def _inward(mode, boundary):
+def inward_of(mode, boundary):
     """The sign of X - place on the side of a boundary on which a mode is."""
     return float(-boundary if mode == FREE else boundary)
 
@@ -50,8 +50,13 @@ def outlook(shape: Shape, memory, slot, cell, c, mode, rule, on, u, moved):
     """What a whole cell brings for clearance c, seen at a glance: (a verdict of `glance`, the boundary ±1
     that it is about). ``on``: the boundary that was crossed just before in this cell, or 0; moved (rows):
     what the table `step` makes of u."""
-    first = shape.p + TERMS * c
     near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
+    return verdict_of(shape, memory, c, mode, rule, on, near, moved, shape.p + TERMS * c)
+
+
+@inlined
+def verdict_of(shape: Shape, memory, c, mode, rule, on, near, moved, first):
+    """The same from coefficients that lie in moved from ``first`` on, and the bound ``near`` on them."""
     if mode in (PLUS, MINUS):
         boundary = 1 if mode == PLUS else -1
         pressing = rule == NO_TENSION  # then it is the force that is watched, and it may jump
@@ -77,7 +82,7 @@ def outlook(shape: Shape, memory, slot, cell, c, mode, rule, on, u, moved):
 def one_crossing(shape: Shape, memory, slot, cell, c, mode, boundary, verdict, s, u, moved, work):
     """Where X crosses the boundary of which ``verdict`` (not `CLEAR`, not `UNSURE`) speaks for the first time
     behind s, or `NONE` where that is not proved; fills GAPS on the way."""
-    inward = _inward(mode, boundary)
+    inward = inward_of(mode, boundary)
     place = boundary * memory[shape.gaps + 4 * c + (0 if boundary > 0 else 1)] if mode == FREE else 0.0
     first, x = shape.p + TERMS * c, GAPS + c * TERMS
     gap_series(shape, memory, slot, cell, c, u, work)
@@ -124,7 +129,7 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
                 mode == beyond, work,
             )  # fmt: skip
         else:  # the place of the boundary
-            inward = _inward(mode, boundary)
+            inward = inward_of(mode, boundary)
             if mode == beyond and rule == NO_TENSION and damping != 0.0:
                 continue  # the force is zero before
             if inward * (work[x] - edge) - swing > near:

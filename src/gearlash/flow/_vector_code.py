@@ -69,22 +69,22 @@ if not TYPE_CHECKING:
         builder.ret_void()
         return function
 
-    def _product(builder, blocks, table, stride, count, x, out):
-        """out ← Σ_k x[k] · (table + k·stride), 8·blocks rows. Even and odd columns go into sums of
-        their own: half the wait of one chain."""
+    def _product(builder, blocks, table, stride, count, x, out, abreast=False):
+        """out ← Σ_k x[k] · (table + k·stride), 8·blocks rows; or, eight motions ``abreast``, so many rows
+        of each. Even and odd columns go into sums of their own: half the wait of one chain."""
         zero = ir.Constant(_VECTOR, [0.0] * LANES)
         places = [_INDEX(LANES * b) for b in range(blocks)]
 
         def column(k, here, sums):
-            factor = _splat(builder, builder.load(builder.gep(x, [k])))
-            return [
-                _call(
-                    builder,
-                    "llvm.fma.v8f64",
-                    [_load(builder, table, builder.add(here, place)), factor, total],
-                )
-                for place, total in zip(places, sums, strict=True)
-            ]
+            if abreast:
+                vectors = [_load(builder, x, builder.mul(k, _INDEX(LANES)))] * blocks
+                entries = [builder.add(here, _INDEX(b)) for b in range(blocks)]
+                factors = [_splat(builder, builder.load(builder.gep(table, [at]))) for at in entries]
+            else:
+                vectors = [_load(builder, table, builder.add(here, place)) for place in places]
+                factors = [_splat(builder, builder.load(builder.gep(x, [k])))] * blocks
+            terms = zip(vectors, factors, sums, strict=True)
+            return [_call(builder, "llvm.fma.v8f64", [*term]) for term in terms]
 
         before = builder.block
         names = ("pairs", "paired", "single", "stored")

@@ -81,7 +81,7 @@ def _survey(shape: Shape, memory, slot, k, rules, motion):
 
 
 @inner
-def _bounded(u, p):
+def bounded(u, p):
     size = 0.0
     for i in range(p):
         size += abs(u[i])
@@ -116,6 +116,7 @@ def walk(  # noqa: PLR0915 - one loop: cut up, it was slower by a tenth
                 passed, k = _over_clear_cells(shape, memory, slot, motion, m, k, left, whole)
                 if passed > 0:
                     cell, proved = cell + passed, True
+                    leave_behind(motion)
                 if passed == left:
                     continue
                 verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion)
@@ -126,7 +127,7 @@ def walk(  # noqa: PLR0915 - one loop: cut up, it was slower by a tenth
                 if verdict == CLEAR:
                     move(moved, 0, u, 0, p)
                     _tangents_on(shape, memory, step, shape.rows, motion.tangents, m, moved)
-                    _leave_behind(motion)
+                    leave_behind(motion)
                     cell, s, proved = cell + 1, 0.0, True
                     k = k + 1 if k + 1 < cells else 0
                     continue
@@ -138,23 +139,18 @@ def walk(  # noqa: PLR0915 - one loop: cut up, it was slower by a tenth
             if at != NONE:
                 motion.position[0], motion.position[1] = cell, s
                 behind = FREE if modes[which] != FREE else (PLUS if boundary > 0 else MINUS)
-                outcome = _cross(
+                outcome = cross(
                     shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind,
                     False, False, counts, record,
                 )  # fmt: skip
                 if outcome != OK:
                     return outcome
-                _leave_behind(motion)
+                leave_behind(motion)
                 motion.on[which], s, proved = boundary, at, False
                 slot = slot_place(shape, slot_of, modes)
                 continue
-        if not _bounded(u, p):  # no polynomial of infinities can be subdivided to an end
-            return DIVERGED
-        if proved:
-            proved = False
-            _leave_behind(motion)
-        motion.position[0], motion.position[1] = cell, s
-        outcome = _by_pieces(shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record)
+        motion.position[0], motion.position[1], proved = cell, s, False
+        outcome = in_pieces(shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record)
         if outcome != OK:
             return outcome
         if arriving:
@@ -162,16 +158,10 @@ def walk(  # noqa: PLR0915 - one loop: cut up, it was slower by a tenth
         slot = slot_place(shape, slot_of, modes)
         s = motion.position[1]
         if end == 1.0:
-            step = slot + shape.step + k * (1 + shape.n) * shape.rows
-            _leap(shape, memory, step, shape.rows, u, motion.tangents, m, moved)
             cell += 1
             k = k + 1 if k + 1 < cells else 0
-            s = 0.0
-            _leave_behind(motion)
-    if proved:
-        _leave_behind(motion)
     motion.position[0], motion.position[1] = cell, s
-    return OK if _bounded(u, p) else DIVERGED
+    return OK if bounded(u, p) else DIVERGED
 
 
 @inlined
@@ -237,7 +227,7 @@ def _lap(shape: Shape, memory, slot, modes, u, moved):
 
 
 @inner
-def _leave_behind(motion):
+def leave_behind(motion):
     """What was crossed, and the start itself, are behind."""
     motion.position[FRESH] = 0.0
     for c in range(len(motion.on)):
@@ -245,9 +235,24 @@ def _leave_behind(motion):
 
 
 @inner
+def in_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record):
+    """Cell k from motion.position to local time ``end``, event by event, and on into the next cell where that
+    is its end; ``arriving``: the crossings at a position only."""
+    if not bounded(motion.u, shape.p):  # no polynomial of infinities can be subdivided to an end
+        return DIVERGED
+    outcome = _by_pieces(shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record)
+    if outcome == OK and not arriving and end == 1.0:
+        slot = slot_place(shape, slot_of, motion.modes)
+        step = slot + shape.step + k * (1 + shape.n) * shape.rows
+        _leap(shape, memory, step, shape.rows, motion.u, motion.tangents, m, motion.moved)
+        motion.position[0], motion.position[1] = motion.position[0] + 1.0, 0.0
+        leave_behind(motion)
+    return outcome
+
+
+@inner
 def _by_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record):
-    """One cell from motion.position to local time ``end``, event by event; ``arriving``: the crossings at a
-    position only."""
+    """The same up to ``end`` only."""
     events = 0
     cell = motion.position[0]
     while arriving or motion.position[1] < end:
@@ -266,7 +271,7 @@ def _by_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving
                 return TOO_MANY
             _advance(motion, stop)
             continue
-        outcome = _cross(
+        outcome = cross(
             shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind,
             motion.position[FRESH] != 0.0 and at == s, undecided and not arriving, counts, record,
         )  # fmt: skip
@@ -320,7 +325,7 @@ def _first(shape: Shape, memory, slot, k, rules, motion, s, stop, held_clearance
 
 
 @inner
-def _cross(
+def cross(
     shape: Shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind, silent, undecided,
     counts, record,
 ):  # fmt: skip

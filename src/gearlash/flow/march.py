@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import threading
 from collections import namedtuple
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import floor
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,14 +18,13 @@ from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
 from .events import Events, Trace
 from .propagators import Propagators
 
-_STATUS = {
+STATUS = {
     OK: Status.OK,
     TOO_MANY: Status.TOO_MANY_EVENTS,
     DIVERGED: Status.DIVERGED,
 }
 CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon;
 WORK = 1e7  # fewer where their cells have more than so many table entries
-TOGETHER = 16_000  # base periods of several motions in one call
 MOST_PIECES = 2_000_000
 
 
@@ -80,8 +77,8 @@ def start_state(z: ArrayLike, size: int) -> Array:
 def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) -> Strobes:
     """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times."""
     state = start_state(z, props.system.size)
-    states, contacts = [state[None].copy()], [np.zeros((0, _columns(props)), dtype=np.int64)]
-    done, status, most = 0, Status.OK, _block(props, stretch)
+    states, contacts = [state[None].copy()], [np.zeros((0, columns_of(props)), dtype=np.int64)]
+    done, status, most = 0, Status.OK, block_of(props, stretch)
     while done < stretches and status.ok:
         block = min(most, stretches - done)
         status, strobes, counts = _run(props, state, 0.0, float(stretch * props.cells), block)
@@ -92,82 +89,11 @@ def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) ->
     return Strobes(np.concatenate(states), table[:, :-1], int(table[:, -1].sum()), _with_doubt(status, table))
 
 
-def _block(props: Propagators, stretch: int) -> int:
+def block_of(props: Propagators, stretch: int) -> int:
     """Stretches of one kernel call at the most."""
     shape = props.shape
     most = min(CALL, WORK / (shape.cells * (1 + shape.n) * shape.rows))
     return max(1, int(most) // stretch)
-
-
-@dataclass(frozen=True, eq=False)
-class ManyStrobes:
-    """Of several motions: states (stretches+1, motions, n) at equal phases, contacts (stretches, motions,
-    4·clearances) as in `Strobes`, and of each motion how many places stayed undecided, and its status."""
-
-    states: Array
-    contacts: Array
-    undecided: Array
-    statuses: tuple[Status, ...]
-
-
-def march_many(
-    props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1, *, threads: int = 1
-) -> ManyStrobes:
-    """`march` of several motions, z (motions, n), on one or more threads. Every motion is the same, byte for
-    byte, as alone. Where one ends early, its later states are NaN."""
-    states = np.array(z, dtype=np.float64)
-    if states.ndim != 2 or states.shape[1] != props.system.size:
-        raise GearlashError(f"states have shape {states.shape}, expected (motions, {props.system.size})")
-    if not np.isfinite(states).all():
-        raise GearlashError("a state holds NaN or infinity")
-    if threads < 1:
-        raise GearlashError(f"threads is {threads}, expected 1 or more")
-    parts = [part for part in np.array_split(states, threads) if len(part)]
-    if len(parts) < 2:
-        return _march_part(props, states, stretches, stretch)
-    with ThreadPoolExecutor(len(parts)) as pool:
-        found = list(pool.map(lambda part: _march_part(props, part, stretches, stretch), parts))
-    return ManyStrobes(
-        np.concatenate([f.states for f in found], axis=1),
-        np.concatenate([f.contacts for f in found], axis=1),
-        np.concatenate([f.undecided for f in found]),
-        tuple(status for f in found for status in f.statuses),
-    )
-
-
-def _march_part(props: Propagators, states: Array, stretches: int, stretch: int) -> ManyStrobes:
-    """All on this thread, in calls of the same length as those of `march`."""
-    count = len(states)
-    kept = np.empty((count, stretches + 1, states.shape[1]))
-    contacts = np.zeros((count, stretches, _columns(props)), dtype=np.int64)
-    kept[:, 0] = states
-    outcomes, done, block = np.zeros(count, dtype=np.int64), 0, _block(props, stretch)
-    while done < stretches:
-        block = min(block, stretches - done)
-        together = max(1, TOGETHER // (block * stretch))
-        kept[outcomes != OK, done + 1 : done + block + 1] = np.nan
-        for motions in _groups(np.flatnonzero(outcomes == OK), together):
-            part, at_once = states[motions], block == stretches
-            rows = kept[motions] if at_once else np.empty((len(part), block + 1, part.shape[1]))
-            counts = contacts[motions] if at_once else np.zeros((len(part), block, _columns(props)), np.int64)
-            outcomes[motions] = _run_all(props, part, 0.0, float(stretch * props.cells), rows, counts)
-            states[motions] = part
-            if not at_once:
-                kept[motions, done + 1 : done + block + 1] = rows[:, 1:]
-                contacts[motions, done : done + block] = counts
-        done += block
-    doubts = contacts[..., -1].sum(axis=1)
-    statuses = tuple(
-        Status.UNCERTAIN if outcome == OK and doubt else _STATUS[int(outcome)]
-        for outcome, doubt in zip(outcomes, doubts, strict=True)
-    )
-    return ManyStrobes(kept.swapaxes(0, 1), contacts[..., :-1].swapaxes(0, 1), doubts, statuses)
-
-
-def _groups(going: Array, size: int) -> list[Any]:
-    """Numbers of motions, so many together: as slices where they follow each other (no copy is made)."""
-    parts = [going[i : i + size] for i in range(0, len(going), size)]
-    return [slice(p[0], p[-1] + 1) if p[-1] - p[0] + 1 == len(p) else p for p in parts]
 
 
 def carry(
@@ -254,10 +180,10 @@ def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, f
 
 
 _Record = namedtuple("_Record", "used piece poly event state")
-_NO_HOLD, _NO_SUMS = np.zeros(4), np.empty(0)
+NO_HOLD, _NO_SUMS = np.zeros(4), np.empty(0)
 
 
-def _columns(props: Propagators) -> int:
+def columns_of(props: Propagators) -> int:
     return 4 * props.shape.clearances + 1
 
 
@@ -274,17 +200,17 @@ def _run(
     base: float = 0.0,
     record: _Record | None = None,
 ) -> tuple[Status, Array, Array]:
-    """`_run_all` of one motion: state (n,) and the rows of tangents (m, n) are carried in place. Returns its
+    """`run_all` of one motion: state (n,) and the rows of tangents (m, n) are carried in place. Returns its
     status, strobes (stretches+1, n) and counts (stretches, columns)."""
     strobes = np.empty((1, stretches + 1, len(state)))
-    counts = np.zeros((1, stretches, _columns(props)), dtype=np.int64)
-    outcomes = _run_all(
+    counts = np.zeros((1, stretches, columns_of(props)), dtype=np.int64)
+    outcomes = run_all(
         props, state[None], start, length, strobes, counts, tangents, sums, _hold(props, hold, base), record
     )
-    return _STATUS[int(outcomes[0])], strobes[0], counts[0]
+    return STATUS[int(outcomes[0])], strobes[0], counts[0]
 
 
-def _run_all(
+def run_all(
     props: Propagators,
     states: Array,
     start: float,
@@ -300,7 +226,7 @@ def _run_all(
     place, strobes (motions, stretches+1, n) written, counts (motions, stretches, columns) added to. Where a
     motion comes to a region without tables, they are built, and it goes on. Returns outcomes (motions,)."""
     shape, motions = props.shape, len(states)
-    room = _room(shape)
+    room = room_of(shape)
     u, starts, flat, frame = room.vectors(motions, 0 if tangents is None else len(tangents))
     starts[:] = states
     if tangents is not None:
@@ -311,7 +237,7 @@ def _run_all(
         tables = props.tables
         code = _march.run(
             shape, tables.memory, tables.slot_of, props.rules, u, flat, room.modes, room.on, room.position,
-            room.progress, start, length, _NO_HOLD if hold is None else hold, strobes, counts,
+            room.progress, start, length, NO_HOLD if hold is None else hold, strobes, counts,
             _NO_SUMS if sums is None else sums.reshape(-1), outcomes, *(record or room.nothing), *room.space,
         )  # fmt: skip
         if code != NEED_REGION:
@@ -360,7 +286,7 @@ class _Room:
 _rooms = threading.local()
 
 
-def _room(shape: Shape) -> _Room:
+def room_of(shape: Shape) -> _Room:
     """This thread's, made anew where the shape is another one."""
     room: _Room | None = getattr(_rooms, "room", None)
     if room is None or room.shape != shape:
@@ -376,7 +302,7 @@ def _snapped(position: float) -> float:
 
 def _hold(props: Propagators, hold: Hold | None, base: float) -> Array:
     if hold is None:
-        return _NO_HOLD
+        return NO_HOLD
     window = (np.array([hold.start, hold.stop]) - base) * props.cells_per_cycle
     return np.array([float(hold.clearance), float(hold.boundary), *window])
 

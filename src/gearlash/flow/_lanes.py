@@ -1,0 +1,102 @@
+"""Arithmetic of eight motions side by side: value i of motion l lies at place 8·i + l.
+
+Nothing in such a product waits for its own result, its tables are read once for all eight, and what is done
+to single numbers costs an eighth. Every motion's numbers are those of `_vector`, to the last bit: the same
+operations in the same order. Kernels get all this in the compiler's own vector instructions
+(`_lanes_code`)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gearlash._kernel import primitive
+
+from ._series import jet, polynomial
+from ._vector import LANES, MASKED, linear, powers, weigh
+
+ROWS = 4  # products come in whole blocks of so many rows
+
+_written_out = primitive(f"{__package__}._lanes_code")
+
+
+def lane(values: Any, at: int, motion: int, count: int) -> Any:
+    """The values of one motion."""
+    return values[at + motion : at + motion + LANES * count : LANES]
+
+
+@_written_out
+def linear_abreast(
+    table: Any, at: int, stride: int, rows: int, count: int, x: Any, out: Any, to: int
+) -> None:
+    """out[to:to+rows] ← Σ_k table[at + k·stride:][:rows] · x[k], rows a multiple of `ROWS`, of each
+    motion."""
+    for motion in range(LANES):
+        result = [0.0] * rows
+        linear(table, at, stride, rows, count, lane(x, 0, motion, count), 0, result, 0)
+        lane(out, LANES * to, motion, rows)[:] = result
+
+
+@_written_out
+def weigh_abreast(weights: Any, at: int, count: int, x: Any, out: Any) -> None:
+    """out[l] ← Σ weights[at + i] |x[i]|, i < count (a multiple of eight), of each motion l."""
+    for motion in range(LANES):
+        out[motion] = weigh(weights, at, count, lane(x, 0, motion, count), 0)
+
+
+@_written_out
+def over_abreast(values: Any, at: int, limits: Any) -> int:
+    """Mask of the motions l of which all `MASKED` values from row ``at`` on are above limits[l]."""
+    return sum(
+        1 << motion
+        for motion in range(LANES)
+        if all(lane(values, LANES * at, motion, MASKED) > limits[motion])
+    )
+
+
+@_written_out
+def under_abreast(values: Any, at: int, limits: Any) -> int:
+    """Mask of the motions of which all are below."""
+    return sum(
+        1 << motion
+        for motion in range(LANES)
+        if all(lane(values, LANES * at, motion, MASKED) < limits[motion])
+    )
+
+
+@_written_out
+def choose(mask: int, source: Any, target: Any, rows: int) -> None:
+    """target ← source for the motions of a mask."""
+    for motion in range(LANES):
+        if mask >> motion & 1:
+            lane(target, 0, motion, rows)[:] = lane(source, 0, motion, rows)
+
+
+@_written_out
+def apart(values: Any, rows: int, out: Any, stride: int) -> None:
+    """out[l·stride + i] ← value i of motion l, i < rows (a multiple of eight)."""
+    for motion in range(LANES):
+        out[motion * stride : motion * stride + rows] = lane(values, 0, motion, rows)
+
+
+@_written_out
+def powers_abreast(s: Any, out: Any) -> None:
+    """`_vector.powers` of each motion."""
+    for motion in range(LANES):
+        result = [0.0] * MASKED
+        powers(float(s[motion]), result, 0)
+        lane(out, 0, motion, MASKED)[:] = result
+
+
+@_written_out
+def values_abreast(c: Any, s: Any, out: Any) -> None:
+    """out[l] ← value (`_series.polynomial`) at s[l] of the polynomial c of each motion l."""
+    for motion in range(LANES):
+        out[motion] = polynomial(lane(c, 0, motion, MASKED), 0, float(s[motion]))
+
+
+@_written_out
+def jets_abreast(c: Any, s: Any, out: Any) -> None:
+    """out[l], out[8+l], out[16+l] ← value, slope and half the second derivative (`_series.jet`) of the
+    polynomial c of each motion l."""
+    for motion in range(LANES):
+        out[motion::LANES] = jet(lane(c, 0, motion, MASKED), 0, float(s[motion]))
