@@ -41,6 +41,7 @@ from ._tables import (
     MUTABLE,
     ORDER,
     PLUS,
+    ROUGH,
     SHAPE,
     TERMS,
     Array,
@@ -59,6 +60,7 @@ class Lanes(NamedTuple):
 
     u: Array  # (p): (1, z - c) at the beginning of the cell, under the flow of the present region
     out: Array  # (rows): what the table `step` makes of u
+    fine: Array  # (TERMS): the `fine_coefficients`
     gap: Array  # (TERMS): X - edge over the cell
     push: Array  # (TERMS): work
     moments: Array  # (TERMS): work
@@ -70,7 +72,7 @@ class Lanes(NamedTuple):
     lo: Array
     hi: Array
     at: Array  # of the crossing
-    seen: Array  # (motions, rows): out, motion by motion
+    seen: Array  # (motions, TERMS): the same, motion by motion
     verdict: np.ndarray  # int: of `glance`, and
     boundary: np.ndarray  # int: the one that it is about
     masks: np.ndarray  # (9) int: the motions of which something holds, see below
@@ -88,7 +90,7 @@ GOING = 8  # still under way
 def room(shape: Shape) -> tuple[Array, ...]:
     """Work space of `abreast`."""
     p, rows = shape.p, shape.rows
-    sizes = (p, rows, TERMS, TERMS, TERMS, TERMS, 3, 1, 1, 1, 1, 1, 1, rows)
+    sizes = (p, rows, TERMS, TERMS, TERMS, TERMS, TERMS, 3, 1, 1, 1, 1, 1, 1, TERMS)
     masks = np.zeros(GOING + 1, dtype=np.int64)
     return (*aligned(*(LANES * size for size in sizes)), *np.zeros((2, LANES), dtype=np.int64), masks)
 
@@ -208,9 +210,9 @@ def _laps(shape: Shape, memory, slot_of, lanes):
 
 @inlined
 def _clear(shape: Shape, memory, slot, k, mode, lanes):
-    """Mask of the motions that are proved at a glance to keep their mode through a whole cell; fills `near`,
-    as `_surfaces.stays` has it."""
-    weigh_abreast(memory, slot + shape.rest + k * shape.p, shape.p, lanes.u, lanes.near)
+    """Mask of the motions that are proved at a glance to keep their mode through a whole cell; as
+    `_surfaces.stays` has it."""
+    weigh_abreast(memory, slot + shape.near + k * shape.p, shape.p, lanes.u, lanes.near)
     if mode != FREE:
         for lane in range(LANES):
             lanes.limit[lane] = lanes.near[lane] if mode == PLUS else -lanes.near[lane]
@@ -284,7 +286,7 @@ def _bracket(shape: Shape, memory, mode, mask, lanes):
         inward = inward_of(mode, lanes.boundary[lane])
         side = inward if lanes.verdict[lane] == AGAIN else -inward
         if (mask >> lane) & 1 != 0 and lanes.verdict[lane] != ONCE:
-            lanes.at[lane] = farthest(lanes.seen, lane * shape.rows + shape.p, side)
+            lanes.at[lane] = farthest(lanes.seen, lane * TERMS, side)
     values_abreast(lanes.gap, lanes.at, lanes.limit)
     for lane in range(LANES):
         if (mask >> lane) & 1 == 0:
@@ -302,7 +304,7 @@ def _bracket(shape: Shape, memory, mode, mask, lanes):
                 lanes.lo[lane] = between
             else:
                 lanes.hi[lane] = between
-        lanes.at[lane] = leaving(lanes.seen, lane * shape.rows + shape.p, inward, place, verdict == AGAIN)
+        lanes.at[lane] = leaving(lanes.seen, lane * TERMS, inward, place, verdict == AGAIN)
     return mask
 
 
@@ -356,8 +358,21 @@ def _alone(
     verdict, boundary = lanes.verdict[lane], lanes.boundary[lane]
     at = NONE
     if verdict == AGAIN or (s == 0.0 and verdict in (ONCE, THERE_AND_BACK)):
-        moved = lanes.seen[lane * shape.rows : (lane + 1) * shape.rows]
-        at = one_crossing(shape, memory, slot, k, 0, modes[0], boundary, verdict, s, u, moved, motion.work)
+        at = one_crossing(
+            shape,
+            memory,
+            slot,
+            k,
+            0,
+            modes[0],
+            boundary,
+            verdict,
+            s,
+            u,
+            lanes.seen,
+            lane * TERMS,
+            motion.work,
+        )
     _mark(lanes, PROVED, lane, False)
     if at == NONE:
         return in_pieces(shape, memory, slot_of, rules, motion, 0, k, 1.0, False, hold, counts, record)
@@ -383,21 +398,23 @@ def _through_cell(
         slot = _slot(shape, slot_of, mode)
         step = slot + shape.step + k * (1 + shape.n) * rows
         linear_abreast(memory, step, rows, used, 1 + shape.n, lanes.u, lanes.out, 0)
-        linear_abreast(memory, step + p, rows, TERMS, 1 + shape.n, lanes.u, lanes.out, p)
-        clear = group & _clear(shape, memory, slot, k, mode, lanes)
+        linear_abreast(memory, step + p, rows, ROUGH, 1 + shape.n, lanes.u, lanes.out, p)
+        clear = group & ~lanes.masks[INSIDE] & _clear(shape, memory, slot, k, mode, lanes)
         rest, crossing, alone = group & ~clear, 0, 0
         if rest != 0:
-            apart(lanes.out, rows, lanes.seen, rows)
+            weigh_abreast(memory, slot + shape.rest + k * p, p, lanes.u, lanes.near)
+            fine = slot + shape.fine + k * (1 + shape.n) * TERMS
+            linear_abreast(memory, fine, TERMS, TERMS, 1 + shape.n, lanes.u, lanes.fine, 0)
+            apart(lanes.fine, 0, TERMS, lanes.seen)
         while rest != 0:
             lane = _lowest(rest)
             one = 1 << lane
             rest &= ~one
             verdict, boundary = verdict_of(
-                shape, memory, 0, mode, rules[0], _on(lanes, lane), lanes.near[lane], lanes.seen,
-                lane * rows + p,
-            )  # fmt: skip
+                shape, memory, 0, mode, rules[0], _on(lanes, lane), lanes.near[lane], lanes.seen, lane * TERMS
+            )
             lanes.verdict[lane], lanes.boundary[lane] = verdict, boundary
-            if verdict == CLEAR and _holds(lanes, INSIDE, lane):
+            if verdict == CLEAR:
                 clear |= one
             elif verdict == AGAIN or (not _holds(lanes, INSIDE, lane) and verdict in (ONCE, THERE_AND_BACK)):
                 crossing |= one
@@ -426,7 +443,8 @@ def _go_alone(
     """Takes one out, and puts it back; returns its bit if it is through the cell, or has ended, else 0."""
     _take_out(shape, lanes, motion, lane, cell)
     outcome = _alone(
-        shape, memory, slot_of, slot, rules, lanes, motion, lane, k, hold, counts[lanes.motions[lane], stretch], record,
+        shape, memory, slot_of, slot, rules, lanes, motion, lane, k, hold,
+        counts[lanes.motions[lane], stretch], record,
     )  # fmt: skip
     if outcome != OK:
         _end(lanes, lane, outcome, outcomes)
@@ -480,17 +498,17 @@ def _arrive(
 
 @kernel(
     int64(
-        SHAPE, FLOATS, INTS, INTS, INTS, int64, int64, int64, CUBE, CUBE_OF_INTS, INTS, MUTABLE, INTS, INTS, MUTABLE,
-        INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, INTS,
-        MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE,
-        MUTABLE, MUTABLE, MUTABLE, INTS, INTS, INTS,
+        SHAPE, FLOATS, INTS, INTS, INTS, int64, int64, int64, CUBE, CUBE_OF_INTS, INTS, MUTABLE, INTS, INTS,
+        MUTABLE, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE,
+        INTS, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE,
+        MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, INTS, INTS, INTS,
     ),
     alone=True,
 )  # fmt: skip
 def abreast(
     shape: Shape, memory, slot_of, rules, motions, stretch, done, stretches, strobes, counts, outcomes, hold,
     modes, on, position, used, piece, poly, event, state, work, moved, zc, series, factors, origin, sides, u,
-    out, gap, push, moments, powers, jet, near, limit, s, lo, hi, at, seen, verdict, boundary, masks,
+    out, fine, gap, push, moments, powers, jet, near, limit, s, lo, hi, at, seen, verdict, boundary, masks,
 ):  # fmt: skip
     """Carries the motions with these numbers, up to eight, from phase zero over ``stretches`` of ``stretch``
     base periods each.
@@ -500,8 +518,8 @@ def abreast(
     outcomes (all motions) how each ended: what is written of one that did not end well is of no use. All
     regions that can be met must have been built. The rest is work space (`_march.scratch`, `room`)."""
     lanes = Lanes(
-        u, out, gap, push, moments, powers, jet, near, limit, s, lo, hi, at, seen, verdict, boundary, masks,
-        motions,
+        u, out, fine, gap, push, moments, powers, jet, near, limit, s, lo, hi, at, seen, verdict, boundary,
+        masks, motions,
     )  # fmt: skip
     motion = Motion(origin, origin[:0], modes, position, work, moved, zc, series, factors, sides, on)
     record = Record(used, piece, poly, event, state)

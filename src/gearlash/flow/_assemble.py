@@ -6,15 +6,24 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel import ArrayOf, boolean, float64, inner, int64, kernel, void
+from gearlash._kernel import ArrayOf, boolean, float64, inlined, inner, int64, kernel, void
 
 from ._series import cut_off, pressing
-from ._tables import CUBE, FREE, INTS, MUTABLE, NO_TENSION, ORDER, SHAPE, TERMS, Shape
+from ._tables import CUBE, FREE, INTS, MUTABLE, NO_TENSION, ORDER, ROUGH, SHAPE, TERMS, Shape
 from ._vector import greatest, least, linear, move, peak, weigh
 
 UNIT_ROUNDING = 2.0**-53
 ROUNDING = 32.0 * UNIT_ROUNDING  # of a table's entries and of what is summed from them
 DOUBLINGS = 10  # laps of a region, 2^10 of them, after which its own motion repeats
+
+
+@inlined
+def fine_coefficients(shape: Shape, memory, slot, cell, u, first, out, to):
+    """out[to:] ← Bernstein coefficients (clearances, TERMS) of what is watched over the cell that starts
+    (virtually) at the state at ``first`` in u."""
+    length = shape.clearances * TERMS
+    place = slot + shape.fine + cell * (1 + shape.n) * length
+    linear(memory, place, length, length, 1 + shape.n, u, first, out, to)
 
 
 @inner
@@ -27,11 +36,11 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, watched):
     for j in range(ORDER + 1):
         watched[j] = memory[x + j]
         bulk += abs(memory[x + j])
-    row = at + shape.rest + (cell * count + c) * shape.p + column
+    row = (cell * count + c) * shape.p + column
     tails = at + shape.tail + 4 * c
     own = 0 if column > 0 else 1
     tail, size = memory[tails + own], bulk
-    memory[at + shape.bound + (cell * count + c) * shape.p + column] = tail + ROUNDING * bulk
+    memory[at + shape.bound + row] = tail + ROUNDING * bulk
     if rules[c] == NO_TENSION and sides[c] != FREE:
         side = 0 if sides[c] == 0 else 1
         eta = shape.eta + ((cell * count + c) * 2 + side) * TERMS
@@ -43,9 +52,13 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, watched):
         size = stiff * size + rate * ORDER * bulk
         tail = stiff * tail + rate * memory[tails + 2 + own] + lost * bulk + cut_off(memory, eta, memory, x)
         pressing(memory, eta, memory, x, memory[x], rate, watched, TERMS, 0)
-    place = at + shape.step + (cell * (1 + n) + column) * shape.rows + shape.p + TERMS * c
+    place = at + shape.fine + ((cell * (1 + n) + column) * count + c) * TERMS
     linear(memory, shape.bernstein, TERMS, TERMS, ORDER + 1, watched, 0, memory, place)
-    memory[row] = tail + ROUNDING * size
+    memory[at + shape.rest + row] = tail + ROUNDING * size
+    place = at + shape.step + (cell * (1 + n) + column) * shape.rows + shape.p + ROUGH * c
+    linear(memory, shape.rough, ROUGH, ROUGH, ORDER + 1, watched, 0, memory, place)
+    spared = weigh(memory, shape.spared, TERMS, watched, 0)
+    memory[at + shape.near + row] = tail + ROUNDING * size + spared
 
 
 @kernel(
@@ -88,7 +101,8 @@ def _over_the_period(shape: Shape, memory, at, columns, out, swing):
     for cell in range(shape.cells):
         step = at + shape.step + cell * (1 + n) * rows
         for k in range(1 + n):
-            linear(memory, step, rows, rows, 1 + n, columns, k * p, out, 0)
+            linear(memory, step, rows, p, 1 + n, columns, k * p, out, 0)
+            fine_coefficients(shape, memory, at, cell, columns, k * p, out, p)
             for c in range(count):
                 rest = weigh(memory, at + shape.rest + (cell * count + c) * p, p, columns, k * p)
                 swing[c * p + k] = max(swing[c * p + k], peak(out, p + TERMS * c, TERMS) + rest)
@@ -106,7 +120,8 @@ def _margins(shape: Shape, memory, at, sides, u, out):
         memory[at + shape.margin + c] = np.inf
     for cell in range(shape.cells):
         step = at + shape.step + cell * (1 + n) * rows
-        linear(memory, step, rows, rows, 1 + n, u, 0, out, 0)
+        linear(memory, step, rows, p, 1 + n, u, 0, out, 0)
+        fine_coefficients(shape, memory, at, cell, u, 0, out, p)
         for c in range(count):
             rest = weigh(memory, at + shape.rest + (cell * count + c) * p, p, u, 0)
             lower = -memory[shape.gaps + 4 * c + 1] if sides[c] == FREE else 0.0
@@ -125,7 +140,7 @@ def laps(shape: Shape, memory, at, sides):
     region that (where it is stable) repeats itself, how far that one stays from its limits, and how far
     a unit of each state can move another one from it."""
     n, p, count = shape.n, shape.p, shape.clearances
-    columns, twice, out = np.zeros((1 + n) * p), np.zeros((1 + n) * p), np.zeros(shape.rows)
+    columns, twice, out = np.zeros((1 + n) * p), np.zeros((1 + n) * p), np.zeros(p + TERMS * count)
     swing, u = np.zeros(count * p), np.zeros(p)
     _over_the_period(shape, memory, at, columns, out, swing)
     move(columns, 0, memory, at + shape.lap, (1 + n) * p)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from gearlash._kernel import inlined
 
 from ._tables import ORDER, TERMS
-from ._vector import all_over, all_under, greatest, least, ones_in, over, under
+from ._vector import greatest, least, ones_in, over, under
 
 ALL = (1 << TERMS) - 1
 CLEAR, ONCE, THERE_AND_BACK, AGAIN, UNSURE = 0, 1, 2, 3, 4
@@ -48,13 +48,11 @@ def glance(moved, first, inward, place, near, crossed):
     ``near`` bounds the error of a coefficient; ``crossed``: X has come in through this boundary within the
     cell, and what is before counts as beyond."""
     if inward > 0.0:
-        if all_over(moved, first, place + near):
-            return CLEAR
         inside, beyond = over(moved, first, place + near), under(moved, first, place - near)
     else:
-        if all_under(moved, first, place - near):
-            return CLEAR
         inside, beyond = under(moved, first, place - near), over(moved, first, place + near)
+    if inside == ALL:
+        return CLEAR
     if crossed:
         if _change(beyond, inside) or _two_changes(inside, beyond):
             return CLEAR
@@ -73,7 +71,7 @@ def leaving(moved, first, inward, place, last):
     else:
         before = _trailing(inside) - 1
     left, right = moved[first + before] - place, moved[first + before + 1] - place
-    return (before + left / (left - right)) / ORDER
+    return (before + left / (left - right)) * (1.0 / ORDER)
 
 
 @inlined

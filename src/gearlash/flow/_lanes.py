@@ -45,11 +45,11 @@ def weigh_abreast(weights: Any, at: int, count: int, x: Any, out: Any) -> None:
 
 @_written_out
 def over_abreast(values: Any, at: int, limits: Any) -> int:
-    """Mask of the motions l of which all `MASKED` values from row ``at`` on are above limits[l]."""
+    """Mask of the motions l of which all values of the block from row ``at`` on are above limits[l]."""
     return sum(
         1 << motion
         for motion in range(LANES)
-        if all(lane(values, LANES * at, motion, MASKED) > limits[motion])
+        if all(lane(values, LANES * at, motion, LANES) > limits[motion])
     )
 
 
@@ -59,7 +59,7 @@ def under_abreast(values: Any, at: int, limits: Any) -> int:
     return sum(
         1 << motion
         for motion in range(LANES)
-        if all(lane(values, LANES * at, motion, MASKED) < limits[motion])
+        if all(lane(values, LANES * at, motion, LANES) < limits[motion])
     )
 
 
@@ -72,10 +72,10 @@ def choose(mask: int, source: Any, target: Any, rows: int) -> None:
 
 
 @_written_out
-def apart(values: Any, rows: int, out: Any, stride: int) -> None:
-    """out[l·stride + i] ← value i of motion l, i < rows (a multiple of eight)."""
+def apart(values: Any, at: int, rows: int, out: Any) -> None:
+    """out[l·rows + i] ← value at + i of motion l, i < rows (a multiple of eight)."""
     for motion in range(LANES):
-        out[motion * stride : motion * stride + rows] = lane(values, 0, motion, rows)
+        out[motion * rows : (motion + 1) * rows] = lane(values, LANES * at, motion, rows)
 
 
 @_written_out

@@ -120,7 +120,7 @@ if not TYPE_CHECKING:
             values, limits = _pointers(context, builder, signature, arguments, 0, 2)
             first = builder.gep(values, [builder.mul(arguments[1], _INDEX(LANES))])
             limit, masks = _row(builder, limits, 0), []
-            for i in range(MASKED):
+            for i in range(LANES):
                 bits = builder.bitcast(builder.fcmp_ordered(test, _row(builder, first, i), limit), _BITS)
                 masks.append(builder.zext(bits, _INDEX))
             while len(masks) > 1:  # pair by pair: none waits for all before it
@@ -172,29 +172,29 @@ if not TYPE_CHECKING:
             rows, width = turned, width // 2
         return rows
 
-    def _write_apart(builder, values, rows, out, stride):
+    def _write_apart(builder, values, rows, out):
         def block(number, _):
             first = builder.mul(number, _INDEX(LANES))
             source = builder.gep(values, [builder.mul(first, _INDEX(LANES))])
             for motion, value in enumerate(
                 _turned(builder, [_row(builder, source, i) for i in range(LANES)])
             ):
-                place = builder.add(builder.mul(stride, _INDEX(motion)), first)
+                place = builder.add(builder.mul(rows, _INDEX(motion)), first)
                 builder.store(value, _lanes(builder, out, place), align=8)
 
         _loop(builder, builder.sdiv(rows, _INDEX(LANES)), block)
 
     @intrinsic
-    def apart(typing, values, rows, out, stride):
+    def apart(typing, values, at, rows, out):
         def generate(context, builder, signature, arguments):
-            values, out = _pointers(context, builder, signature, arguments, 0, 2)
+            values, out = _pointers(context, builder, signature, arguments, 0, 3)
+            values = builder.gep(values, [builder.mul(arguments[1], _INDEX(LANES))])
             pointer = _VECTOR.element.as_pointer()
-            kinds = [pointer, _INDEX, pointer, _INDEX]
-            function = _function(builder.module, "gearlash_apart", kinds, _write_apart)
-            builder.call(function, [values, arguments[1], out, arguments[3]])
+            function = _function(builder.module, "gearlash_apart", [pointer, _INDEX, pointer], _write_apart)
+            builder.call(function, [values, arguments[2], out])
             return context.get_dummy_value()
 
-        return types.void(values, types.int64, out, types.int64), generate
+        return types.void(values, types.int64, types.int64, out), generate
 
     @intrinsic
     def powers_abreast(typing, s, out):

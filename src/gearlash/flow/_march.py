@@ -32,7 +32,7 @@ from ._work import DEPTH, GAPS
 def scratch(shape: Shape) -> tuple[np.ndarray, ...]:
     """Work space of one call of `run`."""
     n, p, j = shape.n, shape.p, shape.clearances
-    sizes = (GAPS + j * TERMS + p, max(shape.rows, p), (ORDER + 1) * p, (4 * j + n) * TERMS, n + j, p)
+    sizes = (GAPS + j * TERMS + p, shape.rows + j * TERMS, (ORDER + 1) * p, (4 * j + n) * TERMS, n + j, p)
     return (*aligned(*sizes), np.zeros(j, dtype=np.int64))
 
 

@@ -9,7 +9,7 @@ from ._assemble import UNIT_ROUNDING
 from ._exits import NONE, first_exit, polish
 from ._glance import AGAIN, CLEAR, ONCE, UNSURE, farthest, glance, leaving
 from ._series import cut_off, fourier_value, polynomial, pressing
-from ._tables import FREE, MINUS, NO_TENSION, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Shape
+from ._tables import FREE, MINUS, NO_TENSION, OVER_MINUS, OVER_PLUS, PLUS, ROUGH, TERMS, Shape
 from ._vector import all_over, all_under, linear, multiple, weigh
 from ._work import BUFFER, GAPS, ONES, SURFACE
 
@@ -33,9 +33,10 @@ def inward_of(mode, boundary):
 
 @inlined
 def stays(shape: Shape, memory, slot, cell, c, mode, u, moved):
-    """Whether clearance c is proved at a glance to keep its mode through a whole cell."""
-    near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
-    first = shape.p + TERMS * c
+    """Whether clearance c is proved by rough coefficients to keep its mode through a whole cell; moved
+    (rows): what the table `step` makes of u."""
+    near = weigh(memory, slot + shape.near + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
+    first = shape.p + ROUGH * c
     if mode == FREE:
         near += ROUNDING * memory[shape.reach + c]
         plus, minus = memory[shape.gaps + 4 * c], memory[shape.gaps + 4 * c + 1]
@@ -48,10 +49,10 @@ def stays(shape: Shape, memory, slot, cell, c, mode, u, moved):
 @inlined
 def outlook(shape: Shape, memory, slot, cell, c, mode, rule, on, u, moved):
     """What a whole cell brings for clearance c, seen at a glance: (a verdict of `glance`, the boundary ±1
-    that it is about). ``on``: the boundary that was crossed just before in this cell, or 0; moved (rows):
-    what the table `step` makes of u."""
+    that it is about). ``on``: the boundary that was crossed just before in this cell, or 0; moved holds
+    the `fine_coefficients` behind the rows of `step`."""
     near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
-    return verdict_of(shape, memory, c, mode, rule, on, near, moved, shape.p + TERMS * c)
+    return verdict_of(shape, memory, c, mode, rule, on, near, moved, shape.rows + TERMS * c)
 
 
 @inlined
@@ -79,12 +80,13 @@ def verdict_of(shape: Shape, memory, c, mode, rule, on, near, moved, first):
 
 
 @inlined
-def one_crossing(shape: Shape, memory, slot, cell, c, mode, boundary, verdict, s, u, moved, work):
+def one_crossing(shape: Shape, memory, slot, cell, c, mode, boundary, verdict, s, u, moved, first, work):
     """Where X crosses the boundary of which ``verdict`` (not `CLEAR`, not `UNSURE`) speaks for the first time
-    behind s, or `NONE` where that is not proved; fills GAPS on the way."""
+    behind s, or `NONE` where that is not proved; fills GAPS on the way. Its coefficients lie in moved from
+    ``first`` on."""
     inward = inward_of(mode, boundary)
     place = boundary * memory[shape.gaps + 4 * c + (0 if boundary > 0 else 1)] if mode == FREE else 0.0
-    first, x = shape.p + TERMS * c, GAPS + c * TERMS
+    x = GAPS + c * TERMS
     gap_series(shape, memory, slot, cell, c, u, work)
     lo, hi = s, 1.0
     if verdict != ONCE:  # two crossings or none: two, where a point between them is found

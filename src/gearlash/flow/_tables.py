@@ -10,6 +10,7 @@ subtracted from stiffness times X in every cell, and digits lost."""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import cache
 from math import comb
 from typing import Any, NamedTuple
@@ -27,6 +28,7 @@ ALWAYS, IN_CONTACT, NO_TENSION = 0, 1, 2
 
 ORDER = 23  # degree of every Taylor polynomial
 TERMS = 24  # its coefficients: whole blocks
+ROUGH = 8  # coefficients of a polynomial of lower degree close to it: one block
 
 
 class Shape(NamedTuple):
@@ -36,7 +38,7 @@ class Shape(NamedTuple):
     p: int  # 1 + n, padded
     clearances: int
     cells: int
-    rows: int  # of a column of `step`: state, then Bernstein coefficients of every clearance
+    rows: int  # of a column of `step`: state, then rough Bernstein coefficients of every clearance
     harmonics: int  # of the longest series
     scalars: int  # ω/N (of the phase per τ), cell duration in τ, cell width in θ
     gaps: int  # (clearances, 4): D⁺, D⁻, ζ⁺, ζ⁻
@@ -51,11 +53,15 @@ class Shape(NamedTuple):
     bernstein: int  # (2, ORDER+1, TERMS): Taylor to Bernstein, of degree ORDER and ORDER-1
     pascal: int  # (ORDER+1, TERMS): column m holds C(m, i)
     hilbert: int  # (ORDER+1, TERMS): column k holds 1/(i+k+1)
+    rough: int  # (ORDER+1, ROUGH): Taylor to the Bernstein coefficients of degree ROUGH-1 of what is close
+    spared: int  # (TERMS): how far that is at most, per unit of each Taylor coefficient; its rounding
     slots: int  # where the first slot begins
     slot: int  # length of a slot
     # inside a slot:
-    step: int  # (cells, 1+n, rows): state at the end of the cell, Bernstein coefficients of what is watched
-    rest: int  # (cells, clearances, p): bound on what those coefficients leave out
+    step: int  # (cells, 1+n, rows): state at the end of the cell, rough coefficients of what is watched
+    near: int  # (cells, clearances, p): bound on what those coefficients leave out
+    fine: int  # (cells, 1+n, clearances, TERMS): Bernstein coefficients of what is watched
+    rest: int  # (cells, clearances, p): bound on what those leave out
     gap: int  # (cells, clearances, 1+n, TERMS): Taylor coefficients of X - edge
     bound: int  # (cells, clearances, p): bound on the error of X: remainder and rounding
     pull: int  # (cells, clearances, ORDER+1, p): flow from s back to 0, applied to g: coefficients in s
@@ -107,14 +113,16 @@ def lay_out(plan: Plan) -> Shape:
 
     n, j, cells, width = plan.n, plan.clearances, plan.cells, 2 * plan.harmonics + 1
     p = padded(n + 1)
-    rows = p + TERMS * j
+    rows = p + ROUGH * j
     places, size = [], 0
     for length in (3, 4 * j, j, j * p, j * width, j * p, j * width, 2 * j * width, cells * j * 2 * TERMS,
-                   2 * j, 2 * (ORDER + 1) * TERMS, (ORDER + 1) * TERMS, (ORDER + 1) * TERMS):  # fmt: skip
+                   2 * j, 2 * (ORDER + 1) * TERMS, (ORDER + 1) * TERMS, (ORDER + 1) * TERMS,
+                   (ORDER + 1) * ROUGH, TERMS):  # fmt: skip
         places.append(size)
         size += padded(length)
     inside, slot = [], 0
-    for length in (cells * (1 + n) * rows, cells * j * p, cells * j * (1 + n) * TERMS, cells * j * p,
+    for length in (cells * (1 + n) * rows, cells * j * p, cells * (1 + n) * j * TERMS, cells * j * p,
+                   cells * j * (1 + n) * TERMS, cells * j * p,
                    cells * j * (ORDER + 1) * p, 2 * cells * j * (ORDER + 1) * p, (n + j) * p, n * width,
                    4 * j, p, (1 + n) * p, p, j * p, 2 * j, j):  # fmt: skip
         inside.append(slot)
@@ -138,4 +146,29 @@ def _constants() -> Array:
     for k in range(ORDER + 1):
         pascal[k, : k + 1] = [comb(k, i) for i in range(k + 1)]
         hilbert[k, : ORDER + 1] = 1.0 / (np.arange(ORDER + 1) + k + 1)
-    return np.concatenate([part.ravel() for part in (bernstein, pascal, hilbert)])
+    return np.concatenate([part.ravel() for part in (bernstein, pascal, hilbert, *_economised())])
+
+
+def _economised() -> tuple[Array, Array]:
+    """(TERMS, ROUGH): Bernstein coefficients of degree ROUGH-1 of what is left of s^j in [0, 1] without its
+    Chebyshev polynomials of higher degree; (TERMS,): the largest those can be, and what rounding adds.
+
+    s^j = 2^(1-2j) Σ' C(2j, j-k) T_k(2s-1), with half of the term k = 0."""
+    degree = ROUGH - 1
+    rows, spared = np.zeros((TERMS, ROUGH)), np.zeros(TERMS)
+    for j in range(TERMS):
+        parts = [Fraction(2 * comb(2 * j, j - k), 4**j) for k in range(j + 1)]
+        parts[0] /= 2
+        exact = [Fraction(0)] * ROUGH
+        for k, part in enumerate(parts[:ROUGH]):
+            # T_k(2s-1) = Σ_i (-1)^(k-i) C(2k, 2i) s^i (1-s)^(k-i), raised to the degree
+            own = [Fraction((-1) ** (k - i) * comb(2 * k, 2 * i), comb(k, i)) for i in range(k + 1)]
+            for at in range(ROUGH):
+                exact[at] += part * sum(
+                    own[i] * Fraction(comb(k, i) * comb(degree - k, at - i), comb(degree, at))
+                    for i in range(max(0, at - degree + k), min(k, at) + 1)
+                )
+        rows[j] = [float(value) for value in exact]
+        largest = max(abs(value) for value in exact)
+        spared[j] = float(sum(parts[ROUGH:], Fraction(0)) + largest * Fraction(1, 2**46)) * (1.0 + 1e-9)
+    return rows, spared

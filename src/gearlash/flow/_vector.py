@@ -108,14 +108,14 @@ def under(values: Any, at: int, limit: float) -> int:
 
 @_written_out
 def all_over(values: Any, at: int, limit: float) -> bool:
-    """Whether all `MASKED` values from a place on are above the limit."""
-    return bool(min(values[at : at + MASKED]) > limit)
+    """Whether all values of the block from a place on are above the limit."""
+    return bool(min(values[at : at + LANES]) > limit)
 
 
 @_written_out
 def all_under(values: Any, at: int, limit: float) -> bool:
     """Whether all are below."""
-    return bool(max(values[at : at + MASKED]) < limit)
+    return bool(max(values[at : at + LANES]) < limit)
 
 
 @_written_out

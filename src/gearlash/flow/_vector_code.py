@@ -338,16 +338,12 @@ if not TYPE_CHECKING:
         return types.int64(values, types.int64, types.float64), _mask("<")
 
     def _every(test):
-        """Whether ``test`` holds between all values and the limit."""
+        """Whether ``test`` holds between all values of a block and the limit."""
 
         def generate(context, builder, signature, arguments):
             pointer = _pointer(context, builder, signature.args[0], arguments[0])
-            limit, joined = _splat(builder, arguments[2]), None
-            for first in range(0, MASKED, LANES):
-                value = _load(builder, pointer, builder.add(arguments[1], _INDEX(first)))
-                holds = builder.fcmp_ordered(test, value, limit)
-                joined = holds if joined is None else builder.and_(joined, holds)
-            bits = builder.bitcast(joined, ir.IntType(LANES))
+            value, limit = _load(builder, pointer, arguments[1]), _splat(builder, arguments[2])
+            bits = builder.bitcast(builder.fcmp_ordered(test, value, limit), ir.IntType(LANES))
             return builder.icmp_unsigned("==", bits, ir.IntType(LANES)(2**LANES - 1))
 
         return generate

@@ -14,12 +14,13 @@ import numpy as np
 
 from gearlash._kernel import inlined, inner
 
+from ._assemble import fine_coefficients
 from ._exits import NONE
 from ._expand import carry_inside, expand
 from ._glance import AGAIN, CLEAR, ONCE, THERE_AND_BACK, UNSURE
 from ._surfaces import next_exit, one_crossing, outlook, stays
 from ._switch import region_code, side_of, switch_state, switch_tangent
-from ._tables import FREE, MINUS, ORDER, OVER_MINUS, OVER_PLUS, PLUS, Array, Shape
+from ._tables import FREE, MINUS, ORDER, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Array, Shape
 from ._vector import add, linear, move, weigh
 
 OK, TOO_MANY, DIVERGED, NEED_REGION = 0, 1, 2, 3
@@ -39,7 +40,7 @@ class Motion(NamedTuple):
     )
     # where the motion has only just been put there
     work: Array  # see `_work`
-    moved: Array  # (rows or p)
+    moved: Array  # (rows + clearances·TERMS)
     zc: Array  # ((ORDER+1)·p)
     series: Array  # see `_expand`
     factors: Array  # (n + clearances)
@@ -78,6 +79,22 @@ def _survey(shape: Shape, memory, slot, k, rules, motion):
                 return UNSURE, 0, 0
             verdict, which, through = found, c, boundary
     return verdict, which, through
+
+
+@inlined
+def _look(shape: Shape, memory, slot, k, rules, motion, m):
+    """`_survey` of cell k; carries the motion over it where nothing comes."""
+    u, moved = motion.u, motion.moved
+    fine_coefficients(shape, memory, slot, k, u, 0, moved, shape.rows)
+    verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion)
+    if verdict == CLEAR:
+        step = slot + shape.step + k * (1 + shape.n) * shape.rows
+        linear(memory, step, shape.rows, shape.p, 1 + shape.n, u, 0, moved, 0)
+        move(moved, 0, u, 0, shape.p)
+        if m > 0:
+            _tangents_on(shape, memory, step, shape.rows, motion.tangents, m, moved)
+        leave_behind(motion)
+    return verdict, which, boundary
 
 
 @inner
@@ -119,23 +136,23 @@ def walk(  # noqa: PLR0915 - one loop: cut up, it was slower by a tenth
                     leave_behind(motion)
                 if passed == left:
                     continue
-                verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion)
-            else:
-                step = slot + shape.step + k * (1 + shape.n) * shape.rows
-                linear(memory, step, shape.rows, shape.rows, 1 + shape.n, u, 0, moved, 0)
-                verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion)
+                verdict, which, boundary = _look(shape, memory, slot, k, rules, motion, m)
                 if verdict == CLEAR:
-                    move(moved, 0, u, 0, p)
-                    _tangents_on(shape, memory, step, shape.rows, motion.tangents, m, moved)
-                    leave_behind(motion)
+                    cell, s, proved = cell + 1, 0.0, True
+                    k = k + 1 if k + 1 < cells else 0
+                    continue
+            else:  # in a place of its own: what is found here is another thing, and so can be foreseen
+                verdict, which, boundary = _look(shape, memory, slot, k, rules, motion, m)
+                if verdict == CLEAR:
                     cell, s, proved = cell + 1, 0.0, True
                     k = k + 1 if k + 1 < cells else 0
                     continue
             at = NONE
             if verdict == AGAIN or (s == 0.0 and verdict in (ONCE, THERE_AND_BACK)):
                 at = one_crossing(
-                    shape, memory, slot, k, which, modes[which], boundary, verdict, s, u, moved, motion.work
-                )
+                    shape, memory, slot, k, which, modes[which], boundary, verdict, s, u, moved,
+                    shape.rows + TERMS * which, motion.work,
+                )  # fmt: skip
             if at != NONE:
                 motion.position[0], motion.position[1] = cell, s
                 behind = FREE if modes[which] != FREE else (PLUS if boundary > 0 else MINUS)
@@ -168,7 +185,7 @@ def walk(  # noqa: PLR0915 - one loop: cut up, it was slower by a tenth
 def _over_clear_cells(shape: Shape, memory, slot, motion, m, k, left, laps):
     """Carries a motion over cells that are proved to be clear, from cell k and ``left`` of them at the most,
     whole base periods at once if it may (``laps``). Returns their number and the cell behind them; of that
-    one `moved` holds what the table `step` makes of u, if one is left."""
+    one, if one is left, rough coefficients were not enough."""
     u, moved, cells, passed = motion.u, motion.moved, shape.cells, 0
     while passed < left:
         if k == 0 and laps and passed + cells <= left and _lap(shape, memory, slot, motion.modes, u, moved):

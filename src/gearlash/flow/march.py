@@ -267,8 +267,8 @@ class _Room:
         self._vectors: dict[tuple[int, int], tuple[Array, Array, Array, Array]] = {}
 
     def vectors(self, motions: int, tangents: int) -> tuple[Array, Array, Array, Array]:
-        """Where the states (motions, n) of so many motions lie for the kernel, and as what they are filled in;
-        the same of tangents."""
+        """Where the states (motions, n) of so many motions lie for the kernel, and as what they are filled
+        in; the same of tangents."""
         found = self._vectors.get((motions, tangents))
         if found is None:
             p, inside = self.shape.p, slice(1, 1 + self.shape.n)
