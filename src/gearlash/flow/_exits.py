@@ -175,12 +175,10 @@ def polish(work, at, place, lo, hi, guess, sign):
 @inlined
 def halley(value, slope, half_bend, sign, lo, hi, s):
     """One step of `polish` from s: whether it was the last, where it leads, and the bracket."""
-    if sign * value > 0.0:
-        lo = s
-    elif sign * value < 0.0:
-        hi = s
-    else:
+    if value == 0.0:
         return True, s, lo, hi
+    before = sign * value > 0.0  # chosen without a branch, which nobody could foresee
+    lo, hi = (s if before else lo), (hi if before else s)
     divisor = slope * slope - value * half_bend
     change = -value * slope / divisor if divisor > 0.0 else 2.0
     step = min(max(s + change, lo), hi)

@@ -18,7 +18,7 @@ from gearlash._kernel import inlined, inner
 
 from ._series import derivative, polynomial
 from ._tables import ALWAYS, FREE, IN_CONTACT, MINUS, NO_TENSION, ORDER, TERMS, Shape
-from ._vector import add, linear, move, multiple, powers, times
+from ._vector import add, lead_back, linear, multiple, powered, times
 from ._work import GAPS, MOMENTS, OTHER, POWERS, PUSH
 
 
@@ -46,9 +46,8 @@ def switch_state(shape: Shape, memory, source, target, cell, c, boundary, sign, 
     edge = boundary * memory[shape.gaps + 4 * c + side] if sign > 0.0 else 0.0
     rate = 0.0 if rule == ALWAYS else memory[shape.gaps + 4 * c + 2 + side] / memory[shape.scalars + 1]
     _change(shape, memory, target, cell, c, side, s, GAPS + c * TERMS, edge, rate, work, change)
-    add(-sign, change, 0, u, 0, shape.p)
-    add(1.0, memory, source + shape.centre, u, 0, shape.p)
-    add(-1.0, memory, target + shape.centre, u, 0, shape.p)
+    duration, before, after = memory[shape.scalars + 1] * s, source + shape.centre, target + shape.centre
+    lead_back(-sign, duration, change, memory, before, after, u, shape.p)
 
 
 @inner
@@ -62,6 +61,7 @@ def switch_tangent(
     damping = 0.0 if rule == ALWAYS else memory[shape.gaps + 4 * c + 2 + side]
     rate = damping / memory[shape.scalars + 1]
     _change(shape, memory, target, cell, c, side, s, OTHER, 0.0, rate, work, change)
+    multiple(memory[shape.scalars + 1] * s, change, 0, change, 0, shape.p)
     add(-sign, change, 0, v, 0, shape.p)
     if rule == IN_CONTACT or (rule == NO_TENSION and not overlapping):
         jump = sign * damping * polynomial(work, OTHER, s)
@@ -70,30 +70,27 @@ def switch_tangent(
         add(jump, change, 0, v, 0, shape.p)
 
 
-@inner
+@inlined
 def _change(shape: Shape, memory, target, cell, c, side, s, x, edge, rate, work, change):
-    """change (p) ← what the force η·(X - edge) + rate·dX/ds would do from 0 to s, led back to 0; X from
-    place ``x``."""
+    """change (p) ← what the force η·(X - edge) + rate·dX/ds would do from 0 to s, led back to 0, per
+    duration of that stretch; X from place ``x``."""
     p, row = shape.p, cell * shape.clearances + c
-    duration = memory[shape.scalars + 1] * s
-    powers(s, work, POWERS)
-    move(work, x, work, PUSH, TERMS)
-    add(-edge, memory, shape.pascal, work, PUSH, TERMS)  # its first column is the constant 1
+    powered(s, work, x, edge, work, POWERS, PUSH)
     _moments(shape, memory, work)
     place = target + shape.push + (2 * row + side) * (ORDER + 1) * p
     linear(memory, place, p, p, ORDER + 1, work, MOMENTS, change, 0)
-    multiple(duration, change, 0, change, 0, p)
     if rate != 0.0:
         derivative(work, x, rate, work, PUSH)
+        times(work, POWERS, work, PUSH, TERMS)
         _moments(shape, memory, work)
         place, more = target + shape.pull + row * (ORDER + 1) * p, GAPS + shape.clearances * TERMS
         linear(memory, place, p, p, ORDER + 1, work, MOMENTS, work, more)
-        add(duration, work, more, change, 0, p)
+        add(1.0, work, more, change, 0, p)
 
 
-@inner
+@inlined
 def _moments(shape: Shape, memory, work):
-    """MOMENTS ← ∫_0^s σ^i PUSH(σ) dσ / s, for the s whose powers are in POWERS; PUSH is spent."""
-    times(work, POWERS, work, PUSH, TERMS)
+    """MOMENTS ← ∫_0^s σ^i P(σ) dσ / s, for the s whose powers are in POWERS; PUSH holds the coefficients of P
+    times those."""
     linear(memory, shape.hilbert, TERMS, TERMS, ORDER + 1, work, PUSH, work, MOMENTS)
     times(work, POWERS, work, MOMENTS, TERMS)

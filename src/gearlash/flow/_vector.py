@@ -95,6 +95,24 @@ def powers(s: float, out: Any, to: int) -> None:
 
 
 @_written_out
+def powered(s: float, values: Any, at: int, less: float, out: Any, powers_to: int, to: int) -> None:
+    """out[powers_to:] ← `powers` of s; out[to:] ← the `MASKED` values, ``less`` so much in the first, times
+    those."""
+    powers(s, out, powers_to)
+    for k in range(MASKED):
+        out[to + k] = (values[at + k] - (less if k == 0 else 0.0)) * out[powers_to + k]
+
+
+@_written_out
+def lead_back(
+    factor: float, scale: float, change: Any, centres: Any, before: int, after: int, u: Any, count: int
+) -> None:
+    """u[i] ← u[i] + factor · (scale · change[i]) + centres[before + i] - centres[after + i], i < count."""
+    for i in range(count):
+        u[i] = u[i] + factor * (scale * change[i]) + centres[before + i] - centres[after + i]
+
+
+@_written_out
 def over(values: Any, at: int, limit: float) -> int:
     """Mask of the values from a place on that are above the limit: bit i for value i."""
     return sum(1 << i for i in range(MASKED) if values[at + i] > limit)

@@ -296,24 +296,80 @@ if not TYPE_CHECKING:
         signature = types.float64(weights, types.int64, types.int64, x, types.int64)
         return signature, _reduction("weighed", lambda builder, a, b: builder.fadd(a, b), weighted=True)
 
+    def _powers(builder, power):
+        """1, s, s², … block by block."""
+        block = None
+        for bit in range(3):  # s, s², s⁴ where that bit of the lane's number is set
+            chosen = [ir.IntType(1)(lane >> bit & 1) for lane in range(LANES)]
+            mask = ir.Constant(ir.VectorType(ir.IntType(1), LANES), chosen)
+            factor = builder.select(mask, _splat(builder, power), ir.Constant(_VECTOR, [1.0] * LANES))
+            block = factor if block is None else builder.fmul(block, factor)
+            power = builder.fmul(power, power)
+        for first in range(0, MASKED, LANES):
+            yield first, block
+            block = builder.fmul(block, _splat(builder, power))  # by s⁸
+
     @intrinsic
     def powers(typing, s, out, to):
         def generate(context, builder, signature, arguments):
             pointer = _pointer(context, builder, signature.args[1], arguments[1])
-            power, block = arguments[0], None
-            for bit in range(3):  # s, s², s⁴ where that bit of the lane's number is set
-                chosen = [ir.IntType(1)(lane >> bit & 1) for lane in range(LANES)]
-                mask = ir.Constant(ir.VectorType(ir.IntType(1), LANES), chosen)
-                factor = builder.select(mask, _splat(builder, power), ir.Constant(_VECTOR, [1.0] * LANES))
-                block = factor if block is None else builder.fmul(block, factor)
-                power = builder.fmul(power, power)
-            for first in range(0, MASKED, LANES):
+            for first, block in _powers(builder, arguments[0]):
                 place = _lanes(builder, pointer, builder.add(arguments[2], _INDEX(first)))
                 builder.store(block, place, align=8)
-                block = builder.fmul(block, _splat(builder, power))  # by s⁸
             return context.get_dummy_value()
 
         return types.void(types.float64, out, types.int64), generate
+
+    @intrinsic
+    def powered(typing, s, values, at, less, out, powers_to, to):
+        whole = types.int64
+        signature = types.void(types.float64, values, whole, types.float64, out, whole, whole)
+
+        def generate(context, builder, signature, arguments):
+            s, values, at, less, out, powers_to, to = arguments
+            values = _pointer(context, builder, signature.args[1], values)
+            out = _pointer(context, builder, signature.args[4], out)
+            for first, block in _powers(builder, s):
+                value = _load(builder, values, builder.add(at, _INDEX(first)))
+                if first == 0:
+                    zero = ir.Constant(_VECTOR, [0.0] * LANES)
+                    value = builder.fsub(value, builder.insert_element(zero, less, ir.IntType(32)(0)))
+                for place, result in ((powers_to, block), (to, builder.fmul(block, value))):
+                    there = _lanes(builder, out, builder.add(place, _INDEX(first)))
+                    builder.store(result, there, align=8)
+            return context.get_dummy_value()
+
+        return signature, generate
+
+    @intrinsic
+    def lead_back(typing, factor, scale, change, centres, before, after, u, count):
+        whole, number = types.int64, types.float64
+        signature = types.void(number, number, change, centres, whole, whole, u, whole)
+
+        def generate(context, builder, signature, arguments):
+            factor, scale, change, centres, before, after, u, count = arguments
+            factor, scale = _splat(builder, factor), _splat(builder, scale)
+            change = _pointer(context, builder, signature.args[2], change)
+            centres = _pointer(context, builder, signature.args[3], centres)
+            u = _pointer(context, builder, signature.args[6], u)
+            start, loop, end = builder.block, *map(builder.append_basic_block, ("lead", "led"))
+            builder.cbranch(builder.icmp_signed(">", count, _INDEX(0)), loop, end)
+            builder.position_at_end(loop)
+            k = builder.phi(_INDEX)
+            place = _lanes(builder, u, k)
+            moved = builder.fmul(scale, _load(builder, change, k))
+            moved = _call(builder, "llvm.fma.v8f64", [factor, moved, builder.load(place, align=8)])
+            moved = builder.fadd(moved, _load(builder, centres, builder.add(before, k)))
+            moved = builder.fsub(moved, _load(builder, centres, builder.add(after, k)))
+            builder.store(moved, place, align=8)
+            following = builder.add(k, _INDEX(LANES))
+            k.add_incoming(_INDEX(0), start)
+            k.add_incoming(following, loop)
+            builder.cbranch(builder.icmp_signed("<", following, count), loop, end)
+            builder.position_at_end(end)
+            return context.get_dummy_value()
+
+        return signature, generate
 
     def _mask(test):
         """Bit i: whether ``test`` holds between value i and the limit; NaN never does."""

@@ -288,7 +288,7 @@ def _by_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving
                 return TOO_MANY
             _advance(motion, stop)
             continue
-        outcome = cross(
+        outcome = _cross_called(
             shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind,
             motion.position[FRESH] != 0.0 and at == s, undecided and not arriving, counts, record,
         )  # fmt: skip
@@ -341,7 +341,7 @@ def _first(shape: Shape, memory, slot, k, rules, motion, s, stop, held_clearance
     return best, which, through, behind, undecided
 
 
-@inner
+@inlined
 def cross(
     shape: Shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind, silent, undecided,
     counts, record,
@@ -398,6 +398,18 @@ def cross(
     )
     motion.modes[which] = behind
     return OK
+
+
+@inner
+def _cross_called(
+    shape: Shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind, silent, undecided,
+    counts, record,
+):  # fmt: skip
+    """`cross`, as a call: away from the hot path."""
+    return cross(
+        shape, memory, slot_of, slot, rules, motion, m, k, at, which, boundary, behind, silent, undecided,
+        counts, record,
+    )  # fmt: skip
 
 
 @inner
