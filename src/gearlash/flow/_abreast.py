@@ -49,7 +49,7 @@ from ._tables import (
     aligned,
 )
 from ._vector import LANES, move, ones_in, times
-from ._walk import DIVERGED, FRESH, OK, Motion, Record, bounded, cross, in_pieces, leave_behind
+from ._walk import DIVERGED, FRESH, HUGE, OK, Motion, Record, cross, in_pieces, leave_behind
 
 ALL = (1 << LANES) - 1
 FEW = 2  # so many crossings alone cost as much as eight at once
@@ -468,32 +468,23 @@ def _arrive(
     for lane in range(LANES):
         if (lanes.masks[GOING] >> lane) & 1 == 0:
             continue
-        _take_out(shape, lanes, motion, lane, 0.0)
-        outcome = OK
         if not _holds(lanes, PROVED, lane):
+            _take_out(shape, lanes, motion, lane, 0.0)
             outcome = in_pieces(
-                shape,
-                memory,
-                slot_of,
-                rules,
-                motion,
-                0,
-                k,
-                0.0,
-                True,
-                hold,
-                counts[lanes.motions[lane], stretch],
-                record,
-            )
+                shape, memory, slot_of, rules, motion, 0, k, 0.0, True, hold,
+                counts[lanes.motions[lane], stretch], record,
+            )  # fmt: skip
             _put_back(shape, lanes, motion, lane)
-        if outcome == OK and not bounded(motion.u, shape.p):
-            outcome = DIVERGED
-        if outcome != OK:
-            _end(lanes, lane, outcome, outcomes)
-        _mark(lanes, PROVED, lane, False)
-        centre = _slot(shape, slot_of, motion.modes[0]) + shape.centre
-        for i in range(shape.n):
-            strobes[lanes.motions[lane], stretch + 1, i] = motion.u[1 + i] + memory[centre + 1 + i]
+            if outcome != OK:
+                _end(lanes, lane, outcome, outcomes)
+        centre, size = _slot(shape, slot_of, _mode(lanes, lane)) + shape.centre, 1.0
+        for i in range(1, 1 + shape.n):
+            value = lanes.u[LANES * i + lane]
+            size += abs(value)
+            strobes[lanes.motions[lane], stretch + 1, i - 1] = value + memory[centre + i]
+        if not size < HUGE:  # as `_walk.bounded` has it
+            _end(lanes, lane, DIVERGED, outcomes)
+    lanes.masks[PROVED] = 0
 
 
 @kernel(

@@ -133,7 +133,7 @@ def propagators(system: System, reuse: Propagators | None = None) -> Propagators
         found = _on_grid(system, units, key, cells)
         if found is not None:
             return found
-        cells = ceil(1.2 * cells)
+        cells = ceil(1.1 * cells)
     raise GearlashError(
         f"more than {MOST_CELLS} cells a period would be needed: the frequency {system.omega:g} is too far "
         "below the fastest natural frequency"

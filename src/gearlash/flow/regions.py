@@ -142,7 +142,13 @@ def first_guess(system: System) -> int:
                     clearance.g, clearance.h
                 )
         fastest = max(fastest, spectral_radius(np.ascontiguousarray(closed), 6))
-    series = [s for c in system.clearances for s in (c.stiffness_plus, c.stiffness_minus, c.offset)]
-    highest = max(harmonics(s) for s in (*series, system.forcing))
-    # a modulated stiffness moves the motion's rates by its harmonics: the two add up
-    return max(4, ceil((system.period * fastest + 2 * pi * highest) / STEP))
+    moved = max(_highest(s) for c in system.clearances for s in (c.stiffness_plus, c.stiffness_minus))
+    forced = max(_highest(s) for s in (*system.forcing, *(c.offset for c in system.clearances)))
+    # a modulated stiffness moves the motion's rates by its harmonics: the two add up; a forcing does not
+    turn = max(system.period * fastest + 2 * pi * moved, 2 * pi * forced)
+    return max(4, ceil(turn / STEP))
+
+
+def _highest(series: Array) -> int:
+    """The highest harmonic that is there."""
+    return (int(np.flatnonzero(series).max(initial=0)) + 1) // 2
