@@ -94,13 +94,22 @@ _PARTS, _COARSE, _START, _RETURN = (
     "start_on_a_boundary",
     "there_and_back_in_a_cell",
 )
+_EIGHT = "eight_as_alone"
 _NO_WIDTH, _NO_TENSION, _TWO = "no_width_at_all", "release_where_nothing_presses", "two_side_by_side"
 
 _CHOICE = "best, which, through, behind = at, c, boundary, target"  # of the first crossing of all
 _CHOSEN = "best, which, through, behind = (at, c, boundary, target) if {} else (best, which, through, behind)"
 
 BOUNDS = (
-    Mutant("no rest at all", "memory[row] = tail + ROUNDING * size", "memory[row] = 0.0", _ROUNDING),
+    Mutant(
+        "no rest at all",
+        "memory[at + shape.rest + row] = tail + ROUNDING * size",
+        "memory[at + shape.rest + row] = 0.0",
+        _ROUNDING,
+    ),
+    Mutant(
+        "rough coefficients exact", "tail + ROUNDING * size + spared", "tail + ROUNDING * size", _CELL_END
+    ),
     Mutant("unit rounding zero", "UNIT_ROUNDING = 2.0**-53", "UNIT_ROUNDING = 0.0", _ROUNDING),
     Mutant(
         "place of a boundary exact",
@@ -203,13 +212,13 @@ PROOFS = (
         "clear in the gap without its bound",
         "return all_under(moved, first, plus - near) and all_over(moved, first, near - minus)",
         "return all_under(moved, first, plus) and all_over(moved, first, -minus)",
-        _ROUNDING,
+        _CELL_END,
     ),
     Mutant(
         "clear in contact + without its bound",
         "return all_over(moved, first, near)",
         "return all_over(moved, first, 0.0)",
-        _ROUNDING,
+        _CELL_END,
     ),
     Mutant(
         "clear of the wrong boundary",
@@ -249,6 +258,30 @@ PROOFS = (
         _NO_WIDTH,
     ),
     Mutant(
+        "all of a group clear",
+        "choose(clear, lanes.out, lanes.u, used)",
+        "choose(group, lanes.out, lanes.u, used)",
+        _EIGHT,
+    ),
+    Mutant(
+        "crossed boundary of one of eight kept",
+        "for which in (INSIDE, ON_PLUS, ON_MINUS, FRESH_ONES):",
+        "for which in (INSIDE, FRESH_ONES):",
+        _EIGHT,
+    ),
+    Mutant(
+        "every lap of eight clear",
+        "if not (within and away < np.inf):",
+        "if not within and away > np.inf:",
+        _EIGHT,
+    ),
+    Mutant(
+        "crossings of both boundaries taken for one",
+        "group = upward if boundary > 0 else sure & ~upward",
+        "group = sure if boundary > 0 else 0",
+        _EIGHT,
+    ),
+    Mutant(
         "second clearance not looked at",
         "if verdict != CLEAR: return UNSURE, 0, 0",
         "if c > 0: continue",
@@ -258,14 +291,14 @@ PROOFS = (
 SWITCHES = (
     Mutant(
         "pull the other way",
-        "add(-sign, change, 0, u, 0, shape.p)",
-        "add(sign, change, 0, u, 0, shape.p)",
+        "lead_back(-sign, duration, change,",
+        "lead_back(sign, duration, change,",
         _CELL_END,
     ),
     Mutant(
         "moments without duration",
-        "duration = memory[shape.scalars + 1] * s",
-        "duration = s",
+        "duration, before, after = memory[shape.scalars + 1] * s,",
+        "duration, before, after = s,",
         _CELL_END,
     ),
     Mutant(
@@ -277,7 +310,18 @@ SWITCHES = (
     Mutant(
         "switch without damping", "rate = 0.0 if rule == ALWAYS else", "rate = 0.0 if True else", _CELL_END
     ),
-    Mutant("old centre kept", "add(-1.0, memory, target + shape.centre, u, 0, shape.p)", "pass", _CELL_END),
+    Mutant(
+        "moments of a tangent without duration",
+        "multiple(memory[shape.scalars + 1] * s, change, 0,",
+        "multiple(s, change, 0,",
+        _TANGENT,
+    ),
+    Mutant(
+        "old centre kept",
+        "memory, before, after, u, shape.p)",
+        "memory, before, before, u, shape.p)",
+        _CELL_END,
+    ),
     Mutant(
         "no saltation",
         "if rule == IN_CONTACT or (rule == NO_TENSION and not overlapping):",
