@@ -92,10 +92,13 @@ def aligned(*sizes: int) -> list[Array]:
     twice the time to load and many times that to load just after it was stored."""
     from ._vector import LANES, padded
 
-    places = np.cumsum([0, *(padded(size) for size in sizes)])
-    room = np.zeros(int(places[-1]) + LANES)
-    first = -(room.ctypes.data // room.itemsize) % LANES
-    return [room[first + at : first + at + size] for at, size in zip(places[:-1], sizes, strict=True)]
+    places, total = [], 0
+    for size in sizes:
+        places.append(total)
+        total += padded(size)
+    room = np.zeros(total + LANES)
+    first = -(room.__array_interface__["data"][0] // room.itemsize) % LANES
+    return [room[first + at : first + at + size] for at, size in zip(places, sizes, strict=True)]
 
 
 class Plan(NamedTuple):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections import namedtuple
 from dataclasses import dataclass
-from math import floor
+from math import floor, isfinite
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -69,7 +69,7 @@ def start_state(z: ArrayLike, size: int) -> Array:
     state = np.array(z, dtype=np.float64)
     if state.shape != (size,):
         raise GearlashError(f"state has shape {state.shape}, expected ({size},)")
-    if not np.isfinite(state).all():
+    if not all(map(isfinite, state.tolist())):  # of a few numbers: faster than an array of them
         raise GearlashError("state holds NaN or infinity")
     return state
 
@@ -77,16 +77,15 @@ def start_state(z: ArrayLike, size: int) -> Array:
 def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) -> Strobes:
     """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times."""
     state = start_state(z, props.system.size)
-    states, contacts = [state[None].copy()], [np.zeros((0, columns_of(props)), dtype=np.int64)]
-    done, status, most = 0, Status.OK, block_of(props, stretch)
-    while done < stretches and status.ok:
+    parts, done, status, most = [], 0, Status.OK, block_of(props, stretch)
+    while status.ok and (done < stretches or not parts):
         block = min(most, stretches - done)
         status, strobes, counts = _run(props, state, 0.0, float(stretch * props.cells), block)
-        states.append(strobes[1:])
-        contacts.append(counts)
+        parts.append((strobes if done == 0 else strobes[1:], counts))
         done += block
-    table = np.concatenate(contacts)
-    return Strobes(np.concatenate(states), table[:, :-1], int(table[:, -1].sum()), _with_doubt(status, table))
+    states, table = parts[0] if len(parts) == 1 else map(np.concatenate, zip(*parts, strict=True))
+    undecided = int(table[:, -1].sum())
+    return Strobes(states, table[:, :-1], undecided, _with_doubt(status, undecided))
 
 
 def block_of(props: Propagators, stretch: int) -> int:
@@ -111,8 +110,8 @@ def carry(
     tangents = np.eye(state.size) if jacobian else None
     base, start, length = positions(props, phase, cycles)
     status, _, counts = _run(props, state, start, length, 1, tangents=tangents, hold=hold, base=base)
-    flow = None if tangents is None else np.ascontiguousarray(tangents.T)
-    return Carried(state, flow, counts[0, :-1], int(counts[0, -1]), _with_doubt(status, counts))
+    flow, undecided = None if tangents is None else np.ascontiguousarray(tangents.T), int(counts[0, -1])
+    return Carried(state, flow, counts[0, :-1], undecided, _with_doubt(status, undecided))
 
 
 def variational(props: Propagators, z: ArrayLike, cycles: float, phase: float = 0.0) -> Carried:
@@ -159,7 +158,7 @@ def trace(
         events=found,
         end=state,
         undecided=int(counts[0, -1]),
-        status=_with_doubt(status, counts),
+        status=_with_doubt(status, int(counts[0, -1])),
     )
 
 
@@ -168,7 +167,7 @@ def orthonormal_growth(props: Propagators, z: Array, frame: Array, periods: int)
     (m,) of the logarithms of the lengths."""
     sums = np.zeros((periods, len(frame)))
     status, _, counts = _run(props, z, 0.0, float(props.cells), periods, tangents=frame, sums=sums)
-    return _with_doubt(status, counts), sums.sum(axis=0)
+    return _with_doubt(status, int(counts[:, -1].sum())), sums.sum(axis=0)
 
 
 def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float, float]:
@@ -307,5 +306,5 @@ def _hold(props: Propagators, hold: Hold | None, base: float) -> Array:
     return np.array([float(hold.clearance), float(hold.boundary), *window])
 
 
-def _with_doubt(status: Status, counts: Array) -> Status:
-    return Status.UNCERTAIN if status.ok and counts[..., -1].any() else status
+def _with_doubt(status: Status, undecided: int) -> Status:
+    return Status.UNCERTAIN if status.ok and undecided else status

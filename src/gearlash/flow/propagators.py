@@ -105,7 +105,7 @@ class Propagators:
         with self.lock:
             if self.tables.slot_of[code] >= 0:
                 return
-            tables = _with_region(self, code, LATER)
+            tables = _with_regions(self, [code], LATER)
             if tables is None:
                 raise GearlashError(
                     f"the Taylor remainder of a region is above {LATER:.0e}: the sides of the clearances are "
@@ -163,33 +163,34 @@ def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagator
     rules = np.array([RULES[c.contact] for c in system.clearances], dtype=np.int64)
     nothing = Tables(memory, np.full(3 ** len(rules), -1, dtype=np.int64))
     found = Propagators(system, shape, rules, units, centres_of(system), key, {"now": nothing}, {})
-    for sides in extreme_regions(system):
-        tables = _with_region(found, code_of(sides), TRUNCATION)
-        if tables is None:
-            return None
-        found.store["now"] = tables
+    tables = _with_regions(found, [code_of(sides) for sides in extreme_regions(system)], TRUNCATION)
+    if tables is None:
+        return None
+    found.store["now"] = tables
     return found
 
 
-def _with_region(props: Propagators, code: int, bound: float) -> Tables | None:
-    """The tables with one region more; None where its Taylor remainder is above the bound."""
+def _with_regions(props: Propagators, codes: list[int], bound: float) -> Tables | None:
+    """The tables with more regions; None where the Taylor remainder of one is above the bound."""
     system, shape, old = props.system, props.shape, props.tables
-    like = twin(system, code)
     at = len(old.memory)
-    (memory,) = aligned(at + shape.slot)
+    (memory,) = aligned(at + len(codes) * shape.slot)
     memory[:at] = old.memory
-    if like != code and old.slot_of[like] >= 0:
-        place = shape.slots + int(old.slot_of[like]) * shape.slot
-        memory[at:] = old.memory[place : place + shape.slot]
-        props.responses[code] = props.responses[like]
-    else:
-        responses = _responses(props, memory, at, sides_of(code, shape.clearances))
-        if not responses[2] <= bound:
-            return None
-        props.responses[code] = responses
-    _assemble(system, shape, props, memory, at, code, everything=True)
     slot_of = old.slot_of.copy()
-    slot_of[code] = (at - shape.slots) // shape.slot
+    for code in codes:
+        like = twin(system, code)
+        if like != code and slot_of[like] >= 0:
+            place = shape.slots + int(slot_of[like]) * shape.slot
+            memory[at : at + shape.slot] = memory[place : place + shape.slot]
+            props.responses[code] = props.responses[like]
+        else:
+            responses = _responses(props, memory, at, sides_of(code, shape.clearances))
+            if not responses[2] <= bound:
+                return None
+            props.responses[code] = responses
+        _assemble(system, shape, props, memory, at, code, everything=True)
+        slot_of[code] = (at - shape.slots) // shape.slot
+        at += shape.slot
     memory.setflags(write=False)
     return Tables(memory, slot_of)
 
@@ -200,7 +201,7 @@ def _responses(props: Propagators, memory: Array, at: int, sides: Sides) -> tupl
     system, shape = props.system, props.shape
     ends = np.zeros((shape.cells, len(props.units), shape.n))
     gaps = np.zeros((shape.cells, shape.clearances, len(props.units), TERMS))
-    matrix = np.ascontiguousarray(matrix_of(system, sides))
+    matrix = matrix_of(system, sides).copy()
     readers = np.array([c.h for c in system.clearances], dtype=np.float64)
     actors = np.array([c.g for c in system.clearances], dtype=np.float64)
     value, derived = respond(

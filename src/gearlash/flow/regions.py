@@ -4,6 +4,7 @@ A region is told by the side of every clearance: `PLUS`, `FREE` or `MINUS`."""
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import product
 from math import ceil, pi
 
@@ -18,6 +19,7 @@ from ._tables import FREE, MINUS, PLUS, Array
 Sides = tuple[int, ...]
 FEW = 3  # clearances up to which every region is asked for its fastest rate
 ALIKE = 3.0  # condition number of the directions h/|h| above which no centres are used
+KEPT = 64  # answers about systems, by the system itself: building its propagators asks for each several times
 STEP = 1.85  # (spectral radius + highest harmonic) × cell duration aimed at: degree 23 then suffices
 
 
@@ -29,6 +31,7 @@ def sides_of(code: int, count: int) -> Sides:
     return tuple(code // 3**c % 3 for c in range(count))
 
 
+@lru_cache(maxsize=KEPT)
 def twin(system: System, code: int) -> int:
     """A region with the same homogeneous part: side + in place of side -, where both are alike."""
     sides = [
@@ -43,7 +46,8 @@ def _alike(clearance: Clearance) -> bool:
     return np.array_equal(plus, minus) and len(set(clearance.dampings)) == 1
 
 
-def extreme_regions(system: System) -> list[Sides]:
+@lru_cache(maxsize=KEPT)
+def extreme_regions(system: System) -> tuple[Sides, ...]:
     """Regions that decide the grid: all clearances free, all closed on one side, and on the other where that
     is another system. Sides without stiffness are never closed."""
     found = []
@@ -53,7 +57,7 @@ def extreme_regions(system: System) -> list[Sides]:
         )
         if side != MINUS or twin(system, code_of(sides)) == code_of(sides):
             found.append(sides)
-    return list(dict.fromkeys(found))
+    return tuple(dict.fromkeys(found))
 
 
 def units_of(system: System) -> Array:
@@ -84,14 +88,18 @@ def _dampings(system: System, sides: Sides) -> list[float]:
     return found
 
 
+@lru_cache(maxsize=KEPT)
 def matrix_of(system: System, sides: Sides) -> Array:
     """M with the contact damping of a region in it."""
     matrix = system.matrix.astype(np.float64)
     for clearance, damping in zip(system.clearances, _dampings(system, sides), strict=True):
-        matrix = matrix + damping * np.outer(clearance.g, clearance.h @ system.matrix)
+        if damping != 0.0:
+            matrix = matrix + damping * np.outer(clearance.g, clearance.h @ system.matrix)
+    matrix.setflags(write=False)
     return matrix
 
 
+@lru_cache(maxsize=KEPT)
 def forcing_of(system: System, sides: Sides) -> Array:
     """b(θ) + Σ g ζ (h·b - e'), the forcing that goes with `_matrix`."""
     count = max(harmonics(system.forcing), *(harmonics(c.offset) for c in system.clearances))
@@ -101,6 +109,7 @@ def forcing_of(system: System, sides: Sides) -> Array:
         if damping != 0.0:
             rate = system.omega / system.cycles * padded(derivative(clearance.offset), count)
             forcing = forcing + damping * np.outer(clearance.g, clearance.h @ base - rate)
+    forcing.setflags(write=False)
     return forcing
 
 
@@ -133,7 +142,7 @@ def first_guess(system: System) -> int:
     fastest, count = 0.0, len(system.clearances)
     regions = [sides_of(code, count) for code in range(3**count)] if 1 < count <= FEW else []
     for sides, lowest in product(regions or extreme_regions(system), (False, True)):
-        closed = matrix_of(system, sides)
+        closed = matrix_of(system, sides).copy()
         for clearance, side in zip(system.clearances, sides, strict=True):
             if side != FREE:
                 series = clearance.stiffness_plus if side == PLUS else clearance.stiffness_minus
@@ -141,14 +150,14 @@ def first_guess(system: System) -> int:
                 closed = closed + (series[0] - swing if lowest else series[0] + swing) * np.outer(
                     clearance.g, clearance.h
                 )
-        fastest = max(fastest, spectral_radius(np.ascontiguousarray(closed), 6))
+        fastest = max(fastest, spectral_radius(closed, 6))
     moved = max(_highest(s) for c in system.clearances for s in (c.stiffness_plus, c.stiffness_minus))
-    forced = max(_highest(s) for s in (*system.forcing, *(c.offset for c in system.clearances)))
+    forced = max(_highest(s) for s in (system.forcing, *(c.offset for c in system.clearances)))
     # a modulated stiffness moves the motion's rates by its harmonics: the two add up; a forcing does not
     turn = max(system.period * fastest + 2 * pi * moved, 2 * pi * forced)
     return max(4, ceil(turn / STEP))
 
 
 def _highest(series: Array) -> int:
-    """The highest harmonic that is there."""
-    return (int(np.flatnonzero(series).max(initial=0)) + 1) // 2
+    """The highest harmonic that is there (last axis: coefficients)."""
+    return (int(series.nonzero()[-1].max(initial=0)) + 1) // 2

@@ -87,6 +87,7 @@ class _Search:
     def __init__(self, props: Propagators, settings: Settings, start: Array):
         self.props, self.settings = props, settings
         self.motion = Wandering(props, start)
+        self.motion.watch()  # from the start: neighbours that are repelled spare attempts that would fail
         self.sized = -1, 0.0  # when the size was taken, and it
         self.failed: dict[int, float] = {}  # period → its return when it was last looked at
         averaged = settings.exponent_periods
@@ -106,7 +107,6 @@ class _Search:
                 return found
             if last:
                 return self.give_up()
-            self.motion.watch()
             block = self.block()
 
     def block(self) -> int:
@@ -289,7 +289,6 @@ class _Search:
     def give_up(self) -> Attractor:
         found = self.motion.exponent()
         if found is None:  # of a short search
-            self.motion.watch()
             self.motion.march(self.settings.exponent_periods)
             found = self.motion.exponent() or NOTHING
         longer = self.longer()

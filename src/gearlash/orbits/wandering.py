@@ -130,7 +130,11 @@ def _least_return(states: Array, longest: int) -> float:
     """The least, over 1 to ``longest`` periods, of the mean distance between a state and the one so many
     periods later."""
     longest = min(longest, len(states) // 2)
-    starts = len(states) - longest
-    windows = sliding_window_view(np.ascontiguousarray(states.T), longest + 1, axis=1)
-    windows = windows[:, :: max(1, starts // RETURNS)]
-    return float(np.abs(windows - windows[..., :1]).max(axis=0).mean(axis=0)[1:].min())
+    step, away = max(1, (len(states) - longest) // RETURNS), None
+    for column in np.ascontiguousarray(states.T):  # one at a time: all at once would not fit the cache
+        windows = sliding_window_view(column, longest + 1)[::step]
+        apart = windows - windows[:, :1]
+        np.abs(apart, out=apart)
+        away = apart if away is None else np.maximum(away, apart, out=away)
+    assert away is not None
+    return float(away.mean(axis=0)[1:].min())
