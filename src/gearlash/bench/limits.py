@@ -5,7 +5,7 @@ from __future__ import annotations
 import numba
 import numpy as np
 
-from gearlash.flow import TERMS
+from gearlash.flow import ROUGH, TERMS
 
 from .peers.plain import Array
 from .results import Limit
@@ -16,28 +16,30 @@ CHAIN = 32  # multiply-adds on each number between reading and writing it: memor
 VECTOR = 512
 
 
-def limits(found: list[Work], seconds: dict[str, float]) -> tuple[Limit, ...]:
-    """For each piece of work, beside its measured seconds per period.
+def limits(found: list[Work], seconds: dict[str, float], together: dict[str, float]) -> tuple[Limit, ...]:
+    """For each piece of work, beside its measured seconds per period, of one trajectory and of many.
 
-    A period is at the least one affine map a cell, to the state behind it and to the `TERMS` coefficients
-    that prove it clear: (n + TERMS)(n + 1) multiply-adds, and as many numbers read. A crossing is the gap as
-    a series, its moments and what they do to the state: TERMS (n + 1) + TERMS² + TERMS·n, and the map of its
-    cell a second time, for the region behind it."""
+    A period is at the least one affine map a cell, to the state behind it and to the `ROUGH` coefficients
+    that prove it clear: (n + ROUGH)(n + 1) multiply-adds, and as many numbers read; one map of the state for
+    all of it where nothing is ever touched. A crossing is, in its cell, `TERMS` coefficients before it and
+    behind it, the gap as a series, its moments and what they do to the state:
+    TERMS (3(n + 1) + TERMS + n)."""
     peak, bandwidth = peak_multiply_adds(), reading()
-    return tuple(_limit(work, peak, bandwidth, seconds[work.name]) for work in found)
+    return tuple(_limit(work, peak, bandwidth, seconds[work.name], together[work.name]) for work in found)
 
 
-def _limit(work: Work, peak: float, bandwidth: float, seconds: float) -> Limit:
+def _limit(work: Work, peak: float, bandwidth: float, seconds: float, together: float) -> Limit:
     n, cells = work.system.size, work.props.cells
-    each = (n + TERMS) * (n + 1)
-    maps = float(cells * each)
-    expansions = work.crossings * (TERMS * (2 * n + 1 + TERMS) + each)
-    table = 8 * cells * each
+    maps = float(cells * (n + ROUGH) * (n + 1) if work.crossings else (n + 1) ** 2)
+    expansions = work.crossings * TERMS * (3 * (n + 1) + TERMS + n)
+    table = int(8 * (maps + expansions))
     arithmetic = (maps + expansions) / peak
     return Limit(
         work.name, n, cells, work.crossings, maps, expansions, table, peak, bandwidth, seconds,
+        together,
         least=max(arithmetic, table / bandwidth),
         share=arithmetic / seconds,
+        share_together=arithmetic / together,
     )  # fmt: skip
 
 

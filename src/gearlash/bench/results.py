@@ -72,14 +72,16 @@ class Limit:
     crossings: float
     multiply_adds: Annotated[float, "fused, of the cells' maps"]
     crossing_multiply_adds: Annotated[float, "fused, of the crossings"]
-    table_bytes: Annotated[int, "numbers of the cells' maps"]
+    table_bytes: Annotated[int, "numbers of the maps"]
     peak: Annotated[float, "fused multiply-adds per second of this core, measured"]
     bandwidth: Annotated[float, "bytes per second that this core reads from such a table, measured"]
     seconds: Annotated[float, "what a period took, least of the repeats"]
+    seconds_together: Annotated[float, "the same of many trajectories, for each"]
     least: Annotated[
         float, "seconds that the arithmetic or the reading needs at the peak, the longer of the two"
     ]
     share: Annotated[float, "of the core's peak that the necessary arithmetic reaches"]
+    share_together: Annotated[float, "the same of many trajectories"]
 
 
 @dataclass(frozen=True)

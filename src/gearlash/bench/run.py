@@ -13,7 +13,7 @@ from .questions import grazing_rows, multiplier_rows, thread_speedup
 from .results import OWN, Benchmark, Row
 from .sizes import curves
 from .startup import long_rows, start_rows
-from .trajectories import ONE, trajectory_rows
+from .trajectories import trajectory_rows
 from .works import works
 
 REPEATS, QUICK_REPEATS = 7, 2
@@ -50,7 +50,9 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
     progress("sizes")
     sizes = curves(repeats, quick)
     progress("limits")
-    spent = {r.work: r.best for r in one if r.task == ONE and r.solver == OWN and r.best is not None}
+    spent, together = (
+        {r.work: r.best for r in rows if r.solver == OWN and r.best is not None} for rows in (one, many)
+    )
     return Benchmark(
         quick=quick,
         repeats=repeats,
@@ -58,7 +60,7 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
         rows=tuple(rows),
         bars=bars(rows, found, threads),
         curves=tuple(sizes),
-        limits=limits(found, spent),
+        limits=limits(found, spent, together),
         pixels=facts,
         threads=threads,
         seconds=monotonic() - began,

@@ -1,6 +1,6 @@
 """The exact flow: cell propagators, contact events, marching, variational flow."""
 
-from ._tables import TERMS
+from ._tables import ROUGH, TERMS
 from .events import Events, Extrema, Samples, Trace
 from .growth import Growth, growth
 from .many import ManyStrobes, march_many
@@ -17,6 +17,7 @@ from .march import (
 from .propagators import Propagators, propagators
 
 __all__ = [
+    "ROUGH",
     "TERMS",
     "Carried",
     "Events",
