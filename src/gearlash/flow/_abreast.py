@@ -47,6 +47,7 @@ from ._tables import (
     Array,
     Shape,
     aligned,
+    aligned_ints,
 )
 from ._vector import LANES, move, ones_in, times
 from ._walk import DIVERGED, FRESH, HUGE, OK, Motion, Record, cross, in_pieces, leave_behind
@@ -91,8 +92,7 @@ def room(shape: Shape) -> tuple[Array, ...]:
     """Work space of `abreast`."""
     p, rows = shape.p, shape.rows
     sizes = (p, rows, TERMS, TERMS, TERMS, TERMS, TERMS, 3, 1, 1, 1, 1, 1, 1, TERMS)
-    masks = np.zeros(GOING + 1, dtype=np.int64)
-    return (*aligned(*(LANES * size for size in sizes)), *np.zeros((2, LANES), dtype=np.int64), masks)
+    return (*aligned(*(LANES * size for size in sizes)), *aligned_ints(LANES, LANES, GOING + 1))
 
 
 @inlined

@@ -23,6 +23,7 @@ from ._tables import (
     TERMS,
     Shape,
     aligned,
+    aligned_ints,
 )
 from ._vector import add
 from ._walk import FRESH, NEED_REGION, NEEDED, OK, Motion, Record, sides_of, slot_place, walk
@@ -33,7 +34,7 @@ def scratch(shape: Shape) -> tuple[np.ndarray, ...]:
     """Work space of one call of `run`."""
     n, p, j = shape.n, shape.p, shape.clearances
     sizes = (GAPS + j * TERMS + p, shape.rows + j * TERMS, (ORDER + 1) * p, (4 * j + n) * TERMS, n + j, p)
-    return (*aligned(*sizes), np.zeros(j, dtype=np.int64))
+    return (*aligned(*sizes), *aligned_ints(j))
 
 
 STARTED, STRETCH, MOTION = 0, 1, 2  # in `progress`: how far a call came that ran into an unbuilt region

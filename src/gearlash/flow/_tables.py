@@ -88,8 +88,9 @@ TABLE = ArrayOf(int64, 2)
 
 
 def aligned(*sizes: int) -> list[Array]:
-    """Zeros, each array on a cache line of its own: a block of eight then never lies across two, which costs
-    twice the time to load and many times that to load just after it was stored."""
+    """Zeros, each array on cache lines of its own: a block of eight then never lies across two, which costs
+    twice the time to load and many times that to load just after it was stored; and two threads never write
+    to the same one, for which each would wait."""
     from ._vector import LANES, padded
 
     places, total = [], 0
@@ -99,6 +100,11 @@ def aligned(*sizes: int) -> list[Array]:
     room = np.zeros(total + LANES)
     first = -(room.__array_interface__["data"][0] // room.itemsize) % LANES
     return [room[first + at : first + at + size] for at, size in zip(places, sizes, strict=True)]
+
+
+def aligned_ints(*sizes: int) -> list[Array]:
+    """The same of whole numbers."""
+    return [array.view(np.int64) for array in aligned(*sizes)]
 
 
 class Plan(NamedTuple):

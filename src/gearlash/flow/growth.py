@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash.system import Status
 
-from .march import CALL, _run, start_state
+from .march import CALL, STATUS, columns_of, run_all, start_state
 from .propagators import Propagators
 
 Array = NDArray[np.float64]
@@ -34,17 +34,20 @@ def growth(props: Propagators, z: ArrayLike, tangent: ArrayLike, periods: int, s
     left. Ends early, with its status, where the motion could not be carried on."""
     state = start_state(z, props.system.size)
     frame = np.array(tangent, dtype=np.float64)[None]
-    parts, sums, undecided, status, done = [state[None].copy()], np.zeros(periods), 0, Status.OK, 0
+    states, sums = np.empty((periods + 1, len(state))), np.zeros(periods)
+    states[0] = state
+    counts = np.zeros((periods, columns_of(props)), dtype=np.int64)
+    done, status = 0, Status.OK
     while done < periods and status.ok:
-        block = min(CALL, periods - done)
-        status, strobes, counts = _run(
-            props, state, 0.0, float(props.cells), block, tangents=frame, sums=sums[done : done + block]
-        )
-        parts.append(strobes[1:])
-        undecided += int(counts[:, -1].sum())
-        done += block
+        end = min(done + CALL, periods)
+        outcome = run_all(
+            props, state[None], 0.0, float(props.cells), states[None, done : end + 1], counts[None, done:end],
+            frame, sums[done:end],
+        )  # fmt: skip
+        status, done = STATUS[int(outcome[0])], end
+    undecided = int(counts[:, -1].sum())
     if status.ok and undecided:
         status = Status.UNCERTAIN
     starts = np.arange(0, periods, stretch)
     logarithms, lengths = np.add.reduceat(sums, starts), np.diff(starts, append=periods)
-    return Growth(np.concatenate(parts), frame[0], logarithms, lengths, undecided, status)
+    return Growth(states[: done + 1], frame[0], logarithms, lengths, undecided, status)

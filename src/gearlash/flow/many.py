@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike
 
 from gearlash.system import GearlashError, Status
 
-from . import _abreast
-from ._abreast import FEW
 from ._tables import ALWAYS, MINUS, PLUS, Array, Shape
 from ._vector import LANES
 from ._walk import OK
@@ -89,11 +87,8 @@ class _Job:
             size = LANES if self.abreast else (size if block == stretches else 1)
             for first in range(0, len(going), size):
                 group = going[first : first + size]
-                if self.abreast and len(group) >= FEW:
+                if self.abreast and len(group) > 1:
                     self._side_by_side(group, done, block)
-                elif self.abreast:
-                    for motion in group:
-                        self._alone(slice(motion, motion + 1), done, block)
                 else:
                     self._alone(slice(group[0], group[-1] + 1), done, block)
             done += block
@@ -110,8 +105,10 @@ class _Job:
 
     def _side_by_side(self, motions: Array, done: int, block: int) -> None:
         """Up to eight; what does not end well is carried again, alone, for what is to be told of it."""
+        from ._abreast import abreast  # when first asked for: it takes long to compile, and few ask
+
         props, room, tables = self.props, room_of(self.props.shape), self.props.tables
-        _abreast.abreast(
+        abreast(
             props.shape, tables.memory, tables.slot_of, props.rules, motions, self.stretch, done, block,
             self.states, self.counts, self.outcomes, NO_HOLD, room.modes, room.on, room.position,
             *room.nothing, *room.space, *_space(props.shape),
@@ -149,6 +146,8 @@ _local = threading.local()
 
 def _space(shape: Shape) -> tuple[Array, ...]:
     """This thread's work space, made anew where the shape is another one."""
+    from ._abreast import room
+
     if getattr(_local, "shape", None) != shape:
-        _local.shape, _local.space = shape, _abreast.room(shape)
+        _local.shape, _local.space = shape, room(shape)
     return _local.space

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from gearlash.system import GearlashError, Status
 
 from . import _march
-from ._tables import ORDER, Array, Shape, aligned
+from ._tables import ORDER, Array, Shape, aligned, aligned_ints
 from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
 from .events import Events, Trace
 from .propagators import Propagators
@@ -77,15 +77,17 @@ def start_state(z: ArrayLike, size: int) -> Array:
 def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) -> Strobes:
     """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times."""
     state = start_state(z, props.system.size)
-    parts, done, status, most = [], 0, Status.OK, block_of(props, stretch)
-    while status.ok and (done < stretches or not parts):
-        block = min(most, stretches - done)
-        status, strobes, counts = _run(props, state, 0.0, float(stretch * props.cells), block)
-        parts.append((strobes if done == 0 else strobes[1:], counts))
-        done += block
-    states, table = parts[0] if len(parts) == 1 else map(np.concatenate, zip(*parts, strict=True))
-    undecided = int(table[:, -1].sum())
-    return Strobes(states, table[:, :-1], undecided, _with_doubt(status, undecided))
+    states = np.empty((stretches + 1, len(state)))
+    states[0] = state
+    counts = np.zeros((stretches, columns_of(props)), dtype=np.int64)
+    done, outcome, most, length = 0, OK, block_of(props, stretch), float(stretch * props.cells)
+    while done < stretches and outcome == OK:
+        end = min(done + most, stretches)
+        rows, happened = states[None, done : end + 1], counts[None, done:end]
+        outcome, done = int(run_all(props, state[None], 0.0, length, rows, happened)[0]), end
+    undecided = int(counts[:, -1].sum())
+    status = _with_doubt(STATUS[outcome], undecided)
+    return Strobes(states[: done + 1], counts[:done, :-1], undecided, status)
 
 
 def block_of(props: Propagators, stretch: int) -> int:
@@ -254,8 +256,8 @@ class _Room:
     def __init__(self, shape: Shape):
         self.shape = shape
         self.space = _march.scratch(shape)
-        self.modes, self.on = np.zeros((2, shape.clearances), dtype=np.int64)
-        self.position, self.progress = np.zeros(6), np.zeros(3, dtype=np.int64)
+        self.modes, self.on, self.progress = aligned_ints(shape.clearances, shape.clearances, 3)
+        (self.position,) = aligned(6)
         self.nothing = _Record(
             np.array([-1, 0], dtype=np.int64),
             np.empty((0, 2)),
