@@ -26,6 +26,7 @@ STATUS = {
 CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon;
 WORK = 1e7  # fewer where their cells have more than so many table entries
 MOST_PIECES = 2_000_000
+ROOMS = 32  # shapes whose work space a thread keeps: along a map the number of cells changes now and then
 
 
 @dataclass(frozen=True, eq=False)
@@ -288,10 +289,15 @@ _rooms = threading.local()
 
 
 def room_of(shape: Shape) -> _Room:
-    """This thread's, made anew where the shape is another one."""
-    room: _Room | None = getattr(_rooms, "room", None)
-    if room is None or room.shape != shape:
-        room = _rooms.room = _Room(shape)
+    """This thread's for systems of this shape."""
+    if not hasattr(_rooms, "kept"):
+        _rooms.kept = {}
+    rooms: dict[Shape, _Room] = _rooms.kept
+    room = rooms.get(shape)
+    if room is None:
+        if len(rooms) >= ROOMS:
+            rooms.clear()
+        room = rooms[shape] = _Room(shape)
     return room
 
 

@@ -88,8 +88,8 @@ class Wandering:
         ends = np.concatenate([[0], np.cumsum(self._lengths)])
         first = int(np.searchsorted(ends, ends[-1] / SETTLE))
         for parts in STUDENT:
-            cuts = np.unique(np.searchsorted(ends, np.linspace(ends[first], ends[-1], parts + 1)))
-            if len(cuts) == parts + 1:
+            cuts = np.searchsorted(ends, np.linspace(ends[first], ends[-1], parts + 1))
+            if (cuts[1:] > cuts[:-1]).all():
                 break
         else:
             return None
