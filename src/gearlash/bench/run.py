@@ -38,7 +38,7 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
         many += together
     progress("single questions")
     questions = multiplier_rows(found[1], repeats) + grazing_rows(repeats)
-    threads = thread_speedup(found[1], repeats if quick else 25, 1_000 if quick else 20_000)
+    threads = thread_speedup(found[1], repeats, 1_000 if quick else 20_000)
     progress("map")
     mapped, facts = pixel_rows(10 if quick else 400, 1 if quick else 3)
     progress("start-up")
