@@ -35,7 +35,11 @@ def march_many(
     props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1, *, threads: int = 1
 ) -> ManyStrobes:
     """`march` of several motions, z (motions, n), on one or more threads. Every motion is the same, byte for
-    byte, as alone. Where one ends early, its later states are NaN."""
+    byte, as alone. Where one ends early, its later states are NaN.
+
+    Systems with one clearance and the rule `always` go eight motions side by side. The first such call on a
+    machine compiles the kernel for that, which takes some 20 s. Raises `GearlashError` for states that do not
+    fit, or are not finite, and for less than one thread."""
     states = np.array(z, dtype=np.float64)
     if states.ndim != 2 or states.shape[1] != props.system.size:
         raise GearlashError(f"states have shape {states.shape}, expected (motions, {props.system.size})")
