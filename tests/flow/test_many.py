@@ -12,6 +12,7 @@ from gearlash.case import load
 from gearlash.flow import _abreast
 from gearlash.flow.propagators import Propagators
 from gearlash.system import ContactRule, GearlashError, Status
+from oracles.flow_facts import eight_as_alone
 from oracles.members import random_member, random_start
 from oracles.oscillators import oscillator, side_by_side
 
@@ -56,6 +57,11 @@ def test_one_side_only_and_sides_that_are_not_alike():
             omega=1.1, gap=(0.2, 0.5), stiffness=stiffness, damping=0.1, force=(0.3, 1.0, 0.2)
         )
         _same_as_alone(flow.propagators(system), rng.standard_normal((11, 2)), 40)
+
+
+@pytest.mark.jit_and_nojit
+def test_compiled_or_not_eight_are_as_alone():
+    eight_as_alone()
 
 
 def test_what_cannot_go_together_goes_one_after_the_other():
