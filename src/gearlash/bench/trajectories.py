@@ -16,7 +16,8 @@ from .timing import Runner, Times, in_turns
 from .works import Work
 
 ONE, MANY = "one trajectory", "many trajectories"
-PERIODS = 2_000
+PERIODS = 2_000  # of a timed call
+OWN_PERIODS = 20_000  # for then it takes about as long as the others
 SLOW_PERIODS = 10  # of those that call Python at every evaluation
 TOGETHER = 32  # trajectories of the own run of many
 
@@ -37,7 +38,7 @@ class Own:
         self.crossings: list[tuple[float, int, bool]] = []
 
     def carry(self, z: Array, periods: int) -> Array:
-        return flow.march(self.work.props, z, periods).states[-1]
+        return flow.march(self.work.props, z, 1, periods).states[-1]
 
     def locate(self, z: Array) -> None:
         """Crossings of the first period."""
@@ -55,7 +56,7 @@ def trajectory_rows(work: Work, repeats: int, samples: int) -> tuple[list[Row], 
 
 
 def _one(work: Work, repeats: int, reference: Solver | None, states: Array) -> list[Row]:
-    solvers = {OWN: ("", PERIODS, Own(work)), **dict(_peers(work))}
+    solvers = {OWN: ("", OWN_PERIODS, Own(work)), **dict(_peers(work))}
     runners = [
         Runner(name, _carrying(solver, states[-1], periods), periods)
         for name, (_, periods, solver) in solvers.items()
@@ -76,15 +77,12 @@ def _one(work: Work, repeats: int, reference: Solver | None, states: Array) -> l
 
 def _many(work: Work, repeats: int, reference: Solver | None) -> list[Row]:
     states = np.ascontiguousarray(work.states[-TOGETHER:])
-    together = getattr(flow, "march_many", None)
     each = PERIODS // 8
 
     def own(periods: int = each) -> Array:
-        if together is not None:
-            return together(work.props, states, periods).states[-1]
-        return np.array([flow.march(work.props, z, periods).states[-1] for z in states])
+        return flow.march_many(work.props, states, 1, periods).states[-1]
 
-    how = {OWN: "march_many" if together is not None else "one after the other"}
+    how = {OWN: "march_many"}
     runners, batches = [Runner(OWN, own, each * TOGETHER)], {}
     if installed("heyoka") != MISSING:
         from .peers.heyoka import HOW, HeyokaBatch, lanes
