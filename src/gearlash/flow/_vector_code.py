@@ -48,24 +48,34 @@ if not TYPE_CHECKING:
         function.attributes.add("nounwind")
         function.attributes.add("optsize")  # no copies for every set of constant arguments: slow to compile
         table, stride, rows, count, x, out = function.args
-        builder = ir.IRBuilder(function.append_basic_block("entry"))
-        done = builder.alloca(_INDEX)
-        builder.store(_INDEX(0), done)
-        for blocks in (4, 3, 2, 1):
-            size = _INDEX(LANES * blocks)
-            head, body, behind = (
-                function.append_basic_block(f"{part}{blocks}") for part in ("head", "body", "behind")
-            )
-            builder.branch(head)
-            builder.position_at_end(head)
-            left = builder.sub(rows, builder.load(done))
-            builder.cbranch(builder.icmp_signed(">=", left, size), body, behind)
-            builder.position_at_end(body)
-            row = builder.load(done)
+
+        def blocks_at(row, blocks):
             _product(builder, blocks, builder.gep(table, [row]), stride, count, x, builder.gep(out, [row]))
-            builder.store(builder.add(row, size), done)
-            builder.branch(head)
-            builder.position_at_end(behind)
+
+        builder = ir.IRBuilder(function.append_basic_block("entry"))
+        entry, head, four, rest, end = (
+            builder.block, *map(function.append_basic_block, ("head", "four", "rest", "end"))
+        )  # fmt: skip
+        builder.branch(head)
+        builder.position_at_end(head)
+        row = builder.phi(_INDEX)
+        left = builder.sub(rows, row)
+        builder.cbranch(builder.icmp_signed(">=", left, _INDEX(4 * LANES)), four, rest)
+        builder.position_at_end(four)
+        blocks_at(row, 4)
+        following = builder.add(row, _INDEX(4 * LANES))
+        row.add_incoming(_INDEX(0), entry)
+        row.add_incoming(following, builder.block)
+        builder.branch(head)
+        builder.position_at_end(rest)
+        switch = builder.switch(left, end)
+        for blocks in (3, 2, 1):
+            case = function.append_basic_block(f"rest{blocks}")
+            switch.add_case(_INDEX(LANES * blocks), case)
+            builder.position_at_end(case)
+            blocks_at(row, blocks)
+            builder.branch(end)
+        builder.position_at_end(end)
         builder.ret_void()
         return function
 
