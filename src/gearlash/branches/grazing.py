@@ -31,6 +31,7 @@ from .surface import Touching
 Array = NDArray[np.float64]
 ITERATIONS = 40
 STEP = 1e-6  # of the parameter: for its derivative
+AGED = 1e-5  # change of the parameter, of itself, after which that derivative is taken again
 BESIDE = 1e-6  # relative distance at which the labels on both sides are read
 CLOSED = 1e-11  # residual of a solution
 
@@ -92,13 +93,12 @@ def locate_grazing(
     and `not-admissible` (the labels beside it do not differ by one contact) say that it is no result."""
     check_name(family, name)
     problem = _Problem.of(family, values, name, orbit, check)
-    unknown, residual, change = problem.solve()
+    props, unknown, residual, change, gains = problem.solve()
     mu = float(unknown[-1])
-    props = problem.system_at(mu)
     touch = problem.touching.carried(props, unknown[:-2], float(unknown[-2]))
     around = problem.around(props, unknown[:-2])
     zero = _state_zero(props, problem, unknown[:-2])
-    below, above = (_label(problem, mu, zero, side) for side in (-1, 1))
+    below, above = (_label(problem, props, mu, zero, side) for side in (-1, 1))
     converged = residual <= CLOSED
     here = check.clearance, check.boundary
     admissible = below is not None and above is not None and below.one_impact_from(above) == here
@@ -108,7 +108,7 @@ def locate_grazing(
     return GrazingPoint(
         name=name,
         value=mu,
-        error=max(change, problem.uncertainty(props, unknown, residual)),
+        error=max(change, gains * (residual + _rounding(unknown))),
         values={**values, name: mu},
         boundary=check.boundary,
         phase=float((unknown[-2] - problem.zero) % orbit.period),
@@ -175,40 +175,54 @@ class _Problem:
         end = flow.carry(props, z0, self.cycles, self.origin, hold=self.hold)
         return np.concatenate([end.state - z0, self.touching.values(props, z0, phase)])
 
-    def jacobian(self, props: Propagators, unknown: Array) -> Array:
-        z0, phase, mu = unknown[:-2], float(unknown[-2]), float(unknown[-1])
+    def jacobian(self, props: Propagators, unknown: Array, value: Array, along: Array) -> Array:
+        """(n+2, n+2) of the residual, here ``value``: exact but for its last column, the derivative ``along``
+        the parameter."""
+        z0, phase = unknown[:-2], float(unknown[-2])
         n = len(z0)
         out = np.zeros((n + 2, n + 2))
-        end = flow.carry(props, z0, self.cycles, self.origin, jacobian=True, hold=self.hold)
-        assert end.jacobian is not None
-        out[:n, :n] = end.jacobian - np.eye(n)
+        out[:n, :n] = self.around(props, z0) - np.eye(n)
         out[n:, :n] = self.touching.rows(props, z0, phase)
         cycle = 2 * np.pi / props.system.omega
-        out[n, n] = self.touching.values(props, z0, phase)[1] * cycle
+        out[n, n] = value[n + 1] * cycle
         out[n + 1, n] = self.touching.curvature(props, z0, phase) * cycle
-        step = STEP * max(abs(mu), 1e-3)
-        up, down = (self.residual(self.system_at(mu + d, props), unknown) for d in (step, -step))
-        out[:, n + 1] = (up - down) / (2 * step)
+        out[:, n + 1] = along
         return out
 
-    def solve(self) -> tuple[Array, float, float]:
-        """Newton's method with bounded steps; returns unknowns, residual and the last change of the
-        parameter."""
+    def along(self, props: Propagators, unknown: Array, value: Array) -> Array:
+        """Derivative (n+2,) of the residual, here ``value``, along the parameter: another system, so most of
+        the time that an iteration takes."""
+        mu = float(unknown[-1])
+        step = STEP * max(abs(mu), 1e-3)
+        return (self.residual(self.system_at(mu + step, props), unknown) - value) / step
+
+    def solve(self) -> tuple[Propagators, Array, float, float, float]:
+        """Newton's method with bounded steps; the derivative along the parameter is kept while that hardly
+        changes. Returns the propagators there, the unknowns, the residual, the last change of the parameter,
+        and how much of a residual it takes up (infinite where it does not enter)."""
         unknown, change = self.first.copy(), np.inf
-        best, residual = unknown, np.inf
-        props: Propagators | None = None
+        best, residual, gains = unknown, np.inf, np.inf
+        props = there = self.system_at(float(unknown[-1]))
+        along, taken = np.empty(0), np.inf
         for _ in range(ITERATIONS):
-            props = self.system_at(float(unknown[-1]), props)
+            mu = float(unknown[-1])
+            if mu != float(best[-1]):
+                props = self.system_at(mu, props)
             value = self.residual(props, unknown)
             size = float(np.abs(value).max())
             if not np.isfinite(size):
                 break
             if size < residual:
-                best, residual = unknown.copy(), size
+                best, residual, there = unknown.copy(), size, props
             elif residual <= 1e-13:
                 break
-            step = np.linalg.lstsq(self.jacobian(props, unknown), -value, rcond=None)[0]
-            longest = longest_step(self.family, self.name, float(unknown[-1]))
+            if not abs(mu - taken) <= AGED * max(abs(mu), 1e-3):
+                along, taken = self.along(props, unknown, value), mu
+            matrix = self.jacobian(props, unknown, value, along)
+            step = np.linalg.lstsq(matrix, -value, rcond=None)[0]
+            if best[-1] == mu:
+                gains = _gains(matrix)
+            longest = longest_step(self.family, self.name, mu)
             limit = min(1.0, longest / max(abs(step[-1]), 1e-300), 0.1 / max(abs(step[-2]), 1e-300))
             unknown = unknown + limit * step
             unknown[-2] = max(unknown[-2], self.origin + 1e-4)  # a touch on the orbit, not before it
@@ -217,23 +231,27 @@ class _Problem:
                 break
             if not self.takes(float(unknown[-1])):
                 break
-        return best, residual, change
-
-    def uncertainty(self, props: Propagators, unknown: Array, residual: float) -> float:
-        """Of the parameter, from residual and rounding of the equations; infinite where it does not enter."""
-        last = np.zeros(len(unknown))
-        last[-1] = 1.0
-        try:
-            gains = np.linalg.solve(self.jacobian(props, unknown).T, last)
-        except np.linalg.LinAlgError:
-            return float("inf")
-        rounding = 4.0 * np.finfo(float).eps * max(1.0, float(np.abs(unknown[:-2]).max()))
-        return float(np.abs(gains).sum() * (residual + rounding))
+        return there, best, residual, change, gains
 
     def takes(self, mu: float) -> bool:
         """Whether the parameter is in its range."""
         parameter = next(p for p in self.family.parameters if p.name == self.name)
         return bool(np.isfinite(mu) and parameter.lower <= mu <= parameter.upper)
+
+
+def _gains(matrix: Array) -> float:
+    """How far the parameter moves per unit of a residual, at most."""
+    last = np.zeros(len(matrix))
+    last[-1] = 1.0
+    try:
+        return float(np.abs(np.linalg.solve(matrix.T, last)).sum())
+    except np.linalg.LinAlgError:
+        return float("inf")
+
+
+def _rounding(unknown: Array) -> float:
+    """Of the equations."""
+    return 4.0 * np.finfo(float).eps * max(1.0, float(np.abs(unknown[:-2]).max()))
 
 
 def _extrema(orbit: Orbit, check: GrazingCheck) -> Array:
@@ -263,10 +281,10 @@ def _state_zero(props: Propagators, problem: _Problem, z0: Array) -> Array:
     return flow.carry(props, z0, ahead, problem.origin, hold=problem.hold).state
 
 
-def _label(problem: _Problem, mu: float, zero: Array, side: int) -> Signature | None:
+def _label(problem: _Problem, there: Propagators, mu: float, zero: Array, side: int) -> Signature | None:
     """Signature of the orbit just beside the point, on one side."""
     beside = mu + side * BESIDE * max(abs(mu), 1e-3)
-    props = problem.system_at(beside)
+    props = problem.system_at(beside, there)
     shot = shoot(props, zero, round(problem.cycles / props.system.cycles))
     if shot.status not in (Status.OK, Status.UNCERTAIN):
         return None

@@ -35,14 +35,16 @@ def stiffness_series(shape: Shape, memory):
 
 @inner
 def _recurrence(
-    n, gaps, lanes, equations, readers, active, eta, duration, units, sources, z, new, total, x, last, read
-):
+    n, gaps, lanes, equations, filled, readers, active, eta, duration, units, sources, z, new, total, x, last,
+    read,
+):  # fmt: skip
     """Taylor series of all columns over one cell: ``total`` (n, lanes) receives the states at its end, ``x``
     (gaps, ORDER+1, lanes) the coefficients of what ``readers`` (gaps, n) read; last (n) the largest of the
     last coefficients of each state, read (gaps, ORDER+1) the largest of what is read.
 
-    equations (n, n + gaps): the matrix, and how each force enters; eta (gaps, TERMS): coefficients of η in
-    falling order; units (u, 3): kind, clearance or state, slot of the series. z, new (n + gaps, lanes): work.
+    equations (n, n + gaps): the matrix, and how each force enters; filled (n, 2): where in each row the first
+    number is that is not zero, and how many follow up to the last (of springs and dampers, half the rows hold
+    a single 1); eta (gaps, TERMS): coefficients of η in falling order; units (u, 3): kind, clearance or state, slot of the series. z, new (n + gaps, lanes): work.
     """
     series = (ORDER + 1) * lanes
     for j in range(ORDER + 1):
@@ -62,7 +64,9 @@ def _recurrence(
                 linear(x, c * series, lanes, lanes, j + 1, eta, c * TERMS + ORDER - j, z, (n + c) * lanes)
         scale = duration / (j + 1)
         for i in range(n):
-            linear(z, 0, lanes, lanes, n + gaps, equations, i * (n + gaps), new, i * lanes)
+            first = filled[i, 0]
+            row = i * (n + gaps) + first
+            linear(z, first * lanes, lanes, lanes, filled[i, 1], equations, row, new, i * lanes)
         multiple(scale, new, 0, new, 0, n * lanes)
         for u in range(len(units)):
             if units[u, 0] == FORCED:
@@ -91,15 +95,22 @@ def _start(n, lanes, units, centres, z, total):
 
 
 @inner
-def _equations(n, count, matrix, readers, actors, turned, out, reads):
-    """out (n, n + clearances) ← the matrix and how each force enters, reads (clearances, n) ← how gaps
-    are read; ``turned``: of the transposed system, in which h and g change places."""
+def _equations(n, count, matrix, readers, actors, turned, out, filled, reads):
+    """out (n, n + clearances) ← the matrix and how each force enters, filled (n, 2) ← which part of each row
+    is not zero, reads (clearances, n) ← how gaps are read; ``turned``: of the transposed system, in which h
+    and g change places."""
     for i in range(n):
         for k in range(n):
             out[i * (n + count) + k] = matrix[k, i] if turned else matrix[i, k]
         for c in range(count):
             out[i * (n + count) + n + c] = readers[c, i] if turned else actors[c, i]
             reads[c * n + i] = actors[c, i] if turned else readers[c, i]
+        first, last, row = 0, n + count - 1, i * (n + count)
+        while first < last and out[row + first] == 0.0:
+            first += 1
+        while last > first and out[row + last] == 0.0:
+            last -= 1
+        filled[i, 0], filled[i, 1] = first, last - first + 1
 
 
 @inner
@@ -149,7 +160,7 @@ def _times_stiffness(shape: Shape, memory, at, cell, c, side):
 
 @allocating
 def _through_cells(
-    shape: Shape, memory, at, equations, reads, sides, active, units, centres, back, ends, gaps
+    shape: Shape, memory, at, equations, filled, reads, sides, active, units, centres, back, ends, gaps
 ):
     """Carries all columns through every cell, forward or ``back`` (the transposed system in reversed
     time), and keeps them; returns the bounds of `_remainder.majorant`."""
@@ -176,8 +187,9 @@ def _through_cells(
         fill(new, 0.0)
         step = -duration if back else duration
         _recurrence(
-            n, count, lanes, equations, reads, active, eta, step, units, sources, z, new, total, x, last, read
-        )
+            n, count, lanes, equations, filled, reads, active, eta, step, units, sources, z, new, total, x,
+            last, read,
+        )  # fmt: skip
         if back:
             _keep_backward(shape, memory, at, cell, lanes, x)
         else:
@@ -202,16 +214,17 @@ def respond(shape: Shape, memory, at, matrix, readers, actors, centres, sides, u
     of the series."""
     n, count = shape.n, shape.clearances
     equations, reads, active = np.zeros(n * (n + count)), np.zeros(count * n), np.zeros(count, np.int64)
+    filled = np.zeros((n, 2), np.int64)
     for c in range(count):
         active[c] = 0 if sides[c] == FREE else 1
-    _equations(n, count, matrix, readers, actors, False, equations, reads)
+    _equations(n, count, matrix, readers, actors, False, equations, filled, reads)
     value, derived = _through_cells(
-        shape, memory, at, equations, reads, sides, active, units, centres, False, ends, gaps
+        shape, memory, at, equations, filled, reads, sides, active, units, centres, False, ends, gaps
     )
-    _equations(n, count, matrix, readers, actors, True, equations, reads)
+    _equations(n, count, matrix, readers, actors, True, equations, filled, reads)
     none = np.zeros((0, 3), np.int64)
     back, _ = _through_cells(
-        shape, memory, at, equations, reads, sides, active, none, centres, True, ends, gaps
+        shape, memory, at, equations, filled, reads, sides, active, none, centres, True, ends, gaps
     )
     return max(value, back), derived
 

@@ -116,6 +116,7 @@ class Plan(NamedTuple):
     harmonics: int
 
 
+@cache
 def lay_out(plan: Plan) -> Shape:
     """The places of everything, in the order of `Shape`."""
     from ._vector import padded

@@ -5,7 +5,6 @@ A region is told by the side of every clearance: `PLUS`, `FREE` or `MINUS`."""
 from __future__ import annotations
 
 from functools import lru_cache
-from itertools import product
 from math import ceil, pi
 
 import numpy as np
@@ -62,9 +61,11 @@ def extreme_regions(system: System) -> tuple[Sides, ...]:
 
 def units_of(system: System) -> Array:
     """(units, 3) int: kind, clearance or state, Fourier slot of every unit input of any region."""
-    rows = sum(np.abs(forcing_of(system, sides)) for sides in _closed(system))
+    count = len(system.clearances)
+    closed = [_dampings(system, (side,) * count) for side in (FREE, PLUS, MINUS)]  # any forcing is in one
+    rows = sum(np.abs(_forcing(system, dampings)) for dampings in dict.fromkeys(closed))
     forced = [(FORCED, int(row), int(slot)) for row, slot in np.argwhere(rows != 0.0)]
-    edges = [(EDGE, c, 0) for c in range(len(system.clearances))]
+    edges = [(EDGE, c, 0) for c in range(count)]
     shifted = [
         (OFFSET, c, int(slot))
         for c, clearance in enumerate(system.clearances)
@@ -73,39 +74,41 @@ def units_of(system: System) -> Array:
     return np.array([*edges, *forced, *shifted], dtype=np.int64)
 
 
-def _closed(system: System) -> list[Sides]:
-    """Regions in which every forcing that occurs anywhere occurs."""
-    count = len(system.clearances)
-    return [(side,) * count for side in (FREE, PLUS, MINUS)]
-
-
-def _dampings(system: System, sides: Sides) -> list[float]:
-    """ζ of every clearance as it acts in a region."""
+def _dampings(system: System, sides: Sides) -> tuple[float, ...]:
+    """ζ of every clearance as it acts in a region: all that matrix and forcing know of the sides."""
     found = []
     for clearance, side in zip(system.clearances, sides, strict=True):
         acting = clearance.dampings[1 if side == MINUS else 0]
         found.append(acting if clearance.contact is ContactRule.ALWAYS or side != FREE else 0.0)
-    return found
+    return tuple(found)
+
+
+def matrix_of(system: System, sides: Sides) -> Array:
+    """M with the contact damping of a region in it."""
+    return _matrix(system, _dampings(system, sides))
 
 
 @lru_cache(maxsize=KEPT)
-def matrix_of(system: System, sides: Sides) -> Array:
-    """M with the contact damping of a region in it."""
+def _matrix(system: System, dampings: tuple[float, ...]) -> Array:
     matrix = system.matrix.astype(np.float64)
-    for clearance, damping in zip(system.clearances, _dampings(system, sides), strict=True):
+    for clearance, damping in zip(system.clearances, dampings, strict=True):
         if damping != 0.0:
             matrix = matrix + damping * np.outer(clearance.g, clearance.h @ system.matrix)
     matrix.setflags(write=False)
     return matrix
 
 
-@lru_cache(maxsize=KEPT)
 def forcing_of(system: System, sides: Sides) -> Array:
-    """b(θ) + Σ g ζ (h·b - e'), the forcing that goes with `_matrix`."""
+    """b(θ) + Σ g ζ (h·b - e'), the forcing that goes with `matrix_of`."""
+    return _forcing(system, _dampings(system, sides))
+
+
+@lru_cache(maxsize=KEPT)
+def _forcing(system: System, dampings: tuple[float, ...]) -> Array:
     count = max(harmonics(system.forcing), *(harmonics(c.offset) for c in system.clearances))
     base = padded(system.forcing, count)
     forcing = base.copy()
-    for clearance, damping in zip(system.clearances, _dampings(system, sides), strict=True):
+    for clearance, damping in zip(system.clearances, dampings, strict=True):
         if damping != 0.0:
             rate = system.omega / system.cycles * padded(derivative(clearance.offset), count)
             forcing = forcing + damping * np.outer(clearance.g, clearance.h @ base - rate)
@@ -141,21 +144,27 @@ def first_guess(system: System) -> int:
     or open), stiffness at its extremes."""
     fastest, count = 0.0, len(system.clearances)
     regions = [sides_of(code, count) for code in range(3**count)] if 1 < count <= FEW else []
-    for sides, lowest in product(regions or extreme_regions(system), (False, True)):
-        closed = matrix_of(system, sides).copy()
-        for clearance, side in zip(system.clearances, sides, strict=True):
-            if side != FREE:
-                series = clearance.stiffness_plus if side == PLUS else clearance.stiffness_minus
-                swing = np.abs(series[1:]).sum()
-                closed = closed + (series[0] - swing if lowest else series[0] + swing) * np.outer(
-                    clearance.g, clearance.h
-                )
-        fastest = max(fastest, spectral_radius(closed, 6))
+    for sides in regions or extreme_regions(system):
+        closed = any(side != FREE for side in sides)
+        for swing in (-1.0, 1.0) if closed else (0.0,):
+            fastest = max(fastest, spectral_radius(_at_extreme(system, sides, swing), 6))
     moved = max(_highest(s) for c in system.clearances for s in (c.stiffness_plus, c.stiffness_minus))
     forced = max(_highest(s) for s in (system.forcing, *(c.offset for c in system.clearances)))
     # a modulated stiffness moves the motion's rates by its harmonics: the two add up; a forcing does not
     turn = max(system.period * fastest + 2 * pi * moved, 2 * pi * forced)
     return max(4, ceil(turn / STEP))
+
+
+def _at_extreme(system: System, sides: Sides, swing: float) -> Array:
+    """The matrix of a region with its contacts' stiffness at the mean and ``swing`` times what is around
+    it."""
+    matrix = matrix_of(system, sides).copy()
+    for clearance, side in zip(system.clearances, sides, strict=True):
+        if side != FREE:
+            series = clearance.stiffness_plus if side == PLUS else clearance.stiffness_minus
+            stiffness = float(series[0]) + swing * float(np.abs(series[1:]).sum())
+            matrix += stiffness * np.outer(clearance.g, clearance.h)
+    return matrix
 
 
 def _highest(series: Array) -> int:

@@ -121,9 +121,10 @@ class Wandering:
         early, late = (float(np.ptp(window, axis=0).max()) for window in windows)
         if late < STILL * max(1.0, float(np.abs(self.state).max())):
             return False  # held on an unstable orbit by rounding
+        if not abs(late / max(early, 1e-300) - 1.0) < within:
+            return False
         before, after = (_least_return(window, longest) for window in windows)
-        grows, parts = late / max(early, 1e-300) - 1.0, after / max(before, 1e-300) - 1.0
-        return abs(grows) < within and abs(parts) < 5.0 * within and after > CLOSED * late
+        return abs(after / max(before, 1e-300) - 1.0) < 5.0 * within and after > CLOSED * late
 
 
 def _least_return(states: Array, longest: int) -> float:
