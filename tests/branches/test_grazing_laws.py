@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -103,6 +103,16 @@ def test_labels_one_contact_apart_and_a0_at_the_point():
     low, middle, high = touch.trace.at([point.phase - step, point.phase, point.phase + step]).displacement
     assert (low - 2 * middle + high) / (step * props.system.period) ** 2 == pytest.approx(point.a0, rel=1e-5)
     assert point.a0 > 1e-2
+
+
+def test_numbers_of_a_point_are_plain():
+    """What is compared with them is then a plain truth value, which JSON has a form for."""
+    family = article()
+    doubling = locate_multiplier(
+        family, family.complete({"omega": 0.79}), "omega", orbit(family, omega=0.79), -1
+    )
+    for point in (touching(family, "omega", {"omega": 0.98}), doubling):
+        assert not [f.name for f in fields(point) if isinstance(getattr(point, f.name), np.generic)]
 
 
 @pytest.mark.parametrize(

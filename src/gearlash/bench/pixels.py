@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from time import perf_counter
 
 import numpy as np
 
@@ -13,12 +14,16 @@ from gearlash.system import Family
 from .peers import MISSING, installed
 from .peers.plain import Pair
 from .results import OWN, Row
-from .timing import Runner, in_turns
+from .timing import Runner, Times, in_turns
 from .works import family
 
 SEED = 20_240_917
 OMEGA, HALF_BACKLASH = (0.5, 1.4), (0.2, 1.2)
 TASK = "map pixels"
+BUILDING = "building its propagators, ms of a pixel"
+MARCHING = "marching its periods with a tangent, ms of a pixel"
+ELSE = "all else, ms of a pixel"
+BEST = "times heyoka, if all else took no time"
 
 
 @dataclass(frozen=True)
@@ -74,12 +79,36 @@ def pixel_rows(count: int, repeats: int) -> tuple[list[Row], dict[str, float]]:
     ]  # fmt: skip
     if len(rows) == 1:
         rows.append(Row(TASK, work, "heyoka", "pixel", note=MISSING))
-    return rows, _facts(own, labels)
+    return rows, {**_facts(own, labels), **_parts(pairs, points, own, times)}
 
 
 def _pixel(pairs: Family, values: dict[str, float]) -> Pixel:
     found = attractor(flow.propagators(pairs.system(values)), pairs.start(values))
     return Pixel(found.label, found.largest_exponent, found.periods_used, isinstance(found, Orbit))
+
+
+def _parts(
+    pairs: Family, points: list[dict[str, float]], own: list[Pixel], times: dict[str, Times]
+) -> dict[str, float]:
+    """What a pixel's time goes to, by doing two parts of it again alone: the propagators, and as many periods
+    with a tangent as it took, in one call from its start."""
+    building = marching = 0.0
+    for values, pixel in zip(points, own, strict=True):
+        began = perf_counter()
+        props = flow.propagators(pairs.system(values))
+        built = perf_counter()
+        n = props.system.size
+        flow.growth(props, pairs.start(values), np.full(n, n**-0.5), pixel.periods, pixel.periods)
+        building, marching = building + built - began, marching + perf_counter() - built
+    building, marching = building / len(points), marching / len(points)
+    found = {
+        BUILDING: 1e3 * building,
+        MARCHING: 1e3 * marching,
+        ELSE: 1e3 * (times[OWN].median - building - marching),
+    }
+    if "heyoka" in times:
+        found[BEST] = times["heyoka"].median / (building + marching)
+    return found
 
 
 def _theirs(plane, pairs: Family, points: list[dict[str, float]]) -> list[str]:

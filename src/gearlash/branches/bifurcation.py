@@ -121,8 +121,9 @@ class _Problem:
         determinant = np.linalg.det(end.jacobian - self.multiplier * np.eye(len(z)))
         return np.append(end.state - z, determinant), end.jacobian
 
-    def derivative(self, props: Propagators, unknown: Array, jacobian: Array) -> Array:
-        """(n+1, n+1): exact for the orbit, by central differences for determinant and parameter."""
+    def derivative(self, props: Propagators, unknown: Array, value: Array, jacobian: Array) -> Array:
+        """(n+1, n+1) of the equations, here ``value``: exact for the orbit, by central differences for the
+        determinant, by a forward one, which takes one more system only, for the parameter."""
         n, z, mu = len(unknown) - 1, unknown[:-1], float(unknown[-1])
         matrix = np.empty((n + 1, n + 1))
         matrix[:n, :n] = jacobian - np.eye(n)
@@ -132,8 +133,7 @@ class _Problem:
             up, down = self.equations(props, z + shift)[0], self.equations(props, z - shift)[0]
             matrix[n, i] = (up[n] - down[n]) / (2 * scale)
         step = STEP * max(abs(mu), 1e-3)
-        up, down = (self.equations(self.system_at(mu + d, props), z)[0] for d in (step, -step))
-        matrix[:, n] = (up - down) / (2 * step)
+        matrix[:, n] = (self.equations(self.system_at(mu + step, props), z)[0] - value) / step
         return matrix
 
     def solve(self, unknown: Array) -> tuple[Array, float, float]:
@@ -148,7 +148,7 @@ class _Problem:
             residual = float(np.abs(value).max())
             if not np.isfinite(residual):
                 break
-            step = np.linalg.lstsq(self.derivative(props, unknown, jacobian), -value, rcond=None)[0]
+            step = np.linalg.lstsq(self.derivative(props, unknown, value, jacobian), -value, rcond=None)[0]
             size = abs(float(step[-1]))
             if residual <= CLOSED and size >= 0.5 * change:
                 break  # rounding decides from here on

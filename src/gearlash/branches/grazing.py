@@ -251,7 +251,7 @@ def _gains(matrix: Array) -> float:
 
 def _rounding(unknown: Array) -> float:
     """Of the equations."""
-    return 4.0 * np.finfo(float).eps * max(1.0, float(np.abs(unknown[:-2]).max()))
+    return 4.0 * float(np.finfo(float).eps) * max(1.0, float(np.abs(unknown[:-2]).max()))
 
 
 def _extrema(orbit: Orbit, check: GrazingCheck) -> Array:

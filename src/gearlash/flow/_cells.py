@@ -44,7 +44,8 @@ def _recurrence(
 
     equations (n, n + gaps): the matrix, and how each force enters; filled (n, 2): where in each row the first
     number is that is not zero, and how many follow up to the last (of springs and dampers, half the rows hold
-    a single 1); eta (gaps, TERMS): coefficients of η in falling order; units (u, 3): kind, clearance or state, slot of the series. z, new (n + gaps, lanes): work.
+    a single 1); eta (gaps, TERMS): coefficients of η in falling order; units (u, 3): kind, clearance or
+    state, slot of the series. z, new (n + gaps, lanes): work.
     """
     series = (ORDER + 1) * lanes
     for j in range(ORDER + 1):
