@@ -49,5 +49,5 @@ def growth(props: Propagators, z: ArrayLike, tangent: ArrayLike, periods: int, s
     if status.ok and undecided:
         status = Status.UNCERTAIN
     starts = np.arange(0, periods, stretch)
-    logarithms, lengths = np.add.reduceat(sums, starts), np.diff(starts, append=periods)
+    logarithms, lengths = np.add.reduceat(sums, starts), np.minimum(stretch, periods - starts)
     return Growth(states[: done + 1], frame[0], logarithms, lengths, undecided, status)

@@ -163,10 +163,10 @@ class _Search:
         return float(np.abs(self.strobes[-1 - period] - self.state).max())
 
     def candidates(self) -> list[int]:
-        longest = min(self.settings.max_period, len(self.strobes) - 1)
-        returns = np.abs(self.strobes[-1 - np.arange(1, longest + 1)] - self.state).max(axis=1)
-        order = np.argsort(returns, kind="stable")
-        best = int(order[0]) + 1
+        states = self.motion.states
+        longest = min(self.settings.max_period, len(states) - 1)
+        returns = np.abs(states[-2 : -2 - longest : -1] - self.state).max(axis=1)
+        best = int(returns.argmin()) + 1
         near = np.flatnonzero(returns < NEAR * self.size)
         chosen = ([int(near[0]) + 1] if len(near) else []) + (
             [best] if returns[best - 1] < FAR * self.size else []

@@ -115,10 +115,10 @@ class Wandering:
         """Whether size and returns after up to ``longest`` periods are the same in both halves of the motion
         (its first part left out), but for the part ``within``, and it closes in neither: a slow transient
         shrinks or grows, or all but closes."""
-        states = self.states[self.used // SETTLE :]
-        half = len(states) // 2
-        windows = states[:half], states[-half:]
-        early, late = (float(np.ptp(window, axis=0).max()) for window in windows)
+        columns = np.ascontiguousarray(self.states[self.used // SETTLE :].T)
+        half = columns.shape[1] // 2
+        windows = columns[:, :half], columns[:, -half:]
+        early, late = (float(np.ptp(window, axis=1).max()) for window in windows)
         if late < STILL * max(1.0, float(np.abs(self.state).max())):
             return False  # held on an unstable orbit by rounding
         if not abs(late / max(early, 1e-300) - 1.0) < within:
@@ -127,14 +127,15 @@ class Wandering:
         return abs(after / max(before, 1e-300) - 1.0) < 5.0 * within and after > CLOSED * late
 
 
-def _least_return(states: Array, longest: int) -> float:
+def _least_return(columns: Array, longest: int) -> float:
     """The least, over 1 to ``longest`` periods, of the mean distance between a state and the one so many
-    periods later."""
-    longest = min(longest, len(states) // 2)
-    step, away = max(1, (len(states) - longest) // RETURNS), None
-    for column in np.ascontiguousarray(states.T):  # one at a time: all at once would not fit the cache
-        windows = sliding_window_view(column, longest + 1)[::step]
-        apart = windows - windows[:, :1]
+    periods later; columns (n, states)."""
+    count = columns.shape[1]
+    longest = min(longest, count // 2)
+    windows, step = sliding_window_view(columns, longest + 1, axis=1), max(1, (count - longest) // RETURNS)
+    away = None
+    for window in windows[:, ::step]:  # one state at a time: all at once would not fit the cache
+        apart = window - window[:, :1]
         np.abs(apart, out=apart)
         away = apart if away is None else np.maximum(away, apart, out=away)
     assert away is not None
