@@ -102,7 +102,7 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
     if not 2 <= count <= MOST_POINTS:
         problems.append(Problem("--over", repr(parts[2]), f"a number of points from 2 to {MOST_POINTS:,}"))
     if not first < last:
-        expected = "a rising interval FROM < TO (--down follows it downwards)"
+        expected = "a rising interval FROM < TO (sweep --down follows it downwards)"
         problems.append(Problem("--over", repr(f"{parts[0]}:{parts[1]}"), expected))
     problems += twice_named(case, name, short, settings)
     if problems:
