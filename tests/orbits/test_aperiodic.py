@@ -173,6 +173,15 @@ def test_leaving_an_unstable_orbit_is_not_chaos():
     assert attractor(props, shot.state + 1e-4).label == "2-2-0"
 
 
+@pytest.mark.parametrize("omega", [1e3, 1e6, 1e9])
+def test_periods_that_last_no_time_show_no_quasi_periodic_motion(omega):
+    """Twenty thousand of them are far shorter than the motion takes to decay: its neighbours have neither
+    left nor come, whatever the average says."""
+    found = cold(article(), omega=omega)
+    assert type(found) is Unresolved
+    assert found.status is Status.UNRESOLVED
+
+
 def test_budget_is_kept_about():
     """Base periods used never exceed the budget by more than one block and the averages."""
     found = attractor(

@@ -13,6 +13,7 @@ from gearlash.flow import Propagators
 from gearlash.flow.march import start_state
 from gearlash.system import Status, System
 
+from .floquet import fastest_shrinking
 from .results import Aperiodic, Attractor, Orbit, Unresolved
 from .shooting import TOLERANCE, Shot, minimal, shoot
 from .wandering import SETTLE, STRETCH, Average, Wandering
@@ -43,6 +44,7 @@ STEADY, GROWTH = 0.02, 0.25  # change of size from half to half of a quasi-perio
 FOLDS = 120.0
 """Growth, in powers of e, of neighbours of a motion that is called chaotic: three times what can happen while
 a motion leaves, from within rounding, an unstable orbit; and most chaotic transients end before."""
+FINE = 0.1  # of the mean contraction: what an exponent called zero must be known to
 LONG = 4  # times `exponent_periods`, then even slow growth is long enough
 REPELLED = np.log(10.0)  # neighbours that grow so much in a period are not near a stable orbit of it
 FAR = 0.1  # the best return is worth one up to here
@@ -272,15 +274,22 @@ class _Search:
     def grows(self, found: Average, last: bool) -> bool:
         """Whether the exponent is above zero for sure, and for long enough. What grows too slowly for that,
         or was not settled until the `last` period, is content with two error bars."""
-        slow = found.value * found.periods * self.props.system.period < FOLDS
+        growth = found.value * found.periods * self.props.system.period
+        slow = growth < FOLDS
+        if growth < 1.0:
+            return False  # less than the two ends of the average can do
         if slow and not last and found.periods < LONG * self.settings.exponent_periods:
             return False
         return found.value > found.error * (2.0 if slow or last else 1.0 / self.settings.precision)
 
     def is_zero(self, found: Average) -> bool:
-        """Within its bar, and what the two ends of the average may change it by."""
-        enough = found.periods >= self.settings.exponent_periods
+        """Within its bar, and what the two ends of the average may change it by; that must be far less than
+        the motion's mean contraction, or what is only on its way would pass."""
         ends = 1.0 / (found.periods * self.props.system.period)
+        contraction = fastest_shrinking(self.props) / self.props.system.size
+        enough = found.periods >= self.settings.exponent_periods and (
+            contraction == 0.0 or ends <= FINE * contraction
+        )
         return enough and abs(found.value) <= 2.0 * found.error + ends
 
     def persists(self, within: float) -> bool:

@@ -24,7 +24,7 @@ def multipliers(props: Propagators, state: NDArray[np.float64], period: int) -> 
     A long or strongly damped orbit's small multipliers drown in the rounding of the product of its maps. The
     block-cyclic matrix of single maps has their roots as eigenvalues and is of norm one: see D. Watkins,
     "Product eigenvalue problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110."""
-    shrinking = _fastest_shrinking(props) * props.system.period
+    shrinking = fastest_shrinking(props) * props.system.period
     parts = max(1, ceil(shrinking / DEPTH))
     factors = _factors(props, state, period, parts)
     if period * shrinking <= PLAIN:
@@ -32,7 +32,7 @@ def multipliers(props: Propagators, state: NDArray[np.float64], period: int) -> 
     return _lifted(_merged(factors, MOST // len(state)))
 
 
-def _fastest_shrinking(props: Propagators) -> float:
+def fastest_shrinking(props: Propagators) -> float:
     """A bound on |trace| of the field in any region; where contact damping comes and goes, with all of it."""
     if props.trace is not None:
         return abs(props.trace)
