@@ -8,6 +8,7 @@ import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -60,7 +61,11 @@ def test_out_is_netcdf_json_and_figures(gearlash: Gearlash, tmp_path: Path):
     assert (tmp_path / "map.pdf").read_bytes().startswith(b"%PDF")
 
 
-def test_ctrl_c_keeps_what_was_computed(gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+@pytest.mark.parametrize("again", [False, True], ids=["once", "and once more while it is kept"])
+def test_ctrl_c_keeps_what_was_computed(
+    gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, again: bool
+):
+    import gearlash.cli.files as files
     import gearlash.cli.progress as progress
 
     @contextmanager
@@ -71,11 +76,19 @@ def test_ctrl_c_keeps_what_was_computed(gearlash: Gearlash, tmp_path: Path, monk
 
         yield callback
 
+    def save_late(*arguments: Any) -> None:
+        os.kill(os.getpid(), signal.SIGINT)
+        save(*arguments)
+
     monkeypatch.setattr(progress, "progress_bar", interrupting)
+    if again:
+        save = files.save
+        monkeypatch.setattr(files, "save", save_late)
     ran = gearlash("map", *PLANE, "--workers", "1", "--out", str(tmp_path))
     assert ran.code == 130
     assert "incomplete, 6 pixels missing" in ran.out
     assert gl.load_dataset(tmp_path / "map.nc").attrs["complete"] == 0
+    assert (tmp_path / "map.json").exists()
     assert not (tmp_path / "map.svg").exists()
 
 

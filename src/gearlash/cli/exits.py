@@ -11,6 +11,7 @@ from typing import Any
 
 import typer
 
+from .interrupt import first_ctrl_c_counts
 from .terminal import complain, discard, tell
 
 
@@ -32,7 +33,8 @@ MEANINGS = {
     ExitCode.NOT_OK: "the result is there, but its status is not ok; the output says which and what to do",
     ExitCode.UNWRITTEN: "the result was computed, but standard output or --out could not be written (a full "
     "disk, say); standard error says why",
-    ExitCode.INTERRUPTED: "stopped by Ctrl-C; what was computed is kept in --out and marked incomplete",
+    ExitCode.INTERRUPTED: "stopped by Ctrl-C; what was computed is kept in --out and marked incomplete, "
+    "also if Ctrl-C comes twice; a third time gives it up",
 }
 
 
@@ -61,7 +63,8 @@ def command(function: Callable[..., ExitCode]) -> Callable[..., None]:
         from gearlash.system import GearlashError  # late: numpy is not needed to print --help
 
         try:
-            code = function(*args, **kwargs)
+            with first_ctrl_c_counts():
+                code = function(*args, **kwargs)
         except GearlashError as error:
             report(error, as_json=bool(kwargs.get("as_json")))
             code = ExitCode.INPUT
