@@ -162,6 +162,9 @@ def test_names_and_starts_are_checked_before_anything_runs():
         map_plane(CLASSICAL, SPEEDS, SPEEDS)
     with pytest.raises(GearlashError, match="2 finite numbers"):
         map_plane(CLASSICAL, SPEEDS, GAPS, initial=[1.0])
+    wide, high = Axis("omega", np.linspace(0.9, 1.0, 1_001)), Axis("D", np.linspace(0.5, 1.0, 1_000))
+    with pytest.raises(GearlashError, match="1001 × 1000 pixels: a map takes 1,000,000"):
+        map_plane(CLASSICAL, wide, high)
     with pytest.raises(GearlashError, match="chunk"):
         map_plane(CLASSICAL, SPEEDS, GAPS, chunk=0)
 

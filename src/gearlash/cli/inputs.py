@@ -112,6 +112,8 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
 
 def read_plane(case: Case, texts: Sequence[str], settings: Iterable[str] | None = None) -> tuple[Over, Over]:
     """The two axes of a map, each as `read_over` takes it."""
+    from gearlash.results.plane import MOST_PIXELS
+
     problems, axes = [], []
     for text in texts:
         try:
@@ -124,9 +126,9 @@ def read_plane(case: Case, texts: Sequence[str], settings: Iterable[str] | None 
     elif not problems and axes[0].short == axes[1].short:
         both = f"{axes[0].named} and {axes[1].named}"
         problems.append(Problem("--over", repr(both), "two that do not name the same quantity"))
-    elif not problems and len(axes[0].values) * len(axes[1].values) > MOST_POINTS:
+    elif not problems and len(axes[0].values) * len(axes[1].values) > MOST_PIXELS:
         pixels = f"{len(axes[0].values)} × {len(axes[1].values)}"
-        problems.append(Problem("--over", repr(pixels), f"{MOST_POINTS:,} pixels at the most"))
+        problems.append(Problem("--over", repr(pixels), f"{MOST_PIXELS:,} pixels at the most"))
     if problems:
         raise CaseError("--over", problems)
     return axes[0], axes[1]

@@ -23,6 +23,8 @@ CERTIFICATES = ("", "certified", "uncertain", "failed")
 """What the codes of `PlaneMap.certificate` mean; the first: nothing was computed."""
 NO_LABEL = -1
 """Code of a pixel without a motion."""
+MOST_PIXELS = 1_000_000
+"""Of a map: it is held in memory, and so many stay below a gibibyte."""
 
 
 @dataclass(frozen=True, eq=False)

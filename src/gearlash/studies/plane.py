@@ -14,7 +14,7 @@ from gearlash import flow
 from gearlash.jobs import Cancel, Chain, Outcome, ProgressCallback, run
 from gearlash.orbits import Settings, Signature
 from gearlash.results import Axis
-from gearlash.results.plane import NO_LABEL, PlaneMap
+from gearlash.results.plane import MOST_PIXELS, NO_LABEL, PlaneMap
 from gearlash.system import Family, GearlashError, UnknownNameError
 
 from .model import Model, Source, check_travels
@@ -77,6 +77,8 @@ def _checked(family: Family, x: Axis, y: Axis, fixed: dict[str, float]) -> dict[
             raise UnknownNameError("parameter", axis.name, family.defaults)
         if axis.name in fixed:
             raise GearlashError(f"{axis.name} is an axis of the map and cannot be fixed as well")
+    if len(x) * len(y) > MOST_PIXELS:
+        raise GearlashError(f"{len(x)} × {len(y)} pixels: a map takes {MOST_PIXELS:,} at the most")
     if x.name == y.name:
         raise GearlashError(f"both axes of the map are {x.name}: expected two different parameters")
     family.complete(fixed)
