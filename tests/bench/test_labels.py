@@ -11,6 +11,7 @@ from gearlash.bench.labels import (
     CHANCE,
     EXPLAINED,
     LATE,
+    LATER,
     brute_force,
     compare,
     explain,
@@ -55,6 +56,17 @@ def test_a_motion_called_aperiodic_too_early_is_told_with_the_time_it_took():
     why, figures = explain(props, pairs.start(values), APERIODIC, "1-1-0", 1_000, "")
     assert why == LATE
     assert "settled at" in figures
+
+
+def test_a_long_transient_is_no_matter_of_rounding():
+    """Chaos for 150,000 periods and more, from every start beside it, and then 2-1-0."""
+    pairs, values = family("article"), {"omega": 1.159167, "D": 1.092734}
+    props = flow.propagators(pairs.system(values))
+    brute, used = brute_force(props, pairs.start(values), LATER)
+    assert brute == "2-1-0"
+    why, figures = explain(props, pairs.start(values), APERIODIC, brute, used, "")
+    assert why == LATE
+    assert "all starts beside it" in figures
 
 
 def test_page_of_a_few_pixels():

@@ -12,9 +12,9 @@ from gearlash.bench import trajectories
 from gearlash.bench.peers import MISSING
 from gearlash.bench.peers.plain import Pair
 from gearlash.bench.peers.rk4 import RungeKutta
-from gearlash.bench.peers.scipy import Scipy
+from gearlash.bench.peers.scipy import Monodromy, Scipy
 from gearlash.bench.trajectories import Own, trajectory_rows
-from gearlash.bench.works import POINTS, Work, _work, family
+from gearlash.bench.works import MANY_PERIODS, POINTS, Work, _work, family
 from gearlash.branches import locate_grazing
 from gearlash.orbits import Orbit, attractor, grazing_checks
 from gearlash.system import ContactRule, GearlashError
@@ -41,6 +41,25 @@ def crossings_apart(solver, work: Work) -> float:
 def test_scipy(work: Work):
     assert apart(Scipy(work.pair), work) < 1e-11
     assert crossings_apart(Scipy(work.pair), work) < 1e-9
+
+
+def test_multipliers_of_scipy(work: Work):
+    orbit = attractor(work.props, work.states[-1])
+    assert isinstance(orbit, Orbit)
+    theirs = np.sort_complex(Monodromy(work.pair).multipliers(orbit.state, 1))
+    assert np.abs(theirs - np.sort_complex(orbit.multipliers)).max() < 1e-9
+
+
+@pytest.mark.parametrize("at", [0, 1, 3, 6])
+def test_many_are_motions_of_their_own(at: int):
+    """Marched for as long as the benchmark does, no two of them have been the same all the way; and where the
+    attractor has no impacts, they have none."""
+    work = _work(*POINTS[at])
+    run = flow.march_many(work.props, work.scattered, MANY_PERIODS)
+    early = run.states[MANY_PERIODS // 4]
+    apart = np.abs(early[:, None] - early[None]).max(axis=2) + np.eye(len(early))
+    assert apart.min() > 1e-9
+    assert run.contacts.any() == (work.crossings > 0.0)
 
 
 def test_runge_kutta_is_coarse_where_teeth_hit(work: Work):
@@ -84,9 +103,9 @@ def test_heyoka_on_a_map():
     pairs = family("article")
     points = [{"omega": 1.05, "D": 1.0}, {"omega": 0.95, "D": 1.0}, {"omega": 0.78, "D": 0.25}]
     systems = [pairs.system(v) for v in points]
-    labels = plane.Plane(Pair.of(systems[0]), 2).labels(
-        [Pair.of(s) for s in systems], [pairs.start(v) for v in points]
-    )
+    shape, starts = [Pair.of(s) for s in systems], [pairs.start(v) for v in points]
+    labels = plane.Plane(shape[0]).labels(shape, starts)
+    assert plane.PlaneBatch(shape[0], 2).labels(shape, starts) == labels
     assert labels == ["1-0-0", "1-1-0", "aperiodic"]
 
 

@@ -46,16 +46,25 @@ def _threads(threads: Mapping[str, float]) -> Bar:
     return Bar.judged("two threads: times one", aim, measured, where=busy)
 
 
-def _ratio(sentence: str, aim: float, ratios: dict[str, float]) -> Bar:
-    where = min(ratios, key=lambda work: ratios[work], default="")
-    return Bar.judged(sentence, aim, ratios.get(where), where=where if len(ratios) > 1 else "")
+def _ratio(sentence: str, aim: float, rows: dict[str, Row]) -> Bar:
+    where = min(rows, key=lambda work: rows[work].ratio or 0.0, default="")
+    worst = rows.get(where)
+    return Bar.judged(
+        sentence,
+        aim,
+        None if worst is None else worst.ratio,
+        where=where if len(rows) > 1 else "",
+        least=None if worst is None else worst.least_ratio,
+    )
 
 
-def _ratios(rows: Iterable[Row], task: str, works: set[str] | None = None) -> dict[str, float]:
-    """Work → ratio to heyoka: of its batches the faster; of pixels the one that is no batch."""
-    best: dict[str, float] = {}
+def _ratios(rows: Iterable[Row], task: str, works: set[str] | None = None) -> dict[str, Row]:
+    """Work → heyoka's row: of its batches the faster; of pixels the one that is no batch."""
+    best: dict[str, Row] = {}
     for row in rows:
         peer = row.solver == "heyoka" if task == PIXELS else row.solver.startswith("heyoka")
         if row.task == task and peer and row.ratio is not None and (works is None or row.work in works):
-            best[row.work] = min(row.ratio, best.get(row.work, row.ratio))
+            known = best.get(row.work)
+            if known is None or known.ratio is None or row.ratio < known.ratio:
+                best[row.work] = row
     return best

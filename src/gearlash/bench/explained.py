@@ -22,9 +22,9 @@ def sizes_explained(curves: Sequence[Curve]) -> Iterator[str]:
 def _harmonics(curve: Curve) -> str:
     return (
         "The article's pair at 1-1; amplitudes fall as 1/k². The cells follow the highest harmonic "
-        f"({curve.cells[0]} to {curve.cells[-1]}), so that each is resolved to rounding, and every cell "
-        f"costs the same: {_micro(curve.seconds[0])} to {_micro(curve.seconds[-1])} µs, "
-        f"{1e9 * _slope(curve.cells, curve.seconds):.0f} ns a cell. "
+        f"({curve.cells[0]} to {curve.cells[-1]}), so that each is resolved to rounding: "
+        f"{_micro(curve.seconds[0])} to {_micro(curve.seconds[-1])} µs, and each further cell adds "
+        f"{1e9 * _slope(curve.cells, curve.seconds):.0f} ns; the rest are the crossings. "
         "The series themselves are summed while building only, and inside a cell with a crossing."
     )
 
@@ -35,7 +35,8 @@ def _states(curve: Curve) -> str:
     upper = len(curve.sizes) // 2
     late = _slope(np.log(curve.sizes[upper:]), np.log(curve.seconds[upper:])) if upper > 1 else power
     return (
-        f"A map has n² numbers. From {curve.sizes[0]:.0f} to {curve.sizes[-1]:.0f} states a period goes from "
+        "A pair at 1-1-1 with more and more bearings. A map has n² numbers. "
+        f"From {curve.sizes[0]:.0f} to {curve.sizes[-1]:.0f} states a period goes from "
         f"{first} to {last} µs, as n to the power {power:.2f}, and {late:.2f} over the larger half: among "
         "small systems what does not depend on n weighs most."
     )
@@ -44,17 +45,26 @@ def _states(curve: Curve) -> str:
 def _clearances(curve: Curve) -> str:
     pairs = zip(curve.sizes, curve.seconds, curve.crossings, strict=True)
     listed = ", ".join(f"{size:.0f}: {_micro(s)} µs with {c:.1f} crossings" for size, s, c in pairs)
+    each = [1e6 * s / c for s, c in zip(curve.seconds, curve.crossings, strict=True) if c]
+    shared = f" That is {min(each):.2g} to {max(each):.2g} µs a crossing:" if each else ""
     return (
         f"Three masses in a row, of which so many have play (the others are glued to their stops). {listed}."
+        f"{shared} with several gaps every one is watched in every cell, and a cell is cut where any is "
+        "crossed. Which of the two weighs more was not measured."
     )
 
 
 def _impacts(curve: Curve) -> str:
-    first, each = _micro(curve.seconds[0]), 1e6 * _slope(curve.sizes, curve.seconds)
+    hit = [k for k, size in enumerate(curve.sizes) if size > 0.0]
+    each = 1e6 * _slope([curve.sizes[k] for k in hit], [curve.seconds[k] for k in hit]) if hit[1:] else None
+    slope = "" if each is None else (
+        f" From then on each impact with its release adds {each:.2f} µs: two crossings located, the state "
+        "moved to another region at each."
+    )  # fmt: skip
     return (
-        f"One degree of freedom in {curve.cells[0]} cells, and less and less load: a period with "
-        f"{curve.sizes[0]:.3g} impacts takes {first} µs, and each impact with its release adds {each:.2f} "
-        "µs: two crossings located, the state moved to another region at each."
+        f"One degree of freedom in {curve.cells[0]} cells, and less and less load. A period with "
+        f"{curve.sizes[0]:.3g} impacts takes {_micro(curve.seconds[0])} µs, as one map of all of it; the "
+        f"first impacts make it go from cell to cell.{slope}"
     )
 
 
@@ -65,10 +75,10 @@ def _speeds(curve: Curve) -> str:
         if c == 0.0
     ]
     return (
-        "The article's pair. A slow period is long and has many cells; a fast one has few, and then the "
-        "harmonics of the forcing decide their number and no longer the natural frequencies. Without "
-        f"crossings: {'; '.join(quiet) or 'none of these'}. Where teeth hit, crossings outweigh cells, and "
-        "the curve jumps."
+        "The article's pair. A slow period is long and has many cells, which is what building it costs; a "
+        "fast one has few, and then the harmonics of the forcing decide their number and no longer the "
+        "natural frequencies. A period that touches nothing is one map of the state, whatever its cells: "
+        f"{'; '.join(quiet) or 'none of these'}. Where teeth hit (filled points), it goes from cell to cell."
     )
 
 

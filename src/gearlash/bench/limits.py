@@ -1,4 +1,4 @@
-"""The limit: what a period needs at the least, and what this core can do."""
+"""The limit: what a period needs at the least by this method, in these cells, and what this core can do."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ def limits(found: list[Work], seconds: dict[str, float], together: dict[str, flo
     all of it where nothing is ever touched. A crossing is, in its cell, `TERMS` coefficients before it and
     behind it, the gap as a series, its moments and what they do to the state:
     TERMS (3(n + 1) + TERMS + n)."""
-    peak, bandwidth = peak_multiply_adds(), reading()
-    return tuple(_limit(work, peak, bandwidth, seconds[work.name], together[work.name]) for work in found)
+    peak = peak_multiply_adds()
+    return tuple(_limit(work, peak, seconds[work.name], together[work.name]) for work in found)
 
 
-def _limit(work: Work, peak: float, bandwidth: float, seconds: float, together: float) -> Limit:
+def _limit(work: Work, peak: float, seconds: float, together: float) -> Limit:
     n, cells = work.system.size, work.props.cells
     maps = float(cells * (n + ROUGH) * (n + 1) if work.crossings else (n + 1) ** 2)
     expansions = work.crossings * TERMS * (3 * (n + 1) + TERMS + n)
     table = int(8 * (maps + expansions))
-    arithmetic = (maps + expansions) / peak
+    arithmetic, bandwidth = (maps + expansions) / peak, reading(table)
     return Limit(
         work.name, n, cells, work.crossings, maps, expansions, table, peak, bandwidth, seconds,
         together,
@@ -76,10 +76,10 @@ def multiply_adds(rounds: int) -> None:
     _multiply_adds(np.ones(VECTOR), 0.5, 0.5, rounds)
 
 
-def reading() -> float:
-    """Bytes per second that one core reads from a table of 16 KiB."""
-    a: Array = np.ones(2_048)
-    rounds = 20_000
+def reading(size: int) -> float:
+    """Bytes per second that one core reads, again and again, from a table of that many bytes."""
+    a: Array = np.ones(max(64, size // 8))
+    rounds = max(1, int(3e8 // a.nbytes))
     _sum(a, 1)
     spent = min(seconds_of(lambda: _sum(a, rounds)) for _ in range(7))
     return a.nbytes * rounds / spent

@@ -7,8 +7,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from gearlash.flow import ROUGH, TERMS
 
 from .explained import sizes_explained
+from .pixels import REPEATS as MAP_REPEATS
 from .results import OWN, Benchmark, Limit, Row
 from .words import NOTHING, aim, error, measured, ratio, time, verdict
+from .works import MANY_PERIODS, SPREAD, TOGETHER
 
 FIGURE = "images/benchmark-cost.png"
 HEAD = """\
@@ -20,15 +22,28 @@ run on one machine, one core unless it says otherwise.
 PROTOCOL = """\
 ## How it is measured
 
-All take turns, A B A B, {repeats} times after one call to warm up. A time is the median of the repeats; a
-ratio is the median of the ratios within each repeat, so that a slow spell of the machine meets both sides.
-Building a model, compiling and settling on the attractor are not timed, except in the map, where gearlash
-builds its propagators anew for every pixel. Trajectories run on the attractor, thousands of periods in one
-call (ten for those that call Python at every evaluation). Errors are largest ones over one period from up to
-100 states of the attractor, against heyoka's Taylor method in 80-bit arithmetic with tolerance 1e-20, an
-integrator that shares nothing with gearlash. Errors of some 1e-16 are rounding and rank nobody.
+All take turns, A B A B, {repeats} times after one call to warm up (the map {mapped} times, start-up five, a
+first run and `reproduce` once). A time is the median of the repeats; a ratio is the median of the ratios
+within each repeat, so that a slow spell of the machine meets both sides, and the least of them stands
+beside a bar. From run to run ratios differ by some 10 to 20 % on a shared machine: a bar met or missed by
+less is neither for sure. The limit and the curves of cost take the least time of the repeats.
 
-gearlash's certificate is on: every cell without a crossing is proved to have none.
+Building a model, compiling and settling on the attractor are not timed, but in the map, where gearlash
+builds its propagators anew for every pixel, and where a grazing is located, at every speed that it tries. A
+first run compiles on two cores and `reproduce` works on all; all else has one. A first run compiles what
+`run` needs, which the kernel of `march_many` is not; that is compiled when first called.
+
+One trajectory runs on the attractor, thousands of periods in one call (ten for those that call Python at
+every evaluation). Many are {together} motions from states scattered by {spread:g} about the attractor
+(without impacts: by so little that none occur), over {periods} periods: on a stable orbit they would soon
+be one and the same motion, and lanes that all turn the same way measure nothing. All march all of them.
+Errors are largest ones over one period, of one trajectory from up to 100 states of the attractor (a
+period-one orbit has one), against heyoka's Taylor method in 80-bit arithmetic with tolerance 1e-20, an
+integrator that shares nothing with gearlash; for heyoka's own rows it is the same code with more digits.
+Errors of some 1e-16 are rounding and rank nobody.
+
+gearlash's certificate is on: every cell without a crossing is proved to have none. heyoka's callbacks at
+crossings are Python, as its users write them.
 """
 MISSED = """\
 Two more compiled solvers were tried and are not in the table: numbalsoda has no wheel for Python 3.11 or
@@ -37,22 +52,23 @@ newer, and numbakit-ode fails to start with current versions of scipy.
 LIMIT = """\
 ## The limit
 
-A period is at the least one affine map a cell, to the state behind it and to the {rough} coefficients that
-prove it clear: (n + {rough})(n + 1) multiply-adds, and as many numbers to read; where nothing is ever
-touched, one map of the state for all of it. A crossing is, in its cell, {terms} coefficients before it and
-behind it, the gap as a series, its moments, and what they do to the state: {terms} (3(n + 1) + {terms} + n).
-Everything beyond that is reading the proof, finding roots, and overhead. The peak is that of this core,
-measured by a loop of nothing but multiply-adds ({peak:.1f} billion a second); tables are read from the first
-cache at {bandwidth:.0f} GB/s. *Least* is the longer of arithmetic at the peak and reading at that speed;
-*share* is necessary arithmetic over peak.
+By this method, in these cells, a period is at the least one affine map a cell, to the state behind it and
+to the {rough} coefficients that prove it clear: (n + {rough})(n + 1) multiply-adds, and as many numbers to
+read; where nothing is ever touched, one map of the state for all of it. A crossing is, in its cell, {terms}
+coefficients before it and behind it, the gap as a series, its moments, and what they do to the state:
+{terms} (3(n + 1) + {terms} + n). Another method may need less: this is no bound on those. Everything beyond
+it is reading the proof, finding roots, and overhead. The peak is that of this core, measured by a loop of
+nothing but multiply-adds ({peak:.1f} billion a second); reading is measured on a table of the size of each
+({slowest:.0f} to {fastest:.0f} GB/s). *Least* is the longer of arithmetic at the peak and reading at that
+speed; *share* is necessary arithmetic over peak. Times are the least of the repeats.
 """
 MAP = """\
 Every pixel starts cold. gearlash's row gives label and largest exponent, from the equations on; heyoka's
-gives the label after 500 periods and no exponent, and a motion that has not settled by then gets a wrong one.
-What bounds the ratio is at the end of the table: every pixel is another system, whose propagators are used
-for some hundred periods only, and whether an exponent is above zero takes a thousand periods to say. The
-first two parts were timed alone; all else is Newton's method, the proofs of stability and period, and the
-search's decisions, which are Python.
+gives the label after 500 periods and no exponent, and a motion that has not settled by then gets a wrong
+one. What the time goes to is at the end of the table: every pixel is another system, whose propagators are
+used for some hundred periods only, and whether an exponent is above zero takes a thousand periods to say.
+The first two parts were timed alone, as they are today and not as they might be; all else is Newton's
+method, the proofs of stability and period, and the search's decisions, which are Python.
 """
 
 
@@ -62,7 +78,13 @@ def page(found: Benchmark) -> str:
         HEAD,
         "\n".join(_machine(found)),
         "\n".join(_bars(found)),
-        PROTOCOL.format(repeats=found.repeats),
+        PROTOCOL.format(
+            repeats=found.repeats,
+            mapped=MAP_REPEATS,
+            together=TOGETHER,
+            spread=SPREAD,
+            periods=MANY_PERIODS,
+        ),
     ]
     parts += ["\n".join(_solvers(found.rows)), MISSED]
     for task in dict.fromkeys(row.task for row in found.rows if row.task != "start-up"):
@@ -133,7 +155,11 @@ def _facts(title: str, facts: dict[str, float]) -> str:
 
 def _limit(limits: Sequence[Limit]) -> Iterator[str]:
     yield LIMIT.format(
-        rough=ROUGH, terms=TERMS, peak=limits[0].peak / 1e9, bandwidth=limits[0].bandwidth / 1e9
+        rough=ROUGH,
+        terms=TERMS,
+        peak=limits[0].peak / 1e9,
+        slowest=min(x.bandwidth for x in limits) / 1e9,
+        fastest=max(x.bandwidth for x in limits) / 1e9,
     )
     head = (
         "work", "states", "cells", "crossings", "multiply-adds: maps", "crossings", "table", "least", "took",

@@ -23,7 +23,7 @@ from .works import Work, family
 GUESS, GAP = 0.98, 1.0  # impact-free; the orbit grazes at 0.9725
 MARCH, LOOP, DIFFERENT = "march", "multiply-adds alone", "bytes that differ"
 MARCHES = 20  # in a row, on each thread
-STEP = 1e-6  # of the central differences that give scipy's monodromy
+AGAIN = 20  # times in a row that an orbit's multipliers are asked for: one call is short
 
 
 def multiplier_rows(work: Work, repeats: int) -> list[Row]:
@@ -40,8 +40,11 @@ def multiplier_rows(work: Work, repeats: int) -> list[Row]:
         peer = Monodromy(work.pair)
         ask["heyoka"] = (MULTIPLIERS, lambda: peer.multipliers(z, period))
         truth = Monodromy(work.pair, np.longdouble).multipliers(z, period)
-    ask["scipy"] = (f"central differences of {STEP:g}", lambda: _by_differences(work.pair, z, period))
-    return _rows("multipliers of an orbit", work.name, "orbit", ask, truth, repeats, _apart)
+    from .peers import scipy
+
+    other = scipy.Monodromy(work.pair)
+    ask["scipy"] = (scipy.MULTIPLIERS, lambda: other.multipliers(z, period))
+    return _rows("multipliers of an orbit", work.name, "orbit", ask, truth, repeats, _apart, AGAIN)
 
 
 def grazing_rows(repeats: int) -> list[Row]:
@@ -71,11 +74,11 @@ def grazing_rows(repeats: int) -> list[Row]:
 
 
 def thread_speedup(work: Work, repeats: int, periods: int) -> dict[str, float]:
-    """What two threads do in the time that one takes: marches of independent states, and beside it a loop of
-    multiply-adds alone, which is what this machine's two cores can give at the most; both for long enough
+    """What two threads do in the time that one takes: marches of two different motions, and beside it a loop
+    of multiply-adds alone, which is what this machine's two cores can give at the most; both for long enough
     that the system has moved the threads to cores of their own (some 10 ms). `bytes that differ`:
     in the strobes of the two marches, side by side and one after the other."""
-    halves = work.states[-2:]
+    halves = work.scattered[:2]
 
     def march(which: int):
         return flow.march(work.props, halves[which], periods).states
@@ -107,15 +110,12 @@ def _orbit(found: Any) -> Orbit:
     return found
 
 
-def _by_differences(pair: Pair, z, period: int):
-    from .peers.scipy import Scipy
+def _often(run: Callable[[], Any], again: int) -> Callable[[], None]:
+    def often() -> None:
+        for _ in range(again):
+            run()
 
-    solver, columns = Scipy(pair), []
-    for i in range(len(z)):
-        step = np.zeros(len(z))
-        step[i] = STEP
-        columns.append((solver.carry(z + step, period) - solver.carry(z - step, period)) / (2 * STEP))
-    return np.linalg.eigvals(np.array(columns).T)
+    return often
 
 
 def _apart(a, b) -> float:
@@ -123,14 +123,15 @@ def _apart(a, b) -> float:
     return float(np.abs(np.asarray(a)[:, None] - np.asarray(b)[None]).min(axis=1).max())
 
 
-def _rows(task, work, unit, ask, truth, repeats, distance) -> list[Row]:
-    times = in_turns([Runner(name, run) for name, (_, run) in ask.items()], repeats)
+def _rows(task, work, unit, ask, truth, repeats, distance, again=1) -> list[Row]:
+    times = in_turns([Runner(name, _often(run, again), again) for name, (_, run) in ask.items()], repeats)
     rows = []
     for name, (how, run) in ask.items():
         error = None if truth is None else float(distance(run(), truth))
         ratio = None if name == OWN else times[name].over(times[OWN])
         mine = times[name]
-        rows.append(Row(task, work, name, unit, mine.median, mine.best, ratio, error, None, how))
+        least = None if name == OWN else mine.least_over(times[OWN])
+        rows.append(Row(task, work, name, unit, mine.median, mine.best, ratio, least, error, None, how))
     if "heyoka" not in ask:
         rows.append(Row(task, work, "heyoka", unit, note=MISSING))
     return rows

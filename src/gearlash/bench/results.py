@@ -19,6 +19,7 @@ class Row:
     seconds: Annotated[float | None, "median of the repeats"] = None
     best: Annotated[float | None, "least of the repeats, seconds"] = None
     ratio: Annotated[float | None, "how many times longer than gearlash, median over the repeats"] = None
+    least_ratio: Annotated[float | None, "the least of those ratios"] = None
     error: Annotated[
         float | None,
         "largest error against the reference: of a component of the state after one period "
@@ -39,14 +40,20 @@ class Bar:
     at_least: Annotated[bool, "the aim is the least value wanted, else the greatest"]
     met: Annotated[bool | None, "null where it could not be measured"]
     where: Annotated[str, "the work of the worst value, where there are several, or why there is none"] = ""
+    least: Annotated[float | None, "of the ratios within each repeat, whose median it is"] = None
 
     @staticmethod
     def judged(
-        sentence: str, aim: float, measured: float | None, at_least: bool = True, where: str = ""
+        sentence: str,
+        aim: float,
+        measured: float | None,
+        at_least: bool = True,
+        where: str = "",
+        least: float | None = None,
     ) -> Bar:
         """The bar, held against what was measured."""
         met = None if measured is None else measured >= aim if at_least else measured <= aim
-        return Bar(sentence, aim, measured, at_least, met, where)
+        return Bar(sentence, aim, measured, at_least, met, where, least)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from time import monotonic
 from .bars import bars
 from .limits import limits
 from .machine import this_machine
+from .pixels import REPEATS as MAPPED
 from .pixels import pixel_rows
 from .questions import grazing_rows, multiplier_rows, thread_speedup
 from .results import OWN, Benchmark, Row
@@ -24,7 +25,7 @@ def _silent(stage: str) -> None:
 
 
 def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) -> Benchmark:
-    """Runs all of it, some five minutes on two cores; ``quick``: everything once through on small work, some
+    """Runs all of it, some two minutes on two cores; ``quick``: everything once through on small work, some
     twenty seconds, with times that mean little. ``progress`` is told every stage."""
     began, repeats = monotonic(), QUICK_REPEATS if quick else REPEATS
     progress("attractors")
@@ -40,7 +41,7 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
     questions = multiplier_rows(found[1], repeats) + grazing_rows(repeats)
     threads = thread_speedup(found[1], repeats, 1_000 if quick else 20_000)
     progress("map")
-    mapped, facts = pixel_rows(10 if quick else 400, 1 if quick else 3)
+    mapped, facts = pixel_rows(10 if quick else 400, 1 if quick else MAPPED)
     progress("start-up")
     starts = start_rows(1 if quick else 5)
     if not quick:

@@ -33,7 +33,14 @@ class Times:
 
     def over(self, other: Times) -> float:
         """Median of the ratios to ``other`` within each repeat: a slow spell meets both and cancels."""
-        return median(mine / theirs for mine, theirs in zip(self.each, other.each, strict=True))
+        return median(self._ratios(other))
+
+    def least_over(self, other: Times) -> float:
+        """The least of those ratios: how far the median can be trusted."""
+        return min(self._ratios(other))
+
+    def _ratios(self, other: Times) -> list[float]:
+        return [mine / theirs for mine, theirs in zip(self.each, other.each, strict=True)]
 
 
 def in_turns(runners: Sequence[Runner], repeats: int, warm: bool = True) -> dict[str, Times]:

@@ -13,13 +13,13 @@ from .peers import MISSING, installed
 from .peers.plain import Array
 from .results import OWN, Row
 from .timing import Runner, Times, in_turns
-from .works import Work
+from .works import MANY_PERIODS, TOGETHER, Work
 
 ONE, MANY = "one trajectory", "many trajectories"
 PERIODS = 2_000  # of a timed call
 OWN_PERIODS = 20_000  # for then it takes about as long as the others
+QUIET = 20  # times as many where nothing is ever touched
 SLOW_PERIODS = 10  # of those that call Python at every evaluation
-TOGETHER = 32  # trajectories of the own run of many
 
 
 class Solver(Protocol):
@@ -56,7 +56,7 @@ def trajectory_rows(work: Work, repeats: int, samples: int) -> tuple[list[Row], 
 
 
 def _one(work: Work, repeats: int, reference: Solver | None, states: Array) -> list[Row]:
-    solvers = {OWN: ("", OWN_PERIODS, Own(work)), **dict(_peers(work))}
+    solvers = {OWN: ("", OWN_PERIODS * (1 if work.crossings else QUIET), Own(work)), **dict(_peers(work))}
     runners = [
         Runner(name, _carrying(solver, states[-1], periods), periods)
         for name, (_, periods, solver) in solvers.items()
@@ -76,27 +76,32 @@ def _one(work: Work, repeats: int, reference: Solver | None, states: Array) -> l
 
 
 def _many(work: Work, repeats: int, reference: Solver | None) -> list[Row]:
-    states = np.ascontiguousarray(work.states[-TOGETHER:])
-    each = PERIODS // 8
+    """All march the same motions; heyoka so many of them at once as its batch has lanes."""
+    states, again = work.scattered, 4 if work.crossings else 4 * QUIET
 
-    def own(periods: int = each) -> Array:
+    def own(periods: int = MANY_PERIODS) -> Array:
         return flow.march_many(work.props, states, 1, periods).states[-1]
 
+    def often() -> None:
+        for _ in range(again):
+            own()
+
     how = {OWN: "march_many"}
-    runners, batches = [Runner(OWN, own, each * TOGETHER)], {}
+    runners, batches = [Runner(OWN, often, again * MANY_PERIODS * TOGETHER)], {}
     if installed("heyoka") != MISSING:
         from .peers.heyoka import HOW, HeyokaBatch, lanes
 
         for width in lanes():
-            batch, start = HeyokaBatch(work.pair, width), states[-width:]
-            name = f"heyoka, {width} lanes"
-            batches[name], how[name] = (batch, start), HOW
-            runners.append(Runner(name, lambda b=batch, s=start: b.carry(s, each), each * width))
+            batch, name = HeyokaBatch(work.pair, width), f"heyoka, {width} lanes"
+            batches[name], how[name] = batch, HOW
+            runners.append(
+                Runner(name, lambda b=batch: b.carry_all(states, MANY_PERIODS), MANY_PERIODS * TOGETHER)
+            )
     times = in_turns(runners, repeats)
     truth = None if reference is None else np.array([reference.carry(z, 1) for z in states])
     rows = [_row(MANY, work, OWN, times, how[OWN], _worst(own(1), truth))]
-    for name, (batch, start) in batches.items():
-        rows.append(_row(MANY, work, name, times, how[name], _worst(batch.carry(start, 1), truth)))
+    for name, batch in batches.items():
+        rows.append(_row(MANY, work, name, times, how[name], _worst(batch.carry_all(states, 1), truth)))
     return rows if batches else [*rows, Row(MANY, work.name, "heyoka batch", "period", note=MISSING)]
 
 
@@ -168,8 +173,7 @@ def _errors(solver: Solver, states: Array, truth: list) -> tuple[float | None, f
 
 
 def _worst(ends: Array, truth: Array | None) -> float | None:
-    """Largest error of end states that belong to the last of the reference's."""
-    return None if truth is None else _distance(ends, truth[-len(ends) :])
+    return None if truth is None else _distance(ends, truth)
 
 
 def _distance(a: Array, b: Array) -> float:
@@ -188,5 +192,8 @@ def _row(
 ) -> Row:
     mine = times[name]
     ratio = None if name == OWN else mine.over(times[OWN])
+    least = None if name == OWN else mine.least_over(times[OWN])
     odd = f"other crossings in {different} of the periods compared" if different else ""
-    return Row(task, work.name, name, "period", mine.median, mine.best, ratio, error, time_error, how, odd)
+    return Row(
+        task, work.name, name, "period", mine.median, mine.best, ratio, least, error, time_error, how, odd
+    )

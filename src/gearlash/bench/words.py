@@ -36,7 +36,8 @@ def aim(bar: Bar) -> str:
 
 def measured(bar: Bar) -> str:
     """What came out."""
-    return NOTHING if bar.measured is None else f"{bar.measured:.3g}"
+    least = "" if bar.least is None else f" (least of the repeats {bar.least:.3g})"
+    return NOTHING if bar.measured is None else f"{bar.measured:.3g}{least}"
 
 
 def verdict(bar: Bar) -> str:

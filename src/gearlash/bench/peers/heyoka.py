@@ -134,6 +134,11 @@ class HeyokaBatch:
         ta.propagate_until(float(duration(self.pair.system)) * periods)
         return ta.state.T.copy()
 
+    def carry_all(self, states: Array, periods: int) -> Array:
+        """The same of any multiple of that many states."""
+        blocks = range(0, len(states), self.lanes)
+        return np.concatenate([self.carry(states[at : at + self.lanes], periods) for at in blocks])
+
 
 def duration(system: System) -> np.longdouble:
     """Of a base period, in 80-bit arithmetic."""

@@ -101,7 +101,7 @@ def _variational(model: Model, real: type, pars: int, **events: Any) -> Any:
         fp_type=real,
         tol=real(TOLERANCE if real is float else FINEST),
         pars=np.zeros(pars, dtype=real),
-        compact_mode=True,  # without it, compiling the many equations takes minutes
+        compact_mode=real is not float,  # the reference is not timed
         fast_math=real is float,
         **events,
     )

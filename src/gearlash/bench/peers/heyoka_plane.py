@@ -17,6 +17,60 @@ HOW = f"{PERIODS} periods, label only, returns to {CLOSE:g}, one compiled integr
 
 
 class Plane:
+    """Pixels one at a time; time counts base periods."""
+
+    def __init__(self, pair: Pair):
+        self.model = Model(pair, free=True)
+        self.impacts: list[tuple[float, int]] = []
+        box: list[Any] = []
+        events = [
+            hy.t_event(self.model.above, callback=self._callback(box, 1)),
+            hy.t_event(self.model.below, callback=self._callback(box, -1)),
+        ]
+        count = len(self.model.parameters(pair, np.ones(pair.system.size)))
+        self.integrator: Any = hy.taylor_adaptive(
+            self.model.equations,
+            np.zeros(self.model.size),
+            tol=TOLERANCE,
+            pars=np.zeros(count),
+            t_events=events,
+            fast_math=True,
+        )
+        box.append(self.integrator.pars)
+
+    def labels(self, pairs: Sequence[Pair], starts: Sequence[Array]) -> list[str]:
+        """P-Q-R of every pixel, or ``aperiodic``."""
+        return [self._label(pair, z) for pair, z in zip(pairs, starts, strict=True)]
+
+    def _label(self, pair: Pair, z: Array) -> str:
+        ta = self.integrator
+        ta.time = 0.0
+        ta.state[:] = z
+        ta.pars[:] = self.model.parameters(pair, z)
+        ta.reset_cooldowns()
+        self.impacts.clear()
+        strobes = []
+        for period in range(PERIODS - LONGEST, PERIODS + 1):
+            ta.propagate_until(float(period))
+            strobes.append(ta.state.copy())
+        return _label(np.array(strobes), self.impacts)
+
+    def _callback(self, box: list, boundary: int):
+        impacts = self.impacts
+
+        def switch(ta, sign):
+            pars = box[0]
+            if sign == boundary:
+                impacts.append((ta.time, boundary))
+                pars[SWITCH], pars[EDGE] = 1.0, boundary * pars[GAP]
+            else:
+                pars[SWITCH], pars[EDGE] = 0.0, 0.0
+            return True
+
+        return switch
+
+
+class PlaneBatch:
     """Pixels ``lanes`` at a time; time counts base periods, so that all lanes have the same."""
 
     def __init__(self, pair: Pair, lanes: int):

@@ -7,12 +7,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numba
 import numpy as np
+from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from .plain import Array, Pair, rates_at
+from .plain import Array, Pair, rates, rates_at, series
 
 RTOL, ATOL = 1e-12, 1e-13
+MULTIPLIERS = f"variational equations, DOP853, rtol {RTOL:g}, restarted at crossings, eigenvalues by numpy"
 HOW = f"DOP853, rtol {RTOL:g}, atol {ATOL:g}, terminal events, jitted right-hand side"
 
 
@@ -74,3 +77,33 @@ class Scipy:
 
     def _exit(self, boundary: int, direction: int) -> _Exit:
         return _Exit(boundary * self.pair.edge, direction)
+
+
+class Monodromy(Scipy):
+    """Multipliers from the variational equations: tangents, one after the other, and then the state. The
+    field is continuous under the rule 'always', so tangents go through crossings unchanged."""
+
+    def multipliers(self, z: Array, period: int) -> NDArray[np.complex128]:
+        """All multipliers (n,) of the orbit through ``z``."""
+        n = len(z)
+        end = self.carry(np.concatenate([np.eye(n).ravel(), z]), period)
+        return np.linalg.eigvals(end[: n * n].reshape(n, n)).astype(np.complex128)
+
+    def _rates(self, region: int):
+        numbers, s, w = self.pair.numbers, float(abs(region)), region * self.pair.edge
+
+        def rhs(t, z):
+            out = np.empty_like(z)
+            _variational(numbers, t, z, s, w, out)
+            return out
+
+        return rhs
+
+
+@numba.njit(error_model="numpy", fastmath=True)
+def _variational(p, t, z, s, w, out):
+    n = len(p.last)
+    stiffness = series(p.stiffness, p.rate * t)
+    for k in range(n):
+        rates(p, stiffness, 0.0, z[k * n : (k + 1) * n], s, 0.0, out[k * n : (k + 1) * n])
+    rates(p, stiffness, series(p.forcing, p.rate * t), z[n * n :], s, w, out[n * n :])

@@ -24,8 +24,8 @@ def bench(
     """How fast is it here, and how exact? gearlash and other solvers on the same work, taking turns.
 
     Times, ratios and errors against 80-bit integration, cost against size, the limit of this core, start-up.
-    Solvers that are not installed are shown as such. Takes some minutes, on a machine that does nothing else.
-    --out writes bench.json, the page benchmarks.md and its figure.
+    Solvers that are not installed are shown as such. Takes about two minutes, on a machine that does nothing
+    else. --out writes bench.json, the page benchmarks.md and its figure.
     """
     from gearlash.cli.folder import claim_if
     from gearlash.cli.jsonio import write_file, write_stdout, write_text
