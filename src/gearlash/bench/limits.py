@@ -14,6 +14,7 @@ from .works import Work
 
 CHAIN = 32  # multiply-adds on each number between reading and writing it: memory does not count
 VECTOR = 512
+SMALLEST = 16_384  # bytes of a table that reading is measured on: of a smaller one, the loop is
 
 
 def limits(found: list[Work], seconds: dict[str, float], together: dict[str, float]) -> tuple[Limit, ...]:
@@ -33,7 +34,7 @@ def _limit(work: Work, peak: float, seconds: float, together: float) -> Limit:
     maps = float(cells * (n + ROUGH) * (n + 1) if work.crossings else (n + 1) ** 2)
     expansions = work.crossings * TERMS * (3 * (n + 1) + TERMS + n)
     table = int(8 * (maps + expansions))
-    arithmetic, bandwidth = (maps + expansions) / peak, reading(table)
+    arithmetic, bandwidth = (maps + expansions) / peak, reading(max(table, SMALLEST))
     return Limit(
         work.name, n, cells, work.crossings, maps, expansions, table, peak, bandwidth, seconds,
         together,

@@ -60,7 +60,8 @@ coefficients before it and behind it, the gap as a series, its moments, and what
 it is reading the proof, finding roots, and overhead. The peak is that of this core, measured by a loop of
 nothing but multiply-adds ({peak:.1f} billion a second); reading is measured on a table of the size of each
 ({slowest:.0f} to {fastest:.0f} GB/s). *Least* is the longer of arithmetic at the peak and reading at that
-speed; *share* is necessary arithmetic over peak. Times are the least of the repeats.
+speed; *share* is necessary arithmetic over peak. Times are the least
+of the repeats; of many, crossings are counted as on the attractor.
 """
 MAP = """\
 Every pixel starts cold. gearlash's row gives label and largest exponent, from the equations on; heyoka's

@@ -93,7 +93,7 @@ def locate_grazing(
     and `not-admissible` (the labels beside it do not differ by one contact) say that it is no result."""
     check_name(family, name)
     problem = _Problem.of(family, values, name, orbit, check)
-    props, unknown, residual, change, gains = problem.solve()
+    props, unknown, residual, error = problem.solve()
     mu = float(unknown[-1])
     touch = problem.touching.carried(props, unknown[:-2], float(unknown[-2]))
     around = problem.around(props, unknown[:-2])
@@ -108,7 +108,7 @@ def locate_grazing(
     return GrazingPoint(
         name=name,
         value=mu,
-        error=max(change, gains * (residual + _rounding(unknown))),
+        error=error,
         values={**values, name: mu},
         boundary=check.boundary,
         phase=float((unknown[-2] - problem.zero) % orbit.period),
@@ -196,10 +196,10 @@ class _Problem:
         step = STEP * max(abs(mu), 1e-3)
         return (self.residual(self.system_at(mu + step, props), unknown) - value) / step
 
-    def solve(self) -> tuple[Propagators, Array, float, float, float]:
+    def solve(self) -> tuple[Propagators, Array, float, float]:
         """Newton's method with bounded steps; the derivative along the parameter is kept while that hardly
-        changes. Returns the propagators there, the unknowns, the residual, the last change of the parameter,
-        and how much of a residual it takes up (infinite where it does not enter)."""
+        changes. Returns the propagators there, the unknowns, the residual, and the error of the parameter:
+        its last change, or what residual and rounding make of it (infinite where it does not enter)."""
         unknown, change = self.first.copy(), np.inf
         best, residual, gains = unknown, np.inf, np.inf
         props = there = self.system_at(float(unknown[-1]))
@@ -231,7 +231,7 @@ class _Problem:
                 break
             if not self.takes(float(unknown[-1])):
                 break
-        return there, best, residual, change, gains
+        return there, best, residual, max(change, gains * (residual + _rounding(best)))
 
     def takes(self, mu: float) -> bool:
         """Whether the parameter is in its range."""

@@ -45,7 +45,7 @@ def _panel(axes: Axes, curve: Curve) -> None:
     axes.set_xlabel(curve.axis)
     axes.set_ylabel("a period, µs", color=style.BLUE)
     right.set_ylabel("building, ms", color=style.GREY)
-    for each in (axes, right):
+    for each, values in ((axes, period), (right, building)):
         if curve.axis in LOGARITHMIC:
             each.set_xscale("log")
             each.set_yscale("log")
@@ -54,7 +54,7 @@ def _panel(axes: Axes, curve: Curve) -> None:
                 axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
                 axis.set_minor_formatter(NullFormatter())
         else:
-            each.set_ylim(bottom=0.0)
+            each.set_ylim(0.0, 1.1 * values.max())
     if curve.axis == "clearances":
         axes.xaxis.set_major_locator(FixedLocator(list(sizes)))
 
