@@ -43,10 +43,12 @@ def test_pairs_from_the_attractor_and_from_all_over(omega: float, D: float):
     _same_as_alone(props, scattered, 7, 3)
 
 
-def test_eight_and_fewer_than_can_go_together():
+def test_as_many_as_go_together_fewer_and_more():
+    """Blocks that are full and that are not, and more motions than one call takes."""
     props = flow.propagators(oscillator(omega=0.8, stiffness=(3.0, 2.0), damping=0.05, force=(0.2, 1.0, 0.3)))
-    states = np.random.default_rng(5).standard_normal((17, 2))
-    for count in (0, 1, 2, 7, 8, 9, 17):
+    most = _abreast.MOST
+    states = np.random.default_rng(5).standard_normal((2 * most + 9, 2))
+    for count in (0, 1, 2, 7, 8, 9, 17, most - 1, most, most + 1, 2 * most + 9):
         _same_as_alone(props, states[:count], 25)
 
 
@@ -117,8 +119,8 @@ def test_side_by_side_is_what_is_used(monkeypatch: pytest.MonkeyPatch):
     kernel = _abreast.abreast
     monkeypatch.setattr(_abreast, "abreast", lambda *a: calls.append(len(a[4])) or kernel(*a))
     props = flow.propagators(oscillator(force=(0.1, 0.4, 0.0), damping=0.05))
-    flow.march_many(props, np.ones((17, 2)), 5)
-    assert calls == [8, 8]
+    flow.march_many(props, np.ones((_abreast.MOST + 18, 2)), 5)
+    assert calls == [_abreast.MOST, 18]
 
 
 def test_states_that_do_not_fit():

@@ -26,21 +26,21 @@ def lane(values: Any, at: int, motion: int, count: int) -> Any:
 
 @_written_out
 def linear_abreast(
-    table: Any, at: int, stride: int, rows: int, count: int, x: Any, out: Any, to: int
+    table: Any, at: int, stride: int, rows: int, count: int, x: Any, first: int, out: Any, to: int
 ) -> None:
-    """out[to:to+rows] ← Σ_k table[at + k·stride:][:rows] · x[k], rows a multiple of `ROWS`, of each
+    """out[to:to+rows] ← Σ_k table[at + k·stride:][:rows] · x[first + k], rows a multiple of `ROWS`, of each
     motion."""
     for motion in range(LANES):
         result = [0.0] * rows
-        linear(table, at, stride, rows, count, lane(x, 0, motion, count), 0, result, 0)
+        linear(table, at, stride, rows, count, lane(x, LANES * first, motion, count), 0, result, 0)
         lane(out, LANES * to, motion, rows)[:] = result
 
 
 @_written_out
-def weigh_abreast(weights: Any, at: int, count: int, x: Any, out: Any) -> None:
-    """out[l] ← Σ weights[at + i] |x[i]|, i < count (a multiple of eight), of each motion l."""
+def weigh_abreast(weights: Any, at: int, count: int, x: Any, first: int, out: Any) -> None:
+    """out[l] ← Σ weights[at + i] |x[first + i]|, i < count (a multiple of eight), of each motion l."""
     for motion in range(LANES):
-        out[motion] = weigh(weights, at, count, lane(x, 0, motion, count), 0)
+        out[motion] = weigh(weights, at, count, lane(x, LANES * first, motion, count), 0)
 
 
 @_written_out
@@ -64,11 +64,11 @@ def under_abreast(values: Any, at: int, limits: Any) -> int:
 
 
 @_written_out
-def choose(mask: int, source: Any, target: Any, rows: int) -> None:
-    """target ← source for the motions of a mask."""
+def choose(mask: int, source: Any, target: Any, to: int, rows: int) -> None:
+    """target[to:to+rows] ← source[:rows] for the motions of a mask."""
     for motion in range(LANES):
         if mask >> motion & 1:
-            lane(target, 0, motion, rows)[:] = lane(source, 0, motion, rows)
+            lane(target, LANES * to, motion, rows)[:] = lane(source, 0, motion, rows)
 
 
 @_written_out

@@ -26,6 +26,9 @@ if not TYPE_CHECKING:
     def _row(builder, pointer, i):
         return _load(builder, pointer, _INDEX(LANES * i))
 
+    def _from_row(builder, pointer, row):
+        return builder.gep(pointer, [builder.mul(row, _INDEX(LANES))])
+
     def _keep(builder, value, pointer, i):
         builder.store(value, _lanes(builder, pointer, _INDEX(LANES * i)), align=8)
 
@@ -68,14 +71,14 @@ if not TYPE_CHECKING:
         _loop(builder, builder.sdiv(rows, _INDEX(ROWS)), block)
 
     @intrinsic
-    def linear_abreast(typing, table, at, stride, rows, count, x, out, to):
+    def linear_abreast(typing, table, at, stride, rows, count, x, first, out, to):
         whole = types.int64
-        signature = types.void(table, whole, whole, whole, whole, x, out, whole)
+        signature = types.void(table, whole, whole, whole, whole, x, whole, out, whole)
 
         def generate(context, builder, signature, arguments):
-            _, at, stride, rows, count, _, _, to = arguments
-            table, x, out = _pointers(context, builder, signature, arguments, 0, 5, 6)
-            out = builder.gep(out, [builder.mul(to, _INDEX(LANES))])
+            _, at, stride, rows, count, _, first, _, to = arguments
+            table, x, out = _pointers(context, builder, signature, arguments, 0, 5, 7)
+            x, out = _from_row(builder, x, first), _from_row(builder, out, to)
             pointer = _VECTOR.element.as_pointer()
             kinds = [pointer, _INDEX, _INDEX, _INDEX, pointer, pointer]
             function = _function(builder.module, "gearlash_linear_abreast", kinds, _write_linear)
@@ -102,23 +105,24 @@ if not TYPE_CHECKING:
         _keep(builder, terms[0], out, 0)
 
     @intrinsic
-    def weigh_abreast(typing, weights, at, count, x, out):
+    def weigh_abreast(typing, weights, at, count, x, first, out):
         def generate(context, builder, signature, arguments):
-            weights, x, out = _pointers(context, builder, signature, arguments, 0, 3, 4)
+            weights, x, out = _pointers(context, builder, signature, arguments, 0, 3, 5)
+            x = _from_row(builder, x, arguments[4])
             pointer = _VECTOR.element.as_pointer()
             kinds = [pointer, _INDEX, pointer, pointer]
             function = _function(builder.module, "gearlash_weigh_abreast", kinds, _write_weigh)
             builder.call(function, [builder.gep(weights, [arguments[1]]), arguments[2], x, out])
             return context.get_dummy_value()
 
-        return types.void(weights, types.int64, types.int64, x, out), generate
+        return types.void(weights, types.int64, types.int64, x, types.int64, out), generate
 
     def _every(test):
         """Mask of the motions of which ``test`` holds between all values and the limit."""
 
         def generate(context, builder, signature, arguments):
             values, limits = _pointers(context, builder, signature, arguments, 0, 2)
-            first = builder.gep(values, [builder.mul(arguments[1], _INDEX(LANES))])
+            first = _from_row(builder, values, arguments[1])
             limit, masks = _row(builder, limits, 0), []
             for i in range(LANES):
                 bits = builder.bitcast(builder.fcmp_ordered(test, _row(builder, first, i), limit), _BITS)
@@ -139,9 +143,10 @@ if not TYPE_CHECKING:
         return types.int64(values, types.int64, limits), _every("<")
 
     @intrinsic
-    def choose(typing, mask, source, target, rows):
+    def choose(typing, mask, source, target, to, rows):
         def generate(context, builder, signature, arguments):
             source, target = _pointers(context, builder, signature, arguments, 1, 2)
+            target = _from_row(builder, target, arguments[3])
             bits = builder.bitcast(builder.trunc(arguments[0], _BITS), ir.VectorType(ir.IntType(1), LANES))
 
             def row(k, _):
@@ -150,10 +155,10 @@ if not TYPE_CHECKING:
                 chosen = builder.select(bits, _load(builder, source, at), builder.load(place, align=8))
                 builder.store(chosen, place, align=8)
 
-            _loop(builder, arguments[3], row)
+            _loop(builder, arguments[4], row)
             return context.get_dummy_value()
 
-        return types.void(types.int64, source, target, types.int64), generate
+        return types.void(types.int64, source, target, types.int64, types.int64), generate
 
     def _turned(builder, rows):
         """Eight vectors with lines and columns exchanged: in three steps, each exchanging blocks of half the
@@ -188,7 +193,7 @@ if not TYPE_CHECKING:
     def apart(typing, values, at, rows, out):
         def generate(context, builder, signature, arguments):
             values, out = _pointers(context, builder, signature, arguments, 0, 3)
-            values = builder.gep(values, [builder.mul(arguments[1], _INDEX(LANES))])
+            values = _from_row(builder, values, arguments[1])
             pointer = _VECTOR.element.as_pointer()
             function = _function(builder.module, "gearlash_apart", [pointer, _INDEX, pointer], _write_apart)
             builder.call(function, [values, arguments[2], out])

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from gearlash.system import GearlashError, Status
 
+from ._eight import BLOCKS
 from ._tables import ALWAYS, MINUS, PLUS, Array, Shape
 from ._vector import LANES
 from ._walk import OK
@@ -88,7 +89,7 @@ class _Job:
             block = min(block_of(self.props, self.stretch), stretches - done)
             going = motions[self.outcomes[motions] == OK]
             size = max(LANES, TOGETHER // (block * self.stretch))
-            size = LANES if self.abreast else (size if block == stretches else 1)
+            size = LANES * BLOCKS if self.abreast else (size if block == stretches else 1)
             for first in range(0, len(going), size):
                 group = going[first : first + size]
                 if self.abreast and len(group) > 1:
@@ -150,7 +151,7 @@ _local = threading.local()
 
 def _space(shape: Shape) -> tuple[Array, ...]:
     """This thread's work space, made anew where the shape is another one."""
-    from ._abreast import room
+    from ._eight import room
 
     if getattr(_local, "shape", None) != shape:
         _local.shape, _local.space = shape, room(shape)
