@@ -10,6 +10,7 @@ import pytest
 from gearlash import flow
 from gearlash.case import load
 from gearlash.flow import _abreast
+from gearlash.flow._eight import MOST
 from gearlash.flow.propagators import Propagators
 from gearlash.system import ContactRule, GearlashError, Status
 from oracles.flow_facts import eight_as_alone
@@ -46,9 +47,8 @@ def test_pairs_from_the_attractor_and_from_all_over(omega: float, D: float):
 def test_as_many_as_go_together_fewer_and_more():
     """Blocks that are full and that are not, and more motions than one call takes."""
     props = flow.propagators(oscillator(omega=0.8, stiffness=(3.0, 2.0), damping=0.05, force=(0.2, 1.0, 0.3)))
-    most = _abreast.MOST
-    states = np.random.default_rng(5).standard_normal((2 * most + 9, 2))
-    for count in (0, 1, 2, 7, 8, 9, 17, most - 1, most, most + 1, 2 * most + 9):
+    states = np.random.default_rng(5).standard_normal((2 * MOST + 9, 2))
+    for count in (0, 1, 2, 7, 8, 9, 17, MOST - 1, MOST, MOST + 1, 2 * MOST + 9):
         _same_as_alone(props, states[:count], 25)
 
 
@@ -119,8 +119,8 @@ def test_side_by_side_is_what_is_used(monkeypatch: pytest.MonkeyPatch):
     kernel = _abreast.abreast
     monkeypatch.setattr(_abreast, "abreast", lambda *a: calls.append(len(a[4])) or kernel(*a))
     props = flow.propagators(oscillator(force=(0.1, 0.4, 0.0), damping=0.05))
-    flow.march_many(props, np.ones((_abreast.MOST + 18, 2)), 5)
-    assert calls == [_abreast.MOST, 18]
+    flow.march_many(props, np.ones((MOST + 18, 2)), 5)
+    assert calls == [MOST, 18]
 
 
 def test_states_that_do_not_fit():

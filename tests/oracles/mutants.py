@@ -259,8 +259,21 @@ PROOFS = (
     ),
     Mutant(
         "all of a group clear",
-        "choose(clear, lanes.out, lanes.u, used)",
-        "choose(group, lanes.out, lanes.u, used)",
+        "choose(clear, lanes.out, lanes.u, row, used)",
+        "choose(group, lanes.out, lanes.u, row, used)",
+        _EIGHT,
+    ),
+    Mutant("the wrong ones from the queue", "place = first + waiting", "place = first", _EIGHT),
+    Mutant(
+        "mode of a motion left behind",
+        "for which in range(KINDS): mark(lanes, target",
+        "for which in range(INSIDE, KINDS): mark(lanes, target",
+        _EIGHT,
+    ),
+    Mutant(
+        "number of a motion left behind",
+        "lanes.motions[LANES * target + place] = lanes.motions[LANES * source + lane]",
+        "pass",
         _EIGHT,
     ),
     Mutant(

@@ -13,10 +13,10 @@ import numpy as np
 from gearlash._kernel import fma, inlined, int64, kernel
 
 from ._eight import (
-    BLOCKS,
     GOING,
     INSIDE,
     KINDS,
+    MOST,
     PROVED,
     WORKBENCH,
     Lanes,
@@ -57,8 +57,6 @@ from ._tables import (
 from ._together import crossing
 from ._vector import LANES
 from ._walk import DIVERGED, HUGE, OK, Motion, Record, cross, in_pieces, leave_behind
-
-MOST = LANES * BLOCKS  # motions in one call
 
 
 @inlined

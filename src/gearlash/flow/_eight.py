@@ -17,7 +17,8 @@ from ._tables import FREE, MINUS, PLUS, TERMS, Array, Shape, aligned, aligned_in
 from ._vector import LANES, ones_in
 from ._walk import FRESH
 
-BLOCKS = 8  # under way at the same time, at the most: enough that eight of them often do the same
+BLOCKS = 8  # under way at the same time, at the most: enough that eight motions often do the same
+MOST = LANES * BLOCKS
 WORKBENCH = 0
 
 
@@ -61,7 +62,7 @@ KINDS = 9
 def room(shape: Shape) -> tuple[Array, ...]:
     """Work space for `Lanes`, in its order."""
     p, rows, blocks = shape.p, shape.rows, BLOCKS + 1
-    ints = (LANES * blocks, KINDS * blocks, blocks, 3 * LANES * BLOCKS, 3)
+    ints = (LANES * blocks, KINDS * blocks, blocks, 3 * MOST, 3)
     sizes = (rows, TERMS, TERMS, TERMS, TERMS, TERMS, 3, 1, 1, 1, 1, 1, TERMS)
     return (
         *aligned(LANES * blocks * p, LANES * blocks),

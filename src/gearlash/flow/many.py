@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from gearlash.system import GearlashError, Status
 
-from ._eight import BLOCKS
+from ._eight import MOST
 from ._tables import ALWAYS, MINUS, PLUS, Array, Shape
 from ._vector import LANES
 from ._walk import OK
@@ -38,9 +38,9 @@ def march_many(
     """`march` of several motions, z (motions, n), on one or more threads. Every motion is the same, byte for
     byte, as alone. Where one ends early, its later states are NaN.
 
-    Systems with one clearance and the rule `always` go eight motions side by side. The first such call on a
-    machine compiles the kernel for that, which takes some 20 s. Raises `GearlashError` for states that do not
-    fit, or are not finite, and for less than one thread."""
+    Motions of systems with one clearance and the rule `always` go side by side, 64 at a time: the more, the
+    faster. The first such call on a machine compiles the kernel for that, which takes some 20 s. Raises
+    `GearlashError` for states that do not fit, or are not finite, and for less than one thread."""
     states = np.array(z, dtype=np.float64)
     if states.ndim != 2 or states.shape[1] != props.system.size:
         raise GearlashError(f"states have shape {states.shape}, expected (motions, {props.system.size})")
@@ -89,7 +89,7 @@ class _Job:
             block = min(block_of(self.props, self.stretch), stretches - done)
             going = motions[self.outcomes[motions] == OK]
             size = max(LANES, TOGETHER // (block * self.stretch))
-            size = LANES * BLOCKS if self.abreast else (size if block == stretches else 1)
+            size = MOST if self.abreast else (size if block == stretches else 1)
             for first in range(0, len(going), size):
                 group = going[first : first + size]
                 if self.abreast and len(group) > 1:
@@ -109,7 +109,7 @@ class _Job:
             self.states[motion, done + block + 1 :] = np.nan
 
     def _side_by_side(self, motions: Array, done: int, block: int) -> None:
-        """Up to eight; what does not end well is carried again, alone, for what is to be told of it."""
+        """Up to `MOST`; what does not end well is carried again, alone, for what is to be told of it."""
         from ._abreast import abreast  # when first asked for: it takes long to compile, and few ask
 
         props, room, tables = self.props, room_of(self.props.shape), self.props.tables
