@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from .pixels import AIM
 from .pixels import TASK as PIXELS
 from .questions import DIFFERENT, LOOP, MARCH
 from .results import OWN, Bar, Row
@@ -27,7 +28,7 @@ def bars(rows: Sequence[Row], found: Sequence[Work], threads: Mapping[str, float
         _ratio(f"{one} without impacts: times heyoka", 20.0, _ratios(rows, ONE, free)),
         _ratio(f"{many} with impacts: {batch}", 6.0, _ratios(rows, MANY, hit)),
         _ratio(f"{many} without impacts: {batch}", 12.0, _ratios(rows, MANY, free)),
-        _ratio("map pixels: times 500 brute-force periods of heyoka", 30.0, _ratios(rows, PIXELS)),
+        _ratio("map pixels: times 500 brute-force periods of heyoka", AIM, _ratios(rows, PIXELS)),
         _threads(threads),
         Bar.judged("bytes that differ between one thread and two", 0.0, threads[DIFFERENT], False),
         Bar.judged("largest error of any row of gearlash", ERROR, worst, False, where),

@@ -8,7 +8,8 @@ from time import perf_counter
 import numpy as np
 
 from gearlash import flow
-from gearlash.orbits import Orbit, attractor
+from gearlash.orbits import Aperiodic, Orbit, attractor
+from gearlash.orbits.attractor import DEFAULT
 from gearlash.system import Family
 
 from .peers import MISSING, installed
@@ -25,6 +26,9 @@ BUILDING = "building its propagators, ms of a pixel"
 MARCHING = "marching its periods with a tangent, ms of a pixel"
 ELSE = "all else, ms of a pixel"
 BEST = "times heyoka, if all else took no time"  # of what is here, no bound on what could be written
+AIM = 30.0  # times heyoka
+PATIENT = f"{DEFAULT.patience} periods of the aperiodic ones alone, ms of a pixel"
+ALLOWED = f"what {AIM:.0f} times heyoka would leave for everything, ms of a pixel"
 
 
 @dataclass(frozen=True)
@@ -33,6 +37,7 @@ class Pixel:
     exponent: float
     periods: int
     periodic: bool
+    aperiodic: bool
 
 
 def pixel_values(count: int) -> list[dict[str, float]]:
@@ -86,7 +91,8 @@ def pixel_rows(count: int, repeats: int) -> tuple[list[Row], dict[str, float]]:
 
 def _pixel(pairs: Family, values: dict[str, float]) -> Pixel:
     found = attractor(flow.propagators(pairs.system(values)), pairs.start(values))
-    return Pixel(found.label, found.largest_exponent, found.periods_used, isinstance(found, Orbit))
+    kinds = isinstance(found, Orbit), isinstance(found, Aperiodic)
+    return Pixel(found.label, found.largest_exponent, found.periods_used, *kinds)
 
 
 def _parts(
@@ -103,12 +109,16 @@ def _parts(
         flow.growth(props, pairs.start(values), np.full(n, n**-0.5), pixel.periods, pixel.periods)
         building, marching = building + built - began, marching + perf_counter() - built
     building, marching = building / len(points), marching / len(points)
+    a_period = marching / float(np.mean([pixel.periods for pixel in own]))
+    aperiodic = float(np.mean([pixel.aperiodic for pixel in own]))
     found = {
         BUILDING: 1e3 * building,
         MARCHING: 1e3 * marching,
         ELSE: 1e3 * (times[OWN].median - building - marching),
+        PATIENT: 1e3 * aperiodic * DEFAULT.patience * a_period,
     }
     if "heyoka" in times:
+        found[ALLOWED] = 1e3 * times["heyoka"].median / AIM
         found[BEST] = times["heyoka"].median / (building + marching)
     return found
 
