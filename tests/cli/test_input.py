@@ -66,7 +66,8 @@ BAD = {
     ("sweep", "article", "--over", "omega=0.5:1.4:1"): "number of points",
     ("sweep", "article", "--over", "omega=0.5:1.4:²"): "number of points",
     ("sweep", "article", "--over", "omgea=0.5:1.4:9"): "'omega'",
-    ("sweep", "article", "--over", "pinion_speed=1000:6000rpm:9"): "a rotational speed with its unit",
+    ("sweep", "article", "--over", "pinion_speed=1000rpm:6000:9"): "a rotational speed with its unit",
+    ("map", "article", "--over", "omega=1:2:1e3", "--over", "D=1:2:0"): "--over D = '0'",
     (
         "sweep",
         "article",

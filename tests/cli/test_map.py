@@ -52,6 +52,24 @@ def test_in_words(gearlash: Gearlash):
     assert "1-1-0" in words
 
 
+def test_motions_are_told_in_the_units_that_were_typed(gearlash: Gearlash):
+    """A unit behind the second end holds for the first one too."""
+    ran = gearlash("map", "article", "--over", "pinion_speed=3600:4400 rpm:3", "--over", "D=0.6:1:2")
+    words = " ".join(ran.out.split())
+    assert ran.code == 0
+    assert "pinion speed 3600 to 4400 rpm" in words
+    assert "share pinion speed, rpm D" in words
+    assert "1-0-0 2 33.3 % 4000 0.6 to 1" in words
+    assert gearlash("map", *PLANE).out.split("Motions")[1].split()[:4] == ["pixels", "share", "omega", "D"]
+
+
+def test_statuses_that_are_not_ok_come_with_advice(gearlash: Gearlash):
+    ran = gearlash(
+        "map", "article", "--over", "omega=0.6:0.62:2", "--over", "D=0.3:0.32:2", "--periods", "120"
+    )
+    assert "unresolved no periodic motion was proved" in " ".join(ran.out.split())
+
+
 def test_out_is_netcdf_json_and_figures(gearlash: Gearlash, tmp_path: Path):
     ran = gearlash("map", *PLANE, "--out", str(tmp_path), "--json")
     dataset = gl.load_dataset(tmp_path / "map.nc")

@@ -123,13 +123,40 @@ def test_side_by_side_is_what_is_used(monkeypatch: pytest.MonkeyPatch):
     assert calls == [MOST, 18]
 
 
-def test_states_that_do_not_fit():
-    props = flow.propagators(oscillator())
-    for states, threads in (
-        (np.zeros(2), 1),
-        (np.zeros((3, 5)), 1),
-        ([[np.nan, 0.0]], 1),
-        (np.zeros((3, 2)), 0),
-    ):
-        with pytest.raises(GearlashError):
-            flow.march_many(props, states, 5, threads=threads)
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        ({"z": np.zeros(2)}, "expected (motions, 2)"),
+        ({"z": np.zeros((3, 5))}, "expected (motions, 2)"),
+        ({"z": [[1.0, 2.0], [3.0]]}, "expected numbers of shape (motions, 2)"),
+        ({"z": [[np.nan, 0.0]]}, "NaN"),
+        ({"threads": 0}, "threads is 0"),
+        ({"threads": 1.5}, "threads is 1.5"),
+        ({"stretches": -1}, "stretches is -1"),
+        ({"stretch": 0}, "stretch is 0"),
+        ({"props": oscillator()}, "not a System"),
+    ],
+)
+def test_arguments_that_do_not_fit(arguments: dict, told: str):
+    fitting = {"props": flow.propagators(oscillator()), "z": np.zeros((3, 2)), "stretches": 5}
+    with pytest.raises(GearlashError) as raised:
+        flow.march_many(**(fitting | arguments))
+    assert told in str(raised.value)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        ({"z": np.zeros(3)}, "state has shape (3,), expected (2,)"),
+        ({"z": "rest"}, "expected numbers of shape (2,), not 'rest'"),
+        ({"stretches": 1.5}, "stretches is 1.5: expected a whole number, 0 or more"),
+        ({"stretches": 10**15}, "GiB, more than there is"),
+        ({"stretch": "2"}, "stretch is '2': expected a whole number, 1 or more"),
+        ({"props": load("article")}, "expected propagators, not a Case"),
+    ],
+)
+def test_arguments_of_one_march_that_do_not_fit(arguments: dict, told: str):
+    fitting = {"props": flow.propagators(oscillator()), "z": np.zeros(2), "stretches": 5}
+    with pytest.raises(GearlashError) as raised:
+        flow.march(**(fitting | arguments))
+    assert told in str(raised.value)

@@ -139,6 +139,13 @@ def test_second_scales_agree_with_the_case_and_mark_what_is_assumed() -> None:
     assert own.length.label.endswith(MARK), "the length rests on the assumed backlash"
     assert own.force.label.endswith(MARK)
     assert plots.Units().of_parameter("omega") is None
+    torque, error = own.of_parameter("load"), own.of_parameter("error")
+    assert torque is not None
+    assert error is not None
+    assert torque(0.1) == pytest.approx(float(scales.torque(0.1)), rel=1e-14)
+    assert torque.label == f"torque  [N·m] {MARK}"
+    assert error(0.1) == pytest.approx(float(scales.length_um(0.1)), rel=1e-14)
+    assert own.of_parameter("ripple") is None
 
 
 @pytest.mark.parametrize(

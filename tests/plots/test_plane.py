@@ -40,6 +40,24 @@ def test_frequent_labels_differ_in_a_grey_print_and_the_rest_share_one_look(coun
     assert found[5].words.startswith("other, ")
 
 
+def test_a_label_looks_the_same_in_most_maps():
+    """Whatever else occurs there, and how often."""
+    one, other = fills(["1-1-0", "2-2-0", "4-4-2"]), fills(["3-3-0", "2-2-0", "4-4-2", "1-1-0"])
+    for label in ("1-1-0", "2-2-0", "4-4-2"):
+        assert one[label] == other[label]
+
+
+def test_a_map_says_what_it_is_of():
+    made = plots.plane(plane(), plots.Units())
+    [legend] = made.legends
+    assert "Q impacts on the drive side" in legend.get_title().get_text()
+    data = plane()
+    data.attrs |= {"case_name": "own$", "parameters": '{"load": 0.25, "mass": 3.0, "D": 1.0}', "fixed": "{}"}
+    assert plots.plane(data).axes[0].get_title(loc="left") == r"own\$,  f_m = 0.25"
+    data.attrs["fixed"] = '{"mass": 3.0}'
+    assert plots.plane(data).axes[0].get_title(loc="left") == r"own\$,  f_m = 0.25,  mass = 3"
+
+
 def test_text_can_be_read_on_its_fill():
     everything = fills([f"{p}-1-{r}" for p in range(1, 9) for r in (0, 1)] + ["1-0-0", "aperiodic"])
     for fill in everything.values():

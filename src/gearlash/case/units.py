@@ -207,3 +207,11 @@ def _registry():
     import pint
 
     return pint.UnitRegistry(cache_folder=None)
+
+
+PRETTY = {"um": "µm", "N*m": "N·m", "kg*m^2": "kg·m²", "deg": "°"}
+
+
+def pretty(unit: str) -> str:
+    """A unit as it is printed: ``um`` → ``µm``, ``N*m`` → ``N·m``."""
+    return PRETTY.get(unit, unit)

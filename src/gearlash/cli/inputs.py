@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 MOST_POINTS = 1_000_000
+UNIT = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*([^\d\s.].*)")  # behind a number
 
 
 @dataclass(frozen=True)
@@ -87,7 +89,8 @@ def read_start(
 
 
 def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> Over:
-    """``NAME=FROM:TO:COUNT``, ends as they would stand in the case: ``pinion_speed=1000rpm:6000rpm:500``."""
+    """``NAME=FROM:TO:COUNT``, ends as they would stand in the case: ``pinion_speed=1000rpm:6000rpm:500``; a
+    unit behind TO holds for FROM too."""
     import numpy as np
 
     name, equals, span = (part.strip() for part in text.partition("="))
@@ -95,15 +98,19 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
     example = "NAME=FROM:TO:COUNT, such as omega=0.5:1.4:900 or pinion_speed=1000rpm:6000rpm:500"
     if not equals or len(parts) != 3:
         raise CaseError("--over", [Problem("--over", repr(text), example)])
+    unit = UNIT.fullmatch(parts[1])
+    if unit and _number(parts[0]) is not None:
+        parts[0] += unit[1]
     short, first = case.resolve(name, parts[0])
     _, last = case.resolve(name, parts[1])
-    problems = []
+    problems, here = [], f"--over {name}"
     count = int(parts[2]) if parts[2].isascii() and parts[2].isdigit() else 0
     if not 2 <= count <= MOST_POINTS:
-        problems.append(Problem("--over", repr(parts[2]), f"a number of points from 2 to {MOST_POINTS:,}"))
+        expected = f"a number of points from 2 to {MOST_POINTS:,}, in digits, such as 200"
+        problems.append(Problem(here, repr(parts[2]), expected))
     if not first < last:
         expected = "a rising interval FROM < TO (sweep --down follows it downwards)"
-        problems.append(Problem("--over", repr(f"{parts[0]}:{parts[1]}"), expected))
+        problems.append(Problem(here, repr(f"{parts[0]}:{parts[1]}"), expected))
     problems += twice_named(case, name, short, settings)
     if problems:
         raise CaseError("--over", problems)
@@ -111,7 +118,7 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
 
 
 def read_plane(case: Case, texts: Sequence[str], settings: Iterable[str] | None = None) -> tuple[Over, Over]:
-    """The two axes of a map, each as `read_over` takes it."""
+    """The two axes of a map, each as `read_over` takes it; all problems at once."""
     from gearlash.results.plane import MOST_PIXELS
 
     problems, axes = [], []

@@ -32,7 +32,7 @@ class Growth:
 def growth(props: Propagators, z: ArrayLike, tangent: ArrayLike, periods: int, stretch: int) -> Growth:
     """Marches from phase zero over ``periods`` base periods, in stretches of ``stretch`` of them and what is
     left. Ends early, with its status, where the motion could not be carried on."""
-    state = start_state(z, props.system.size)
+    state = start_state(props, z)
     frame = np.array(tangent, dtype=np.float64)[None]
     states, sums = np.empty((periods + 1, len(state))), np.zeros(periods)
     states[0] = state

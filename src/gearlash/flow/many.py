@@ -9,13 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import GearlashError, Status
+from gearlash.system import GearlashError, Status, empty, finite, whole
 
 from ._eight import MOST
 from ._tables import ALWAYS, MINUS, PLUS, Array, Shape
 from ._vector import LANES
 from ._walk import OK
-from .march import NO_HOLD, STATUS, block_of, columns_of, room_of, run_all
+from .march import NO_HOLD, STATUS, block_of, columns_of, known, room_of, run_all
 from .propagators import Propagators
 
 TOGETHER = 16_000  # base periods in one call, at the most (but eight motions)
@@ -40,14 +40,10 @@ def march_many(
 
     Motions of systems with one clearance and the rule `always` go side by side, 64 at a time: the more, the
     faster. The first such call on a machine compiles the kernel for that, which takes some 20 s. Raises
-    `GearlashError` for states that do not fit, or are not finite, and for less than one thread."""
-    states = np.array(z, dtype=np.float64)
-    if states.ndim != 2 or states.shape[1] != props.system.size:
-        raise GearlashError(f"states have shape {states.shape}, expected (motions, {props.system.size})")
-    if not np.isfinite(states).all():
-        raise GearlashError("a state holds NaN or infinity")
-    if threads < 1:
-        raise GearlashError(f"threads is {threads}, expected 1 or more")
+    `GearlashError` for arguments that do not fit."""
+    states = finite("z", z, ("motions", known(props).system.size))
+    stretches, stretch = whole("stretches", stretches, 0), whole("stretch", stretch)
+    threads = whole("threads", threads)
     job = _Job.of(props, states, stretches, stretch)
     parts = [part for part in np.array_split(job.order, threads) if len(part)]
     if len(parts) < 2:
@@ -74,7 +70,7 @@ class _Job:
     @classmethod
     def of(cls, props: Propagators, starts: Array, stretches: int, stretch: int) -> _Job:
         motions, abreast = len(starts), _can_be_abreast(props)
-        states = np.empty((motions, stretches + 1, starts.shape[1]))
+        states = empty(motions, stretches + 1, starts.shape[1])
         states[:, 0] = starts
         counts = np.zeros((motions, stretches, columns_of(props)), dtype=np.int64)
         outcomes, order = np.zeros(motions, dtype=np.int64), np.arange(motions)

@@ -10,7 +10,7 @@ from math import floor, isfinite
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import GearlashError, Status
+from gearlash.system import GearlashError, Status, empty, finite, whole
 
 from . import _march
 from ._tables import ORDER, Array, Shape, aligned, aligned_ints
@@ -64,21 +64,33 @@ class Hold:
     clearance: int = 0
 
 
-def start_state(z: ArrayLike, size: int) -> Array:
+def start_state(props: Propagators, z: ArrayLike) -> Array:
     """A fresh float64 copy of a state. Raises `GearlashError` for a wrong shape or a number that is not
     finite."""
-    state = np.array(z, dtype=np.float64)
-    if state.shape != (size,):
-        raise GearlashError(f"state has shape {state.shape}, expected ({size},)")
-    if not all(map(isfinite, state.tolist())):  # of a few numbers: faster than an array of them
-        raise GearlashError("state holds NaN or infinity")
-    return state
+    size = known(props).system.size
+    if isinstance(z, np.ndarray) and z.dtype == np.float64 and z.shape == (size,):  # asked for very often
+        state = z.copy()
+        if all(map(isfinite, state.tolist())):
+            return state
+    return finite("state", z, (size,))
+
+
+def known(props: Propagators) -> Propagators:
+    """Raises `GearlashError` for what are no propagators."""
+    if not isinstance(props, Propagators):
+        raise GearlashError(
+            f"expected propagators, not a {type(props).__name__}: build them once, "
+            "with gearlash.propagators(system)"
+        )
+    return props
 
 
 def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) -> Strobes:
-    """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times."""
-    state = start_state(z, props.system.size)
-    states = np.empty((stretches + 1, len(state)))
+    """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times; a stretch
+    cannot be interrupted. Raises `GearlashError` for arguments that do not fit."""
+    state = start_state(props, z)
+    stretches, stretch = whole("stretches", stretches, 0), whole("stretch", stretch)
+    states = empty(stretches + 1, len(state))
     states[0] = state
     counts = np.zeros((stretches, columns_of(props)), dtype=np.int64)
     done, outcome, most, length = 0, OK, block_of(props, stretch), float(stretch * props.cells)
@@ -109,7 +121,7 @@ def carry(
 ) -> Carried:
     """Carries a state from ``phase`` over ``cycles`` mesh cycles; the Jacobian is exact where no contact is
     touched."""
-    state = start_state(z, props.system.size)
+    state = start_state(props, z)
     tangents = np.eye(state.size) if jacobian else None
     base, start, length = positions(props, phase, cycles)
     status, _, counts = _run(props, state, start, length, 1, tangents=tangents, hold=hold, base=base)
@@ -126,7 +138,7 @@ def trace(
     props: Propagators, z: ArrayLike, cycles: float, phase: float = 0.0, *, hold: Hold | None = None
 ) -> Trace:
     """The motion over ``cycles`` mesh cycles as exact pieces, with every contact event."""
-    state = start_state(z, props.system.size)
+    state = start_state(props, z)
     begin, n = state.copy(), state.size
     base, start, length = positions(props, phase, cycles)
     capacity = int(2 * length + 64)

@@ -120,6 +120,8 @@ def propagators(system: System, reuse: Propagators | None = None) -> Propagators
     ``reuse``: propagators of another member of the family; where frequency, stiffness and damping are the
     same, only the forced parts are summed anew. Raises `GearlashError` for a system that would need too many
     cells or regions."""
+    if not isinstance(system, System):
+        raise GearlashError(f"expected a System, as from family.system(), not a {type(system).__name__}")
     if not 1 <= len(system.clearances) <= MOST_CLEARANCES:
         raise GearlashError(
             f"{len(system.clearances)} clearances: this engine takes 1 to {MOST_CLEARANCES} of them"

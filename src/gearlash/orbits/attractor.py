@@ -74,8 +74,8 @@ def attractor(
     `Unresolved` with its reason. A periodic orbit is accepted only if it is stable and the motion is seen to
     approach it; a slow transient therefore goes on, and is neither called periodic with a wrong P nor
     aperiodic."""
-    props = flow.propagators(system) if isinstance(system, System) else system
-    search = _Search(props, settings, start_state(start, props.system.size))
+    props = system if isinstance(system, Propagators) else flow.propagators(system)
+    search = _Search(props, settings, start_state(props, start))
     if trial is not None:
         found = search.attempt(np.asarray(trial[0], dtype=np.float64), trial[1])
         if found is not None and found.stable:

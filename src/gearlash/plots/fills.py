@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from gearlash.orbits import Signature
+
 from . import style
 from .regimes import APERIODIC, BACK, DRIVE, FREE, UNRESOLVED, regime, short
 
@@ -36,7 +38,8 @@ NONE = Fill("white", MISSING, "....")
 
 
 def fills(labels: Sequence[str]) -> dict[str, Fill]:
-    """A fill for every label; the most frequent ones come first and get the shades."""
+    """A fill for every label; the most frequent ones come first and get the shades, that of their period
+    where it is left: so most labels look the same in every map."""
     left = {kind: list(shades) for kind, shades in SHADES.items()}
     found = {}
     for label in labels:
@@ -45,7 +48,11 @@ def fills(labels: Sequence[str]) -> dict[str, Fill]:
             hatch = FREE_HATCH if kind is FREE else kind.hatch
             found[label] = Fill(kind.colour, kind.words, hatch)
         elif left[kind]:
-            found[label] = Fill(left[kind].pop(0), short(label))
+            shades = SHADES[kind]
+            own = shades[(Signature.parse(label).period - 1) % len(shades)]
+            colour = own if own in left[kind] else left[kind][0]
+            left[kind].remove(colour)
+            found[label] = Fill(colour, short(label))
         else:
             found[label] = Fill(OTHERS[kind], f"other, {kind.words}")
     return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -19,9 +20,11 @@ from gearlash.system import UnknownNameError
 from . import style
 from .fills import NONE, Fill, fills, legend_order
 from .regimes import short
-from .units import Units, name, second
+from .units import MARK, SYMBOLS, Units, name, plain, second
 
 WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
+KEY = "P-Q-R: P cycles with Q impacts on the drive side, R on the back side; R = 0 is left out"
+ASSUMED = f"{MARK}: rests on an assumed value"
 CHARACTER = 1.25  # mm of a character of a region's label
 Array = NDArray[np.float64]
 
@@ -43,11 +46,29 @@ def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
     _name(panel, edges, codes, names, looks)
     panel.set_xlabel(name(x))
     panel.set_ylabel(name(y))
-    second(panel, units.of_parameter(x), below=9.5)
-    second(panel, units.of_parameter(y), "y")
+    twins = units.of_parameter(x), units.of_parameter(y)
+    second(panel, twins[0], below=9.5)
+    second(panel, twins[1], "y")
+    panel.set_title(_title(dataset, (x, y)), loc="left", fontsize=7.5)
     handles = [_patch(fill) for fill in legend_order(looks)]
-    made.legend(handles=handles, loc="outside lower center", ncols=5, columnspacing=1.4)
+    marked = any(twin is not None and twin.assumed for twin in twins)
+    made.legend(
+        handles=handles, loc="outside lower center", ncols=5, columnspacing=1.4,
+        title=f"{KEY}. {ASSUMED}." if marked else f"{KEY}.", title_fontsize=6.5,
+    )  # fmt: skip
     return made
+
+
+def _title(dataset: xr.Dataset, axes: tuple[str, str]) -> str:
+    """The case, and the parameters that were set: those that have symbols, and all that were fixed."""
+    values, fixed = (json.loads(dataset.attrs.get(key, "{}")) for key in ("parameters", "fixed"))
+    shown = dict.fromkeys([*SYMBOLS, *fixed])
+    parts = [
+        f"{SYMBOLS.get(each, plain(each))} = {values[each]:.4g}"
+        for each in shown
+        if each in values and each not in axes
+    ]
+    return ",  ".join([plain(str(dataset.attrs.get("case_name", ""))), *parts]).removeprefix(",  ")
 
 
 def _looks(names: Sequence[str], codes: NDArray[np.int64]) -> list[Fill]:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash.case import Case
+from gearlash.case.units import pretty
 
 Array = NDArray[np.float64]
 
@@ -77,6 +78,7 @@ class Units:
     length: Twin | None = None
     force: Twin | None = None
     milliseconds: Twin | None = None  # of one unit of τ
+    others: Mapping[str, Twin] = field(default_factory=dict)  # of further parameters, by short name
 
     @staticmethod
     def of(case: Case) -> Units:
@@ -94,17 +96,36 @@ class Units:
             length=Twin(float(scales.length_um(1.0)), "$x_n$", "µm", length),
             force=Twin(float(scales.force_N(1.0)), "$F_n$", "N", force),
             milliseconds=Twin(1e3 * float(scales.time_s(1.0)), "$t$", "ms", speed),
+            others=_others(case, {"Hz": speed, "um": length, "N*m": force}),
         )
 
     @property
     def assumed(self) -> bool:
         """Does any of them rest on an assumed value?"""
-        scales = (self.speed, self.backlash, self.length, self.force, self.milliseconds)
+        scales = (
+            self.speed,
+            self.backlash,
+            self.length,
+            self.force,
+            self.milliseconds,
+            *self.others.values(),
+        )
         return any(scale.assumed for scale in scales if scale is not None)
 
     def of_parameter(self, parameter: str) -> Twin | None:
         """The physical scale of a swept parameter."""
-        return {"omega": self.speed, "D": self.backlash}.get(parameter)
+        return {"omega": self.speed, "D": self.backlash}.get(parameter) or self.others.get(parameter)
+
+
+def _others(case: Case, assumed: Mapping[str, bool]) -> dict[str, Twin]:
+    """The scale of every parameter that has one, as the case itself names it; ``assumed``: unit → whether
+    what it is converted with is."""
+    found = {}
+    for parameter in case.family()[0].defaults:
+        for path, value, unit in case.physical(parameter, 1.0)[-1:]:
+            words = path.rpartition(".")[2].replace("_", " ")
+            found[parameter] = Twin(float(value), words, pretty(unit), assumed.get(unit, False))
+    return found
 
 
 def second(axes: Axes, twin: Twin | None, which: str = "x", below: float = 0.0) -> None:

@@ -24,6 +24,10 @@ class Source:
 
     @staticmethod
     def of(model: Model) -> Source:
+        if not isinstance(model, (Case, Family)):
+            raise GearlashError(
+                f"expected a case, as from gearlash.load_case, or a Family, not a {type(model).__name__}"
+            )
         return Source(None, model) if isinstance(model, Family) else Source(model.to_json(), None)
 
     def family(self) -> Family:

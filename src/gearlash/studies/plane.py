@@ -73,6 +73,10 @@ def map_plane(
 
 def _checked(family: Family, x: Axis, y: Axis, fixed: dict[str, float]) -> dict[str, float]:
     for axis in (x, y):
+        if not isinstance(axis, Axis):
+            raise GearlashError(
+                f"an axis of a map is an Axis, such as Axis.even('omega', (0.5, 1.4), 200), not {axis!r:.60}"
+            )
         if axis.name not in family.defaults:
             raise UnknownNameError("parameter", axis.name, family.defaults)
         if axis.name in fixed:

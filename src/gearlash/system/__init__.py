@@ -1,5 +1,6 @@
 """Piecewise-linear systems with clearances, families of them, and statuses. Knows nothing else."""
 
+from .arguments import empty, finite, whole
 from .family import Family, Parameter
 from .harmonics import Fourier, constant, cosines, derivative, evaluate, padded
 from .piecewise import Clearance, ContactRule, System
@@ -18,6 +19,9 @@ __all__ = [
     "constant",
     "cosines",
     "derivative",
+    "empty",
     "evaluate",
+    "finite",
     "padded",
+    "whole",
 ]

@@ -48,7 +48,7 @@ class Family:
             if name not in by_name:
                 raise UnknownNameError("parameter", name, by_name)
             parameter = by_name[name]
-            if not isfinite(value) or not parameter.lower <= value <= parameter.upper:
+            if not _is_number(value) or not parameter.lower <= value <= parameter.upper:
                 limits = f"from {parameter.lower:g} to {parameter.upper:g}"
                 raise GearlashError(f"{name} = {value!r}: expected a finite number {limits}")
             values[name] = float(value)
@@ -61,3 +61,11 @@ class Family:
     def start(self, overrides: Mapping[str, float] | None = None) -> NDArray[np.float64]:
         """The cold start of that member, shape (n,)."""
         return self.initial(self.complete(overrides))
+
+
+def _is_number(value: object) -> bool:
+    """Whether it is one finite number."""
+    try:
+        return isfinite(value)  # pyright: ignore[reportArgumentType]
+    except TypeError:
+        return False

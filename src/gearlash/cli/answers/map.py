@@ -109,7 +109,8 @@ def _sentence(plane: PlaneMap) -> str:
     ends = (f"{a.name} from {a.values[0]:.6g} to {a.values[-1]:.6g}" for a in (plane.x, plane.y))
     rows, columns = plane.shape
     orbits = sum(label not in ("aperiodic", "unresolved") for label in plane.labels)
-    parts = [f"{' and '.join(ends)}, {columns} × {rows} pixels: {orbits} different signatures"]
+    many = f"{orbits} different signatures" if orbits != 1 else "1 signature"
+    parts = [f"{' and '.join(ends)}, {columns} × {rows} pixels: {many}"]
     if plane.computed:
         free, restless = int(plane.impact_free.sum()), plane.shares.get("aperiodic", 0)
         parts.append(

@@ -7,11 +7,11 @@ from collections.abc import Iterator, Sequence
 
 from rich.text import Text
 
+from gearlash.case.units import pretty
 from gearlash.cli.answers.check import CheckAnswer, CheckValue
 
 from .layout import facts, headline, note, remarks, table, wrapped
 from .numbers import Marks, number
-from .units import pretty
 
 RESONANCE = re.compile(r"derived\.(natural_frequency|critical_speed)_(\d+)(_hz)?")
 

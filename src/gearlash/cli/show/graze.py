@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
+from gearlash.case.units import pretty
 from gearlash.cli.answers.graze import GrazeAnswer, Touch
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
-from .units import pretty
 
 
 def graze_view(answer: GrazeAnswer, width: int) -> Iterator[Text]:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from rich.text import Text
 
+from gearlash.case.units import pretty
 from gearlash.cli.answers.map import MapAnswer
 from gearlash.cli.answers.sweep import AxisUsed
+from gearlash.system import Status
 
 from .layout import facts, headline, table
 from .numbers import number
-from .units import pretty
 
 MOST_LINES = 25  # of labels; all of them are in --json
 
@@ -20,18 +22,12 @@ def map_view(answer: MapAnswer, width: int) -> Iterator[Text]:
     """Sentence, statuses, and the motions that take most of the plane."""
     yield from headline(answer.sentence, width)
     yield from facts("", list(_facts(answer)), width)
-    shown = answer.labels[:MOST_LINES]
+    shown, x, y = answer.labels[:MOST_LINES], _Shown.of(answer.x), _Shown.of(answer.y)
     rows = [
-        [row.label, str(row.pixels), f"{100.0 * row.share:.1f} %", _span(row.x), _span(row.y)]
+        [row.label, str(row.pixels), f"{100.0 * row.share:.1f} %", _span(row.x, x), _span(row.y, y)]
         for row in shown
     ]
-    columns = [
-        ("", "left"),
-        ("pixels", "right"),
-        ("share", "right"),
-        (answer.x.name, "right"),
-        (answer.y.name, "right"),
-    ]
+    columns = [("", "left"), ("pixels", "right"), ("share", "right"), (x.words, "right"), (y.words, "right")]
     left = len(answer.labels) - len(shown)
     title = "Motions" + (
         f", the {len(shown)} most frequent of {len(answer.labels)} (--json has all)" if left else ""
@@ -47,6 +43,9 @@ def _facts(answer: MapAnswer) -> Iterator[tuple[str, str]]:
     )
     for axis in (answer.x, answer.y):
         yield from _physical(axis)
+    for status in Status:
+        if status in answer.statuses and not status.ok:  # such pixels are called flagged
+            yield status, status.advice
     if answer.failed:
         first = answer.failed[0]
         yield (
@@ -63,6 +62,22 @@ def _physical(axis: AxisUsed) -> Iterator[tuple[str, str]]:
         )
 
 
-def _span(ends: tuple[float, float]) -> str:
-    low, high = (number(end, 4) for end in ends)
+@dataclass(frozen=True)
+class _Shown:
+    """How an axis is shown: its heading, and the factor of its dimensionless values. In the unit that it was
+    typed in, if it was in one."""
+
+    words: str
+    factor: float
+
+    @staticmethod
+    def of(axis: AxisUsed) -> _Shown:
+        for end in axis.physical_upper:
+            if axis.named != axis.name and axis.named.rpartition(".")[2] == end.name and axis.upper:
+                return _Shown(f"{end.name.replace('_', ' ')}, {pretty(end.unit)}", end.value / axis.upper)
+        return _Shown(axis.name, 1.0)
+
+
+def _span(ends: tuple[float, float], shown: _Shown) -> str:
+    low, high = (number(end * shown.factor, 4) for end in ends)
     return f"{low} to {high}" if low != high else low

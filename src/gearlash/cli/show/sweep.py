@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
+from gearlash.case.units import pretty
 from gearlash.cli.answers.sweep import Regime, SweepAnswer, SweepWay
 
 from .layout import facts, headline, table
 from .numbers import number
-from .units import pretty
 
 MOST_LINES = 30  # of regimes in one direction; all of them are in --json
 

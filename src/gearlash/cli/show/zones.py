@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
+from gearlash.case.units import pretty
 from gearlash.cli.answers.zones import ZoneEnd, ZoneFound, ZonesAnswer
 
 from .layout import facts, headline, note
 from .numbers import Marks, known, number, quantity
-from .units import pretty
 
 TITLES = {"impact-free": "Free of impacts", "drive-side-only": "Free of impacts on the back side"}
 
