@@ -52,6 +52,9 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         march as march,
     )
     from .flow import (
+        march_many as march_many,
+    )
+    from .flow import (
         propagators as propagators,
     )
     from .flow import (
@@ -115,6 +118,7 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         sweep_dataset as sweep_dataset,
     )
     from .studies import map_plane as map_plane
+    from .studies import open_workers as open_workers
     from .studies import point as point
     from .studies import sweep as sweep
     from .studies import sweeps as sweeps
@@ -161,7 +165,15 @@ _PUBLIC = {
     # cases: files with units and provenance
     "gearlash.case": ("Case", "CaseError", "Scales", "bundled"),
     # one system: its flow, its attractors
-    "gearlash.flow": ("Propagators", "Trace", "march", "propagators", "trace", "variational"),
+    "gearlash.flow": (
+        "Propagators",
+        "Trace",
+        "march",
+        "march_many",
+        "propagators",
+        "trace",
+        "variational",
+    ),
     "gearlash.orbits": (
         "Aperiodic",
         "Orbit",
@@ -177,7 +189,7 @@ _PUBLIC = {
     # special points of families
     "gearlash.branches": ("BifurcationPoint", "GrazingPoint", "locate_grazing", "locate_multiplier"),
     # many attractors at once, and their datasets
-    "gearlash.studies": ("map_plane", "point", "sweep", "sweeps", "zones"),
+    "gearlash.studies": ("map_plane", "open_workers", "point", "sweep", "sweeps", "zones"),
     "gearlash.studies.transitions": ("transitions",),
     "gearlash.studies.article": ("reproduce",),
     "gearlash.results": ("Axis", "PlaneMap", "Point", "Sweep", "plane_dataset", "sweep_dataset"),
@@ -205,7 +217,7 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return list(__all__)
 
 
 def _version() -> str:

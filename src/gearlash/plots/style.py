@@ -178,10 +178,10 @@ def _quiet(name: str) -> Iterator[None]:
 
 
 def save(
-    made: Figure, stem: Path, forms: tuple[str, ...] = ("svg", "pdf"), dpi: float = RASTER_DPI
+    made: Figure, stem: str | Path, forms: tuple[str, ...] = ("svg", "pdf"), dpi: float = RASTER_DPI
 ) -> list[Path]:
     """Writes ``stem``.svg, ``stem``.pdf, ...; returns their paths."""
-    written = []
+    written, stem = [], Path(stem)
     for form in forms:
         path = stem.with_name(f"{stem.name}.{form}")
         write_whole(path, to_bytes(made, form, dpi))

@@ -1,0 +1,50 @@
+"""docs/python.md: every script on it runs, and finds what the page says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import gearlash as gl
+
+PAGE = (Path(__file__).resolve().parents[2] / "docs" / "python.md").read_text(encoding="utf-8")
+SCRIPTS = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+
+
+@pytest.fixture
+def ran(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> dict[str, Any]:
+    """The names of a script after it has run in an empty folder."""
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, Any] = {"__name__": "script"}
+    exec(compile(SCRIPTS[request.param], "python.md", "exec"), names)  # the point of this test
+    return names
+
+
+@pytest.mark.parametrize("ran", [0], indirect=True)
+def test_one_motion(ran: dict[str, Any]):
+    assert isinstance(ran["orbit"], gl.Orbit)
+    assert ran["scales"].pinion_rpm(ran["family"].defaults["omega"]) == pytest.approx(3600.0)
+
+
+@pytest.mark.parametrize("ran", [1], indirect=True)
+def test_a_map(ran: dict[str, Any], tmp_path: Path):
+    assert ran["plane"].complete
+    assert sum(ran["plane"].shares.values()) == 20
+    assert {path.name for path in tmp_path.iterdir()} == {"map.nc", "map.svg", "map.pdf"}
+
+
+@pytest.mark.parametrize("ran", [2], indirect=True)
+def test_many_motions(ran: dict[str, Any], capsys: pytest.CaptureFixture[str]):
+    labels = sorted(gl.attractor(ran["props"], end).label for end in ran["reached"])
+    assert labels == ["1-0-0", "1-1-0"]
+    assert min(np.bincount(ran["which"])) > 100
+
+
+def test_the_page_names_what_exists():
+    named = set(re.findall(r"`gl\.(\w+)", PAGE))
+    assert len(named) >= 7
+    assert named <= set(gl.__all__)
