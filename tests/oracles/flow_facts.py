@@ -325,23 +325,48 @@ def release_where_nothing_presses() -> None:
 
 def two_side_by_side() -> None:
     """Each of two uncoupled systems has its own crossing: at one instant, one behind the other in a
-    cell, or in different cells."""
-    one = _hitting(ContactRule.IN_CONTACT)
-    for gap, later in (((0.3, 0.7), 1.0), ((0.35, 0.6), 1.1), ((0.35, 0.6), 1.3)):
-        two = replace(one, clearances=(replace(one.clearances[0], gap_plus=gap[0], gap_minus=gap[1]),))
-        for system in (side_by_side(one, two), side_by_side(two, one)):
-            props = flow.propagators(system)
-            at, span = 1.8 / props.cells, 2.9 / props.cells
-            start, end = np.empty(4), np.empty(4)
-            for j, c in enumerate(system.clearances):
-                there, moment = np.array([c.gap_plus, 1.0]), at if c.gap_plus == 0.3 else at * later
-                part = one if c.gap_plus == 0.3 else two
-                start[2 * j : 2 * j + 2] = moved(part, 0, there, -moment, moment)
-                end[2 * j : 2 * j + 2] = moved(part, 1, there, span - moment, moment)
-            carried = flow.carry(props, start, span)
-            assert carried.status is Status.OK
-            assert carried.contacts.tolist() == ENGAGED[1] * 2
-            assert np.abs(carried.state - end).max() < 2e-14
+    cell, or in different cells; seen at a glance, and in pieces."""
+    for rule in (ContactRule.IN_CONTACT, ContactRule.NO_TENSION):
+        one = _hitting(rule)
+        for gap, later in (((0.3, 0.7), 1.0), ((0.35, 0.6), 1.1), ((0.35, 0.6), 1.3)):
+            two = replace(one, clearances=(replace(one.clearances[0], gap_plus=gap[0], gap_minus=gap[1]),))
+            for system in (side_by_side(one, two), side_by_side(two, one)):
+                _side_by_side(one, system, later)
+
+
+def _side_by_side(one: System, system: System, later: float) -> None:
+    props = flow.propagators(system)
+    at, span = 1.8 / props.cells, 2.9 / props.cells
+    start, end = np.empty(4), np.empty(4)
+    for j, c in enumerate(system.clearances):
+        there, moment = np.array([c.gap_plus, 1.0]), at if c.gap_plus == 0.3 else at * later
+        part = replace(one, clearances=(replace(c, h=one.clearances[0].h, g=one.clearances[0].g),))
+        start[2 * j : 2 * j + 2] = moved(part, 0, there, -moment, moment)
+        end[2 * j : 2 * j + 2] = moved(part, 1, there, span - moment, moment)
+    carried = flow.carry(props, start, span)
+    assert carried.status is Status.OK
+    assert carried.contacts.tolist() == ENGAGED[1] * 2
+    assert np.abs(carried.state - end).max() < 2e-14
+
+
+def behind_what_another_crosses() -> None:
+    """Of two uncoupled systems one goes beyond a boundary and comes back in one cell. Wherever the other
+    crosses in that cell, before, between or after, each moves as it does alone."""
+    for depth in (3e-3, 1e-2):
+        for one, start, at in _touches(depth, (3.4, 3.6)):
+            other = oscillator(omega=one.omega, gap=(0.5, 0.5), stiffness=(2.0, 1.0))
+            cells = flow.propagators(side_by_side(one, other)).cells
+            cell = math.floor(at / (2 * np.pi) * cells)
+            for part in (0.02, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9):
+                moment = (cell + part) / cells
+                pair = [(one, start), (other, np.array([0.5 - 0.3 * moment * one.period, 0.3]))]
+                for systems in (pair, pair[::-1]):
+                    alone = [flow.carry(flow.propagators(s), z, 1.0) for s, z in systems]
+                    props = flow.propagators(side_by_side(*(s for s, _ in systems)))
+                    found = flow.carry(props, np.concatenate([z for _, z in systems]), 1.0)
+                    assert found.status is Status.OK
+                    assert found.contacts.tolist() == [n for each in alone for n in each.contacts.tolist()]
+                    assert np.abs(found.state - np.concatenate([each.state for each in alone])).max() < 1e-13
 
 
 def _alike_and_not() -> Iterator[tuple[System, np.ndarray]]:
@@ -399,6 +424,7 @@ FACTS: dict[str, Callable[[], None]] = {
         no_width_at_all,
         release_where_nothing_presses,
         two_side_by_side,
+        behind_what_another_crosses,
         eight_as_alone,
     )
 }

@@ -94,7 +94,7 @@ _PARTS, _COARSE, _START, _RETURN = (
     "start_on_a_boundary",
     "there_and_back_in_a_cell",
 )
-_EIGHT = "eight_as_alone"
+_EIGHT, _BEHIND = "eight_as_alone", "behind_what_another_crosses"
 _NO_WIDTH, _NO_TENSION, _TWO = "no_width_at_all", "release_where_nothing_presses", "two_side_by_side"
 
 _CHOICE = "best, which, through, behind = at, c, boundary, target"  # of the first crossing of all
@@ -234,8 +234,8 @@ PROOFS = (
     ),
     Mutant(
         "there and back where nothing is between",
-        "if between <= s or not side * (polynomial(work, x, between) - place) > near:",
-        "if between <= s:",
+        "if (verdict != ONCE and between <= s) or not side * (polynomial(work, x, between) - place) > near:",
+        "if verdict != ONCE and between <= s:",
         _TOUCH,
     ),
     Mutant(
@@ -246,7 +246,7 @@ PROOFS = (
     ),
     Mutant(
         "always clear behind a crossing",
-        "if _change(beyond, inside) or _two_changes(inside, beyond):",
+        "if _change(beyond, inside) or (crossed and _two_changes(inside, beyond)):",
         "if True:",
         _RETURN,
     ),
@@ -293,6 +293,18 @@ PROOFS = (
         "group = upward if boundary > 0 else sure & ~upward",
         "group = sure if boundary > 0 else 0",
         _EIGHT,
+    ),
+    Mutant(
+        "two changes behind another's crossing taken for none",
+        "(crossed and _two_changes(inside, beyond))",
+        "_two_changes(inside, beyond)",
+        _BEHIND,
+    ),
+    Mutant(
+        "first of several crossings by another",
+        "which, through = there, at, c, boundary",
+        "which, through = there, at, 0, boundary",
+        _BEHIND,
     ),
     Mutant(
         "second clearance not looked at",

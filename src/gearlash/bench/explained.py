@@ -48,9 +48,11 @@ def _clearances(curve: Curve) -> str:
     each = [1e6 * s / c for s, c in zip(curve.seconds, curve.crossings, strict=True) if c]
     shared = f" That is {min(each):.2g} to {max(each):.2g} µs a crossing:" if each else ""
     return (
-        f"Three masses in a row, of which so many have play (the others are glued to their stops). {listed}."
-        f"{shared} with several gaps every one is watched in every cell, and a cell is cut where any is "
-        "crossed. Which of the two weighs more was not measured."
+        "Three masses in a row, shaken one after the other, of which so many have play (the others are glued "
+        f"to their stops). {listed}.{shared} with several gaps every one is watched in every cell, where "
+        "several are crossed in one cell each crossing is located to see which comes first, and behind it "
+        "the others are looked at again. Crossings closer than 1e-9 of a cell are taken in pieces, which "
+        "costs more."
     )
 
 

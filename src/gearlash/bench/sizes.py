@@ -59,13 +59,14 @@ def states(count: float) -> tuple[System, Array]:
 
 
 def clearances(count: float) -> tuple[System, Array]:
-    """A row of three masses between elastic stops, of which so many have play: the others are glued."""
+    """A row of three masses between elastic stops, of which so many have play: the others are glued. They are
+    shaken one after the other."""
     n, play = 6, int(count)
     matrix, forcing, start, gaps = np.zeros((n, n)), np.zeros((n, 3)), np.zeros(n), []
     for i in range(3):
         matrix[2 * i, 2 * i + 1] = 1.0
         matrix[2 * i + 1, 2 * i : 2 * i + 2] = -0.05, -0.05
-        forcing[2 * i + 1] = 0.1, 0.3, 0.0
+        forcing[2 * i + 1] = 0.1, 0.3 * np.cos(LATER * i), 0.3 * np.sin(LATER * i)
         h, g = np.zeros(n), np.zeros(n)
         h[2 * i], g[2 * i + 1] = 1.0, -1.0
         if i < play:
@@ -100,6 +101,7 @@ def speeds(omega: float) -> tuple[System, Array]:
     return pairs.system(values), pairs.start(values)
 
 
+LATER = 2.1  # rad by which each of several masses is shaken after the one before
 IMPACTS = "impacts per period"
 AXES: dict[str, tuple[Model, Sequence[float]]] = {
     "stiffness harmonics": (harmonics, (1, 2, 3, 5, 8, 12, 16, 20)),

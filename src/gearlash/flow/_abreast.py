@@ -35,7 +35,7 @@ from ._eight import (
     used_rows,
 )
 from ._exits import NONE, ones
-from ._glance import AGAIN, CLEAR, ONCE, THERE_AND_BACK
+from ._glance import CLEAR, UNSURE
 from ._lanes import apart, choose, linear_abreast, over_abreast, under_abreast, weigh_abreast
 from ._march import begin
 from ._surfaces import ROUNDING, one_crossing, verdict_of
@@ -177,15 +177,13 @@ def _on_workbench(
             one = 1 << lane
             rest &= ~one
             verdict, boundary = verdict_of(
-                shape, memory, 0, mode, rules[0], on_boundary(lanes, WORKBENCH, lane), lanes.near[lane],
-                lanes.seen, lane * TERMS,
+                shape, memory, 0, mode, rules[0], on_boundary(lanes, WORKBENCH, lane),
+                holds(lanes, WORKBENCH, INSIDE, lane), lanes.near[lane], lanes.seen, lane * TERMS,
             )  # fmt: skip
             lanes.verdict[lane], lanes.boundary[lane] = verdict, boundary
             if verdict == CLEAR:
                 clear |= one
-            elif verdict == AGAIN or (
-                not holds(lanes, WORKBENCH, INSIDE, lane) and verdict in (ONCE, THERE_AND_BACK)
-            ):
+            elif verdict != UNSURE:
                 over |= one
             else:
                 alone |= one
@@ -232,7 +230,7 @@ def _alone(
     u, modes, s = motion.u, motion.modes, motion.position[1]
     verdict, boundary = lanes.verdict[lane], lanes.boundary[lane]
     at = NONE
-    if verdict == AGAIN or (s == 0.0 and verdict in (ONCE, THERE_AND_BACK)):
+    if verdict != UNSURE:
         at = one_crossing(
             shape, memory, slot, k, 0, modes[0], boundary, verdict, s, u, lanes.seen, lane * TERMS,
             motion.work,

@@ -4,7 +4,8 @@ Coefficients that are all beyond their bound on one side of a boundary prove tha
 they change sides once, with one at most that may be either, there is exactly one crossing; where they do so
 twice, there are two or none (Descartes; see `_exits`). Just behind a crossing, in the new region, the virtual
 start lies beyond the boundary, as a rule: the last change of sides inward is that crossing itself, and only
-one outward can follow. Anything else is looked at in pieces."""
+one outward can follow. Where a motion has come into the middle of its cell, by a crossing of another
+boundary, it is inside there: a change inward lies before that place. Anything else is looked at in pieces."""
 
 from __future__ import annotations
 
@@ -39,23 +40,26 @@ def _two_changes(outer, middle):
 
 
 @inlined
-def glance(moved, first, inward, place, near, crossed):
+def glance(moved, first, inward, place, near, crossed, begun):
     """What X (coefficients from ``first`` in moved) does over the whole cell at a boundary, of which it is
     inside above ``place`` (``inward`` > 0) or below: `CLEAR`, it stays inside; `ONCE`, it leaves once;
     `THERE_AND_BACK`, it may leave once and come back, or not; `AGAIN`, having come in it leaves once more;
     else `UNSURE`.
 
-    ``near`` bounds the error of a coefficient; ``crossed``: X has come in through this boundary within the
-    cell, and what is before counts as beyond."""
+    ``near`` bounds the error of a coefficient; ``crossed``: X has just come in through this boundary, and
+    what is before counts as beyond; ``begun``: the motion is no longer at the beginning of the cell, and only
+    what is to come counts."""
     if inward > 0.0:
         inside, beyond = over(moved, first, place + near), under(moved, first, place - near)
     else:
         inside, beyond = under(moved, first, place - near), over(moved, first, place + near)
     if inside == ALL:
         return CLEAR
-    if crossed:
-        if _change(beyond, inside) or _two_changes(inside, beyond):
+    if crossed or begun:
+        if _change(beyond, inside) or (crossed and _two_changes(inside, beyond)):
             return CLEAR
+        if not crossed and _change(inside, beyond):
+            return ONCE
         return AGAIN if _two_changes(beyond, inside) else UNSURE
     if _change(inside, beyond):
         return ONCE

@@ -7,7 +7,7 @@ from gearlash._kernel import inlined, inner
 
 from ._assemble import UNIT_ROUNDING
 from ._exits import NONE, first_exit, polish
-from ._glance import AGAIN, CLEAR, ONCE, UNSURE, farthest, glance, leaving
+from ._glance import AGAIN, CLEAR, ONCE, THERE_AND_BACK, UNSURE, farthest, glance, leaving
 from ._series import cut_off, fourier_value, polynomial, pressing
 from ._tables import FREE, MINUS, NO_TENSION, OVER_MINUS, OVER_PLUS, PLUS, ROUGH, TERMS, Shape
 from ._vector import all_over, all_under, linear, multiple, weigh
@@ -47,21 +47,21 @@ def stays(shape: Shape, memory, slot, cell, c, mode, u, moved):
 
 
 @inlined
-def outlook(shape: Shape, memory, slot, cell, c, mode, rule, on, u, moved):
+def outlook(shape: Shape, memory, slot, cell, c, mode, rule, on, begun, u, moved):
     """What a whole cell brings for clearance c, seen at a glance: (a verdict of `glance`, the boundary ±1
-    that it is about). ``on``: the boundary that was crossed just before in this cell, or 0; moved holds
-    the `fine_coefficients` behind the rows of `step`."""
+    that it is about). ``on``: the boundary that was crossed just before in this cell, or 0; ``begun``: it is
+    not at the beginning of the cell; moved holds the `fine_coefficients` behind the rows of `step`."""
     near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
-    return verdict_of(shape, memory, c, mode, rule, on, near, moved, shape.rows + TERMS * c)
+    return verdict_of(shape, memory, c, mode, rule, on, begun, near, moved, shape.rows + TERMS * c)
 
 
 @inlined
-def verdict_of(shape: Shape, memory, c, mode, rule, on, near, moved, first):
+def verdict_of(shape: Shape, memory, c, mode, rule, on, begun, near, moved, first):
     """The same from coefficients that lie in moved from ``first`` on, and the bound ``near`` on them."""
     if mode in (PLUS, MINUS):
         boundary = 1 if mode == PLUS else -1
         pressing = rule == NO_TENSION  # then it is the force that is watched, and it may jump
-        found = glance(moved, first, float(boundary), 0.0, near, on == boundary and not pressing)
+        found = glance(moved, first, float(boundary), 0.0, near, on == boundary and not pressing, begun)
         return (UNSURE if pressing and found != CLEAR else found), boundary
     if mode != FREE:
         return UNSURE, 0
@@ -71,7 +71,7 @@ def verdict_of(shape: Shape, memory, c, mode, rule, on, near, moved, first):
         gap = memory[shape.gaps + 4 * c + (0 if boundary > 0 else 1)]
         if gap >= NO_STOP:
             continue
-        found = glance(moved, first, -float(boundary), boundary * gap, near, on == boundary)
+        found = glance(moved, first, -float(boundary), boundary * gap, near, on == boundary, begun)
         if found != CLEAR:
             if verdict != CLEAR or rule == NO_TENSION:
                 return UNSURE, 0
@@ -89,14 +89,15 @@ def one_crossing(shape: Shape, memory, slot, cell, c, mode, boundary, verdict, s
     x = GAPS + c * TERMS
     gap_series(shape, memory, slot, cell, c, u, work)
     lo, hi = s, 1.0
-    if verdict != ONCE:  # two crossings or none: two, where a point between them is found
-        side = inward if verdict == AGAIN else -inward
-        between = farthest(moved, first, side)
+    if verdict != ONCE or s > 0.0:
+        # two crossings or none: two, where a point between them is found; one, if it is inside before
+        side = -inward if verdict == THERE_AND_BACK else inward
+        between = s if verdict == ONCE else farthest(moved, first, side)
         near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
         near += ROUNDING * memory[shape.reach + c]
-        if between <= s or not side * (polynomial(work, x, between) - place) > near:
+        if (verdict != ONCE and between <= s) or not side * (polynomial(work, x, between) - place) > near:
             return NONE
-        lo, hi = (between, 1.0) if verdict == AGAIN else (s, between)
+        lo, hi = (s, between) if verdict == THERE_AND_BACK else (between, 1.0)
     start = leaving(moved, first, inward, place, verdict == AGAIN)
     return polish(work, x, place, lo, hi, start, inward)
 

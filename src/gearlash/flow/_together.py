@@ -16,7 +16,7 @@ from ._eight import (
     used_rows,
 )
 from ._exits import MOST_STEPS, halley
-from ._glance import AGAIN, ONCE, farthest, leaving
+from ._glance import AGAIN, ONCE, THERE_AND_BACK, farthest, leaving
 from ._lanes import choose, jets_abreast, linear_abreast, powers_abreast, values_abreast
 from ._surfaces import ROUNDING, inward_of
 from ._tables import FREE, MINUS, ORDER, PLUS, TERMS, Shape
@@ -79,10 +79,14 @@ def _place(shape: Shape, memory, mode, boundary):
 def _bracket(shape: Shape, memory, mode, mask, lanes):
     """Fills `lo`, `hi` and the guess in `at` of the crossings of a mask; returns those of which there is one
     for sure: the first part of `_surfaces.one_crossing`."""
-    for lane in range(LANES):  # where two crossings may be or none: a place between them
+    for lane in range(LANES):  # a place that is to be inside or beyond
         inward = inward_of(mode, lanes.boundary[lane])
-        side = inward if lanes.verdict[lane] == AGAIN else -inward
-        if (mask >> lane) & 1 != 0 and lanes.verdict[lane] != ONCE:
+        side = -inward if lanes.verdict[lane] == THERE_AND_BACK else inward
+        if (mask >> lane) & 1 == 0:
+            continue
+        if lanes.verdict[lane] == ONCE:
+            lanes.at[lane] = inside(lanes, WORKBENCH, lane)
+        else:
             lanes.at[lane] = farthest(lanes.seen, lane * TERMS, side)
     values_abreast(lanes.gap, lanes.at, lanes.limit)
     for lane in range(LANES):
@@ -91,16 +95,17 @@ def _bracket(shape: Shape, memory, mode, mask, lanes):
         verdict, boundary = lanes.verdict[lane], lanes.boundary[lane]
         inward, place = inward_of(mode, boundary), _place(shape, memory, mode, boundary)
         lanes.lo[lane], lanes.hi[lane] = inside(lanes, WORKBENCH, lane), 1.0
-        if verdict != ONCE:
-            side, between = (inward if verdict == AGAIN else -inward), lanes.at[lane]
+        if verdict != ONCE or lanes.lo[lane] > 0.0:
+            side, between = (-inward if verdict == THERE_AND_BACK else inward), lanes.at[lane]
             near = lanes.near[lane] + ROUNDING * memory[shape.reach]
-            if between <= lanes.lo[lane] or not side * (lanes.limit[lane] - place) > near:
+            late = verdict == ONCE or between > lanes.lo[lane]
+            if not (late and side * (lanes.limit[lane] - place) > near):
                 mask &= ~(1 << lane)
                 continue
-            if verdict == AGAIN:
-                lanes.lo[lane] = between
-            else:
+            if verdict == THERE_AND_BACK:
                 lanes.hi[lane] = between
+            else:
+                lanes.lo[lane] = between
         lanes.at[lane] = leaving(lanes.seen, lane * TERMS, inward, place, verdict == AGAIN)
     return mask
 

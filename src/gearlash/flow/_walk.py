@@ -17,7 +17,7 @@ from gearlash._kernel import inlined, inner
 from ._assemble import fine_coefficients
 from ._exits import NONE
 from ._expand import carry_inside, expand
-from ._glance import AGAIN, CLEAR, ONCE, THERE_AND_BACK, UNSURE
+from ._glance import CLEAR, UNSURE
 from ._surfaces import next_exit, one_crossing, outlook, stays
 from ._switch import region_code, side_of, switch_state, switch_tangent
 from ._tables import FREE, MINUS, ORDER, OVER_MINUS, OVER_PLUS, PLUS, TERMS, Array, Shape
@@ -26,6 +26,7 @@ from ._vector import add, linear, move, weigh
 OK, TOO_MANY, DIVERGED, NEED_REGION = 0, 1, 2, 3
 EVENTS_PER_CELL = 4096
 HUGE = 1e200
+APART = 1e-9  # of a cell: crossings that are nearer are taken one by one, in pieces
 NEEDED, FRESH = 4, 5  # places in `position`
 
 
@@ -66,13 +67,14 @@ def slot_place(shape: Shape, slot_of, modes):
 
 
 @inlined
-def _survey(shape: Shape, memory, slot, k, rules, motion):
-    """What a whole cell brings, seen at a glance: nothing (`CLEAR`), something of one clearance (a verdict of
-    `glance`, clearance, boundary), or what must be looked at in pieces (`UNSURE`)."""
+def _survey(shape: Shape, memory, slot, k, rules, motion, begun):
+    """What a cell brings, or what is left of it where it has ``begun``, seen at a glance: nothing (`CLEAR`),
+    something of one clearance (a verdict of `glance`, clearance, boundary), or `UNSURE`: of several, or what
+    must be looked at in pieces."""
     verdict, which, through = CLEAR, 0, 0
     for c in range(shape.clearances):
         found, boundary = outlook(
-            shape, memory, slot, k, c, motion.modes[c], rules[c], motion.on[c], motion.u, motion.moved
+            shape, memory, slot, k, c, motion.modes[c], rules[c], motion.on[c], begun, motion.u, motion.moved
         )
         if found != CLEAR:
             if verdict != CLEAR:
@@ -82,11 +84,11 @@ def _survey(shape: Shape, memory, slot, k, rules, motion):
 
 
 @inlined
-def _look(shape: Shape, memory, slot, k, rules, motion, m):
+def _look(shape: Shape, memory, slot, k, rules, motion, m, begun):
     """`_survey` of cell k; carries the motion over it where nothing comes."""
     u, moved = motion.u, motion.moved
     fine_coefficients(shape, memory, slot, k, u, 0, moved, shape.rows)
-    verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion)
+    verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion, begun)
     if verdict == CLEAR:
         step = slot + shape.step + k * (1 + shape.n) * shape.rows
         linear(memory, step, shape.rows, shape.p, 1 + shape.n, u, 0, moved, 0)
@@ -95,6 +97,33 @@ def _look(shape: Shape, memory, slot, k, rules, motion, m):
             _tangents_on(shape, memory, step, shape.rows, motion.tangents, m, moved)
         leave_behind(motion)
     return verdict, which, boundary
+
+
+@inner
+def _soonest(shape: Shape, memory, slot, k, rules, motion, s):
+    """The first of the crossings of several clearances from s on, where every one of them is certain and no
+    other is too near to say which comes first: (time or `NONE`, clearance, boundary)."""
+    at, after, which, through = NONE, NONE, 0, 0
+    for c in range(shape.clearances):
+        verdict, boundary = outlook(
+            shape, memory, slot, k, c, motion.modes[c], rules[c], motion.on[c], s > 0.0, motion.u,
+            motion.moved,
+        )  # fmt: skip
+        if verdict == CLEAR:
+            continue
+        if verdict == UNSURE:
+            return NONE, 0, 0
+        there = one_crossing(
+            shape, memory, slot, k, c, motion.modes[c], boundary, verdict, s, motion.u, motion.moved,
+            shape.rows + TERMS * c, motion.work,
+        )  # fmt: skip
+        if there == NONE:
+            return NONE, 0, 0
+        if there < at:
+            at, after, which, through = there, at, c, boundary
+        elif there < after:
+            after = there
+    return (at, which, through) if after - at > APART else (NONE, 0, 0)
 
 
 @inner
@@ -136,23 +165,25 @@ def walk(  # noqa: PLR0915 - one loop: cut up, it was slower by a tenth
                     leave_behind(motion)
                 if passed == left:
                     continue
-                verdict, which, boundary = _look(shape, memory, slot, k, rules, motion, m)
+                verdict, which, boundary = _look(shape, memory, slot, k, rules, motion, m, False)
                 if verdict == CLEAR:
                     cell, s, proved = cell + 1, 0.0, True
                     k = k + 1 if k + 1 < cells else 0
                     continue
             else:  # in a place of its own: what is found here is another thing, and so can be foreseen
-                verdict, which, boundary = _look(shape, memory, slot, k, rules, motion, m)
+                verdict, which, boundary = _look(shape, memory, slot, k, rules, motion, m, True)
                 if verdict == CLEAR:
                     cell, s, proved = cell + 1, 0.0, True
                     k = k + 1 if k + 1 < cells else 0
                     continue
             at = NONE
-            if verdict == AGAIN or (s == 0.0 and verdict in (ONCE, THERE_AND_BACK)):
+            if verdict != UNSURE:
                 at = one_crossing(
                     shape, memory, slot, k, which, modes[which], boundary, verdict, s, u, moved,
                     shape.rows + TERMS * which, motion.work,
                 )  # fmt: skip
+            elif shape.clearances > 1:
+                at, which, boundary = _soonest(shape, memory, slot, k, rules, motion, s)
             if at != NONE:
                 motion.position[0], motion.position[1] = cell, s
                 behind = FREE if modes[which] != FREE else (PLUS if boundary > 0 else MINUS)
