@@ -11,7 +11,9 @@ import numpy as np
 import pytest
 
 from gearlash import flow
-from gearlash.system import Clearance, System
+from gearlash.system import Clearance, GearlashError, System
+from oracles.members import in_other_coordinates
+from oracles.oscillators import oscillator
 from oracles.pairs import (
     KINDS,
     Bodies,
@@ -190,6 +192,20 @@ def test_two_sets_of_coordinates(kind):
     )
     back = transform @ derivative_free @ np.linalg.inv(transform)
     assert np.abs(derivative - back).max() < CLOSE * max(1.0, np.abs(derivative).max())
+
+
+@pytest.mark.parametrize("angle", [1e-12, 1e-6, 1e-3, 0.1, 0.7])
+def test_turned_coordinates(angle: float):
+    """By however little: what is zero but for rounding is no coupling; what is not is refused."""
+    system = oscillator(omega=0.8, gap=(0.2, 0.3), stiffness=(3.0, 2.0), damping=0.05, force=(0.2, 1.0, 0.3))
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    start = np.array([0.1, 0.5])
+    expected = flow.carry(flow.propagators(system), start, 2.0).state @ turn.T
+    found = flow.carry(flow.propagators(in_other_coordinates(system, turn)), turn @ start, 2.0).state
+    assert np.abs(found - expected).max() < 1e-13
+    (clearance,) = system.clearances
+    with pytest.raises(GearlashError, match="is not zero"):
+        replace(system, clearances=(replace(clearance, g=clearance.g + np.array([1e-13, 0.0])),))
 
 
 def _error(mesh: Mesh, phase: float) -> np.ndarray:

@@ -109,12 +109,14 @@ def _problems(system: System) -> list[str]:
 
 
 def _couplings(clearances: tuple[Clearance, ...]) -> list[str]:
-    """h_j·g_k = 0 for all pairs: a contact force acts on accelerations, on no gap's velocity directly."""
+    """h_j·g_k = 0 for all pairs, to rounding: a contact force acts on accelerations, on no gap's velocity
+    directly."""
     found = []
     for reader in clearances:
         for actor in clearances:
-            size = float(np.abs(reader.h) @ np.abs(actor.g))
-            if abs(float(reader.h @ actor.g)) > 1e-14 * size:
+            terms = float(np.abs(reader.h) @ np.abs(actor.g))
+            sizes = float(np.linalg.norm(reader.h) * np.linalg.norm(actor.g))  # in turned coordinates
+            if abs(float(reader.h @ actor.g)) > max(1e-14 * terms, 1e-15 * sizes):
                 found.append(
                     f"h of clearance {reader.name!r} times g of {actor.name!r} is not zero: contact forces "
                     "must act on accelerations, not on the velocity of a gap"
