@@ -39,7 +39,7 @@ def march_many(
     byte, as alone. Where one ends early, its later states are NaN.
 
     Motions of systems with one clearance and the rule `always` go side by side, 64 at a time: the more, the
-    faster. The first such call on a machine compiles the kernel for that, which takes some 20 s. Raises
+    faster. The first such call on a machine compiles the kernel for that, which takes some 25 s. Raises
     `GearlashError` for arguments that do not fit."""
     states = finite("z", z, ("motions", known(props).system.size))
     stretches, stretch = whole("stretches", stretches, 0), whole("stretch", stretch)
