@@ -219,10 +219,10 @@ def _over_clear_cells(shape: Shape, memory, slot, motion, m, k, left, laps):
     one, if one is left, rough coefficients were not enough."""
     u, moved, cells, passed = motion.u, motion.moved, shape.cells, 0
     while passed < left:
-        if k == 0 and laps and passed + cells <= left and _lap(shape, memory, slot, motion.modes, u, moved):
-            _leap(shape, memory, slot + shape.lap, shape.p, u, motion.tangents, m, moved)
-            passed += cells
-            continue
+        if k == 0 and laps and passed + cells <= left:
+            passed += cells * _over_laps(shape, memory, slot, motion, m, (left - passed) // cells)
+            if passed == left:
+                break
         step = slot + shape.step + k * (1 + shape.n) * shape.rows
         linear(memory, step, shape.rows, shape.rows, 1 + shape.n, u, 0, moved, 0)
         clear = True
@@ -236,6 +236,16 @@ def _over_clear_cells(shape: Shape, memory, slot, motion, m, k, left, laps):
         passed += 1
         k = k + 1 if k + 1 < cells else 0
     return passed, k
+
+
+@inner
+def _over_laps(shape: Shape, memory, slot, motion, m, most):
+    """Carries a motion over whole base periods that are proved to be clear; returns their number."""
+    for passed in range(most):
+        if not _lap(shape, memory, slot, motion.modes, motion.u, motion.moved):
+            return passed
+        _leap(shape, memory, slot + shape.lap, shape.p, motion.u, motion.tangents, m, motion.moved)
+    return most
 
 
 @inner
