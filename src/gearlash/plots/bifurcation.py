@@ -15,7 +15,7 @@ from . import style
 from .branch import Branch, axis_name, branches, differs
 from .marks import LINES, OTHER_LINE, OTHER_TICK, TICKS, Mark, height, lines, texts
 from .strip import key, strip
-from .units import ARTICLE_FORCE, EXPONENT, Units, name, second
+from .units import ARTICLE_FORCE, ASSUMED, EXPONENT, Units, name, second
 
 # How the directions look: colour, marker, size of a point (pt²), order of drawing.
 LOOKS = {
@@ -49,10 +49,14 @@ def diagram(dataset: xr.Dataset, marks: Sequence[Mark] = (), units: Units | None
         panel.tick_params(which="both", top=True, right=True)
     bars.tick_params(which="both", bottom=False, top=False)
     rest[3].set_xlabel(name(axis))
-    second(rest[3], (units or Units()).of_parameter(axis), below=9.5)
+    twin = (units or Units()).of_parameter(axis)
+    second(rest[3], twin, below=9.5)
     style.align_labels(rest)
     handles = [*directions(rows, shown), *_mark_kinds(marks), *key(seen)]
-    figure.legend(handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4)
+    figure.legend(
+        handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4,
+        title=ASSUMED if twin is not None and twin.assumed else None, title_fontsize=6.5,
+    )  # fmt: skip
     return figure
 
 

@@ -20,11 +20,10 @@ from gearlash.system import UnknownNameError
 from . import style
 from .fills import NONE, Fill, fills, legend_order
 from .regimes import short
-from .units import MARK, SYMBOLS, Units, name, plain, second
+from .units import ASSUMED, SYMBOLS, Units, name, plain, second
 
 WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
 KEY = "P-Q-R: P cycles with Q impacts on the drive side, R on the back side; R = 0 is left out"
-ASSUMED = f"{MARK}: rests on an assumed value"
 CHARACTER = 1.25  # mm of a character of a region's label
 Array = NDArray[np.float64]
 
@@ -54,7 +53,7 @@ def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
     marked = any(twin is not None and twin.assumed for twin in twins)
     made.legend(
         handles=handles, loc="outside lower center", ncols=5, columnspacing=1.4,
-        title=f"{KEY}. {ASSUMED}." if marked else f"{KEY}.", title_fontsize=6.5,
+        title=f"{KEY}. {ASSUMED}" if marked else f"{KEY}.", title_fontsize=6.5,
     )  # fmt: skip
     return made
 

@@ -15,6 +15,7 @@ from gearlash.case.units import pretty
 Array = NDArray[np.float64]
 
 MARK = "†"  # beside a unit whose scale rests on an assumed value
+ASSUMED = f"{MARK}: rests on an assumed value."
 
 X = r"displacement  $X_n$"
 VELOCITY = r"velocity  $X_n'$"
