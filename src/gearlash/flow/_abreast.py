@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel import fma, inlined, int64, kernel
+from gearlash._kernel import inlined, int64, kernel
 
 from ._eight import (
     GOING,
@@ -36,7 +36,16 @@ from ._eight import (
 )
 from ._exits import NONE, ones
 from ._glance import CLEAR, UNSURE
-from ._lanes import apart, choose, linear_abreast, over_abreast, under_abreast, weigh_abreast
+from ._lanes import (
+    apart,
+    apart_from_abreast,
+    bounds_abreast,
+    choose,
+    linear_abreast,
+    over_abreast,
+    under_abreast,
+    weigh_abreast,
+)
 from ._march import begin
 from ._surfaces import ROUNDING, one_crossing, verdict_of
 from ._tables import (
@@ -68,10 +77,7 @@ def _laps(shape: Shape, memory, slot_of, lanes, b):
         mode, group = alike(lanes, b, left)
         left &= ~group
         slot = slot_of_mode(shape, slot_of, mode)
-        for i in range(shape.p):
-            for lane in range(LANES):
-                centred = memory[slot + shape.centred + i]
-                lanes.out[LANES * i + lane] = fma(-1.0, centred, lanes.u[LANES * (row + i) + lane])
+        apart_from_abreast(memory, slot + shape.centred, lanes.u, row, lanes.out, shape.p)
         weigh_abreast(memory, slot + shape.swing, shape.p, lanes.out, 0, lanes.near)
         below, above = memory[slot + shape.margin], memory[slot + shape.margin + 1]
         for lane in range(LANES):
@@ -93,18 +99,15 @@ def _clear(shape: Shape, memory, slot, k, mode, lanes, row):
     """Mask of the motions that are proved at a glance to keep their mode through a whole cell; as
     `_surfaces.stays` has it."""
     weigh_abreast(memory, slot + shape.near + k * shape.p, shape.p, lanes.u, row, lanes.near)
-    if mode != FREE:
-        for lane in range(LANES):
-            lanes.limit[lane] = lanes.near[lane] if mode == PLUS else -lanes.near[lane]
-        if mode == PLUS:
-            return over_abreast(lanes.out, shape.p, lanes.limit)
+    if mode == PLUS:
+        return over_abreast(lanes.out, shape.p, lanes.near)
+    if mode == MINUS:
+        bounds_abreast(0.0, -1.0, lanes.near, 0.0, lanes.limit)
         return under_abreast(lanes.out, shape.p, lanes.limit)
     plus, minus, reach = memory[shape.gaps], memory[shape.gaps + 1], ROUNDING * memory[shape.reach]
-    for lane in range(LANES):
-        lanes.limit[lane] = plus - (lanes.near[lane] + reach)
+    bounds_abreast(plus, -1.0, lanes.near, reach, lanes.limit)
     clear = under_abreast(lanes.out, shape.p, lanes.limit)
-    for lane in range(LANES):
-        lanes.limit[lane] = (lanes.near[lane] + reach) - minus
+    bounds_abreast(-minus, 1.0, lanes.near, reach, lanes.limit)
     return clear & over_abreast(lanes.out, shape.p, lanes.limit)
 
 

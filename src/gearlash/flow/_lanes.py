@@ -44,6 +44,33 @@ def weigh_abreast(weights: Any, at: int, count: int, x: Any, first: int, out: An
 
 
 @_written_out
+def bounds_abreast(place: float, sign: float, near: Any, more: float, out: Any) -> None:
+    """out[l] ← place + sign · (near[l] + more), sign ±1."""
+    for motion in range(LANES):
+        out[motion] = place + sign * (near[motion] + more)
+
+
+@_written_out
+def apart_from_abreast(table: Any, at: int, x: Any, first: int, out: Any, rows: int) -> None:
+    """out[i] ← x[first + i] - table[at + i], i < rows, of each motion."""
+    for i in range(rows):
+        for motion in range(LANES):
+            out[LANES * i + motion] = x[LANES * (first + i) + motion] - table[at + i]
+
+
+@_written_out
+def lead_back_abreast(
+    factor: float, scale: Any, change: Any, centres: Any, before: int, after: int, u: Any, rows: int
+) -> None:
+    """change ← `_vector.lead_back` of the first rows of u, with a scale for each motion."""
+    for i in range(rows):
+        for motion in range(LANES):
+            at = LANES * i + motion
+            moved = u[at] + factor * (scale[motion] * change[at])
+            change[at] = moved + centres[before + i] - centres[after + i]
+
+
+@_written_out
 def over_abreast(values: Any, at: int, limits: Any) -> int:
     """Mask of the motions l of which all values of the block from row ``at`` on are above limits[l]."""
     return sum(

@@ -117,6 +117,61 @@ if not TYPE_CHECKING:
 
         return types.void(weights, types.int64, types.int64, x, types.int64, out), generate
 
+    @intrinsic
+    def bounds_abreast(typing, place, sign, near, more, out):
+        def generate(context, builder, signature, arguments):
+            near, out = _pointers(context, builder, signature, arguments, 2, 4)
+            place, sign, _, more, _ = arguments
+            size = builder.fadd(_row(builder, near, 0), _splat(builder, more))
+            size = builder.fmul(_splat(builder, sign), size)
+            _keep(builder, builder.fadd(_splat(builder, place), size), out, 0)
+            return context.get_dummy_value()
+
+        number = types.float64
+        return types.void(number, number, near, number, out), generate
+
+    @intrinsic
+    def apart_from_abreast(typing, table, at, x, first, out, rows):
+        def generate(context, builder, signature, arguments):
+            table, x, out = _pointers(context, builder, signature, arguments, 0, 2, 4)
+            _, at, _, first, _, rows = arguments
+            table, x = builder.gep(table, [at]), _from_row(builder, x, first)
+
+            def row(k, _):
+                value = _splat(builder, builder.load(builder.gep(table, [k])))
+                place = builder.mul(k, _INDEX(LANES))
+                value = builder.fsub(_load(builder, x, place), value)
+                builder.store(value, _lanes(builder, out, place), align=8)
+
+            _loop(builder, rows, row)
+            return context.get_dummy_value()
+
+        whole = types.int64
+        return types.void(table, whole, x, whole, out, whole), generate
+
+    @intrinsic
+    def lead_back_abreast(typing, factor, scale, change, centres, before, after, u, rows):
+        def generate(context, builder, signature, arguments):
+            scale, change, centres, u = _pointers(context, builder, signature, arguments, 1, 2, 3, 6)
+            factor, _, _, _, before, after, _, rows = arguments
+            factor, scale = _splat(builder, factor), _row(builder, scale, 0)
+            before, after = builder.gep(centres, [before]), builder.gep(centres, [after])
+
+            def row(k, _):
+                there = builder.mul(k, _INDEX(LANES))
+                place = _lanes(builder, change, there)
+                moved = builder.fmul(scale, builder.load(place, align=8))
+                moved = _fma(builder, factor, moved, _load(builder, u, there))
+                moved = builder.fadd(moved, _splat(builder, builder.load(builder.gep(before, [k]))))
+                moved = builder.fsub(moved, _splat(builder, builder.load(builder.gep(after, [k]))))
+                builder.store(moved, place, align=8)
+
+            _loop(builder, rows, row)
+            return context.get_dummy_value()
+
+        whole, number = types.int64, types.float64
+        return types.void(number, scale, change, centres, whole, whole, u, whole), generate
+
     def _every(test):
         """Mask of the motions of which ``test`` holds between all values and the limit."""
 

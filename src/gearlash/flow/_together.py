@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearlash._kernel import fma, inlined
+from gearlash._kernel import inlined
 
 from ._eight import (
     FRESH_ONES,
@@ -17,10 +17,18 @@ from ._eight import (
 )
 from ._exits import MOST_STEPS, halley
 from ._glance import AGAIN, ONCE, THERE_AND_BACK, farthest, leaving
-from ._lanes import choose, jets_abreast, linear_abreast, powers_abreast, values_abreast
+from ._lanes import (
+    bounds_abreast,
+    choose,
+    jets_abreast,
+    lead_back_abreast,
+    linear_abreast,
+    powers_abreast,
+    values_abreast,
+)
 from ._surfaces import ROUNDING, inward_of
 from ._tables import FREE, MINUS, ORDER, PLUS, TERMS, Shape
-from ._vector import LANES, move, ones_in, times
+from ._vector import LANES, move, multiple, ones_in, times
 
 FEW = 2  # so many crossings alone cost as much as eight at once
 
@@ -51,21 +59,16 @@ def _switch(shape: Shape, memory, source, target, k, side, sign, edge, mask, lan
     used = used_rows(shape)
     powers_abreast(lanes.at, lanes.powers)
     move(lanes.gap, 0, lanes.push, 0, LANES * TERMS)
-    for lane in range(LANES):
-        lanes.push[lane] = fma(-edge, 1.0, lanes.push[lane])
+    bounds_abreast(-edge, 1.0, lanes.push, 0.0, lanes.push)
     times(lanes.powers, 0, lanes.push, 0, LANES * TERMS)
     linear_abreast(memory, shape.hilbert, TERMS, TERMS, ORDER + 1, lanes.push, 0, lanes.moments, 0)
     times(lanes.powers, 0, lanes.moments, 0, LANES * TERMS)
     push = target + shape.push + (2 * k + side) * (ORDER + 1) * shape.p
     linear_abreast(memory, push, shape.p, used, ORDER + 1, lanes.moments, 0, lanes.out, 0)
-    for lane in range(LANES):
-        lanes.limit[lane] = memory[shape.scalars + 1] * lanes.at[lane]
-    for i in range(1 + shape.n):
-        before, after = memory[source + shape.centre + i], memory[target + shape.centre + i]
-        for lane in range(LANES):
-            place = LANES * i + lane
-            moved = fma(-sign, lanes.limit[lane] * lanes.out[place], lanes.u[place])
-            lanes.out[place] = fma(-1.0, after, fma(1.0, before, moved))
+    multiple(memory[shape.scalars + 1], lanes.at, 0, lanes.limit, 0, LANES)
+    lead_back_abreast(
+        -sign, lanes.limit, lanes.out, memory, source + shape.centre, target + shape.centre, lanes.u, used
+    )
     choose(mask, lanes.out, lanes.u, 0, used)
 
 
