@@ -38,12 +38,15 @@ def run(
     load_engine()
 
     from gearlash.cli.answers.run import run_answer
+    from gearlash.cli.late import late_bar
     from gearlash.cli.search.closed import impact_free_speeds
     from gearlash.cli.search.settings import search_settings
     from gearlash.orbits import attractor
 
     found = attractor(family.system(parameters), list(start.values()), search_settings(periods, max_period))
-    answer = run_answer(chosen, parameters, start, found, impact_free_speeds(family, parameters))
+    with late_bar("speeds free of impacts") as tell:
+        quiet = impact_free_speeds(family, parameters, tell)
+    answer = run_answer(chosen, parameters, start, found, quiet)
     with delivery():
         try:
             if folder:

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from math import inf
+from itertools import count
+from math import ceil, inf, log
 
 from gearlash import flow
 from gearlash.cli.answers.impact_free import ImpactFree
@@ -20,15 +21,19 @@ from gearlash.system import ContactRule, Family, GearlashError, Status, System
 
 STEP = 1.01  # factor from one speed of the search to the next
 REACH = 2.0  # factor to which it goes, up and down
+SPEEDS = 2 * ceil(log(REACH) / log(STEP))  # that it tries, about, where nothing changes
 TOLERANCE = 1e-9  # relative, of an end
 NARROW = 1e-3  # of a bracket: no step is nearer to its ends, so that both close in
 
 Sample = tuple[float, float]  # speed, margin there
 
 
-def impact_free_speeds(family: Family, parameters: Mapping[str, float]) -> ImpactFree | None:
+def impact_free_speeds(
+    family: Family, parameters: Mapping[str, float], tell: Callable[[int, int], object] | None = None
+) -> ImpactFree | None:
     """Looks from the present speed up and down to `REACH` times it. None without load, as no side carries it,
-    and for systems of another kind than a mesh under a load.
+    and for systems of another kind than a mesh under a load. ``tell`` hears how many speeds were tried, out
+    of how many.
 
     An interval narrower than one per cent may lie between two speeds of the search and be missed.
     """
@@ -36,7 +41,11 @@ def impact_free_speeds(family: Family, parameters: Mapping[str, float]) -> Impac
         return None
     omega = parameters["omega"]
 
+    tried = count(1)
+
     def margin(at: float) -> float:
+        if tell is not None:
+            tell(min(next(tried), SPEEDS), SPEEDS)
         return closed_margin(
             family.system({**parameters, "omega": at}), 1 if parameters["load"] > 0.0 else -1
         )
