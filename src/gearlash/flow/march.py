@@ -10,11 +10,12 @@ from math import floor, isfinite
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import GearlashError, Status, empty, finite, whole
+from gearlash.system import GearlashError, Status
 
 from . import _march
 from ._tables import ORDER, Array, Shape, aligned, aligned_ints
 from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
+from .arguments import empty, finite, whole
 from .events import Events, Trace
 from .propagators import Propagators
 

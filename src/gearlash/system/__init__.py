@@ -1,6 +1,5 @@
 """Piecewise-linear systems with clearances, families of them, and statuses. Knows nothing else."""
 
-from .arguments import empty, finite, whole
 from .family import Family, Parameter
 from .harmonics import Fourier, constant, cosines, derivative, evaluate, padded
 from .piecewise import Clearance, ContactRule, System
@@ -19,9 +18,6 @@ __all__ = [
     "constant",
     "cosines",
     "derivative",
-    "empty",
     "evaluate",
-    "finite",
     "padded",
-    "whole",
 ]

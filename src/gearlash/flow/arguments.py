@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .status import GearlashError
+from gearlash.system import GearlashError
 
 
 def whole(name: str, value: Any, least: int = 1) -> int:
