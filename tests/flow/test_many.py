@@ -9,8 +9,9 @@ import pytest
 
 from gearlash import flow
 from gearlash.case import load
-from gearlash.flow import _abreast
+from gearlash.flow import _abreast, many
 from gearlash.flow._eight import MOST
+from gearlash.flow.march import block_of
 from gearlash.flow.propagators import Propagators
 from gearlash.system import ContactRule, GearlashError, Status
 from oracles.flow_facts import eight_as_alone
@@ -121,6 +122,19 @@ def test_side_by_side_is_what_is_used(monkeypatch: pytest.MonkeyPatch):
     props = flow.propagators(oscillator(force=(0.1, 0.4, 0.0), damping=0.05))
     flow.march_many(props, np.ones((MOST + 18, 2)), 5)
     assert calls == [MOST, 18]
+
+
+def test_a_call_is_short_enough_to_be_interrupted(monkeypatch: pytest.MonkeyPatch):
+    """A slow system has many cells a period: fewer motions go together then, and are the same."""
+    calls = []
+    kernel = _abreast.abreast
+    monkeypatch.setattr(_abreast, "abreast", lambda *a: calls.append((len(a[4]), a[7])) or kernel(*a))
+    props = flow.propagators(oscillator(omega=0.02, force=(0.1, 0.4, 0.0), damping=0.05))
+    states = np.random.default_rng(19).standard_normal((20, 2))
+    _same_as_alone(props, states, 2_000)
+    long = [motions for motions, periods in calls if periods == block_of(props, 1)]
+    assert 0 < max(long) < len(states)
+    assert all(motions * periods * props.cells <= many.CELLS or motions <= 8 for motions, periods in calls)
 
 
 @pytest.mark.parametrize(

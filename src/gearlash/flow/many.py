@@ -20,6 +20,7 @@ from .march import NO_HOLD, STATUS, block_of, columns_of, known, room_of, run_al
 from .propagators import Propagators
 
 TOGETHER = 16_000  # base periods in one call, at the most (but eight motions)
+CELLS = 2_500_000  # that motions side by side pass in one call, at the most (but eight motions): 0.2 s
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,8 +86,7 @@ class _Job:
         while done < stretches:
             block = min(block_of(self.props, self.stretch), stretches - done)
             going = motions[self.outcomes[motions] == OK]
-            size = max(LANES, TOGETHER // (block * self.stretch))
-            size = MOST if self.abreast else (size if block == stretches else 1)
+            size = self._at_once(block) if self.abreast or block == stretches else 1
             for first in range(0, len(going), size):
                 group = going[first : first + size]
                 if self.abreast and len(group) > 1:
@@ -94,6 +94,14 @@ class _Job:
                 else:
                     self._alone(slice(group[0], group[-1] + 1), done, block)
             done += block
+
+    def _at_once(self, block: int) -> int:
+        """Motions in one call over so many stretches, so that it does not last too long for Ctrl-C."""
+        periods = block * self.stretch
+        if not self.abreast:
+            return max(LANES, TOGETHER // periods)
+        most = CELLS // (periods * self.props.cells)
+        return min(MOST, max(1, most // LANES) * LANES)
 
     def _alone(self, motions: slice, done: int, block: int) -> None:
         """One after the other: one, or several over all their stretches."""
