@@ -67,6 +67,7 @@ BAD = {
     ("sweep", "article", "--over", "omega=0.5:1.4:²"): "number of points",
     ("sweep", "article", "--over", "omgea=0.5:1.4:9"): "'omega'",
     ("sweep", "article", "--over", "pinion_speed=1000rpm:6000:9"): "a rotational speed with its unit",
+    ("sweep", "article", "--over", "D=1:2um:9"): "D = '2um'",  # what was typed, not the unit lent to 1
     ("map", "article", "--over", "omega=1:2:1e3", "--over", "D=1:2:0"): "--over D = '0'",
     (
         "sweep",

@@ -54,6 +54,8 @@ def test_a_map_says_what_it_is_of():
     data = plane()
     data.attrs |= {"case_name": "own$", "parameters": '{"load": 0.25, "mass": 3.0, "D": 1.0}', "fixed": "{}"}
     assert plots.plane(data).axes[0].get_title(loc="left") == r"own\$,  f_m = 0.25"
+    data["label_name"] = [f"{name}/0-1" for name in data["label_name"].values]
+    assert "of every gap in turn" in plots.plane(data).legends[0].get_title().get_text()
     data.attrs["fixed"] = '{"mass": 3.0}'
     assert plots.plane(data).axes[0].get_title(loc="left") == r"own\$,  f_m = 0.25,  mass = 3"
 

@@ -49,10 +49,9 @@ def _clearances(curve: Curve) -> str:
     shared = f" That is {min(each):.2g} to {max(each):.2g} µs a crossing:" if each else ""
     return (
         "Three masses in a row, shaken one after the other, of which so many have play (the others are glued "
-        f"to their stops). {listed}.{shared} with several gaps every one is watched in every cell, where "
-        "several are crossed in one cell each crossing is located to see which comes first, and behind it "
-        "the others are looked at again. Crossings closer than 1e-9 of a cell are taken in pieces, which "
-        "costs more."
+        f"to their stops). {listed}.{shared} with several gaps every one is watched in every cell; where "
+        "several are crossed in one cell, each crossing is located to see which comes first, and behind it "
+        "the others are looked at again."
     )
 
 

@@ -71,7 +71,7 @@ used for some hundred periods only, and whether an exponent is above zero takes 
 The first two parts were timed alone, as they are today and not as they might be; all else is Newton's
 method, the proofs of stability and period, and the search's decisions, which are Python. No motion is called
 aperiodic before a thousand periods: compare what these cost with what thirty times heyoka would leave for
-everything. In the same cells the least that they could take is a third to a half of it (*The limit*).
+everything.
 """
 
 

@@ -98,11 +98,11 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
     example = "NAME=FROM:TO:COUNT, such as omega=0.5:1.4:900 or pinion_speed=1000rpm:6000rpm:500"
     if not equals or len(parts) != 3:
         raise CaseError("--over", [Problem("--over", repr(text), example)])
+    short, last = case.resolve(name, parts[1])
     unit = UNIT.fullmatch(parts[1])
     if unit and _number(parts[0]) is not None:
         parts[0] += unit[1]
-    short, first = case.resolve(name, parts[0])
-    _, last = case.resolve(name, parts[1])
+    _, first = case.resolve(name, parts[0])
     problems, here = [], f"--over {name}"
     count = int(parts[2]) if parts[2].isascii() and parts[2].isdigit() else 0
     if not 2 <= count <= MOST_POINTS:

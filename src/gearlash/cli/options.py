@@ -75,6 +75,6 @@ Over = Annotated[
     typer.Option(
         metavar="NAME=FROM:TO:COUNT",
         help="Parameter to vary, by short name or path: omega=0.5:1.4:900, "
-        "pinion_speed=1000rpm:6000rpm:500, backlash=20um:200um:100.",
+        "pinion_speed=1000:6000rpm:500, backlash=20:200um:100.",
     ),
 ]

@@ -157,6 +157,7 @@ def take_out(shape: Shape, lanes, motion, b, lane, cell):
 
 @inlined
 def put_back(shape: Shape, lanes, motion, b, lane):
+    """The motion that went on alone to its lane."""
     for i in range(shape.p):
         lanes.u[LANES * (b * shape.p + i) + lane] = motion.u[i]
     for mode in (PLUS, FREE, MINUS):

@@ -128,6 +128,7 @@ def _soonest(shape: Shape, memory, slot, k, rules, motion, s):
 
 @inner
 def bounded(u, p):
+    """Whether a state has not grown beyond every bound, nor become NaN."""
     size = 0.0
     for i in range(p):
         size += abs(u[i])

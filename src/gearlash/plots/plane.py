@@ -23,7 +23,8 @@ from .regimes import short
 from .units import ASSUMED, SYMBOLS, Units, name, plain, second
 
 WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
-KEY = "P-Q-R: P cycles with Q impacts on the drive side, R on the back side; R = 0 is left out"
+KEY = "P-Q-R: P cycles with Q impacts on the drive side, R on the back side; R = 0 is left out."
+KEY_OF_SEVERAL = "P-Q-R/Q-R…: P cycles; of every gap in turn Q impacts on the drive side, R on the back side."
 CHARACTER = 1.25  # mm of a character of a region's label
 Array = NDArray[np.float64]
 
@@ -51,9 +52,10 @@ def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
     panel.set_title(_title(dataset, (x, y)), loc="left", fontsize=7.5)
     handles = [_patch(fill) for fill in legend_order(looks)]
     marked = any(twin is not None and twin.assumed for twin in twins)
+    key = KEY_OF_SEVERAL if any("/" in each for each in names) else KEY
     made.legend(
         handles=handles, loc="outside lower center", ncols=5, columnspacing=1.4,
-        title=f"{KEY}. {ASSUMED}" if marked else f"{KEY}.", title_fontsize=6.5,
+        title=f"{key} {ASSUMED}" if marked else key, title_fontsize=6.5,
     )  # fmt: skip
     return made
 

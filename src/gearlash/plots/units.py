@@ -103,15 +103,8 @@ class Units:
     @property
     def assumed(self) -> bool:
         """Does any of them rest on an assumed value?"""
-        scales = (
-            self.speed,
-            self.backlash,
-            self.length,
-            self.force,
-            self.milliseconds,
-            *self.others.values(),
-        )
-        return any(scale.assumed for scale in scales if scale is not None)
+        own = (self.speed, self.backlash, self.length, self.force, self.milliseconds)
+        return any(scale.assumed for scale in (*own, *self.others.values()) if scale is not None)
 
     def of_parameter(self, parameter: str) -> Twin | None:
         """The physical scale of a swept parameter."""
@@ -119,8 +112,8 @@ class Units:
 
 
 def _others(case: Case, assumed: Mapping[str, bool]) -> dict[str, Twin]:
-    """The scale of every parameter that has one, as the case itself names it; ``assumed``: unit → whether
-    what it is converted with is."""
+    """The scale of every parameter that has one, as the case itself names it: of several, the last (Hz, not
+    rpm, for which `Units.speed` is there); ``assumed``: unit → whether what it is converted with is."""
     found = {}
     for parameter in case.family()[0].defaults:
         for path, value, unit in case.physical(parameter, 1.0)[-1:]:

@@ -39,9 +39,7 @@ def impact_free_speeds(
     """
     if parameters.get("load", 0.0) == 0.0 or len(family.system(parameters).clearances) != 1:
         return None
-    omega = parameters["omega"]
-
-    tried = count(1)
+    omega, tried = parameters["omega"], count(1)
 
     def margin(at: float) -> float:
         if tell is not None:
