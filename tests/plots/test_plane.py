@@ -51,7 +51,7 @@ def test_a_map_says_what_it_is_of():
     made = plots.plane(plane(), plots.Units())
     [legend] = made.legends
     assert "Q impacts on the drive side" in legend.get_title().get_text()
-    data = plane()
+    data = plane().copy()  # one for all tests
     data.attrs |= {"case_name": "own$", "parameters": '{"load": 0.25, "mass": 3.0, "D": 1.0}', "fixed": "{}"}
     assert plots.plane(data).axes[0].get_title(loc="left") == r"own\$,  f_m = 0.25"
     data["label_name"] = [f"{name}/0-1" for name in data["label_name"].values]
