@@ -47,6 +47,9 @@ from ._lanes import (
     weigh_abreast,
 )
 from ._march import begin
+from ._motion import DIVERGED, HUGE, OK, Motion, leave_behind
+from ._pieces import cross, in_pieces
+from ._record import Record
 from ._surfaces import ROUNDING, one_crossing, verdict_of
 from ._tables import (
     CUBE,
@@ -65,7 +68,6 @@ from ._tables import (
 )
 from ._together import crossing
 from ._vector import LANES
-from ._walk import DIVERGED, HUGE, OK, Motion, Record, cross, in_pieces, leave_behind
 
 
 @inlined
@@ -273,7 +275,7 @@ def _arrive(
             value = lanes.u[LANES * (b * shape.p + i) + lane]
             size += abs(value)
             strobes[which, stretch + 1, i - 1] = value + memory[centre + i]
-        if not size < HUGE:  # as `_walk.bounded` has it
+        if not size < HUGE:  # as `_motion.bounded` has it
             end(lanes, b, lane, DIVERGED, outcomes)
     lanes.masks[KINDS * b + PROVED] = 0
 

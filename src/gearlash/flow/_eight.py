@@ -12,10 +12,10 @@ import numpy as np
 from gearlash._kernel import inlined
 
 from ._lanes import ROWS
+from ._motion import FRESH
 from ._switch import side_of
 from ._tables import FREE, MINUS, PLUS, TERMS, Array, Shape, aligned, aligned_ints
 from ._vector import LANES, ones_in
-from ._walk import FRESH
 
 BLOCKS = 8  # under way at the same time, at the most: enough that eight motions often do the same
 MOST = LANES * BLOCKS

@@ -8,6 +8,8 @@ from gearlash._kernel import float64, inner, int64, kernel
 
 from ._exits import all_roots, ones
 from ._expand import carry_inside
+from ._motion import FRESH, NEED_REGION, NEEDED, OK, Motion, sides_of, slot_place
+from ._record import Record
 from ._series import polynomial
 from ._surfaces import first_mode
 from ._switch import region_code
@@ -26,7 +28,7 @@ from ._tables import (
     aligned_ints,
 )
 from ._vector import add
-from ._walk import FRESH, NEED_REGION, NEEDED, OK, Motion, Record, sides_of, slot_place, walk
+from ._walk import walk
 from ._work import DEPTH, GAPS
 
 

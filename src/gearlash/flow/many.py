@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike
 from gearlash.system import GearlashError, Status
 
 from ._eight import MOST
+from ._motion import OK
 from ._tables import ALWAYS, MINUS, PLUS, Array, Shape
 from ._vector import LANES
-from ._walk import OK
 from .arguments import empty, finite, whole
 from .march import NO_HOLD, STATUS, block_of, columns_of, known, room_of, run_all
 from .propagators import Propagators

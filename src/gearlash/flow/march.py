@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike
 from gearlash.system import GearlashError, Status
 
 from . import _march
+from ._motion import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
 from ._tables import ORDER, Array, Shape, aligned, aligned_ints
-from ._walk import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
 from .arguments import empty, finite, whole
 from .events import Events, Trace
 from .propagators import Propagators
