@@ -89,7 +89,7 @@ def test_heyoka_on_orbits(work: Work):
     assert isinstance(orbit, Orbit)
     theirs = np.sort_complex(orbits.Monodromy(work.pair).multipliers(orbit.state, 1))
     assert np.abs(theirs - np.sort_complex(orbit.multipliers)).max() < 1e-11
-    pairs, values = family("article"), {"omega": 0.98, "D": 1.0}
+    pairs, values = family("article-first-harmonic"), {"omega": 0.98, "D": 1.0}
     quiet = attractor(pairs.system(values), pairs.start(values))
     assert isinstance(quiet, Orbit)
     point = locate_grazing(pairs, values, "omega", quiet, grazing_checks(quiet)[0])
@@ -100,7 +100,7 @@ def test_heyoka_on_orbits(work: Work):
 
 def test_heyoka_on_a_map():
     plane = pytest.importorskip("gearlash.bench.peers.heyoka_plane", exc_type=ImportError)
-    pairs = family("article")
+    pairs = family("article-first-harmonic")
     points = [{"omega": 1.05, "D": 1.0}, {"omega": 0.95, "D": 1.0}, {"omega": 0.78, "D": 0.25}]
     systems = [pairs.system(v) for v in points]
     shape, starts = [Pair.of(s) for s in systems], [pairs.start(v) for v in points]

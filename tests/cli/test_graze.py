@@ -62,7 +62,9 @@ def test_closed_form_in_the_load(gearlash: Gearlash):
 
 
 def test_back_side_and_a_doubling_on_the_way(gearlash: Gearlash):
-    ran = gearlash("graze", "article", "--over", "D", "--near", "0.3855", "--set", "omega=0.78", "--json")
+    ran = gearlash(
+        "graze", "article-first-harmonic", "--over", "D", "--near", "0.3855", "--set", "omega=0.78", "--json"
+    )
     assert problems(ran.answer, SCHEMA) == []
     assert ran.answer["label"] == "6-6-1"
     by_label = {p["label_below"]: p for p in ran.answer["points"]}

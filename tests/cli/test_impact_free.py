@@ -11,7 +11,7 @@ from gearlash.cli.search.closed import closed_margin, impact_free_speeds
 from gearlash.gears import spur
 from gearlash.orbits import Orbit, attractor, grazing_checks
 
-FAMILY = load("article").family()[0]
+FAMILY = load("article-first-harmonic").family()[0]
 
 
 def end_of_window(omega: float) -> float:

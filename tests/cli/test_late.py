@@ -49,7 +49,7 @@ def test_what_takes_long_is_shown_until_it_ends(shown: list, monkeypatch: pytest
 def test_a_search_tells_how_far_it_is():
     from gearlash.case import load
 
-    family = load("article").family()[0]
+    family = load("article-first-harmonic").family()[0]
     told: list[tuple[int, int]] = []
     impact_free_speeds(family, family.complete({"omega": 1.03}), lambda *far: told.append(far))
     assert [done for done, _ in told] == list(range(1, len(told) + 1))

@@ -78,8 +78,8 @@ def test_json_holds_what_the_engine_computed(gearlash: Gearlash):
     assert found["transmission_error"]["rms"] == numbers.error_rms
     assert found["distances"]["drive"]["minimum"] == numbers.minimum - 1.0 < 0.0
     assert [(e["side"], e["event"]) for e in found["events"]] == [
-        ("drive", "engagement"),
         ("drive", "release"),
+        ("drive", "engagement"),
     ]
 
 

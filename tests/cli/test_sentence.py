@@ -27,7 +27,7 @@ def test_rates(counts: tuple[int, int], words: str):
     [
         (["omega=1.05"], "4011 rpm: 1-0, teeth stay in contact; impact-free from 3715 rpm to 4247 rpm"),
         (
-            ["omega=0.78", "D=0.387"],
+            ["omega=0.78", "D=0.384"],
             "2980 rpm: 6-6-1, teeth hit the drive side once per mesh cycle and the back side once in 6 mesh "
             "cycles; nearest impact-free speed 3715 rpm †",
         ),

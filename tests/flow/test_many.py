@@ -36,7 +36,7 @@ def _same_as_alone(props: Propagators, states: np.ndarray, stretches: int, stret
     [(1.05, 1.0), (0.95, 1.0), (0.78, 0.38), (0.78, 0.6), (0.78, 0.25), (0.5, 0.05), (1.112006, 1.0)],
 )
 def test_pairs_from_the_attractor_and_from_all_over(omega: float, D: float):
-    family = load("article").family()[0]
+    family = load("article-first-harmonic").family()[0]
     props = flow.propagators(family.system({"omega": omega, "D": D}))
     rng = np.random.default_rng(3)
     settled = flow.march(props, family.start({"omega": omega, "D": D}), 600).states[-12:]
@@ -166,7 +166,7 @@ def test_arguments_that_do_not_fit(arguments: dict, told: str):
         ({"stretches": 1.5}, "stretches is 1.5: expected a whole number, 0 or more"),
         ({"stretches": 10**15}, "GiB, more than there is"),
         ({"stretch": "2"}, "stretch is '2': expected a whole number, 1 or more"),
-        ({"props": load("article")}, "expected propagators, not a Case"),
+        ({"props": load("article-first-harmonic")}, "expected propagators, not a Case"),
     ],
 )
 def test_arguments_of_one_march_that_do_not_fit(arguments: dict, told: str):

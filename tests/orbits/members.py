@@ -15,8 +15,8 @@ from gearlash.system import Family
 
 @cache
 def article() -> Family:
-    """The article's pair, as bundled."""
-    return case.load("article").family()[0]
+    """The article's pair with a ripple of the first harmonic."""
+    return case.load("article-first-harmonic").family()[0]
 
 
 @cache

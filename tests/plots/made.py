@@ -18,7 +18,7 @@ from gearlash.studies.motion import Motion, motion, touching
 @cache
 def article() -> Case:
     """The article's pair."""
-    return load("article")
+    return load("article-first-harmonic")
 
 
 @cache

@@ -14,7 +14,7 @@ from gearlash import case, results
 from gearlash.results import Axis, Point, Sweep, blank
 from gearlash.system import GearlashError
 
-ARTICLE = case.load("article")
+ARTICLE = case.load("article-first-harmonic")
 AXIS = Axis("omega", np.array([0.9, 1.0, 1.1]))
 
 

@@ -31,7 +31,7 @@ from gearlash.studies.model import Source
 from gearlash.studies.pixels import Stretch, record_kind, work
 from gearlash.system import Family, GearlashError, Parameter, UnknownNameError
 
-ARTICLE = case.load("article")
+ARTICLE = case.load("article-first-harmonic")
 CLASSICAL = case.load("kahraman-singh")
 SPEEDS, GAPS = Axis.even("omega", (0.7, 0.86), 5), Axis.even("D", (0.33, 0.62), 6)
 SETTINGS = Settings(patience=300, budget=2_000, exponent_periods=400)

@@ -11,7 +11,7 @@ from gearlash import case, flow, orbits, studies
 from gearlash.results import FAILED
 from gearlash.system import Family, GearlashError, Parameter
 
-ARTICLE = case.load("article").family()[0]
+ARTICLE = case.load("article-first-harmonic").family()[0]
 CLASSICAL = case.load("kahraman-singh").family()[0]
 
 

@@ -14,7 +14,7 @@ from gearlash.results import FAILED, NOT_COMPUTED, content_hash, sweep_dataset
 from gearlash.studies import Axis
 from gearlash.system import Family, GearlashError, Parameter, UnknownNameError
 
-ARTICLE = case.load("article")
+ARTICLE = case.load("article-first-harmonic")
 CLASSICAL = case.load("kahraman-singh")
 SPEEDS = Axis.even("omega", (0.6, 0.9), 16)
 

@@ -18,7 +18,7 @@ from gearlash.studies import Axis, End, Interval, Quiet
 from gearlash.studies.zone import BASIN, RANGE, UNKNOWN, Tenant, Zone, intersection, union
 from gearlash.system import GearlashError, UnknownNameError
 
-ARTICLE = case.load("article")
+ARTICLE = case.load("article-first-harmonic")
 CLASSICAL = case.load("kahraman-singh")
 SPEEDS = Axis.even("omega", (0.3, 1.6), 53)
 

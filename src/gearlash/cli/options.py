@@ -11,8 +11,8 @@ CaseArgument = Annotated[
     str,
     typer.Argument(
         metavar="CASE",
-        help="A case file, or a bundled case: article, blankenship-kahraman, "
-        "geared-rotor, kahraman-singh, shaw-holmes, two-stage, wind-turbine.",
+        help="A case file, or a bundled case: article, article-first-harmonic, "
+        "blankenship-kahraman, geared-rotor, kahraman-singh, shaw-holmes, two-stage, wind-turbine.",
     ),
 ]
 Settings = Annotated[

@@ -18,12 +18,12 @@ AT = {"omega": 0.78, "D": 1.0}
 
 @pytest.fixture(scope="module")
 def found() -> dict[str, RuleEffect]:
-    return {e.rule: e for e in effects(load("article"), (0.44, 0.45, 1.0), AT, Inline())}
+    return {e.rule: e for e in effects(load("article-first-harmonic"), (0.44, 0.45, 1.0), AT, Inline())}
 
 
 def linear_minimum(omega: float, force: bool) -> float:
     """Least X - D, or least Φ, of the motion in permanent contact under the case's own rule, by sampling."""
-    family, _ = load("article").family()
+    family, _ = load("article-first-harmonic").family()
     props = flow.propagators(family.system({"omega": omega, "D": 1.0}))
     quiet = shoot(flow.propagators(family.system({"omega": 1.047})), family.start({}), 1)
     shot = shoot(props, quiet.state, 1)

@@ -21,7 +21,7 @@ from orbits.members import article, built, cold
 
 @pytest.fixture(scope="module")
 def case() -> Case:
-    return load_case("article")
+    return load_case("article-first-harmonic")
 
 
 def found_along(done: Sweep, rising: bool = True) -> tuple[Transition, ...]:

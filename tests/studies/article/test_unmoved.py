@@ -28,7 +28,7 @@ def perturbed(claim: Claim, index: int) -> Claim:
 
 @pytest.fixture(scope="module")
 def both() -> tuple[Reproduction, Reproduction, tuple[Claim, ...]]:
-    case = load_case("article")
+    case = load_case("article-first-harmonic")
     others = tuple(perturbed(claim, i) for i, claim in enumerate(load()))
     return (
         reproduce(case, SCOPE, workers=1),
