@@ -22,7 +22,10 @@ SAMPLE = 200  # base periods of an aperiodic motion that are kept as its picture
 
 @dataclass(frozen=True, eq=False)
 class Orbit:
-    """A proved periodic orbit: residual ≤ 1e-11 and least period. ``state`` (n,) is at phase zero."""
+    """A periodic orbit, ``state`` (n,) at phase zero. One that `attractor` returns has a residual of at most
+    1e-11 and its least period, and is stable; one made by hand is what it is made from: ask `residual` and
+    `status`.
+    """
 
     propagators: Propagators
     shot: Shot

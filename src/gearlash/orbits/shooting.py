@@ -20,9 +20,11 @@ ITERATIONS = 25
 @dataclass(frozen=True, eq=False)
 class Shot:
     """A solution of P^period(z) = z: state (n,), period in base periods, residual (∞-norm of the return
-    relative to max(1, |z|)), monodromy (n, n), and a bound on the error of the state from residual and
-    rounding. ``contacts`` (4·clearances,) as in `flow.Strobes`, over the whole period, where they were
-    counted; ``strobes`` (period, n) the states at phase zero, where they were marched."""
+    relative to max(1, |z|)), monodromy (n, n), and ``error``: an estimate, to first order, of the largest
+    error of a component of the state, from residual and rounding. ``contacts`` (4·clearances,) as in
+    `flow.Strobes`, over the whole period, where they were counted; ``strobes`` (period, n) the states at
+    phase zero, where they were marched.
+    """
 
     state: NDArray[np.float64]
     period: int
@@ -82,7 +84,7 @@ def _hopeless(residuals: list[float]) -> bool:
 
 
 def _shot(period: int, z: NDArray[np.float64], residual: float, end: flow.Carried, iteration: int) -> Shot:
-    """A shot with the error bound |(J - I)^-1| · (residual + rounding of the return)."""
+    """A shot with its error |(J - I)^-1| · (residual + rounding of the return): to first order."""
     assert end.jacobian is not None
     rounding = 1e-15 * (1.0 + np.abs(end.jacobian).sum(axis=1).max())
     try:
@@ -101,7 +103,7 @@ def _failed(z, period, iteration, status: Status) -> Shot:
 
 def minimal(props: Propagators, shot: Shot) -> Shot:
     """The same orbit with its least period: returns at every proper divisor must differ by far more than the
-    error bound. Where one does not, the orbit of that divisor is solved for; where both readings stand within
+    error. Where one does not, the orbit of that divisor is solved for; where both readings stand within
     the error, the status becomes `uncertain`."""
     if shot.period == 1 or not np.isfinite(shot.error):
         return shot
