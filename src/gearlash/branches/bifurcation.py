@@ -20,7 +20,7 @@ from gearlash.orbits.shooting import Shot
 from gearlash.system import Family, Status
 
 from .kinds import SMOOTH
-from .steps import check_name, longest_step
+from .steps import UNBUILT, difference, longest_step, member, named, within_range
 
 Array = NDArray[Any]
 ITERATIONS = 30
@@ -64,7 +64,7 @@ def locate_multiplier(
 
     Status `not-admissible`: a multiplier +1 where the orbit is born from one of half its period, no fold.
     """
-    check_name(family, name)
+    named(family, name)
     problem = _Problem(family, values, name, float(orbit.period), multiplier)
     unknown, residual, change = problem.solve(np.append(orbit.state, float(values[name])))
     state, mu = unknown[:-1], float(unknown[-1])
@@ -112,7 +112,7 @@ class _Problem:
     multiplier: int
 
     def system_at(self, mu: float, reuse: Propagators | None = None) -> Propagators:
-        return flow.propagators(self.family.system({**self.values, self.name: mu}), reuse)
+        return member(self.family, self.values, self.name, mu, reuse)
 
     def equations(self, props: Propagators, z: Array) -> tuple[Array, Array]:
         """Defect and determinant (n+1,), and the monodromy (n, n)."""
@@ -132,29 +132,42 @@ class _Problem:
             shift = scale * np.eye(n)[i]
             up, down = self.equations(props, z + shift)[0], self.equations(props, z - shift)[0]
             matrix[n, i] = (up[n] - down[n]) / (2 * scale)
-        step = STEP * max(abs(mu), 1e-3)
+        step = difference(self.family, self.name, mu, STEP * max(abs(mu), 1e-3))
         matrix[:, n] = (self.equations(self.system_at(mu + step, props), z)[0] - value) / step
         return matrix
 
     def solve(self, unknown: Array) -> tuple[Array, float, float]:
-        """Newton's method with bounded steps, until steps of the parameter stop shrinking: the determinant
-        has no scale of its own, so its size does not tell when to end. Returns unknowns, residual, last step.
-        """
-        residual, change = np.inf, np.inf
-        props: Propagators | None = None
-        for _ in range(ITERATIONS):
-            props = self.system_at(float(unknown[-1]), props)
-            value, jacobian = self.equations(props, unknown[:-1])
-            residual = float(np.abs(value).max())
-            if not np.isfinite(residual):
-                break
-            step = np.linalg.lstsq(self.derivative(props, unknown, value, jacobian), -value, rcond=None)[0]
-            size = abs(float(step[-1]))
-            if residual <= CLOSED and size >= 0.5 * change:
-                break  # rounding decides from here on
-            limit = min(1.0, longest_step(self.family, self.name, float(unknown[-1])) / max(size, 1e-300))
-            unknown = unknown + limit * step
-            change = limit * size
-            if change <= 1e-15 * abs(unknown[-1]):
-                break
-        return unknown, residual, change
+        """Newton's method with bounded steps, in the range of the parameter, until steps of the parameter
+        stop shrinking: the determinant has no scale of its own, so its size does not tell when to end.
+        Returns the unknowns that were looked at last, their residual, and the last step; where there is no
+        system at a value that it comes to, an infinite residual."""
+        residual, change, before = np.inf, np.inf, unknown
+        props: Propagators | None = self.system_at(float(unknown[-1]))
+        try:
+            for _ in range(ITERATIONS):
+                props = self.system_at(float(unknown[-1]), props)
+                value, jacobian = self.equations(props, unknown[:-1])
+                residual = float(np.abs(value).max())
+                if not np.isfinite(residual):
+                    return before, np.inf, change
+                before = unknown
+                step = np.linalg.lstsq(self.derivative(props, unknown, value, jacobian), -value, rcond=None)[
+                    0
+                ]
+                size = abs(float(step[-1]))
+                if residual <= CLOSED and size >= 0.5 * change:
+                    break  # rounding decides from here on
+                step = self.limited(step, float(unknown[-1]))
+                if not step.any():  # at the end of the range
+                    break
+                unknown, change = unknown + step, abs(float(step[-1]))
+                if change <= 1e-15 * abs(unknown[-1]):
+                    break
+        except UNBUILT:
+            return before, np.inf, change
+        return before, residual, change
+
+    def limited(self, step: Array, mu: float) -> Array:
+        """A step of Newton's method no longer than is sensible, and not out of the range."""
+        limit = min(1.0, longest_step(self.family, self.name, mu) / max(abs(float(step[-1])), 1e-300))
+        return within_range(self.family, self.name, mu, limit * float(step[-1])) * limit * step

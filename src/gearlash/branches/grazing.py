@@ -12,27 +12,28 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import ceil
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.flow import Hold, Propagators
-from gearlash.orbits import GrazingCheck, Orbit, Signature, shoot
+from gearlash.orbits import GrazingCheck, Orbit
 from gearlash.orbits.floquet import ordered
 from gearlash.orbits.grazing import KINDS, Surface, gap_extrema
 from gearlash.orbits.pressing import force_extrema
 from gearlash.system import Family, Status
 
 from .kinds import distance_to_unit, table2_type
-from .steps import check_name, longest_step
+from .sides import NONE, Sides
+from .steps import UNBUILT, difference, longest_step, member, named, within_range
 from .surface import Touching
 
 Array = NDArray[np.float64]
 ITERATIONS = 40
 STEP = 1e-6  # of the parameter: for its derivative
 AGED = 1e-5  # change of the parameter, of itself, after which that derivative is taken again
-BESIDE = 1e-6  # relative distance at which the labels on both sides are read
 CLOSED = 1e-11  # residual of a solution
 
 
@@ -40,7 +41,9 @@ CLOSED = 1e-11  # residual of a solution
 class GrazingPoint:
     """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles
     from ``state_zero``) and state (n,) of the touch, ``a0`` = X'', multipliers of the one-sided orbit,
-    labels just below and above ``value``. ``state_zero`` is the orbit at phase zero, a start for either side.
+    labels of the same orbit just below and above ``value`` and whether it is stable there ("none" and None on
+    a side where it was not found: beyond a touch it may end within less than can be told apart).
+    ``state_zero`` is the orbit at phase zero, a start for either side.
     ``clearance`` is the index of the gap, ``clearance_name`` its name; for ``surface`` "force" the touch is
     Φ = 0 and ``a0`` = Φ''."""
 
@@ -63,6 +66,8 @@ class GrazingPoint:
     clearance: int = 0
     clearance_name: str = "mesh"
     surface: Surface = "gap"
+    stable_below: bool | None = None
+    stable_above: bool | None = None
 
     @property
     def kind(self) -> str:
@@ -90,20 +95,25 @@ def locate_grazing(
 ) -> GrazingPoint:
     """The value of parameter ``name`` at which the extremum ``check`` of ``orbit`` (found at ``values``)
     touches its boundary. The value is good to about 1e-12 of itself where the status is ok; `not-converged`
-    and `not-admissible` (the labels beside it do not differ by one contact) say that it is no result."""
-    check_name(family, name)
+    (also: the way there leaves the range of the parameter, or comes to values that have no system) and
+    `not-admissible` (the labels beside it do not differ by one contact) say that it is no result."""
+    named(family, name)
     problem = _Problem.of(family, values, name, orbit, check)
     props, unknown, residual, error = problem.solve()
     mu = float(unknown[-1])
     touch = problem.touching.carried(props, unknown[:-2], float(unknown[-2]))
     around = problem.around(props, unknown[:-2])
     zero = _state_zero(props, problem, unknown[:-2])
-    below, above = (_label(problem, props, mu, zero, side) for side in (-1, 1))
     converged = residual <= CLOSED
-    here = check.clearance, check.boundary
-    admissible = below is not None and above is not None and below.one_impact_from(above) == here
-    status = Status.NOT_CONVERGED if not converged else Status.OK if admissible else Status.NOT_ADMISSIBLE
-    multipliers = ordered(np.linalg.eigvals(around))
+    sides = (
+        Sides.of(family, problem.values, name, (mu, zero, orbit.period), check, props) if converged else None
+    )
+    status = (
+        Status.NOT_CONVERGED if sides is None else Status.OK if sides.admissible else Status.NOT_ADMISSIBLE
+    )
+    multipliers = (
+        ordered(np.linalg.eigvals(around)) if np.isfinite(around).all() else np.full(len(zero), np.nan)
+    )
     duration = orbit.period / props.system.cycles * props.system.period
     return GrazingPoint(
         name=name,
@@ -118,13 +128,15 @@ def locate_grazing(
         state_zero=zero,
         multipliers=multipliers,
         exponent=float(np.log(abs(multipliers[0])) / duration),
-        label_below=str(below) if below else "none",
-        label_above=str(above) if above else "none",
+        label_below=sides.below.text if sides else NONE,
+        label_above=sides.above.text if sides else NONE,
         residual=residual,
         status=status,
         clearance=check.clearance,
         clearance_name=check.name,
         surface=check.surface,
+        stable_below=sides.below.stable if sides else None,
+        stable_above=sides.above.stable if sides else None,
     )
 
 
@@ -162,7 +174,7 @@ class _Problem:
         return self.touching.hold
 
     def system_at(self, mu: float, reuse: Propagators | None = None) -> Propagators:
-        return flow.propagators(self.family.system({**self.values, self.name: mu}), reuse)
+        return member(self.family, self.values, self.name, mu, reuse)
 
     def around(self, props: Propagators, z0: Array) -> Array:
         """Monodromy (n, n) of the held orbit."""
@@ -193,50 +205,55 @@ class _Problem:
         """Derivative (n+2,) of the residual, here ``value``, along the parameter: another system, so most of
         the time that an iteration takes."""
         mu = float(unknown[-1])
-        step = STEP * max(abs(mu), 1e-3)
+        step = difference(self.family, self.name, mu, STEP * max(abs(mu), 1e-3))
         return (self.residual(self.system_at(mu + step, props), unknown) - value) / step
 
     def solve(self) -> tuple[Propagators, Array, float, float]:
-        """Newton's method with bounded steps; the derivative along the parameter is kept while that hardly
-        changes. Returns the propagators there, the unknowns, the residual, and the error of the parameter:
-        its last change, or what residual and rounding make of it (infinite where it does not enter)."""
+        """Newton's method with bounded steps, in the range of the parameter; the derivative along the
+        parameter is kept while that hardly changes. Returns the propagators there, the unknowns, the
+        residual, and the error of the parameter: its last change, or what residual and rounding make of it
+        (infinite where it does not enter). Where there is no system at a value that it comes to, the best of
+        before is returned."""
         unknown, change = self.first.copy(), np.inf
         best, residual, gains = unknown, np.inf, np.inf
         props = there = self.system_at(float(unknown[-1]))
         along, taken = np.empty(0), np.inf
-        for _ in range(ITERATIONS):
-            mu = float(unknown[-1])
-            if mu != float(best[-1]):
-                props = self.system_at(mu, props)
-            value = self.residual(props, unknown)
-            size = float(np.abs(value).max())
-            if not np.isfinite(size):
-                break
-            if size < residual:
-                best, residual, there = unknown.copy(), size, props
-            elif residual <= 1e-13:
-                break
-            if not abs(mu - taken) <= AGED * max(abs(mu), 1e-3):
-                along, taken = self.along(props, unknown, value), mu
-            matrix = self.jacobian(props, unknown, value, along)
-            step = np.linalg.lstsq(matrix, -value, rcond=None)[0]
-            if best[-1] == mu:
-                gains = _gains(matrix)
-            longest = longest_step(self.family, self.name, mu)
-            limit = min(1.0, longest / max(abs(step[-1]), 1e-300), 0.1 / max(abs(step[-2]), 1e-300))
-            unknown = unknown + limit * step
-            unknown[-2] = max(unknown[-2], self.origin + 1e-4)  # a touch on the orbit, not before it
-            change = abs(float(limit * step[-1]))
-            if residual <= 1e-14 or (residual <= 1e-12 and change <= 1e-14 * abs(unknown[-1])):
-                break
-            if not self.takes(float(unknown[-1])):
-                break
+        try:
+            for _ in range(ITERATIONS):
+                mu = float(unknown[-1])
+                if mu != float(best[-1]):
+                    props = self.system_at(mu, props)
+                value = self.residual(props, unknown)
+                size = float(np.abs(value).max())
+                if not np.isfinite(size):
+                    break
+                if size < residual:
+                    best, residual, there = unknown.copy(), size, props
+                elif residual <= 1e-13:
+                    break
+                if not abs(mu - taken) <= AGED * max(abs(mu), 1e-3):
+                    along, taken = self.along(props, unknown, value), mu
+                matrix = self.jacobian(props, unknown, value, along)
+                step = np.linalg.lstsq(matrix, -value, rcond=None)[0]
+                if best[-1] == mu:
+                    gains = _gains(matrix)
+                step = self.limited(mu, step)
+                unknown = unknown + step
+                unknown[-2] = max(unknown[-2], self.origin + 1e-4)  # a touch on the orbit, not before it
+                change = abs(float(step[-1]))
+                if residual <= 1e-14 or (residual <= 1e-12 and change <= 1e-14 * abs(unknown[-1])):
+                    break
+                if not step.any():  # at the end of the range
+                    break
+        except UNBUILT:
+            pass
         return there, best, residual, max(change, gains * (residual + _rounding(best)))
 
-    def takes(self, mu: float) -> bool:
-        """Whether the parameter is in its range."""
-        parameter = next(p for p in self.family.parameters if p.name == self.name)
-        return bool(np.isfinite(mu) and parameter.lower <= mu <= parameter.upper)
+    def limited(self, mu: float, step: NDArray[Any]) -> NDArray[Any]:
+        """A step of Newton's method no longer than is sensible, and not out of the range."""
+        longest = longest_step(self.family, self.name, mu)
+        limit = min(1.0, longest / max(abs(step[-1]), 1e-300), 0.1 / max(abs(step[-2]), 1e-300))
+        return within_range(self.family, self.name, mu, limit * float(step[-1])) * limit * step
 
 
 def _gains(matrix: Array) -> float:
@@ -279,13 +296,3 @@ def _state_zero(props: Propagators, problem: _Problem, z0: Array) -> Array:
     """The held orbit at the next phase that is a whole number of base periods."""
     ahead = max(0.0, problem.zero - problem.origin)
     return flow.carry(props, z0, ahead, problem.origin, hold=problem.hold).state
-
-
-def _label(problem: _Problem, there: Propagators, mu: float, zero: Array, side: int) -> Signature | None:
-    """Signature of the orbit just beside the point, on one side."""
-    beside = mu + side * BESIDE * max(abs(mu), 1e-3)
-    props = problem.system_at(beside, there)
-    shot = shoot(props, zero, round(problem.cycles / props.system.cycles))
-    if shot.status not in (Status.OK, Status.UNCERTAIN):
-        return None
-    return Orbit(props, shot, 0, shot.status, "").signature

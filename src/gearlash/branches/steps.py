@@ -1,22 +1,55 @@
-"""The parameter that is solved for: its name, and how far Newton's method may move it in one step."""
+"""The parameter that is solved for: its name, its range, and how far one step of Newton may move it."""
 
 from __future__ import annotations
 
-from gearlash.system import Family, UnknownNameError
+from collections.abc import Mapping
+
+import numpy as np
+
+from gearlash import flow
+from gearlash.flow import Propagators
+from gearlash.system import Family, GearlashError, Parameter, UnknownNameError
 
 PART = 0.05  # of the parameter
 SIGNED = 1.0  # a parameter that may change its sign (a load, a phase) is taken for this large at least
+UNBUILT = (GearlashError, np.linalg.LinAlgError)
+"""What a system that cannot be built or carried raises."""
 
 
-def check_name(family: Family, name: str) -> None:
-    """Raises `UnknownNameError` for a name that is no parameter of the family."""
-    names = [p.name for p in family.parameters]
-    if name not in names:
-        raise UnknownNameError("parameter", name, names)
+def named(family: Family, name: str) -> Parameter:
+    """The parameter of this name. Raises `UnknownNameError` where the family has none."""
+    for parameter in family.parameters:
+        if parameter.name == name:
+            return parameter
+    raise UnknownNameError("parameter", name, [p.name for p in family.parameters])
 
 
 def longest_step(family: Family, name: str, value: float) -> float:
     """The longest step from ``value`` of the parameter ``name``: 5 % of it. One that may be negative would
     never leave zero so; it may move by 0.05."""
-    parameter = next(p for p in family.parameters if p.name == name)
-    return PART * max(abs(value), SIGNED if parameter.lower < 0.0 else 0.0)
+    return PART * max(abs(value), SIGNED if named(family, name).lower < 0.0 else 0.0)
+
+
+def within_range(family: Family, name: str, value: float, step: float) -> float:
+    """The part (0 to 1) of a step from ``value`` that stays in the range of the parameter: where all of it
+    would leave it, half of the way to the end of the range, so that a solution at the end itself is come to
+    as near as rounding."""
+    parameter = named(family, name)
+    if not np.isfinite(step):
+        return 0.0
+    if parameter.lower <= value + step <= parameter.upper:
+        return 1.0
+    end = parameter.upper if step > 0.0 else parameter.lower
+    return max(0.0, 0.5 * (end - value) / step)
+
+
+def difference(family: Family, name: str, value: float, size: float) -> float:
+    """The step for a derivative along the parameter: upwards, or downwards where that leaves the range."""
+    return size if value + size <= named(family, name).upper else -size
+
+
+def member(
+    family: Family, values: Mapping[str, float], name: str, value: float, reuse: Propagators | None = None
+) -> Propagators:
+    """Propagators of the member at one value of the parameter. Raises what `UNBUILT` names."""
+    return flow.propagators(family.system({**values, name: value}), reuse)

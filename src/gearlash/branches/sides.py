@@ -1,0 +1,121 @@
+"""What the touching orbit is on both sides of a grazing point.
+
+A contact that is born in a touch changes the multipliers by the root of its depth: a stable orbit may lose
+its stability, or end in a fold, very soon after. So the labels are read as near to the point as is needed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.flow import Propagators
+from gearlash.orbits import GrazingCheck, Orbit, Signature, grazing_checks, shoot
+from gearlash.system import Family, Status
+
+from .steps import UNBUILT, member
+
+BESIDE = (1e-6, 1e-8, 1e-10)  # relative distances at which the labels are read, until both are
+NEAR = 1e-2  # of the state's size: an orbit that lies farther away is another one
+NONE = "none"
+
+
+@dataclass(frozen=True, eq=False)
+class Side:
+    """The orbit on one side, if it was found there."""
+
+    orbit: Orbit | None
+
+    @property
+    def signature(self) -> Signature | None:
+        return self.orbit.signature if self.orbit else None
+
+    @property
+    def text(self) -> str:
+        return self.orbit.label if self.orbit else NONE
+
+    @property
+    def stable(self) -> bool | None:
+        return self.orbit.stable if self.orbit else None
+
+
+@dataclass(frozen=True, eq=False)
+class Sides:
+    """Below and above the point, as near as they were read at last."""
+
+    below: Side
+    above: Side
+    check: GrazingCheck
+
+    @staticmethod
+    def of(
+        family: Family,
+        values: Mapping[str, float],
+        name: str,
+        point: tuple[float, NDArray[np.float64], int],
+        check: GrazingCheck,
+        reuse: Propagators,
+    ) -> Sides:
+        """Both sides of a point: its value, the touching orbit at phase zero, its period in mesh cycles."""
+        value, zero, period = point
+        found: Sides | None = None
+        for relative in BESIDE:
+            away = relative * max(abs(value), 1e-3)
+            below, above = (
+                Side(_orbit(family, values, name, value + sign * away, zero, period, reuse))
+                for sign in (-1, 1)
+            )
+            found = Sides(below, above, check)
+            if found.differ_by_the_touch:
+                break
+        assert found is not None
+        return found
+
+    @property
+    def differ_by_the_touch(self) -> bool:
+        below, above = self.below.signature, self.above.signature
+        here = self.check.clearance, self.check.boundary
+        return below is not None and above is not None and below.one_impact_from(above) == here
+
+    @property
+    def admissible(self) -> bool:
+        """Whether the solution is a touch of a real orbit: on both sides, or on the side without the contact
+        alone, where it was not found beyond."""
+        if self.differ_by_the_touch:
+            return True
+        known = [side.orbit for side in (self.below, self.above) if side.orbit is not None]
+        return len(known) == 1 and self._clear(known[0])
+
+    def _clear(self, orbit: Orbit) -> bool:
+        """Whether the orbit passes the boundary without touching: the nearest extremum of the same kind lies
+        on the side from which it was met."""
+        mine = [
+            check
+            for check in grazing_checks(orbit, clearance=self.check.clearance)
+            if (check.boundary, check.surface) == (self.check.boundary, self.check.surface)
+            and check.a0 * self.check.a0 > 0.0
+        ]
+        return bool(mine) and mine[0].distance * mine[0].a0 > 0.0
+
+
+def _orbit(
+    family: Family,
+    values: Mapping[str, float],
+    name: str,
+    value: float,
+    zero: NDArray[np.float64],
+    period: int,
+    reuse: Propagators,
+) -> Orbit | None:
+    """The orbit at a value beside the point, if there is one so near."""
+    try:
+        props = member(family, values, name, value, reuse)
+        shot = shoot(props, zero, round(period / props.system.cycles))
+    except UNBUILT:
+        return None
+    near = np.abs(shot.state - zero).max() <= NEAR * max(1.0, float(np.abs(zero).max()))
+    if shot.status not in (Status.OK, Status.UNCERTAIN) or not near:
+        return None
+    return Orbit(props, shot, 0, shot.status, "")
