@@ -185,4 +185,4 @@ def test_a_user_without_a_home_has_no_cache_and_no_problem(monkeypatch: pytest.M
     for name in ("GEARLASH_CACHE_DIR", "XDG_CACHE_HOME", "LOCALAPPDATA"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setattr(Path, "home", nowhere)
-    assert not kept.writable(kept.cache_folder())
+    assert kept.trouble(kept.cache_folder()) == "cannot be written"

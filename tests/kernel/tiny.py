@@ -50,7 +50,12 @@ def process(
     folder: Path, cache: Path, program: str = PROGRAM, **env: str
 ) -> subprocess.CompletedProcess[str]:
     """A program in a process of its own, with that cache."""
-    own = {"PYTHONPATH": str(folder), "GEARLASH_CACHE_DIR": str(cache), "NUMBA_DISABLE_JIT": "0"}
+    own = {
+        "PYTHONPATH": str(folder),
+        "GEARLASH_CACHE_DIR": str(cache),
+        "NUMBA_DISABLE_JIT": "0",
+        "GEARLASH_QUIET": "1",
+    }
     return subprocess.run(
         [sys.executable, "-c", program],
         capture_output=True,

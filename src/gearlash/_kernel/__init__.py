@@ -7,6 +7,8 @@ calls it without numba, whose import takes longer than most answers.
 `declare` (the decorators) → `compiling` (numba, in processes of their own: `workshop`) → `entry` (how Python
 calls machine code) → `cache` (files) → `machine` (loads them)."""
 
+from .announce import keep_silent
+from .children import started_safely
 from .declare import Kernel, allocating, fma, inlined, inner, kernel, primitive
 from .prepare import compile_all, load_all
 from .signature import ArrayOf, Record, Several, boolean, float64, int64, void
@@ -24,8 +26,10 @@ __all__ = [
     "inlined",
     "inner",
     "int64",
+    "keep_silent",
     "kernel",
     "load_all",
     "primitive",
+    "started_safely",
     "void",
 ]

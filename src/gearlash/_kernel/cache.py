@@ -4,7 +4,8 @@ Every version of the kernel sources has a folder of its own, named by a hash of 
 would look at the file of the function only and keep a caller whose callee has changed. A kernel is one file
 in it, named also by what its machine code depends on: processor and its features, Python, numba. So one
 folder may serve several machines. Folders unused for a month go when a new one is made.
-`GEARLASH_CACHE_DIR` names another place."""
+`GEARLASH_CACHE_DIR` names another place, an absolute one. Nothing is read from, or written to, a folder that
+others may write to (`trust`)."""
 
 from __future__ import annotations
 
@@ -13,12 +14,13 @@ import functools
 import hashlib
 import json
 import os
-import re
 import sys
 import time
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
+
+from .trust import VERSION, make_own, read_own, why_not_folder
 
 UNUSED_DAYS = 30.0
 """After so many days without use the folder of another version may go."""
@@ -41,7 +43,8 @@ def read(kernel: str) -> Code | None:
     """The code of the kernel with this name, or None where there is none for this machine, or a damaged one.
     (Machine code with one wrong bit would run.)"""
     try:
-        head, _, object_file = _unsealed(_file_of(kernel)).partition(b"\n")
+        data = read_own(cache_folder(), version_folder().name, _file_of(kernel).name)
+        head, _, object_file = _unsealed(data).partition(b"\n")
     except OSError:
         return None
     entry, *needs = json.loads(head)
@@ -51,11 +54,13 @@ def read(kernel: str) -> Code | None:
 def write(kernel: str, code: Code) -> None:
     """Keeps a kernel, where that is possible: a full disk or a folder that cannot be written is no reason to
     stop."""
+    if trouble(cache_folder()):
+        return
     content = json.dumps([code.entry, *code.needs]).encode() + b"\n" + code.object_file
     file = _file_of(kernel)
     with contextlib.suppress(OSError):
         if not file.parent.is_dir():
-            file.parent.mkdir(parents=True, exist_ok=True)
+            make_own(file.parent)
             prune(file.parent)
         _replace(file, content + hashlib.sha256(content).digest())
 
@@ -64,6 +69,7 @@ def _replace(file: Path, content: bytes) -> None:
     """Readers find the whole file or none."""
     unfinished = file.with_name(f"unfinished-{os.urandom(8).hex()}.kernel")
     try:
+        unfinished.touch(mode=0o600, exist_ok=False)
         unfinished.write_bytes(content)
         unfinished.replace(file)
     except BaseException:
@@ -71,13 +77,11 @@ def _replace(file: Path, content: bytes) -> None:
         raise
 
 
-def _unsealed(file: Path) -> bytes:
-    """What a file holds before the digest at its end. Raises `OSError` where it is missing or not as it was
-    written."""
-    data = file.read_bytes()
+def _unsealed(data: bytes) -> bytes:
+    """What a file holds before the digest at its end. Raises `OSError` where it is not as it was written."""
     content, digest = data[:-32], data[-32:]
     if hashlib.sha256(content).digest() != digest:
-        raise OSError(f"{file} is damaged")
+        raise OSError("a damaged file")
     return content
 
 
@@ -102,8 +106,12 @@ def prune(folder: Path) -> None:
     oldest = time.time() - 86400.0 * UNUSED_DAYS
     with contextlib.suppress(OSError):
         for other in folder.parent.iterdir():
-            named = re.fullmatch(r"[0-9a-f]{16}", other.name)
-            if named and other != folder and other.is_dir() and other.stat().st_mtime < oldest:
+            if (
+                VERSION.fullmatch(other.name)
+                and other != folder
+                and other.is_dir()
+                and other.stat().st_mtime < oldest
+            ):
                 _remove(other)
 
 
@@ -164,7 +172,7 @@ def cache_folder() -> Path:
     if named:
         return Path(named)
     base = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
-    if not base:
+    if not base or not Path(base).is_absolute():
         try:
             base = Path.home() / ".cache"
         except RuntimeError:  # a user without a home
@@ -173,13 +181,19 @@ def cache_folder() -> Path:
 
 
 @functools.cache
-def writable(folder: Path) -> bool:
-    """Whether files can be made there. A folder that cannot be written means: compile in memory."""
+def trouble(folder: Path) -> str:
+    """What is wrong with a cache folder, so that kernels are compiled in memory; empty where nothing is. One
+    that is missing is made."""
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        why = why_not_folder(folder)
+        if not why:
+            make_own(folder)
+            why = why_not_folder(folder) or why_not_folder(folder / sources_hash()[:16])
+        if why:
+            return f"is not used, as {why}"
         probe = folder / f".probe-{os.getpid()}"
-        probe.touch()
+        probe.touch(mode=0o600)
         probe.unlink()
     except OSError:
-        return False
-    return True
+        return "cannot be written"
+    return ""

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from . import cache
+from .announce import Say, announced
 from .declare import KERNELS, Kernel
 
 _ONE_AT_A_TIME = threading.RLock()
@@ -22,17 +23,20 @@ def load_all() -> list[Kernel]:
         return [kernel for kernel in KERNELS.values() if not _loaded(kernel)]
 
 
-def compile_all(missing: Iterable[Kernel]) -> None:
-    """Compiles these and makes them ready."""
+def compile_all(missing: Iterable[Kernel], say: Say | None = None) -> None:
+    """Compiles these and makes them ready; ``say`` is told so, else standard error."""
     with _ONE_AT_A_TIME:
         missing = list(missing)
-        if cache.writable(cache.cache_folder()):
-            from .workshop import compile_beside
+        if not missing:
+            return
+        with announced(say):
+            if not cache.trouble(cache.cache_folder()):
+                from .workshop import compile_beside
 
-            compile_beside(missing)
-        for kernel in missing:
-            if not _loaded(kernel):
-                _compile_here(kernel)
+                compile_beside(missing)
+            for kernel in missing:
+                if not _loaded(kernel):
+                    _compile_here(kernel)
 
 
 def make_ready(kernel: Kernel) -> None:
@@ -41,10 +45,7 @@ def make_ready(kernel: Kernel) -> None:
     with _ONE_AT_A_TIME:
         if _loaded(kernel):
             return
-        if cache.writable(cache.cache_folder()):
-            compile_all(load_all())
-        else:
-            _compile_here(kernel)
+        compile_all([kernel] if cache.trouble(cache.cache_folder()) else load_all())
 
 
 def _loaded(kernel: Kernel) -> bool:

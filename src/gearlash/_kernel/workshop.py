@@ -6,12 +6,15 @@ from __future__ import annotations
 import contextlib
 import gc
 import json
+import os
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator
 from importlib import import_module
 
-from . import cache
+from gearlash.current_folder import path_without_it
+
+from . import cache, children
 from .declare import KERNELS, Kernel
 
 PROGRAM = """
@@ -44,12 +47,14 @@ def _shares(kernels: Iterable[Kernel]) -> list[list[Kernel]]:
 def _started(kernels: list[Kernel]) -> Iterator[subprocess.Popen[str]]:
     """A process that compiles these; ended with the block."""
     order = {
-        "path": sys.path,
+        "path": path_without_it(),
         "workshop": __name__,
         "kernels": [(kernel.function.__module__, kernel.name) for kernel in kernels],
     }
     process = subprocess.Popen(
-        [sys.executable, "-c", PROGRAM],
+        [sys.executable, children.SAFE, "-c", PROGRAM],
+        env=children.environment(),
+        cwd=os.sep,  # numba reads a file of settings in the current folder
         stdin=subprocess.PIPE,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,

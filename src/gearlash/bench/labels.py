@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
+from gearlash._kernel import started_safely
 from gearlash.flow import Propagators
 from gearlash.orbits import Orbit, Unresolved, attractor
 
@@ -199,7 +200,7 @@ def main(count: int, target: Path) -> None:
     """Compares so many pixels on all cores and writes the page."""
     points, found = pixel_values(count), []
     compare(points[0])  # kernels are compiled before there are workers
-    with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
+    with started_safely(), ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
         for one in pool.map(compare, points, chunksize=4):
             found.append(one)
             if len(found) % 50 == 0:

@@ -45,7 +45,7 @@ def _command(*arguments: str) -> str:
 
 def _process(code: str, more: dict[str, str] | None = None) -> None:
     subprocess.run(
-        [sys.executable, "-c", code],
+        [sys.executable, "-P", "-c", code],
         check=True,
         env={**os.environ, **(more or {})},
         stdout=subprocess.DEVNULL,

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 
 def main() -> None:
-    """Runs the command line of this process."""
+    """Runs the command line of this process. Nothing is imported from the folder it is called in."""
+    from gearlash import current_folder
+
+    current_folder.leave_out()
+
     from .terminal import prepare_streams
 
     prepare_streams()

@@ -30,13 +30,19 @@ ENVIRONMENT = """\
 
 | | |
 |---|---|
-| `GEARLASH_CACHE_DIR` | Folder of compiled kernels. [default: `gearlash` in the cache folder of the user] |
+| `GEARLASH_CACHE_DIR` | Folder of compiled kernels, absolute. [default: `gearlash` in that of the user] |
+| `GEARLASH_QUIET=1` | From Python: no word while kernels are being compiled. |
 | `COLUMNS` | Width of what is printed. [default: that of the terminal; 120 for a file or a pipe] |
 | `NO_COLOR`, `TERM=dumb` | Print without colours. |
 
 - No folder for compiled kernels, or one that cannot be written (read-only home, full disk): every run
-  compiles, about 15 s, and says so. A cached kernel that is missing or damaged is compiled again. Kernels
-  of other versions go when those of a new one are stored and nothing has used them for 30 days.
+  compiles, about 15 s, and says so. So it does where that folder, or the one of a version in it, belongs to
+  another user or may be written by others: what lies there is not loaded. A cached kernel that is missing or
+  damaged is compiled again. Kernels of other versions go when those of a new one are stored and nothing has
+  used them for 30 days.
+- Nothing is imported from the folder in which a command is called, neither by it nor by processes that it
+  starts. (What `PYTHONPATH` names is there before this program has a say; an empty part of it means the
+  current folder.)
 - `--out` names a file, or a place that cannot be written: exit code 2, before anything is computed.
 - The disk is full when results are written: they are still printed, each file is there whole or not at
   all, and the exit code is 4. The same for standard output that cannot be written.

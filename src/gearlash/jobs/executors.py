@@ -12,6 +12,7 @@ from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from typing import Any
 
+from gearlash._kernel import keep_silent, started_safely
 from gearlash.system import GearlashError
 
 from .stop import Cancel, watch
@@ -44,12 +45,13 @@ class Pool(ProcessPoolExecutor):
     ):
         context = multiprocessing.get_context("spawn")
         self.workers = workers
-        self._stop = context.Event()
+        with started_safely():  # the process that looks after semaphores
+            self._stop = context.Event()
         super().__init__(workers, context, _start, (self._stop, prepare, arguments))
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         """The future of a task. Workers started for it never see Ctrl-C, not even while they are starting."""
-        with _ctrl_c_held_back():
+        with _ctrl_c_held_back(), started_safely():
             return super().submit(fn, *args, **kwargs)
 
     def stop(self) -> None:
@@ -98,5 +100,6 @@ def _ctrl_c_held_back() -> Iterator[None]:
 def _start(flag: Cancel, prepare: Callable[..., None] | None, arguments: tuple[Any, ...]) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     watch(flag)
+    keep_silent()
     if prepare is not None:
         prepare(*arguments)

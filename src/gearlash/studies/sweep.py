@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from gearlash._kernel import compile_all, load_all
 from gearlash.jobs import Cancel, Chain, Inline, Outcome, ProgressCallback, open_executor, run
 from gearlash.orbits import Settings
 from gearlash.results import NOT_COMPUTED, Axis, Direction, Sweep, blank
@@ -85,7 +86,10 @@ def sweeps(
 
 
 def open_workers(model: Model, workers: int | None = None) -> Executor:
-    """An executor whose processes know the model before their first task; see `jobs.open_executor`."""
+    """An executor whose processes know the model before their first task; see `jobs.open_executor`. Kernels
+    that must be compiled are so before, by this process, which says it."""
+    if workers is None or workers > 1:
+        compile_all(load_all())
     return open_executor(workers, prepare, (Source.of(model),))
 
 
