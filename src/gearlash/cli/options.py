@@ -37,11 +37,13 @@ Periods = Annotated[
     typer.Option(
         min=1,
         metavar="N",
-        help="Mesh cycles that a transient may take before the search ends.",
+        help="Mesh cycles that the motion is followed at most, transient and averages together, before the "
+        "search ends.",
     ),
 ]
 MaxPeriod = Annotated[
-    int | None, typer.Option(min=1, max=4096, metavar="P", help="Longest period looked for.")
+    int | None,
+    typer.Option(min=1, max=4096, metavar="P", help="Longest period looked for, in mesh cycles."),
 ]
 AsJson = Annotated[
     bool,

@@ -23,8 +23,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Settings:
-    """``max_period`` (base periods) up to which orbits are looked for; ``budget`` of base periods for the
-    whole search; ``patience``: base periods before which no motion is called aperiodic. It then is, if it
+    """``max_period`` (base periods) up to which orbits are looked for; ``budget``: base periods that the
+    motion is followed at most, transient, averages and all (``periods_used`` of what is found tells how many
+    it was; what Newton's method carries to close an orbit is not the motion, and does not count);
+    ``patience``: base periods before which no motion is called aperiodic. It then is, if it
     persists, and its exponent stands above zero by 1/``precision`` of its error bar and for long enough
     (chaos), or is zero within its bar, averaged over ``exponent_periods`` at least (quasi-periodic). Where
     neither settles it, it is asked again after half as long again, over all of the motion."""
@@ -97,12 +99,12 @@ class _Search:
         self.places = settings.patience, max(settings.patience, quiet)  # to ask at, if near
 
     def run(self) -> Attractor:
-        block = FIRST
+        block = min(FIRST, self.left)
         while True:
             status = self.motion.march(block)
             if status not in MOVING:
                 return self.unresolved(status, "the motion could not be carried on", NOTHING)
-            found, last = self.newton(), self.motion.used >= self.settings.budget
+            found, last = self.newton(), self.left <= 0
             if found is None and self.motion.used >= self.settings.patience:
                 found = self.aperiodic(last)
             if found is not None:
@@ -111,15 +113,20 @@ class _Search:
                 return self.give_up()
             block = self.block()
 
+    @property
+    def left(self) -> int:
+        """Base periods of the budget that are left."""
+        return self.settings.budget - self.motion.used
+
     def block(self) -> int:
         """Base periods until the next attempt."""
-        used, settings = self.motion.used, self.settings
+        used = self.motion.used
         block = used if used < DOUBLING else used // 2
         for place in self.places:
             if used < place < used + 1.3 * block:
                 block = place - used
                 break
-        return max(1, min(block, settings.budget - used))
+        return max(1, min(block, self.left))
 
     @property
     def strobes(self) -> Array:
@@ -217,7 +224,8 @@ class _Search:
 
     def approached(self, orbit: Orbit) -> bool:
         """Whether the distance to the orbit has shrunk as its multipliers promise; if not, marches on, and
-        asks again and again until it is small: a motion that wanders by may come closer once."""
+        asks again and again until it is small: a motion that wanders by may come closer once. Where the
+        budget ends before that was seen, it was not."""
         points, rate = orbit.strobes, max(abs(orbit.leading), 1e-3)
         tenfold = np.ceil(np.log(0.1) / np.log(rate)) if rate < 1.0 else 400
         laps = int(np.clip(tenfold, 1, max(1, 800 // len(points))))
@@ -233,8 +241,8 @@ class _Search:
                 break
             if here == self.motion.used:
                 needed = np.ceil(np.log10(max(before / (CAPTURED * size), 10.0)))
-                calls = int(min(CLOSER - asked, needed, max(1, AT_ONCE // lap)))
-                if self.motion.march(calls * lap) not in MOVING:
+                calls = int(min(CLOSER - asked, needed, max(1, AT_ONCE // lap), self.left // lap))
+                if calls < 1 or self.motion.march(calls * lap) not in MOVING:
                     return False
             here += lap
             after = self.away(points, window, here)
@@ -296,17 +304,13 @@ class _Search:
         return self.motion.persists(within, self.settings.max_period)
 
     def give_up(self) -> Attractor:
-        found = self.motion.exponent()
-        if found is None:  # of a short search
-            self.motion.march(self.settings.exponent_periods)
-            found = self.motion.exponent() or NOTHING
+        found = self.motion.exponent() or NOTHING
         longer = self.longer()
         if longer is not None:
             return self.too_long(longer, found)
-        reason = (
-            f"no stable orbit up to period {self.settings.max_period} within {self.motion.used} periods; "
-            f"largest exponent {found.value:.1e} ± {found.error:.0e}"
-        )
+        looked = f"no stable orbit of up to {self.settings.max_period} base periods within {self.motion.used}"
+        known = f"largest exponent {found.value:.1e} ± {found.error:.0e}"
+        reason = f"{looked}; {known if found.periods else 'too few for an exponent'}"
         return self.unresolved(Status.UNRESOLVED, reason, found)
 
     def too_long(self, period: int, found: Average) -> Unresolved:
@@ -315,14 +319,18 @@ class _Search:
         return self.unresolved(Status.UNRESOLVED, reason, found)
 
     def longer(self) -> int | None:
-        """The least period, beyond those looked for, of a stable orbit that the motion is close to."""
+        """The least period, beyond those looked for, of a stable orbit that the motion is close to. It is
+        looked for up to four times as far, where the motion is long enough to show it twice."""
         limit = self.settings.max_period
         needed = 4 * limit + max(4 * limit, LAST)
-        if needed > self.motion.used:
-            self.motion.march(needed - self.motion.used)
-        states, near = self.motion.states[-needed - 1 :], NEAR * self.size
-        past = sliding_window_view(states[-LAST - 4 * limit : -limit - 1], LAST, axis=0)[::-1]
-        apart = np.abs(past - states[-LAST:].T).max(axis=(1, 2))  # limit + 1 to 4·limit periods ago
+        if needed > self.motion.used and self.left > 0:
+            self.motion.march(min(needed - self.motion.used, self.left))
+        farthest = min(4 * limit, self.motion.used // 2, self.motion.used - LAST)
+        if farthest <= limit:
+            return None
+        states, near = self.motion.states[-farthest - max(farthest, LAST) - 1 :], NEAR * self.size
+        past = sliding_window_view(states[-LAST - farthest : -limit - 1], LAST, axis=0)[::-1]
+        apart = np.abs(past - states[-LAST:].T).max(axis=(1, 2))  # limit + 1 to `farthest` periods ago
         periods = limit + 1 + np.flatnonzero(apart < near)
         returns = [float(np.abs(states[p:] - states[:-p]).max()) for p in periods]
         if not returns or not min(returns) < near:

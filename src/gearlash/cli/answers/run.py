@@ -60,7 +60,7 @@ class RunAnswer:
         "zero); else the largest",
     ]
     exponent_error: Annotated[float | None, "half-width of its 95 % interval; 0 on an orbit"]
-    periods_used: Annotated[int, "periods of transient and averaging that were computed"]
+    periods_used: Annotated[int, "base periods that the motion was followed, transient and averages together"]
     numbers: Annotated[MotionNumbers | None, "of the motion, dimensionless; null where it ran away"]
     impact_free: Annotated[
         ImpactFree | None, "speeds free of impacts nearby; null without load or where not looked for"

@@ -55,7 +55,7 @@ def graze(
     from gearlash.cli.search.settings import search_settings
     from gearlash.studies import point
 
-    search = search_settings(periods, max_period)
+    search = search_settings(family, periods, max_period, case)
     first = point(family, parameters, name=short, start=list(start.values()), settings=search)
     walks = (
         [follow(family, parameters, short, first, way, search) for way in ("down", "up")]

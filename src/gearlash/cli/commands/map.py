@@ -71,7 +71,7 @@ def map(
             x,
             y,
             initial=None if start is None else list(start.values()),
-            settings=search_settings(periods, max_period),
+            settings=search_settings(family, periods, max_period, case),
             executor=executor,
             progress=progress,
         )

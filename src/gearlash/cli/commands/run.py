@@ -43,7 +43,9 @@ def run(
     from gearlash.cli.search.settings import search_settings
     from gearlash.orbits import attractor
 
-    found = attractor(family.system(parameters), list(start.values()), search_settings(periods, max_period))
+    found = attractor(
+        family.system(parameters), list(start.values()), search_settings(family, periods, max_period, case)
+    )
     with late_bar("speeds free of impacts") as tell:
         quiet = impact_free_speeds(family, parameters, tell)
     answer = run_answer(chosen, parameters, start, found, quiet)

@@ -73,7 +73,7 @@ def sweep(
             axis,
             ways,
             initial=None if start is None else list(start.values()),
-            settings=search_settings(periods, max_period),
+            settings=search_settings(family, periods, max_period, case),
             executor=executor,
             progress=progress,
         )

@@ -74,7 +74,7 @@ def zones(
     from gearlash.studies import sweeps
     from gearlash.studies.zones import zones as find_zones
 
-    axis, search = Axis(along.short, along.values), search_settings(periods, max_period)
+    axis, search = Axis(along.short, along.values), search_settings(family, periods, max_period, case)
     kinds = [kind] if kind else list(Kind)
     with executor_for(chosen, workers, 3 * len(axis)) as executor:
         with progress_bar("sweeps") as progress:
