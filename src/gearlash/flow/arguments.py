@@ -1,42 +1,11 @@
-"""What callers hand over, checked once where it enters, and refused in words."""
+"""Room for the results that callers ask for, refused in words where there is not as much."""
 
 from __future__ import annotations
 
-from operator import index
-from typing import Any
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from gearlash.system import GearlashError
-
-
-def whole(name: str, value: Any, least: int = 1) -> int:
-    """A whole number of at least so much."""
-    try:
-        number = index(value)
-    except TypeError:
-        number = least - 1
-    if number < least:
-        raise GearlashError(f"{name} is {value!r}: expected a whole number, {least} or more")
-    return number
-
-
-def finite(name: str, value: ArrayLike, shape: tuple[int | str, ...]) -> NDArray[np.float64]:
-    """A fresh array of finite numbers of this shape; a word stands for any length."""
-    expected = f"({', '.join(map(str, shape))}{',' if len(shape) == 1 else ''})"
-    try:
-        numbers = np.array(value, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise GearlashError(f"{name}: expected numbers of shape {expected}, not {value!r:.60}") from None
-    fits = numbers.ndim == len(shape) and all(
-        isinstance(there, str) or here == there for here, there in zip(numbers.shape, shape, strict=True)
-    )
-    if not fits:
-        raise GearlashError(f"{name} has shape {numbers.shape}, expected {expected}")
-    if not np.isfinite(numbers).all():
-        raise GearlashError(f"{name} holds NaN or infinity")
-    return numbers
 
 
 def empty(*shape: int) -> NDArray[np.float64]:

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import GearlashError, Status
+from gearlash.system import GearlashError, Status, given
 
 from ._eight import MOST
 from ._motion import OK
 from ._tables import ALWAYS, MINUS, PLUS, Array, Shape
 from ._vector import LANES
-from .arguments import empty, finite, whole
+from .arguments import empty
 from .march import NO_HOLD, STATUS, block_of, columns_of, known, room_of, run_all
 from .propagators import Propagators
 
@@ -43,9 +43,9 @@ def march_many(
     Motions of systems with one clearance and the rule `always` go side by side, 64 at a time: the more, the
     faster. The first such call on a machine compiles the kernel for that, which takes some 25 s. Raises
     `GearlashError` for arguments that do not fit."""
-    states = finite("z", z, ("motions", known(props).system.size))
-    stretches, stretch = whole("stretches", stretches, 0), whole("stretch", stretch)
-    threads = whole("threads", threads)
+    states = given.numbers("z", z, ("motions", known(props).system.size))
+    stretches, stretch = given.whole("stretches", stretches, 0), given.whole("stretch", stretch)
+    threads = given.whole("threads", threads)
     job = _Job.of(props, states, stretches, stretch)
     parts = [part for part in np.array_split(job.order, threads) if len(part)]
     if len(parts) < 2:

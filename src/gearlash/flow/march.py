@@ -10,12 +10,12 @@ from math import floor, isfinite
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import GearlashError, Status
+from gearlash.system import GearlashError, Status, given
 
 from . import _march
 from ._motion import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
 from ._tables import ORDER, Array, Shape, aligned, aligned_ints
-from .arguments import empty, finite, whole
+from .arguments import empty
 from .events import Events, Trace
 from .propagators import Propagators
 
@@ -73,7 +73,7 @@ def start_state(props: Propagators, z: ArrayLike) -> Array:
         state = z.copy()
         if all(map(isfinite, state.tolist())):
             return state
-    return finite("state", z, (size,))
+    return given.numbers("state", z, (size,))
 
 
 def known(props: Propagators) -> Propagators:
@@ -90,7 +90,7 @@ def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) ->
     """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times; a stretch
     cannot be interrupted. Raises `GearlashError` for arguments that do not fit."""
     state = start_state(props, z)
-    stretches, stretch = whole("stretches", stretches, 0), whole("stretch", stretch)
+    stretches, stretch = given.whole("stretches", stretches, 0), given.whole("stretch", stretch)
     states = empty(stretches + 1, len(state))
     states[0] = state
     counts = np.zeros((stretches, columns_of(props)), dtype=np.int64)

@@ -1,17 +1,23 @@
 """Piecewise-linear systems with clearances, families of them, and statuses. Knows nothing else."""
 
+from . import given
 from .family import Family, Parameter
 from .harmonics import Fourier, constant, cosines, derivative, evaluate, padded
 from .piecewise import Clearance, ContactRule, System
-from .status import GearlashError, Status, UnknownNameError
+from .record import Record
+from .status import BuildError, GearlashError, Named, Status, UnknownNameError
+from .told import shown
 
 __all__ = [
+    "BuildError",
     "Clearance",
     "ContactRule",
     "Family",
     "Fourier",
     "GearlashError",
+    "Named",
     "Parameter",
+    "Record",
     "Status",
     "System",
     "UnknownNameError",
@@ -19,5 +25,7 @@ __all__ = [
     "cosines",
     "derivative",
     "evaluate",
+    "given",
     "padded",
+    "shown",
 ]

@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import inf, isfinite
+from math import inf
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import given
 from .piecewise import System
-from .status import GearlashError, UnknownNameError
+from .record import Record
+from .status import BuildError, GearlashError
+from .told import cut
+
+LONGEST_VALUES = 300  # characters of parameter values in an error text
 
 
 @dataclass(frozen=True)
@@ -23,18 +29,41 @@ class Parameter:
     lower: float = -inf
     upper: float = inf
 
+    def __post_init__(self) -> None:
+        name = given.word("name of a parameter", self.name)
+        lower = given.limit(f"lower end of parameter {name}", self.lower)
+        upper = given.limit(f"upper end of parameter {name}", self.upper)
+        object.__setattr__(self, "name", name)
+        object.__setattr__(self, "lower", lower)
+        object.__setattr__(self, "upper", upper)
+        description = given.a_text(f"description of parameter {name}", self.description)
+        object.__setattr__(self, "description", description)
+        if lower > upper:
+            raise GearlashError(f"parameter {name}: the range from {lower:g} to {upper:g} is empty")
+        object.__setattr__(self, "default", given.number(f"parameter {name}", self.default, lower, upper))
 
-@dataclass(frozen=True)
-class Family:
+
+@dataclass(frozen=True, repr=False)
+class Family(Record):
     """Parameter names and defaults, state names, and how to build one system from a complete mapping.
 
     ``build`` gets a value for every name and returns plain arrays in a `System`; ``initial`` returns the cold
-    start, shape (n,). Nothing above reads a case file again for another point of the same family."""
+    start, shape (n,). Whatever they raise for some values becomes a `BuildError`, which fails that point of a
+    study. Nothing above reads a case file again for another point of the same family."""
 
     parameters: tuple[Parameter, ...]
     states: tuple[str, ...]
     build: Callable[[Mapping[str, float]], System]
     initial: Callable[[Mapping[str, float]], NDArray[np.float64]]
+
+    def __post_init__(self) -> None:
+        expected = "parameters, such as (Parameter('omega', 0.9),)"
+        parameters = given.instances("parameters of a family", self.parameters, Parameter, expected)
+        given.unique("parameters of a family", tuple(p.name for p in parameters))
+        object.__setattr__(self, "parameters", parameters)
+        object.__setattr__(self, "states", given.words("states of a family", self.states))
+        given.function("build of a family", self.build, "a function from parameter values to a System")
+        given.function("initial of a family", self.initial, "a function from parameter values to a state")
 
     @property
     def defaults(self) -> dict[str, float]:
@@ -44,28 +73,41 @@ class Family:
         """Defaults with overrides. Raises `UnknownNameError`, or `GearlashError` for a value out of range."""
         values = self.defaults
         by_name = {p.name: p for p in self.parameters}
-        for name, value in (overrides or {}).items():
-            if name not in by_name:
-                raise UnknownNameError("parameter", name, by_name)
-            parameter = by_name[name]
-            if not _is_number(value) or not parameter.lower <= value <= parameter.upper:
-                limits = f"from {parameter.lower:g} to {parameter.upper:g}"
-                raise GearlashError(f"{name} = {value!r}: expected a finite number {limits}")
-            values[name] = float(value)
+        for name, value in given.mapping("parameter values", overrides).items():
+            parameter = by_name[given.known("parameter", name, by_name)]
+            values[name] = given.number(name, value, parameter.lower, parameter.upper)
         return values
 
     def system(self, overrides: Mapping[str, float] | None = None) -> System:
-        """The member of the family with these overrides."""
-        return self.build(self.complete(overrides))
+        """The member of the family with these overrides. Raises `BuildError` where it cannot be built."""
+        values = self.complete(overrides)
+        built = _called("build", self.build, values)
+        if not isinstance(built, System):
+            raise BuildError(f"build returned {given.kind_of(built)} instead of a System, at {_told(values)}")
+        if built.size != len(self.states):
+            raise BuildError(
+                f"build returned a system of {built.size} states, but the family names {len(self.states)}: "
+                f"{', '.join(self.states)}"
+            )
+        return built
 
     def start(self, overrides: Mapping[str, float] | None = None) -> NDArray[np.float64]:
-        """The cold start of that member, shape (n,)."""
-        return self.initial(self.complete(overrides))
+        """The cold start of that member, shape (n,). Raises `BuildError` where there is none."""
+        values = self.complete(overrides)
+        return given.numbers("the start", _called("initial", self.initial, values), (len(self.states),))
 
 
-def _is_number(value: object) -> bool:
-    """Whether it is one finite number."""
+def _called(name: str, function: Callable[[Mapping[str, float]], Any], values: dict[str, float]) -> Any:
+    """What a user's function returns. Anything may go wrong in there, and is no defect of gearlash: the one
+    place where every ordinary exception is caught."""
     try:
-        return isfinite(value)  # pyright: ignore[reportArgumentType]
-    except TypeError:
-        return False
+        return function(values)
+    except (GearlashError, MemoryError):
+        raise
+    except Exception as error:
+        what = cut(f"{type(error).__name__}: {error}", LONGEST_VALUES)
+        raise BuildError(f"{name} failed at {_told(values)}: {what}") from error
+
+
+def _told(values: Mapping[str, float]) -> str:
+    return cut(", ".join(f"{name} = {value:.10g}" for name, value in values.items()), LONGEST_VALUES)

@@ -11,21 +11,26 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import given
+from .status import GearlashError
+
 Fourier = NDArray[np.float64]
 
 
 def constant(value: float) -> Fourier:
     """The series of a constant."""
-    return np.array([value], dtype=np.float64)
+    return np.array([given.number("the constant", value)])
 
 
 def cosines(mean: float, amplitudes: Sequence[float], phases: Sequence[float] | None = None) -> Fourier:
-    """``mean + Σ amplitude_n cos(nθ + phase_n)``, phases in rad (default 0)."""
-    phases = [0.0] * len(amplitudes) if phases is None else phases
-    if len(phases) != len(amplitudes):
-        raise ValueError(f"{len(amplitudes)} amplitudes but {len(phases)} phases")
-    series = [mean]
-    for amplitude, phase in zip(amplitudes, phases, strict=True):
+    """``mean + Σ amplitude_n cos(nθ + phase_n)``, phases in rad (default 0). Raises `GearlashError` for other
+    than finite numbers, and for phases that are not as many as amplitudes."""
+    heights = given.row("amplitudes", amplitudes)
+    angles = np.zeros(len(heights)) if phases is None else given.row("phases", phases)
+    if len(angles) != len(heights):
+        raise GearlashError(f"{len(heights)} amplitudes but {len(angles)} phases: expected one for each")
+    series = [given.number("mean", mean)]
+    for amplitude, phase in zip(heights, angles, strict=True):
         series += [amplitude * np.cos(phase), -amplitude * np.sin(phase)]
     return np.array(series, dtype=np.float64)
 

@@ -9,18 +9,21 @@ Nothing here knows about gears.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from enum import StrEnum
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import given
 from .harmonics import Fourier, constant
-from .status import GearlashError
+from .record import Record
+from .status import GearlashError, Named
 
 Vector = NDArray[np.float64]
+SERIES = "stiffness_plus", "stiffness_minus", "offset"
+NUMBERS = "gap_plus", "gap_minus", "damping"
 
 
-class ContactRule(StrEnum):
+class ContactRule(Named):
     """When the contact damping acts: in the gap too, in contact only, or never pulling."""
 
     ALWAYS = "always"
@@ -28,8 +31,8 @@ class ContactRule(StrEnum):
     NO_TENSION = "no-tension"
 
 
-@dataclass(frozen=True, eq=False)
-class Clearance:
+@dataclass(frozen=True, eq=False, repr=False)
+class Clearance(Record):
     """One gap with its two sides.
 
     ``h`` (n,) reads the gap coordinate X = h·z - offset(θ); ``g`` (n,) is how the contact force Φ enters the
@@ -50,6 +53,18 @@ class Clearance:
     name: str = "mesh"
     damping_minus: float | None = None
 
+    def __post_init__(self) -> None:
+        name = given.word("name of a clearance", self.name)
+        of = f"clearance {name!r}: "
+        arrays = {key: given.kept(given.numbers(f"{of}{key}", getattr(self, key), ("n",))) for key in "hg"}
+        arrays |= {key: given.series(f"{of}{key}", getattr(self, key)) for key in SERIES}
+        plain = {key: given.number(f"{of}{key}", getattr(self, key)) for key in NUMBERS}
+        if self.damping_minus is not None:
+            plain["damping_minus"] = given.number(f"{of}damping_minus", self.damping_minus)
+        contact = given.choice(ContactRule, f"{of}contact", self.contact)
+        for key, value in {**arrays, **plain, "name": name, "contact": contact}.items():
+            object.__setattr__(self, key, value)
+
     @property
     def dampings(self) -> tuple[float, float]:
         """Damping in contact on side + and on side -."""
@@ -60,14 +75,14 @@ class Clearance:
         return bool((self.stiffness_plus if boundary > 0 else self.stiffness_minus).any())
 
 
-@dataclass(frozen=True, eq=False)
-class System:
+@dataclass(frozen=True, eq=False, repr=False)
+class System(Record):
     """A member of the class with all numbers fixed.
 
     ``omega`` is dθ/dτ, 2π of θ being one mesh cycle; ``matrix`` (n, n) is M without any Φ; ``forcing`` (n,
-    2H+1) holds a Fourier series per state. Raises `GearlashError` when shapes disagree, a number is not
-    finite, ω ≤ 0, the gap has negative width, or h·g ≠ 0 (the contact force would act on the gap's velocity
-    directly)."""
+    2H+1) holds a Fourier series per state. What is handed over is copied into plain arrays that nothing
+    changes any more. Raises `GearlashError` when it is no such number, shapes disagree, ω ≤ 0, the gap has
+    negative width, or h·g ≠ 0 (the contact force would act on the gap's velocity directly)."""
 
     omega: float
     matrix: NDArray[np.float64]
@@ -76,6 +91,15 @@ class System:
     cycles: int = 1
 
     def __post_init__(self) -> None:
+        plain = {
+            "omega": given.positive("omega", self.omega),
+            "matrix": given.kept(given.numbers("matrix", self.matrix, ("n", "n"))),
+            "forcing": given.kept(given.numbers("forcing", self.forcing, ("n", "odd"))),
+            "clearances": given.instances("clearances", self.clearances, Clearance, "a tuple of Clearance"),
+            "cycles": given.whole("cycles", self.cycles),
+        }
+        for key, value in plain.items():
+            object.__setattr__(self, key, value)
         problems = _problems(self)
         if problems:
             raise GearlashError("not a valid system: " + "; ".join(problems))
@@ -95,14 +119,8 @@ def _problems(system: System) -> list[str]:
     found = []
     if system.matrix.shape != (n, n) or n == 0:
         found.append(f"matrix has shape {system.matrix.shape}, expected (n, n)")
-    if system.forcing.ndim != 2 or system.forcing.shape[0] != n or system.forcing.shape[1] % 2 == 0:
+    if system.forcing.shape[0] != n or system.forcing.shape[1] % 2 == 0:
         found.append(f"forcing has shape {system.forcing.shape}, expected ({n}, odd)")
-    if not (np.isfinite(system.omega) and system.omega > 0):
-        found.append(f"omega is {system.omega}, expected a positive number")
-    if system.cycles < 1:
-        found.append(f"cycles is {system.cycles}, expected 1 or more")
-    if not (np.isfinite(system.matrix).all() and np.isfinite(system.forcing).all()):
-        found.append("matrix or forcing holds NaN or infinity")
     for clearance in system.clearances:
         found += [f"clearance {clearance.name!r}: {text}" for text in _clearance_problems(clearance, n)]
     return found or _couplings(system.clearances)
@@ -131,19 +149,9 @@ def _clearance_problems(clearance: Clearance, n: int) -> list[str]:
     found = []
     if clearance.h.shape != (n,) or clearance.g.shape != (n,):
         return [f"h and g have shapes {clearance.h.shape}, {clearance.g.shape}, expected ({n},)"]
-    series = (clearance.stiffness_plus, clearance.stiffness_minus, clearance.offset)
-    if any(s.ndim != 1 or len(s) % 2 == 0 for s in series):
-        found.append("a Fourier series has even length, expected [mean, c1, s1, ...]")
-    numbers = [
-        clearance.h,
-        clearance.g,
-        *series,
-        [clearance.gap_plus, clearance.gap_minus, *clearance.dampings],
-    ]
-    if not all(np.isfinite(x).all() for x in numbers):
-        found.append("a number is NaN or infinite")
-    elif clearance.gap_plus + clearance.gap_minus < 0:
-        found.append(f"gap has width {clearance.gap_plus + clearance.gap_minus}, expected 0 or more")
+    width = clearance.gap_plus + clearance.gap_minus
+    if width < 0:
+        found.append(f"gap has width {width}, expected 0 or more")
     if not clearance.h.any():
         found.append("h is zero: the gap coordinate reads no state")
     if clearance.contact is ContactRule.ALWAYS and len(set(clearance.dampings)) > 1:

@@ -3,25 +3,61 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from enum import StrEnum
+from typing import Any
+
+from .told import shown
+
+LONGEST_NAME = 200  # beyond it no nearest name is looked for
 
 
 class GearlashError(Exception):
-    """Any error that gearlash raises on purpose; its text says what to change."""
+    """Any error that gearlash raises on purpose; its text says what to change. It pickles, whatever a
+    subclass wants for its making: workers send errors home."""
+
+    def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...]]:
+        return _made, (type(self), self.args, dict(self.__dict__))
+
+
+def _made(kind: type[GearlashError], args: tuple[Any, ...], attributes: dict[str, Any]) -> GearlashError:
+    error = kind.__new__(kind, *args)
+    error.__dict__.update(attributes)
+    return error
 
 
 class UnknownNameError(GearlashError):
     """A name that does not exist here; the text offers the nearest that does."""
 
-    def __init__(self, what: str, name: str, valid: Iterable[str]):
-        self.name, self.valid = name, sorted(valid)
-        near = difflib.get_close_matches(name, self.valid, n=1, cutoff=0.4)
-        hint = f"; did you mean {near[0]!r}?" if near else ""
-        super().__init__(f"unknown {what} {name!r}{hint} (valid: {', '.join(self.valid)})")
+    def __init__(self, what: str, name: object, valid: Iterable[str]):
+        self.name, self.valid = name if isinstance(name, str) else shown(name), sorted(valid)
+        near = nearest(self.name, self.valid) if isinstance(name, str) else None
+        hint = f"; did you mean {near!r}?" if near else ""
+        super().__init__(f"unknown {what} {shown(name)}{hint} (valid: {', '.join(self.valid)})")
 
 
-class Status(StrEnum):
+class BuildError(GearlashError):
+    """What a family's own `build` or `initial` raised, or returned in place of a system or a state."""
+
+
+def nearest(name: str, valid: Iterable[str], cutoff: float = 0.4) -> str | None:
+    """The valid name that looks most like this one, large letters or small, if any does."""
+    if len(name) > LONGEST_NAME:
+        return None
+    by_look = {each.casefold(): each for each in valid}
+    found = difflib.get_close_matches(name.casefold(), list(by_look), n=1, cutoff=cutoff)
+    return by_look[found[0]] if found else None
+
+
+class Named(StrEnum):
+    """A choice out of a few names; another one is refused in words."""
+
+    @classmethod
+    def _missing_(cls, value: object) -> None:
+        raise UnknownNameError(cls.__name__, value, map(str, cls))
+
+
+class Status(Named):
     """Outcome of a computation. Only ``OK`` is a result to rely on without reading on."""
 
     OK = "ok"
