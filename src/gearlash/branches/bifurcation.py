@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,7 @@ from gearlash.flow import Propagators
 from gearlash.orbits import Orbit, shoot
 from gearlash.orbits.floquet import ordered
 from gearlash.orbits.shooting import Shot
-from gearlash.system import Family, Status
+from gearlash.system import Family, Record, Status
 
 from .kinds import SMOOTH
 from .steps import UNBUILT, difference, longest_step, member, named, within_range
@@ -30,10 +30,12 @@ NEAR = 1e-2  # distance of an orbit of half the period, and of its multiplier fr
 NAMES = {-1: "period doubling", 1: "fold"}
 
 
-@dataclass(frozen=True, eq=False)
-class BifurcationPoint:
+@dataclass(frozen=True, eq=False, repr=False)
+class BifurcationPoint(Record):
     """Where a multiplier is ``multiplier`` (±1): value of parameter ``name`` with its error estimate, state
     (n,) at phase zero, label of the orbit there, all its multipliers."""
+
+    _told: ClassVar = ("name", "value", "error", "status", "kind", "label", "residual")
 
     name: str
     value: float

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import ceil
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,7 @@ from gearlash.orbits import GrazingCheck, Orbit
 from gearlash.orbits.floquet import ordered
 from gearlash.orbits.grazing import KINDS, Surface, gap_extrema
 from gearlash.orbits.pressing import force_extrema
-from gearlash.system import Family, Status
+from gearlash.system import Family, Record, Status
 
 from .kinds import distance_to_unit, table2_type
 from .sides import NONE, Sides
@@ -37,8 +37,8 @@ AGED = 1e-5  # change of the parameter, of itself, after which that derivative i
 CLOSED = 1e-11  # residual of a solution
 
 
-@dataclass(frozen=True, eq=False)
-class GrazingPoint:
+@dataclass(frozen=True, eq=False, repr=False)
+class GrazingPoint(Record):
     """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles
     from ``state_zero``) and state (n,) of the touch, ``a0`` = X'', multipliers of the one-sided orbit,
     labels of the same orbit just below and above ``value`` and whether it is stable there ("none" and None on
@@ -46,6 +46,18 @@ class GrazingPoint:
     ``state_zero`` is the orbit at phase zero, a start for either side.
     ``clearance`` is the index of the gap, ``clearance_name`` its name; for ``surface`` "force" the touch is
     Φ = 0 and ``a0`` = Φ''."""
+
+    _told: ClassVar = (
+        "name",
+        "value",
+        "error",
+        "status",
+        "kind",
+        "label_below",
+        "label_above",
+        "a0",
+        "residual",
+    )
 
     name: str
     value: float

@@ -8,13 +8,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.gears import helical, spur
-from gearlash.system import Family, GearlashError, UnknownNameError
+from gearlash.system import Family, GearlashError, Record, UnknownNameError
 
 from . import piecewise
 from .checks import contradictions, missing
@@ -37,14 +37,16 @@ if TYPE_CHECKING:
 FORMAT = 1
 
 
-@dataclass(frozen=True)
-class Case:
+@dataclass(frozen=True, repr=False)
+class Case(Record):
     """A complete, checked case. Made by `load`, `loads` or `Case.from_json`.
 
     ``entries`` hold every stated value by key in SI, D_c among them (``model.reference_length``): it was
     settled when the file was loaded and nothing moves it afterwards. ``structure`` is what a piecewise-linear
     case has beside its parameters: equations, forcing and clearances; empty for a gear pair.
     """
+
+    _told: ClassVar = ("name", "kind", "description", "hash")
 
     name: str
     kind: str

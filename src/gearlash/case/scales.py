@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, Record
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 Values: TypeAlias = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Scales:
+@dataclass(frozen=True, repr=False)
+class Scales(Record):
     """Units of a case: ω_n (rad/s), k_m (N/m), m_e (kg), D_c (m), c_t, R_p and R_g (m), teeth, D⁻/D.
 
     A case given in dimensionless numbers only has none of them: ``physical`` is False and every conversion

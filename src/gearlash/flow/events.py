@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import ContactRule, GearlashError, Status, System, derivative, evaluate
+from gearlash.system import ContactRule, GearlashError, Record, Status, System, derivative, evaluate, given
 
 from . import _march
 from ._tables import FREE, MINUS, ORDER, PLUS, TERMS, Array
@@ -18,14 +18,17 @@ if TYPE_CHECKING:
     from .propagators import Propagators
 
 
+MOST_SAMPLES = 10_000_000
 SLACK = 1e-9  # mesh cycles beyond its ends at which a trace is still read
 
 
-@dataclass(frozen=True, eq=False)
-class Events:
+@dataclass(frozen=True, eq=False, repr=False)
+class Events(Record):
     """Contact events in order: phase (mesh cycles, θ/2π), state (m, n), velocity X' of the gap, force Φ
     of the contact that begins or ends, clearance (its index), boundary (+1: Σ1 at +D, -1: Σ2 at -D),
     engaging (True: into contact)."""
+
+    _told: ClassVar = ("phase", "clearance", "boundary", "engaging")
 
     phase: Array
     state: Array
@@ -50,7 +53,10 @@ class Events:
         return Events(phase, state, velocity, force, clearance, boundary, engaging)
 
     def where(self, mask: Array) -> Events:
-        """The events selected by a boolean mask (m,)."""
+        """The events selected by a boolean mask (m,), or by their indices."""
+        mask = np.asarray(mask)
+        if mask.dtype.kind not in "biu" or mask.dtype.kind == "b" and mask.shape != self.phase.shape:
+            raise GearlashError(f"mask of events: expected {len(self)} truth values, or indices")
         parts = (
             self.phase, self.state, self.velocity, self.force, self.clearance, self.boundary, self.engaging
         )  # fmt: skip
@@ -58,14 +64,14 @@ class Events:
 
     def of(self, clearance: int) -> Events:
         """The events of one clearance."""
-        return self.where(self.clearance == clearance)
+        return self.where(self.clearance == given.whole("clearance", clearance, 0))
 
     def __len__(self) -> int:
         return len(self.phase)
 
 
-@dataclass(frozen=True, eq=False)
-class Extrema:
+@dataclass(frozen=True, eq=False, repr=False)
+class Extrema(Record):
     """Simple zeros of X' of one clearance: phase (mesh cycles), displacement X, curvature X'' (d²/dτ²),
     state (m, n), region (0: side +, 1: free, 2: side -)."""
 
@@ -79,8 +85,8 @@ class Extrema:
         return len(self.phase)
 
 
-@dataclass(frozen=True, eq=False)
-class Samples:
+@dataclass(frozen=True, eq=False, repr=False)
+class Samples(Record):
     """The motion at chosen phases: state (m, n); of one clearance gap X, velocity X', contact force Φ, and
     region (0: side +, 1: free, 2: side -)."""
 
@@ -92,13 +98,15 @@ class Samples:
     region: Array
 
 
-@dataclass(frozen=True, eq=False)
-class Trace:
+@dataclass(frozen=True, eq=False, repr=False)
+class Trace(Record):
     """A motion as polynomials: piece i starts at `positions[i]` (cells after phase `base`), has length
     `lengths[i]` (cells), and is `polynomials[i]` (degree+1, n) in its own local time from 0 to 1. `modes`
     (pieces, clearances) says in which contact it runs: 0 side +, 1 free, 2 side -; with the rule `no-tension`
     also 3, 4: beyond + or -, but nothing presses. What is told of "the gap" is of the first clearance, unless
     another is named."""
+
+    _told: ClassVar = ("status", "start", "cycles", "undecided")
 
     propagators: Propagators
     base: float
@@ -120,7 +128,7 @@ class Trace:
 
     def regions_of(self, clearance: int) -> Array:
         """Per piece (pieces,) the side in contact of a clearance."""
-        modes = self.modes[:, clearance]
+        modes = self.modes[:, self.which(clearance)]
         return np.where(modes > MINUS, FREE, modes)
 
     @property
@@ -136,7 +144,7 @@ class Trace:
 
     def gap_of(self, clearance: int) -> Array:
         """The same of any clearance."""
-        chosen = self.propagators.system.clearances[clearance]
+        chosen = self.propagators.system.clearances[self.which(clearance)]
         out = self.polynomials @ chosen.h
         return out - _local_series(self.propagators, chosen.offset, self.positions, self.lengths)
 
@@ -169,7 +177,7 @@ class Trace:
         Raises `GearlashError` for a phase outside the trace: its polynomials say nothing there.
         """
         system = self.propagators.system
-        phase = np.atleast_1d(np.asarray(phase, dtype=np.float64))
+        phase, clearance = given.row("phase", phase), self.which(clearance)
         last = self.start + self.cycles
         if phase.size and not (phase.min() >= self.start - SLACK and phase.max() <= last + SLACK):
             span = f"{self.start:g} to {last:g}"
@@ -185,7 +193,12 @@ class Trace:
 
     def samples(self, points: int) -> Samples:
         """The motion at ``points`` equally spaced phases from start to end, both included."""
+        points = given.whole("points", points, 1, MOST_SAMPLES)
         return self.at(self.start + np.linspace(0.0, self.cycles, points))
+
+    def which(self, clearance: int) -> int:
+        """The index of a clearance, if the system has it."""
+        return given.whole("clearance", clearance, 0, len(self.propagators.system.clearances) - 1)
 
 
 def gap_displacement(system: System, phase: ArrayLike, state: Array, clearance: int = 0) -> Array:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearlash.system import Status
+from gearlash.system import Record, Status
 
 from .march import CALL, STATUS, columns_of, run_all, start_state
 from .propagators import Propagators
@@ -15,8 +15,8 @@ from .propagators import Propagators
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
-class Growth:
+@dataclass(frozen=True, eq=False, repr=False)
+class Growth(Record):
     """States (periods+1, n) at phase zero of every base period; the unit tangent (n,) at the end; the
     logarithms (m,) of its growth over stretches of ``lengths`` (m,) base periods; `undecided` counts places
     where touching lies within rounding."""

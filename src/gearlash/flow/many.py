@@ -5,28 +5,32 @@ from __future__ import annotations
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import GearlashError, Status, given
+from gearlash.system import GearlashError, Record, Status, given
 
 from ._eight import MOST
 from ._motion import OK
 from ._tables import ALWAYS, MINUS, PLUS, Array, Shape
 from ._vector import LANES
 from .arguments import empty
-from .march import NO_HOLD, STATUS, block_of, columns_of, known, room_of, run_all
+from .march import LONGEST, NO_HOLD, STATUS, block_of, columns_of, known, room_of, run_all
 from .propagators import Propagators
 
 TOGETHER = 16_000  # base periods in one call, at the most (but eight motions)
+MOST_THREADS = 1024
 CELLS = 2_500_000  # that motions side by side pass in one call, at the most (but eight motions): 0.2 s
 
 
-@dataclass(frozen=True, eq=False)
-class ManyStrobes:
+@dataclass(frozen=True, eq=False, repr=False)
+class ManyStrobes(Record):
     """Of several motions: states (stretches+1, motions, n) at equal phases, contacts (stretches, motions,
     4·clearances) as in `Strobes`, and of each motion how many places stayed undecided, and its status."""
+
+    _told: ClassVar = ("states", "contacts")
 
     states: Array
     contacts: Array
@@ -44,8 +48,8 @@ def march_many(
     faster. The first such call on a machine compiles the kernel for that, which takes some 25 s. Raises
     `GearlashError` for arguments that do not fit."""
     states = given.numbers("z", z, ("motions", known(props).system.size))
-    stretches, stretch = given.whole("stretches", stretches, 0), given.whole("stretch", stretch)
-    threads = given.whole("threads", threads)
+    stretches, stretch = given.whole("stretches", stretches, 0), given.whole("stretch", stretch, 1, LONGEST)
+    threads = given.whole("threads", threads, 1, MOST_THREADS)
     job = _Job.of(props, states, stretches, stretch)
     parts = [part for part in np.array_split(job.order, threads) if len(part)]
     if len(parts) < 2:

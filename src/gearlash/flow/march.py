@@ -6,11 +6,12 @@ import threading
 from collections import namedtuple
 from dataclasses import dataclass
 from math import floor, isfinite
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import GearlashError, Status, given
+from gearlash.system import GearlashError, Record, Status, given
 
 from . import _march
 from ._motion import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
@@ -27,14 +28,18 @@ STATUS = {
 CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon;
 WORK = 1e7  # fewer where their cells have more than so many table entries
 MOST_PIECES = 2_000_000
+FAR = 1e7  # mesh cycles of one call, and from phase zero: it cannot be interrupted, and phases keep digits
+LONGEST = 10_000_000  # base periods of a stretch
 ROOMS = 32  # shapes whose work space a thread keeps: along a map the number of cells changes now and then
 
 
-@dataclass(frozen=True, eq=False)
-class Strobes:
+@dataclass(frozen=True, eq=False, repr=False)
+class Strobes(Record):
     """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4·clearances):
     of each clearance engagements at + and at -, releases at + and at -; `undecided` counts places where
     touching lies within rounding."""
+
+    _told: ClassVar = ("status", "undecided", "states", "contacts")
 
     states: Array
     contacts: Array
@@ -42,10 +47,12 @@ class Strobes:
     status: Status
 
 
-@dataclass(frozen=True, eq=False)
-class Carried:
+@dataclass(frozen=True, eq=False, repr=False)
+class Carried(Record):
     """A state (n,) carried from one phase to another; `jacobian` (n, n) with respect to the start, or
     None; `contacts` (4·clearances,) as in `Strobes`."""
+
+    _told: ClassVar = ("status", "undecided", "state", "contacts")
 
     state: Array
     jacobian: Array | None
@@ -54,8 +61,8 @@ class Carried:
     status: Status
 
 
-@dataclass(frozen=True)
-class Hold:
+@dataclass(frozen=True, repr=False)
+class Hold(Record):
     """A boundary (+1, -1) that is not treated as crossed between two phases (mesh cycles, absolute): the
     one-sided, smooth system in which a grazing extremum may pass through it."""
 
@@ -78,19 +85,15 @@ def start_state(props: Propagators, z: ArrayLike) -> Array:
 
 def known(props: Propagators) -> Propagators:
     """Raises `GearlashError` for what are no propagators."""
-    if not isinstance(props, Propagators):
-        raise GearlashError(
-            f"expected propagators, not a {type(props).__name__}: build them once, "
-            "with gearlash.propagators(system)"
-        )
-    return props
+    expected = "propagators of a system, made once with gearlash.propagators(system)"
+    return given.instance("props", props, Propagators, expected)
 
 
 def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) -> Strobes:
     """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times; a stretch
     cannot be interrupted. Raises `GearlashError` for arguments that do not fit."""
     state = start_state(props, z)
-    stretches, stretch = given.whole("stretches", stretches, 0), given.whole("stretch", stretch)
+    stretches, stretch = given.whole("stretches", stretches, 0), given.whole("stretch", stretch, 1, LONGEST)
     states = empty(stretches + 1, len(state))
     states[0] = state
     counts = np.zeros((stretches, columns_of(props)), dtype=np.int64)
@@ -188,8 +191,7 @@ def orthonormal_growth(props: Propagators, z: Array, frame: Array, periods: int)
 
 def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float, float]:
     """Base phase (whole base periods before the start), start after it and length, both in cells."""
-    if not cycles >= 0.0:
-        raise GearlashError(f"cycles is {cycles}, expected 0 or more")
+    cycles, phase = given.number("cycles", cycles, 0.0, FAR), given.number("phase", phase, -FAR, FAR)
     base = float(props.system.cycles * floor(phase / props.system.cycles))
     return base, _snapped((phase - base) * props.cells_per_cycle), _snapped(cycles * props.cells_per_cycle)
 

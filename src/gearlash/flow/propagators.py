@@ -6,10 +6,11 @@ import threading
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import ceil, exp, factorial, hypot, pi
+from typing import Any, ClassVar
 
 import numpy as np
 
-from gearlash.system import ContactRule, GearlashError, System, derivative, padded
+from gearlash.system import ContactRule, GearlashError, Record, System, derivative, given, padded
 from gearlash.system.harmonics import harmonics
 
 from ._assemble import assemble, laps
@@ -58,11 +59,13 @@ class Tables:
     slot_of: Array  # (3^clearances) int: slot of each region, or -1
 
 
-@dataclass(frozen=True, eq=False)
-class Propagators:
+@dataclass(frozen=True, eq=False, repr=False)
+class Propagators(Record):
     """The exact maps of one system over the cells of its base period, region by region as they are met.
 
     ``key`` names everything that the homogeneous part depends on."""
+
+    _told: ClassVar = ("system", "cells")
 
     system: System
     shape: Shape
@@ -73,6 +76,15 @@ class Propagators:
     store: dict[str, Tables]
     responses: dict[int, tuple[Array, Array, float, float]]
     lock: threading.Lock = field(default_factory=threading.Lock)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return propagators, (self.system,)  # tables lie in memory as kernels want them: built again
+
+    def __copy__(self) -> Propagators:
+        return self  # nothing of it changes but what is added where it is met
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Propagators:
+        return self
 
     @property
     def tables(self) -> Tables:
@@ -120,8 +132,9 @@ def propagators(system: System, reuse: Propagators | None = None) -> Propagators
     ``reuse``: propagators of another member of the family; where frequency, stiffness and damping are the
     same, only the forced parts are summed anew. Raises `GearlashError` for a system that would need too many
     cells or regions."""
-    if not isinstance(system, System):
-        raise GearlashError(f"expected a System, as from family.system(), not a {type(system).__name__}")
+    given.instance("system", system, System, "a System, as from family.system()")
+    if reuse is not None:
+        given.instance("reuse", reuse, Propagators, "propagators of another member of the family")
     if not 1 <= len(system.clearances) <= MOST_CLEARANCES:
         raise GearlashError(
             f"{len(system.clearances)} clearances: this engine takes 1 to {MOST_CLEARANCES} of them"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -10,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators
-from gearlash.flow.march import start_state
-from gearlash.system import Status, System
+from gearlash.flow.march import LONGEST, start_state
+from gearlash.system import GearlashError, Record, Status, System, given, shown
 
 from .floquet import fastest_shrinking
 from .results import Aperiodic, Attractor, Orbit, Unresolved
@@ -21,8 +22,8 @@ from .wandering import SETTLE, STRETCH, Average, Wandering
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Settings:
+@dataclass(frozen=True, repr=False)
+class Settings(Record):
     """``max_period`` (base periods) up to which orbits are looked for; ``budget``: base periods that the
     motion is followed at most, transient, averages and all (``periods_used`` of what is found tells how many
     it was; what Newton's method carries to close an orbit is not the motion, and does not count);
@@ -37,7 +38,13 @@ class Settings:
     exponent_periods: int = 1_000
     precision: float = 1.0 / 3.0
 
+    def __post_init__(self) -> None:
+        for name, least in (("max_period", 1), ("budget", 1), ("patience", 0), ("exponent_periods", 1)):
+            object.__setattr__(self, name, given.whole(f"Settings.{name}", getattr(self, name), least, MOST))
+        object.__setattr__(self, "precision", given.positive("Settings.precision", self.precision))
 
+
+MOST = 1_000_000_000  # base periods
 DEFAULT = Settings()
 FIRST = 96  # base periods before the first attempt: most motions are near their orbit then
 DOUBLING = 500  # base periods up to which each attempt waits for twice as long as the one before
@@ -77,12 +84,21 @@ def attractor(
     approach it; a slow transient therefore goes on, and is neither called periodic with a wrong P nor
     aperiodic."""
     props = system if isinstance(system, Propagators) else flow.propagators(system)
+    given.instance("settings", settings, Settings, "Settings, such as gearlash.Settings(max_period=128)")
     search = _Search(props, settings, start_state(props, start))
     if trial is not None:
-        found = search.attempt(np.asarray(trial[0], dtype=np.float64), trial[1])
+        found = search.attempt(*_trial(props, trial, settings))
         if found is not None and found.stable:
             return found
     return search.run()
+
+
+def _trial(props: Propagators, trial: Any, settings: Settings) -> tuple[Array, int]:
+    """A state and the base periods after which it is expected back."""
+    parts = given.items("trial", trial, "a state and a number of base periods")
+    if len(parts) != 2:
+        raise GearlashError(f"trial = {shown(trial)}: expected a state and a number of base periods")
+    return start_state(props, parts[0]), given.whole("period of the trial", parts[1], 1, LONGEST)
 
 
 class _Search:

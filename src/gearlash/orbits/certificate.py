@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.system import Clearance, ContactRule, Status
+from gearlash.system import Clearance, ContactRule, Record, Status
 
 from .grazing import gap_extrema
 from .pressing import least_force
@@ -43,8 +43,8 @@ class Verdict(StrEnum):
     FAILED = "failed"
 
 
-@dataclass(frozen=True)
-class Certificate:
+@dataclass(frozen=True, repr=False)
+class Certificate(Record):
     """``verdict``, and ``reasons`` with their numbers why it is not `certified`."""
 
     verdict: Verdict

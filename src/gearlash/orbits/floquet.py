@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators
+from gearlash.flow.march import LONGEST, start_state
+from gearlash.system import given
 
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.float64]
@@ -24,6 +26,7 @@ def multipliers(props: Propagators, state: NDArray[np.float64], period: int) -> 
     A long or strongly damped orbit's small multipliers drown in the rounding of the product of its maps. The
     block-cyclic matrix of single maps has their roots as eigenvalues and is of norm one: see D. Watkins,
     "Product eigenvalue problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110."""
+    state, period = start_state(props, state), given.whole("period", period, 1, LONGEST)
     shrinking = fastest_shrinking(props) * props.system.period
     parts = max(1, ceil(shrinking / DEPTH))
     factors = _factors(props, state, period, parts)

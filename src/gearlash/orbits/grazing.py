@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from gearlash.flow import Extrema, Trace
 from gearlash.flow.events import gap_velocity
-from gearlash.system import ContactRule, System, evaluate
+from gearlash.system import ContactRule, Record, System, evaluate, given
 
 from .pressing import force_extrema
 
@@ -35,8 +35,8 @@ KINDS = {
 }
 
 
-@dataclass(frozen=True)
-class GrazingCheck:
+@dataclass(frozen=True, repr=False)
+class GrazingCheck(Record):
     """One extremum beside one boundary (+1: Σ1, -1: Σ2) of one clearance (its index and name).
 
     For the surface "gap" the extremum is one of X, ``distance`` is H = X ∓ D there (condition 1 wants 0),
@@ -77,13 +77,24 @@ def grazing_checks(
 ) -> tuple[GrazingCheck, ...]:
     """The conditions at every extremum whose distance to a boundary is at most ``within``, nearest first; of
     all clearances, or of one. Sides without stiffness are no boundaries."""
-    trace, count = attractor.trace, len(attractor.propagators.system.clearances)
+    trace, count = motion_of(attractor).trace, len(attractor.propagators.system.clearances)
+    within = given.limit("within", within)
+    if clearance is not None:
+        clearance = trace.which(clearance)
     found: list[GrazingCheck] = []
     for j in range(count) if clearance is None else (clearance,):
         found += (check for check in _of_gap(trace, j) if abs(check.distance) <= within)
         if trace.propagators.system.clearances[j].contact is ContactRule.NO_TENSION:
             found += (check for check in _of_force(trace, j) if abs(check.distance) <= within)
     return tuple(sorted(found, key=lambda check: abs(check.distance)))
+
+
+def motion_of(attractor: Attractor) -> Attractor:
+    """The same. Raises `GearlashError` for what is no attractor."""
+    from .results import Aperiodic, Orbit  # they examine themselves with what is here
+
+    expected = "what gearlash.attractor returns: an Orbit, Aperiodic or Unresolved"
+    return given.instance("attractor", attractor, (Orbit, Aperiodic), expected)
 
 
 def _of_gap(trace: Trace, j: int) -> Iterator[GrazingCheck]:

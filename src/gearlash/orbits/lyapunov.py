@@ -14,14 +14,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators
-from gearlash.system import ContactRule, Status
+from gearlash.flow.march import LONGEST, start_state
+from gearlash.system import ContactRule, Record, Status, given
 
 BATCHES = 20
 STUDENT = 2.093  # 95 % two-sided, 19 degrees of freedom
 
 
-@dataclass(frozen=True, eq=False)
-class Exponents:
+@dataclass(frozen=True, eq=False, repr=False)
+class Exponents(Record):
     """Exponents (k,) per unit of τ, descending, with the half-width (k,) of their 95 % intervals from batch
     means, over ``periods`` base periods, and the state (n,) at the end. For k = n, `trace_defect` is the sum
     of the exponents minus the mean trace of the field over the same motion (exactly zero in theory); it is
@@ -40,9 +41,10 @@ def lyapunov(
 ) -> Exponents:
     """The ``count`` largest exponents (default all) from ``periods`` base periods after ``settle`` for the
     frame."""
-    z = np.array(state, dtype=np.float64)
+    z = start_state(props, state)
     n = len(z)
-    count = n if count is None else count
+    count = n if count is None else given.whole("count", count, 1, n)
+    periods, settle = given.whole("periods", periods, 1, LONGEST), given.whole("settle", settle, 0, LONGEST)
     frame = (
         np.eye(n)[:count]
         if count == n

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.flow import Events, Extrema, Propagators, Trace
-from gearlash.system import Status
+from gearlash.system import Record, Status
 
 from . import floquet
 from .certificate import Certificate, certify_motion, certify_orbit
@@ -20,12 +21,14 @@ from .signature import Signature
 SAMPLE = 200  # base periods of an aperiodic motion that are kept as its picture
 
 
-@dataclass(frozen=True, eq=False)
-class Orbit:
+@dataclass(frozen=True, eq=False, repr=False)
+class Orbit(Record):
     """A periodic orbit, ``state`` (n,) at phase zero. One that `attractor` returns has a residual of at most
     1e-11 and its least period, and is stable; one made by hand is what it is made from: ask `residual` and
     `status`.
     """
+
+    _told: ClassVar = ("label", "status", "period", "residual", "leading", "state", "message")
 
     propagators: Propagators
     shot: Shot
@@ -125,12 +128,14 @@ class Orbit:
         return self.shot.period * self.propagators.system.period
 
 
-@dataclass(frozen=True, eq=False)
-class Aperiodic:
+@dataclass(frozen=True, eq=False, repr=False)
+class Aperiodic(Record):
     """A motion that does not repeat, so that it has no P. Either its largest exponent is above zero by more
     than its error bar (chaos), or it is zero within it (quasi-periodic motion); either way the motion was
     seen to persist. A chaotic transient longer than ``periods_used`` looks the same. ``undecided`` counts the
     contacts of the search that lay within rounding of touching."""
+
+    _told: ClassVar = ("label", "status", "largest_exponent", "exponent_error", "periods_used", "message")
 
     propagators: Propagators
     final_state: NDArray[np.float64]

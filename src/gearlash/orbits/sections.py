@@ -8,15 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.flow.events import contact_force, gap_displacement, gap_velocity
-from gearlash.system import ContactRule, System
+from gearlash.system import ContactRule, Record, System
 
+from .grazing import motion_of
 from .results import Attractor
 
 ENTERING, LEAVING = 1, -1
 
 
-@dataclass(frozen=True, eq=False)
-class Section:
+@dataclass(frozen=True, eq=False, repr=False)
+class Section(Record):
     """Points of one section: phase (mesh cycles), state (m, n), displacement X, velocity X', force F in the
     sign of the article (F = -Φ), and direction: +1 into contact, -1 out of it (0 on σ_t)."""
 
@@ -51,8 +52,8 @@ class Section:
         )
 
 
-@dataclass(frozen=True, eq=False)
-class Sections:
+@dataclass(frozen=True, eq=False, repr=False)
+class Sections(Record):
     """σ_t (every base period), σ_d (all contact events at Σ1: X = +D) and σ_b (all at Σ2: X = -D). With the
     rule `no-tension` contact ends where the force does, so beyond the boundary."""
 
@@ -63,6 +64,7 @@ class Sections:
 
 def sections(attractor: Attractor, clearance: int = 0) -> Sections:
     """The sections of one orbit, or of the stretch kept of another motion, in the gap of a clearance."""
+    clearance = motion_of(attractor).trace.which(clearance)
     drive, back = (_crossings(attractor, clearance, boundary) for boundary in (1, -1))
     return Sections(_strobes(attractor, clearance), drive, back)
 

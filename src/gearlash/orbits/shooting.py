@@ -4,27 +4,31 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import isfinite
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators
-from gearlash.system import Status
+from gearlash.flow.march import LONGEST, start_state
+from gearlash.system import Record, Status, given
 
 TOLERANCE = 1e-11  # of the residual, relative to max(1, |z|); above it a status is not ok
 GOAL = 2e-14  # Newton goes on to here, or until rounding stops it
 ITERATIONS = 25
 
 
-@dataclass(frozen=True, eq=False)
-class Shot:
+@dataclass(frozen=True, eq=False, repr=False)
+class Shot(Record):
     """A solution of P^period(z) = z: state (n,), period in base periods, residual (∞-norm of the return
     relative to max(1, |z|)), monodromy (n, n), and ``error``: an estimate, to first order, of the largest
     error of a component of the state, from residual and rounding. ``contacts`` (4·clearances,) as in
     `flow.Strobes`, over the whole period, where they were counted; ``strobes`` (period, n) the states at
     phase zero, where they were marched.
     """
+
+    _told: ClassVar = ("status", "period", "residual", "error", "iterations", "state")
 
     state: NDArray[np.float64]
     period: int
@@ -48,7 +52,8 @@ def shoot(
     residual grow tenfold end the search with status `not-converged`. With ``reach`` a guess is expected to be
     near: the search ends too where the first step is longer, or does not make the residual smaller, and where
     two steps have not halved it."""
-    z = np.array(guess, dtype=np.float64)
+    z, period = start_state(props, guess), given.whole("period", period, 1, LONGEST)
+    iterations = given.whole("iterations", iterations)
     cycles, unit = float(period * props.system.cycles), np.eye(len(z))
     best: tuple[NDArray[np.float64], float, flow.Carried, int] | None = None
     residuals: list[float] = []

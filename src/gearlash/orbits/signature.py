@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, Record, given, shown
 
 PATTERN = re.compile(r"[0-9]+-[0-9]+(-[0-9]+)?(/[0-9]+-[0-9]+)*")
 
 
-@dataclass(frozen=True, order=True)
-class Signature:
+@dataclass(frozen=True, order=True, repr=False)
+class Signature(Record):
     """``period`` mesh cycles with ``drive`` impacts on the drive side (Q) and ``back`` on the back side (R)
     of the first clearance in them, and (Q, R) of every further clearance in ``others``.
 
@@ -23,6 +23,16 @@ class Signature:
     drive: int
     back: int = 0
     others: tuple[tuple[int, int], ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "period", given.whole("period of a signature", self.period))
+        counts = [(self.drive, self.back), *given.items("other impacts", self.others, "pairs of counts")]
+        pairs = [given.items("impacts", pair, "a pair of counts, drive and back") for pair in counts]
+        if any(len(pair) != 2 for pair in pairs):
+            raise GearlashError(f"impacts of a signature: {shown(self.others)}: expected pairs of counts")
+        (drive, back), *others = [tuple(given.whole("impacts", each, 0) for each in pair) for pair in pairs]
+        for name, value in (("drive", drive), ("back", back), ("others", tuple(others))):
+            object.__setattr__(self, name, value)
 
     @property
     def counts(self) -> tuple[tuple[int, int], ...]:
@@ -70,9 +80,9 @@ class Signature:
     def parse(text: str) -> Signature:
         """``"6-6-1"``, ``"1-0"``, or ``"3-2-0/1-1"`` of two clearances. Raises `GearlashError` for anything
         else."""
-        if not PATTERN.fullmatch(text):
+        if not (isinstance(text, str) and PATTERN.fullmatch(text)):
             raise GearlashError(
-                f"signature {text!r}: expected P-Q or P-Q-R with whole numbers, for example 6-6-1, and /Q-R "
+                f"signature {shown(text)}: expected P-Q or P-Q-R with whole numbers, for example 6-6-1, and /Q-R "
                 "for every further clearance"
             )
         first, *rest = text.split("/")

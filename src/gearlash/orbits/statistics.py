@@ -7,15 +7,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .grazing import gap_extrema
+from gearlash.system import Record
+
+from .grazing import gap_extrema, motion_of
 from .results import Attractor
 
 FREE = 1  # region of a trace
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
-@dataclass(frozen=True)
-class ForceStatistics:
+@dataclass(frozen=True, repr=False)
+class ForceStatistics(Record):
     """Of the contact force Φ over the motion: least, largest, mean, rms of the whole and of the alternating
     part."""
 
@@ -34,8 +36,8 @@ class ForceStatistics:
         return peak / abs(self.mean)
 
 
-@dataclass(frozen=True)
-class MotionStatistics:
+@dataclass(frozen=True, repr=False)
+class MotionStatistics(Record):
     """Force statistics, dynamic transmission error (X) rms about its mean and peak-to-peak, extremes of X,
     share of time without contact (0 to 1)."""
 
@@ -50,7 +52,8 @@ class MotionStatistics:
 def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatistics:
     """Of one clearance, by Gauss quadrature on every exact piece, with extremes of X from its exact extrema;
     extremes of the force are those of the parabolas through the extreme ones of 96 points a piece."""
-    trace = attractor.trace
+    trace = motion_of(attractor).trace
+    clearance = trace.which(clearance)
     weight = (trace.lengths[:, None] * WEIGHTS[None, :] / 2.0).ravel()
     samples = trace.at(_phases(trace, (NODES + 1.0) / 2.0), clearance)
     weight = weight / weight.sum()

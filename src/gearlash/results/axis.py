@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, Record
 
 
-@dataclass(frozen=True, eq=False)
-class Axis:
+@dataclass(frozen=True, eq=False, repr=False)
+class Axis(Record):
     """``name`` is a short name (omega, D, load …), ``values`` (m,) are dimensionless and ascend strictly.
 
     Raises `GearlashError` for anything else.

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from types import MappingProxyType
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import Status
+from gearlash.system import Record, Status
 
 from .axis import Axis
 from .point import FAILED, NOT_COMPUTED
@@ -27,8 +27,8 @@ MOST_PIXELS = 1_000_000
 """Of a map: it is held in memory, and so many stay below a gibibyte."""
 
 
-@dataclass(frozen=True, eq=False)
-class PlaneMap:
+@dataclass(frozen=True, eq=False, repr=False)
+class PlaneMap(Record):
     """Attractors from cold starts over ``x`` and ``y``; every array has the shape (len(y), len(x)).
 
     ``label`` (int16; int32 beyond 32,767 labels): index into ``labels`` (P-Q-R of proved orbits, aperiodic,
@@ -42,6 +42,8 @@ class PlaneMap:
     False, ``message`` says why, and what is missing has the status `not-computed`. ``fixed`` are the
     parameters that were set beside the case's own.
     """
+
+    _told: ClassVar = ("x", "y", "shares", "statuses", "complete", "message", "fixed")
 
     x: Axis
     y: Axis

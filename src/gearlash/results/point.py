@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+from gearlash.system import Record
 
 Array = NDArray[np.float64]
 
@@ -21,8 +24,8 @@ def _nothing() -> Array:
     return np.zeros(0)
 
 
-@dataclass(frozen=True, eq=False)
-class Point:
+@dataclass(frozen=True, eq=False, repr=False)
+class Point(Record):
     """One attractor at one value of the parameter under study: plain numbers and small arrays, all
     dimensionless.
 
@@ -37,6 +40,18 @@ class Point:
     either side (S2 → S1, S2 → S3) and of the releases of the back side (S3 → S2, the article's literal
     σ_b); extremes of X, of Φ and its rms, share of time without contact (0 to 1).
     """
+
+    _told: ClassVar = (
+        "value",
+        "label",
+        "status",
+        "certificate",
+        "largest_exponent",
+        "minimum",
+        "maximum",
+        "state",
+        "message",
+    )
 
     value: float
     status: str

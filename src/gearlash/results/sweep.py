@@ -6,6 +6,9 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import ClassVar
+
+from gearlash.system import Record
 
 from .axis import Axis
 from .point import NOT_COMPUTED, Point
@@ -19,12 +22,14 @@ class Direction(StrEnum):
     DOWN = "down"
 
 
-@dataclass(frozen=True, eq=False)
-class Sweep:
+@dataclass(frozen=True, eq=False, repr=False)
+class Sweep(Record):
     """``points`` in the order of the axis, whatever the direction, one for every value. Where the sweep was
     stopped early ``complete`` is False, ``message`` says why, and what is missing has the status
     `not-computed`. ``fixed`` are the parameters that were set beside the case's own.
     """
+
+    _told: ClassVar = ("axis", "direction", "shares", "statuses", "complete", "message", "fixed")
 
     axis: Axis
     direction: Direction

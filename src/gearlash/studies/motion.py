@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from gearlash.branches import GrazingPoint
 from gearlash.flow import Trace
 from gearlash.flow.events import gap_displacement, gap_velocity
 from gearlash.orbits import Attractor, Orbit, shoot
-from gearlash.system import Family
+from gearlash.system import Family, Record
 
 Array = NDArray[np.float64]
 
@@ -21,8 +22,8 @@ MOST_CYCLES = 60  # of an aperiodic motion; more only blackens the picture
 TOUCHING = 1e-3  # mesh cycles around a touch within which a contact is that touch, split in two by rounding
 
 
-@dataclass(frozen=True)
-class Touch:
+@dataclass(frozen=True, repr=False)
+class Touch(Record):
     """Where a motion touches a boundary (+1: Σ1, -1: Σ2) without crossing it."""
 
     phase: float
@@ -31,8 +32,8 @@ class Touch:
     boundary: int
 
 
-@dataclass(frozen=True, eq=False)
-class Motion:
+@dataclass(frozen=True, eq=False, repr=False)
+class Motion(Record):
     """One period of an orbit, or a stretch of another motion, sampled.
 
     ``phase`` (N,) in mesh cycles from 0; X, X', Φ and ``region`` (0: drive side, 1: free, 2: back side) at
@@ -40,6 +41,8 @@ class Motion:
     points on σ_t. ``period`` is 0 where nothing periodic was proved; ``value`` is that of the parameter under
     study (nan if none). All dimensionless.
     """
+
+    _told: ClassVar = ("label", "status", "value", "period", "omega", "cycles")
 
     omega: float
     gap_plus: float

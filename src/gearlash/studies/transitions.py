@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.branches import BifurcationPoint, GrazingPoint, locate_grazing, locate_multiplier
 from gearlash.orbits import Orbit, Settings, Signature, attractor, grazing_checks, shoot
-from gearlash.system import Family, GearlashError, Status
+from gearlash.system import Family, GearlashError, Record, Status
 
 GRAZING, DOUBLING, FOLD, JUMP, APERIODIC = "grazing", "doubling", "fold", "jump", "onset of aperiodic motion"
 NARROW = 1e-6  # relative width at which halving ends
@@ -42,11 +42,13 @@ class Sampled(Protocol):
     def state(self) -> NDArray[np.float64]: ...
 
 
-@dataclass(frozen=True, eq=False)
-class Transition:
+@dataclass(frozen=True, eq=False, repr=False)
+class Transition(Record):
     """A change of label between parameter values ``lower`` < ``upper``: its kind, the labels on both sides,
     and the point solved for (None where only the interval is known). ``value`` is the point's, or the middle
     of the interval."""
+
+    _told: ClassVar = ("name", "kind", "value", "label_below", "label_above")
 
     name: str
     kind: str

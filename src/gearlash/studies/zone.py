@@ -6,11 +6,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from math import inf
+from typing import ClassVar
 
 from gearlash.branches import BifurcationPoint, GrazingPoint
 from gearlash.orbits import Signature
 from gearlash.results import Axis, Point, Sweep
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, Record
 
 RANGE, UNKNOWN = "end of the range", "not computed beyond"
 """Kinds of ends that are no change of any motion."""
@@ -41,8 +42,8 @@ class Quiet(StrEnum):
         return signature.impacts == 0 if self is Quiet.IMPACT_FREE else signature.back_impacts == 0
 
 
-@dataclass(frozen=True, eq=False)
-class End:
+@dataclass(frozen=True, eq=False, repr=False)
+class End(Record):
     """One end of an interval: dimensionless value, known within ± ``uncertainty``, and what happens there.
 
     ``kind`` is grazing, doubling, fold, jump, onset of aperiodic motion (see `transitions`), change of
@@ -72,8 +73,8 @@ class End:
         return f"{what}; {self.inside} inside, {self.outside} outside ({self.direction})"
 
 
-@dataclass(frozen=True)
-class Tenant:
+@dataclass(frozen=True, repr=False)
+class Tenant(Record):
     """A motion seen from ``lower`` to ``upper`` (values of the axis) by sweeps of these ``directions``."""
 
     label: str
@@ -83,8 +84,8 @@ class Tenant:
     quiet: bool
 
 
-@dataclass(frozen=True)
-class Physical:
+@dataclass(frozen=True, repr=False)
+class Physical(Record):
     """An interval in a physical unit."""
 
     name: str
@@ -93,8 +94,8 @@ class Physical:
     unit: str
 
 
-@dataclass(frozen=True, eq=False)
-class Interval:
+@dataclass(frozen=True, eq=False, repr=False)
+class Interval(Record):
     """Between two ends."""
 
     lower: End
@@ -108,13 +109,15 @@ class Interval:
         return self.lower.value <= value <= self.upper.value
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Zone(Interval):
     """An interval of ``name`` in which motion is quiet: for every attractor that was found (``every``), or
     for some only.
 
     ``tenants`` are all motions that were seen in it; where two were seen at one value, attractors coexist.
     """
+
+    _told: ClassVar = ("name", "quiet", "every", "lower", "upper")
 
     name: str
     quiet: Quiet
@@ -151,12 +154,14 @@ class Zone(Interval):
         return shown
 
 
-@dataclass(frozen=True, eq=False)
-class Zones:
+@dataclass(frozen=True, eq=False, repr=False)
+class Zones(Record):
     """``zones``: where every attractor found by the sweeps is quiet. ``wider``: intervals where at least
     one of them is, as far as they reach beyond a zone of the first kind. What is narrower than
     ``resolution`` (the step of the axis) may have been missed; ``complete`` is False where something was
     not computed, ``message`` says why."""
+
+    _told: ClassVar = ("quiet", "axis", "zones", "wider", "complete", "message")
 
     quiet: Quiet
     axis: Axis

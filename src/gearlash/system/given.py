@@ -26,7 +26,7 @@ from .told import shown
 Array = NDArray[np.float64]
 Kind = TypeVar("Kind", bound=StrEnum)
 Thing = TypeVar("Thing")
-LARGEST_COUNT = 2**31 - 1
+LARGEST_COUNT = 2**53
 LONGEST_NAME = 200
 _KINDS = {"b": "truth values", "c": "complex numbers", "U": "text", "S": "text", "T": "text", "V": "records"}
 _KINDS |= {"m": "times", "M": "dates"}
@@ -247,7 +247,7 @@ def _converted(name: str, value: Any, expected: str) -> Array:
         raise GearlashError(f"{name}: expected numbers of shape {expected}, not {shown(value)}") from None
     if raw.dtype.kind in _KINDS:
         what = _KINDS[raw.dtype.kind]
-        raise GearlashError(f"{name}: expected numbers of shape {expected}, not {what} ({shown(value)})")
+        raise GearlashError(f"{name}: expected numbers of shape {expected}, not {shown(value)} ({what})")
     if raw.dtype.kind == "O":
         if raw.ndim == 0:
             raise GearlashError(f"{name}: expected numbers of shape {expected}, not {kind_of(value)}")

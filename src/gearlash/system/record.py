@@ -8,6 +8,7 @@ from html import escape
 from types import MappingProxyType
 from typing import Any, ClassVar
 
+from .annotated import hold
 from .told import brief, cut
 
 LONGEST = 380  # characters of a repr
@@ -19,6 +20,9 @@ class Record:
 
     _told: ClassVar[tuple[str, ...]] = ()
     """Names of the attributes that are printed; the fields where there are none."""
+
+    def __post_init__(self) -> None:
+        hold(self)
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...]]:
         return _made, (type(self), {name: _plain(getattr(self, name)) for name in _names(self)})

@@ -1,0 +1,131 @@
+"""The fields of a record are what their annotations say, or are refused in words.
+
+Results are made by the program, but anyone may make one: with a text for a number it would go wrong far from
+there. Numbers of results may be NaN or infinite."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import fields
+from operator import index
+from typing import Any
+
+import numpy as np
+
+from .status import GearlashError, Status, UnknownNameError
+from .told import shown
+
+Check = Callable[[Any], Any]
+ARRAYS = "Array", "Vector", "Fourier", "Complex"  # names that the rooms give to arrays
+_checks: dict[type, tuple[tuple[str, str, Check], ...]] = {}
+
+
+class _WrongError(Exception):
+    """The value is not what the annotation says."""
+
+
+def hold(record: Any) -> None:
+    """Makes the fields of a frozen dataclass what their annotations say. Raises `GearlashError`."""
+    kind = type(record)
+    if kind not in _checks:
+        _checks[kind] = tuple((f.name, str(f.type), _check(str(f.type))) for f in fields(kind))
+    for name, annotation, check in _checks[kind]:
+        value = getattr(record, name)
+        try:
+            found = check(value)
+        except (_WrongError, UnknownNameError, TypeError, ValueError, OverflowError):
+            raise GearlashError(
+                f"{name} of {kind.__name__} = {shown(value)}: expected {annotation}"
+            ) from None
+        if found is not value:
+            object.__setattr__(record, name, found)
+
+
+def _check(annotation: str) -> Check:
+    parts = annotation.split(" | ")
+    checks = [_PLAIN.get(part.partition("[")[0], _of_kind(part)) for part in parts if part != "None"]
+    if "None" in parts:
+        return lambda value: None if value is None else _first(checks, value)
+    return checks[0] if len(checks) == 1 else lambda value: _first(checks, value)
+
+
+def _first(checks: list[Check], value: Any) -> Any:
+    for check in checks:
+        try:
+            return check(value)
+        except (_WrongError, UnknownNameError, TypeError, ValueError, OverflowError):
+            pass
+    raise _WrongError
+
+
+def _of_kind(annotation: str) -> Check:
+    """An instance of a class of this name, which need not be imported here."""
+
+    def check(value: Any) -> Any:
+        if any(base.__name__ == annotation for base in type(value).__mro__):
+            return value
+        raise _WrongError
+
+    return check
+
+
+def _float(value: Any) -> Any:
+    if type(value) is float:
+        return value
+    if isinstance(value, (str, bytes, bool, np.bool_)) or getattr(value, "shape", ()) != ():
+        raise _WrongError
+    return float(value)
+
+
+def _int(value: Any) -> int:
+    if isinstance(value, (bool, np.bool_)):
+        raise _WrongError
+    return index(value)
+
+
+def _complex(value: Any) -> complex:
+    if isinstance(value, (str, bytes, bool, np.bool_)) or getattr(value, "shape", ()) != ():
+        raise _WrongError
+    return complex(value)
+
+
+def _array(value: Any) -> np.ndarray:
+    found = value if isinstance(value, np.ndarray) else np.asarray(value)
+    if found.dtype.kind not in "biufc":
+        raise _WrongError
+    return found
+
+
+def _tuple(value: Any) -> Any:
+    if isinstance(value, list):
+        return tuple(value)
+    return _kept(value, tuple)
+
+
+def _kept(value: Any, kind: type | tuple[type, ...]) -> Any:
+    if isinstance(value, kind):
+        return value
+    raise _WrongError
+
+
+def _bool(value: Any) -> bool:
+    return bool(_kept(value, (bool, np.bool_)))
+
+
+_PLAIN: dict[str, Check] = {
+    "float": _float,
+    "int": _int,
+    "complex": _complex,
+    "bool": _bool,
+    "str": lambda value: _kept(value, str),
+    "tuple": _tuple,
+    "dict": lambda value: _kept(value, Mapping),
+    "Mapping": lambda value: _kept(value, Mapping),
+    "Literal": lambda value: _kept(value, str),
+    "Status": Status,
+    "Surface": lambda value: _kept(value, str),
+    "Any": lambda value: value,
+    "object": lambda value: value,
+    "NDArray": _array,
+    **dict.fromkeys(ARRAYS, _array),
+}
