@@ -19,7 +19,10 @@ ZETA = 0.1
 def narrowed(family: Family, name: str, lower: float, upper: float) -> Family:
     """The same family with a smaller range of one parameter."""
     parameters = tuple(
-        replace(p, lower=lower, upper=upper) if p.name == name else p for p in family.parameters
+        replace(p, lower=lower, upper=upper, default=min(max(p.default, lower), upper))
+        if p.name == name
+        else p
+        for p in family.parameters
     )
     return replace(family, parameters=parameters)
 

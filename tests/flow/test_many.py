@@ -166,7 +166,7 @@ def test_arguments_that_do_not_fit(arguments: dict, told: str):
         ({"stretches": 1.5}, "stretches is 1.5: expected a whole number, 0 or more"),
         ({"stretches": 10**15}, "GiB, more than there is"),
         ({"stretch": "2"}, "stretch is '2': expected a whole number, 1 or more"),
-        ({"props": load("article-first-harmonic")}, "expected propagators, not a Case"),
+        ({"props": load("article-first-harmonic")}, "expected propagators of a system"),
     ],
 )
 def test_arguments_of_one_march_that_do_not_fit(arguments: dict, told: str):

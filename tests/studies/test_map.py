@@ -160,7 +160,7 @@ def test_names_and_starts_are_checked_before_anything_runs():
         map_plane(CLASSICAL, SPEEDS, GAPS, fixed={"D": 1.0})
     with pytest.raises(GearlashError, match="two different parameters"):
         map_plane(CLASSICAL, SPEEDS, SPEEDS)
-    with pytest.raises(GearlashError, match="an axis of a map is an Axis"):
+    with pytest.raises(GearlashError, match="expected an Axis"):
         map_plane(CLASSICAL, "omega", GAPS)  # pyright: ignore[reportArgumentType]
     with pytest.raises(GearlashError, match="or a Family, not a str"):
         map_plane("article", SPEEDS, GAPS)  # pyright: ignore[reportArgumentType]

@@ -110,12 +110,27 @@ def test_a_motion_that_runs_away_has_a_status_and_no_sections():
     assert not found.periodic
 
 
-def test_a_defect_of_a_family_is_not_hidden():
+@pytest.mark.parametrize("error", [ZeroDivisionError("no teeth"), KeyError("teeth"), RuntimeError()])
+def test_what_a_family_raises_fails_the_point_with_its_reason(error: Exception):
     def build(values):
-        raise ZeroDivisionError("a defect, not a refusal")
+        raise error
 
     family = Family((Parameter("omega", 0.6),), ("X",), build, lambda values: np.zeros(1))
-    with pytest.raises(ZeroDivisionError):
+    found = studies.point(family)
+    assert found.status == FAILED
+    assert found.message == f"build failed at omega = 0.6: {type(error).__name__}: {error}".removesuffix(": ")
+    with pytest.raises(GearlashError) as raised:
+        family.system()
+    assert raised.value.__cause__ is error
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt(), SystemExit(3), MemoryError()])
+def test_what_is_no_error_of_a_family_goes_through(error: BaseException):
+    def build(values):
+        raise error
+
+    family = Family((Parameter("omega", 0.6),), ("X",), build, lambda values: np.zeros(1))
+    with pytest.raises(type(error)):
         studies.point(family)
 
 

@@ -17,10 +17,10 @@ from gearlash.flow import Propagators
 from gearlash.orbits import Orbit, shoot
 from gearlash.orbits.floquet import ordered
 from gearlash.orbits.shooting import Shot
-from gearlash.system import Family, Record, Status
+from gearlash.system import Family, GearlashError, Record, Status, given
 
 from .kinds import SMOOTH
-from .steps import UNBUILT, difference, longest_step, member, named, within_range
+from .steps import UNBUILT, checked, difference, longest_step, member, within_range
 
 Array = NDArray[Any]
 ITERATIONS = 30
@@ -66,7 +66,10 @@ def locate_multiplier(
 
     Status `not-admissible`: a multiplier +1 where the orbit is born from one of half its period, no fold.
     """
-    named(family, name)
+    values = checked(family, values, name, orbit)
+    multiplier = given.whole("multiplier", multiplier, -1, 1)
+    if multiplier == 0:
+        raise GearlashError("multiplier is 0: expected -1 (a doubling) or 1 (a fold)")
     problem = _Problem(family, values, name, float(orbit.period), multiplier)
     unknown, residual, change = problem.solve(np.append(orbit.state, float(values[name])))
     state, mu = unknown[:-1], float(unknown[-1])

@@ -23,11 +23,11 @@ from gearlash.orbits import GrazingCheck, Orbit
 from gearlash.orbits.floquet import ordered
 from gearlash.orbits.grazing import KINDS, Surface, gap_extrema
 from gearlash.orbits.pressing import force_extrema
-from gearlash.system import Family, Record, Status
+from gearlash.system import Family, Record, Status, given
 
 from .kinds import distance_to_unit, table2_type
 from .sides import NONE, Sides
-from .steps import UNBUILT, difference, longest_step, member, named, within_range
+from .steps import UNBUILT, checked, difference, longest_step, member, within_range
 from .surface import Touching
 
 Array = NDArray[np.float64]
@@ -109,7 +109,9 @@ def locate_grazing(
     touches its boundary. The value is good to about 1e-12 of itself where the status is ok; `not-converged`
     (also: the way there leaves the range of the parameter, or comes to values that have no system) and
     `not-admissible` (the labels beside it do not differ by one contact) say that it is no result."""
-    named(family, name)
+    values = checked(family, values, name, orbit)
+    given.instance("check", check, GrazingCheck, "one of gearlash.grazing_checks(orbit)")
+    given.whole("clearance of the check", check.clearance, 0, len(orbit.propagators.rules) - 1)
     problem = _Problem.of(family, values, name, orbit, check)
     props, unknown, residual, error = problem.solve()
     mu = float(unknown[-1])

@@ -8,7 +8,8 @@ import numpy as np
 
 from gearlash import flow
 from gearlash.flow import Propagators
-from gearlash.system import Family, GearlashError, Parameter, UnknownNameError
+from gearlash.orbits import Orbit
+from gearlash.system import Family, GearlashError, Parameter, given
 
 PART = 0.05  # of the parameter
 SIGNED = 1.0  # a parameter that may change its sign (a load, a phase) is taken for this large at least
@@ -18,10 +19,21 @@ UNBUILT = (GearlashError, np.linalg.LinAlgError)
 
 def named(family: Family, name: str) -> Parameter:
     """The parameter of this name. Raises `UnknownNameError` where the family has none."""
-    for parameter in family.parameters:
-        if parameter.name == name:
-            return parameter
-    raise UnknownNameError("parameter", name, [p.name for p in family.parameters])
+    by_name = {parameter.name: parameter for parameter in family.parameters}
+    return by_name[given.known("parameter", name, by_name)]
+
+
+def checked(family: Family, values: Mapping[str, float], name: str, orbit: Orbit) -> dict[str, float]:
+    """All values of the member that an orbit is of. Raises `GearlashError` for arguments that do not fit."""
+    given.instance("family", family, Family, "a Family, as from case.family()[0]")
+    named(family, name)
+    given.instance("orbit", orbit, Orbit, "an Orbit, as from gearlash.attractor")
+    if orbit.propagators.system.size != len(family.states):
+        raise GearlashError(
+            f"the orbit has {orbit.propagators.system.size} states, the family {len(family.states)}: "
+            "expected an orbit of a member of this family"
+        )
+    return family.complete(values)
 
 
 def longest_step(family: Family, name: str, value: float) -> float:

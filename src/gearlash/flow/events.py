@@ -55,7 +55,7 @@ class Events(Record):
     def where(self, mask: Array) -> Events:
         """The events selected by a boolean mask (m,), or by their indices."""
         mask = np.asarray(mask)
-        if mask.dtype.kind not in "biu" or mask.dtype.kind == "b" and mask.shape != self.phase.shape:
+        if mask.dtype.kind not in "biu" or (mask.dtype.kind == "b" and mask.shape != self.phase.shape):
             raise GearlashError(f"mask of events: expected {len(self)} truth values, or indices")
         parts = (
             self.phase, self.state, self.velocity, self.force, self.clearance, self.boundary, self.engaging

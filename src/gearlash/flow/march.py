@@ -11,7 +11,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import GearlashError, Record, Status, given
+from gearlash.system import Record, Status, given
 
 from . import _march
 from ._motion import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY

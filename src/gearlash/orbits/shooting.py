@@ -52,7 +52,8 @@ def shoot(
     residual grow tenfold end the search with status `not-converged`. With ``reach`` a guess is expected to be
     near: the search ends too where the first step is longer, or does not make the residual smaller, and where
     two steps have not halved it."""
-    z, period = start_state(props, guess), given.whole("period", period, 1, LONGEST)
+    z: NDArray[np.float64] = start_state(props, guess)
+    period = given.whole("period", period, 1, LONGEST)
     iterations = given.whole("iterations", iterations)
     cycles, unit = float(period * props.system.cycles), np.eye(len(z))
     best: tuple[NDArray[np.float64], float, flow.Carried, int] | None = None

@@ -82,8 +82,8 @@ class Signature(Record):
         else."""
         if not (isinstance(text, str) and PATTERN.fullmatch(text)):
             raise GearlashError(
-                f"signature {shown(text)}: expected P-Q or P-Q-R with whole numbers, for example 6-6-1, and /Q-R "
-                "for every further clearance"
+                f"signature {shown(text)}: expected P-Q or P-Q-R with whole numbers, for example 6-6-1, "
+                "and /Q-R for every further clearance"
             )
         first, *rest = text.split("/")
         others = [tuple(map(int, part.split("-"))) for part in rest]

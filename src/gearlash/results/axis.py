@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearlash.system import GearlashError, Record
+from gearlash.system import GearlashError, Record, given, shown
+
+MOST_VALUES = 100_000_000
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -21,27 +23,25 @@ class Axis(Record):
     values: NDArray[np.float64]
 
     def __post_init__(self) -> None:
-        values = np.array(self.values, dtype=np.float64)
-        if values.ndim != 1 or not len(values):
-            raise GearlashError(
-                f"axis {self.name}: values have shape {values.shape}, expected (m,) with m ≥ 1"
-            )
-        if not np.isfinite(values).all():
-            raise GearlashError(f"axis {self.name}: values hold NaN or infinity")
+        name = given.word("name of an axis", self.name)
+        values = given.row(f"axis {name}: values", self.values)
+        if not len(values):
+            raise GearlashError(f"axis {name}: expected at least one value")
         if not (np.diff(values) > 0.0).all():
             raise GearlashError(f"axis {self.name}: values must ascend, each once")
-        values.setflags(write=False)
-        object.__setattr__(self, "values", values)
+        object.__setattr__(self, "name", name)
+        object.__setattr__(self, "values", given.kept(values))
 
     @classmethod
     def even(cls, name: str, ends: ArrayLike, count: int) -> Axis:
         """``count`` values at equal distances from the lower to the upper of two ``ends``, both included."""
-        ends = np.asarray(ends, dtype=np.float64)
-        if ends.shape != (2,) or count < 1 or (count == 1) != (ends[0] == ends[1]):
+        low, high = sorted(given.numbers(f"axis {shown(name)}: ends", ends, (2,)).tolist())
+        count = given.whole(f"axis {shown(name)}: count", count, 1, MOST_VALUES)
+        if (count == 1) != (low == high):
             raise GearlashError(
-                f"axis {name}: expected two different ends and at least two values between them"
+                f"axis {shown(name)}: expected two different ends and at least two values between them"
             )
-        return cls(name, np.linspace(ends.min(), ends.max(), count))
+        return cls(name, np.linspace(low, high, count))
 
     @property
     def step(self) -> float:

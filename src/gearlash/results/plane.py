@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import Record, Status
+from gearlash.system import GearlashError, Record, Status
 
 from .axis import Axis
 from .point import FAILED, NOT_COMPUTED
@@ -63,7 +63,10 @@ class PlaneMap(Record):
     fixed: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        for array in self.arrays.values():
+        super().__post_init__()
+        for name, array in self.arrays.items():
+            if array.shape != self.shape:
+                raise GearlashError(f"{name} of a map has shape {array.shape}, expected {self.shape}")
             array.setflags(write=False)
         object.__setattr__(self, "reasons", MappingProxyType(dict(self.reasons)))
         object.__setattr__(self, "fixed", MappingProxyType(dict(self.fixed)))

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import StrEnum
 from typing import ClassVar
 
-from gearlash.system import Record
+from gearlash.system import GearlashError, Named, Record, given
 
 from .axis import Axis
 from .point import NOT_COMPUTED, Point
 
 
-class Direction(StrEnum):
+class Direction(Named):
     """Where each point starts: from the cold start, or from the attractor of the point before it."""
 
     COLD = "cold"
@@ -38,6 +37,13 @@ class Sweep(Record):
     message: str = ""
     fixed: Mapping[str, float] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "direction", given.choice(Direction, "direction", self.direction))
+        super().__post_init__()
+        points = given.instances("points of a sweep", self.points, Point, "a tuple of Point")
+        if len(points) != len(self.axis):
+            raise GearlashError(f"a sweep of {len(self.axis)} values has {len(points)} points")
+
     @property
     def computed(self) -> int:
         """How many points were computed."""
@@ -47,6 +53,12 @@ class Sweep(Record):
     def statuses(self) -> dict[str, int]:
         """How many points have which status."""
         return dict(Counter(point.status for point in self.points))
+
+    @property
+    def shares(self) -> dict[str, int]:
+        """How many points have which label, the most frequent first."""
+        found = Counter(point.label for point in self.points if point.label)
+        return dict(sorted(found.items(), key=lambda item: (-item[1], item[0])))
 
     @property
     def certificates(self) -> dict[str, int]:

@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 from gearlash.case import Case
 from gearlash.jobs import Pool
-from gearlash.system import Family, GearlashError
+from gearlash.system import Family, GearlashError, given
 
 Model: TypeAlias = Case | Family
 
@@ -24,10 +24,7 @@ class Source:
 
     @staticmethod
     def of(model: Model) -> Source:
-        if not isinstance(model, (Case, Family)):
-            raise GearlashError(
-                f"expected a case, as from gearlash.load_case, or a Family, not a {type(model).__name__}"
-            )
+        given.instance("model", model, (Case, Family), "a case, as from gearlash.load_case, or a Family")
         return Source(None, model) if isinstance(model, Family) else Source(model.to_json(), None)
 
     def family(self) -> Family:

@@ -90,8 +90,8 @@ def _pixel(
 ) -> tuple[Pixel, Propagators | None]:
     try:
         values = family.complete(values)
-        props = flow.propagators(family.build(values), reuse)
-        start = family.initial(values) if stretch.start is None else stretch.start
+        props = flow.propagators(family.system(values), reuse)
+        start = family.start(values) if stretch.start is None else stretch.start
         return Pixel(_record(attractor(props, start, stretch.settings))), props
     except (GearlashError, LinAlgError) as error:
         return Pixel(b"", str(error) or type(error).__name__), reuse

@@ -15,8 +15,9 @@ from gearlash.jobs import Cancel, Chain, Outcome, ProgressCallback, run
 from gearlash.orbits import Settings, Signature
 from gearlash.results import Axis
 from gearlash.results.plane import MOST_PIXELS, NO_LABEL, PlaneMap
-from gearlash.system import Family, GearlashError, UnknownNameError
+from gearlash.system import Family, GearlashError, given
 
+from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
 from .model import Model, Source, check_travels
 from .pixels import (
     APERIODIC,
@@ -31,6 +32,7 @@ from .pixels import (
     work,
 )
 
+OTHER_GAPS = "its system has another number of clearances than the first of the map"
 CHUNK = 64  # pixels a task: about a second of work, of which a cancel has to wait for the rest
 _NO_CLEARANCE = bytes(record_kind(1).itemsize)
 NAMED = {APERIODIC: "aperiodic", UNRESOLVED: "unresolved"}
@@ -60,40 +62,24 @@ def map_plane(
     """
     source = Source.of(model)
     family = source.family()
-    fixed = _checked(family, x, y, dict(fixed or {}))
-    start = None if initial is None else _start(family, initial)
+    fixed = checked_fixed(family, fixed, [x, y])
+    _check_size(x, y)
+    begin = checked_start(family, initial)
+    start = None if begin is None else tuple(map(float, begin))
+    checked_ways(executor, progress, cancel)
     check_travels(source, executor)
-    if chunk is not None and chunk < 1:
-        raise GearlashError(f"chunk = {chunk}: expected 1 or more pixels a task")
+    chunk = CHUNK if chunk is None else given.whole("chunk", chunk)
     grid = _Grid(x, y, _keeps(family, fixed, x, y))
-    form = Stretch(source, tuple(fixed.items()), grid.inner.name, (), start, settings or Settings())
-    outcome = run(work, grid.chains(form, chunk or CHUNK), executor, progress=progress, cancel=cancel)
+    form = Stretch(source, tuple(fixed.items()), grid.inner.name, (), start, checked_settings(settings))
+    outcome = run(work, grid.chains(form, chunk), executor, progress=progress, cancel=cancel)
     return grid.gathered(outcome, fixed)
 
 
-def _checked(family: Family, x: Axis, y: Axis, fixed: dict[str, float]) -> dict[str, float]:
-    for axis in (x, y):
-        if not isinstance(axis, Axis):
-            raise GearlashError(
-                f"an axis of a map is an Axis, such as Axis.even('omega', (0.5, 1.4), 200), not {axis!r:.60}"
-            )
-        if axis.name not in family.defaults:
-            raise UnknownNameError("parameter", axis.name, family.defaults)
-        if axis.name in fixed:
-            raise GearlashError(f"{axis.name} is an axis of the map and cannot be fixed as well")
+def _check_size(x: Axis, y: Axis) -> None:
     if len(x) * len(y) > MOST_PIXELS:
         raise GearlashError(f"{len(x)} × {len(y)} pixels: a map takes {MOST_PIXELS:,} at the most")
     if x.name == y.name:
         raise GearlashError(f"both axes of the map are {x.name}: expected two different parameters")
-    family.complete(fixed)
-    return {name: float(value) for name, value in fixed.items()}
-
-
-def _start(family: Family, initial: ArrayLike) -> tuple[float, ...]:
-    start, n = np.asarray(initial, dtype=np.float64), len(family.states)
-    if start.shape != (n,) or not np.isfinite(start).all():
-        raise GearlashError(f"initial state: expected {n} finite numbers ({', '.join(family.states)})")
-    return tuple(map(float, start))
 
 
 def _keeps(family: Family, fixed: dict[str, float], x: Axis, y: Axis) -> bool:
@@ -146,6 +132,8 @@ class _Grid:
         table["kind"], table["exponent"] = NOTHING, np.nan
         failed = failed_record(kind)
         for place, pixel in pixels.items():
+            if pixel.record and len(pixel.record) != kind.itemsize:
+                pixel = pixels[place] = Pixel(b"", OTHER_GAPS)
             table[place] = np.frombuffer(pixel.record, kind)[0] if pixel.record else failed
         reasons = {
             place[::-1] if self.along_y else place: pixel.reason

@@ -13,16 +13,18 @@ from gearlash.flow import Propagators
 from gearlash.flow.events import gap_displacement
 from gearlash.orbits import Attractor, Orbit, Settings, attractor
 from gearlash.results import FAILED, Point, blank
-from gearlash.system import Family, GearlashError, Status
+from gearlash.system import Family, GearlashError, Status, given
 
+from .arguments import checked_settings
 from .forces import force_figures
+from .model import Model, Source
 
 TRACEABLE = (Status.OK, Status.UNCERTAIN, Status.UNRESOLVED)
 NOT_A_NUMBER = float("nan")
 
 
 def point(
-    family: Family,
+    model: Model,
     values: Mapping[str, float] | None = None,
     *,
     name: str | None = None,
@@ -30,14 +32,19 @@ def point(
     trial: tuple[ArrayLike, int] | None = None,
     settings: Settings | None = None,
 ) -> Point:
-    """The attractor of one member of a family: ``values`` over its defaults, from ``start`` (n,), by default
-    the cold one.
+    """The attractor of a case, or of one member of a family: ``values`` over its defaults, from ``start``
+    (n,), by default the cold one.
 
     ``name`` is the parameter whose value the point carries (nan without); ``trial`` is an orbit to try first
     (see `orbits.attractor`). What cannot be built or solved gives a point of status `failed` with the reason.
     """
-    found, _ = evaluate(family, dict(values or {}), name, start, trial, settings or Settings(), None)
-    return found
+    family = Source.of(model).family()
+    stated = given.mapping("parameter values", values)
+    for each in (*stated, *(() if name is None else (name,))):
+        given.known("parameter", each, family.defaults)
+    numbers = {each: given.number(each, value) for each, value in stated.items()}
+    begin = None if start is None else given.numbers("start", start, (len(family.states),))
+    return evaluate(family, numbers, name, begin, trial, checked_settings(settings), None)[0]
 
 
 def evaluate(
@@ -54,8 +61,8 @@ def evaluate(
     try:
         values = family.complete(values)
         value = NOT_A_NUMBER if name is None else values[name]
-        props = flow.propagators(family.build(values), reuse)
-        begin = family.initial(values) if start is None else start
+        props = flow.propagators(family.system(values), reuse)
+        begin = family.start(values) if start is None else start
         return summary(attractor(props, begin, settings, trial), value), props
     except (GearlashError, LinAlgError) as error:
         value = values.get(name, value) if name is not None else value

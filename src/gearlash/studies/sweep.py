@@ -13,8 +13,9 @@ from gearlash._kernel import compile_all, load_all
 from gearlash.jobs import Cancel, Chain, Inline, Outcome, ProgressCallback, open_executor, run
 from gearlash.orbits import Settings
 from gearlash.results import NOT_COMPUTED, Axis, Direction, Sweep, blank
-from gearlash.system import GearlashError, UnknownNameError
+from gearlash.system import given
 
+from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
 from .model import Model, Source, check_travels, prepare
 from .row import Segment, Trail, work
 
@@ -74,12 +75,13 @@ def sweeps(
     may: where they differ, attractors coexist (`coexisting`).
     """
     source = Source.of(model)
-    fixed = _checked(source, axis, fixed, initial)
+    family = source.family()
+    fixed, begin = checked_fixed(family, fixed, [axis]), checked_start(family, initial)
+    checked_ways(executor, progress, cancel)
     check_travels(source, executor)
-    ways = [_direction(d) for d in directions]
+    ways = _directions(directions)
     size = _chunk(chunk, executor)
-    form = Segment(source, tuple(fixed.items()), axis.name, settings or Settings(), False, ())
-    begin = None if initial is None else np.array(initial, dtype=np.float64)
+    form = Segment(source, tuple(fixed.items()), axis.name, checked_settings(settings), False, ())
     chains = [chain for way in ways for chain in _chains(way, axis, size, form, begin)]
     outcome = run(work, chains, executor, progress=progress, cancel=cancel)
     return tuple(_gathered(way, axis, fixed, outcome) for way in ways)
@@ -93,35 +95,19 @@ def open_workers(model: Model, workers: int | None = None) -> Executor:
     return open_executor(workers, prepare, (Source.of(model),))
 
 
-def _checked(
-    source: Source, axis: Axis, fixed: Mapping[str, float] | None, initial: ArrayLike | None
-) -> dict[str, float]:
-    family, fixed = source.family(), dict(fixed or {})
-    names = family.defaults
-    if axis.name not in names:
-        raise UnknownNameError("parameter", axis.name, names)
-    if axis.name in fixed:
-        raise GearlashError(f"{axis.name} is the axis of the sweep and cannot be fixed as well")
-    family.complete(fixed)
-    if initial is not None:
-        start, n = np.asarray(initial, dtype=np.float64), len(family.states)
-        if start.shape != (n,) or not np.isfinite(start).all():
-            raise GearlashError(f"initial state: expected {n} finite numbers ({', '.join(family.states)})")
-    return {name: float(value) for name, value in fixed.items()}
-
-
-def _direction(text: Direction | str) -> Direction:
-    if text not in tuple(Direction):
-        raise UnknownNameError("direction", str(text), [str(d) for d in Direction])
-    return Direction(text)
+def _directions(directions: Sequence[Direction | str]) -> list[Direction]:
+    found = directions
+    if not isinstance(found, str):
+        found = given.items("directions", found, f"directions, out of {', '.join(Direction)}")
+    ways = [given.choice(Direction, "direction", d) for d in ([found] if isinstance(found, str) else found)]
+    given.unique("directions", tuple(map(str, ways)))
+    return ways
 
 
 def _chunk(chunk: int | None, executor: Executor | None) -> int:
     if chunk is None:
         return 1 if executor is None or isinstance(executor, Inline) else CHUNK
-    if chunk < 1:
-        raise GearlashError(f"chunk = {chunk}: expected 1 or more points a task")
-    return chunk
+    return given.whole("chunk", chunk)
 
 
 def _chains(way: Direction, axis: Axis, size: int, form: Segment, begin: np.ndarray | None) -> list[Chain]:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.branches import BifurcationPoint, GrazingPoint, locate_grazing, locate_multiplier
 from gearlash.orbits import Orbit, Settings, Signature, attractor, grazing_checks, shoot
-from gearlash.system import Family, GearlashError, Record, Status
+from gearlash.system import Family, GearlashError, Record, Status, given
 
 GRAZING, DOUBLING, FOLD, JUMP, APERIODIC = "grazing", "doubling", "fold", "jump", "onset of aperiodic motion"
 NARROW = 1e-6  # relative width at which halving ends
@@ -79,13 +79,23 @@ def transitions(
     """All changes of label along ``points`` (ascending in ``name``). ``rising`` says from which side the
     attractor is followed when an interval is halved. Intervals with an end that is not periodic are reported
     without a point."""
-    finder = _Finder(family, family.complete(fixed), name, rising)
-    nodes = [_Node(p.value, p.label, p.period, p.state) for p in points]
+    given.instance("family", family, Family, "a Family, as from case.family()[0]")
+    given.known("parameter", name, family.defaults)
+    finder = _Finder(family, family.complete(fixed), name, given.truth("rising", rising))
+    nodes = [_node(point) for point in given.items("points", points, "the points of a sweep, ascending")]
+    if not all(one.value < two.value for one, two in pairwise(nodes)):
+        raise GearlashError("points: expected values that ascend, each once")
     found: list[Transition] = []
     for below, above in pairwise(nodes):
         if below.label != above.label:
             found.extend(finder.between(below, above, 0))
     return tuple(found)
+
+
+def _node(point: Sampled) -> _Node:
+    if not all(hasattr(point, name) for name in ("value", "label", "period", "state")):
+        raise GearlashError(f"points: expected the points of a sweep, not {given.kind_of(point)}")
+    return _Node(point.value, point.label, point.period, point.state)
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from enum import StrEnum
 from math import inf
 from typing import ClassVar
 
 from gearlash.branches import BifurcationPoint, GrazingPoint
 from gearlash.orbits import Signature
 from gearlash.results import Axis, Point, Sweep
-from gearlash.system import GearlashError, Record
+from gearlash.system import GearlashError, Named, Record
 
 RANGE, UNKNOWN = "end of the range", "not computed beyond"
 """Kinds of ends that are no change of any motion."""
@@ -21,7 +20,7 @@ BASIN = "change of basin"
 """
 
 
-class Quiet(StrEnum):
+class Quiet(Named):
     """What makes a motion count: no impact at all, or none on the back side. Only proved periodic motions
     count.
     """

@@ -15,8 +15,9 @@ from gearlash.jobs import Cancel, Chain, ProgressCallback, run
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, Sweep, same_motion
 from gearlash.results.physical import physical_axis
-from gearlash.system import GearlashError, UnknownNameError
+from gearlash.system import GearlashError, given
 
+from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
 from .ends import NARROW, Bracket, find_end
 from .model import Model, Source
 from .sweep import sweeps
@@ -44,10 +45,13 @@ def zones(
     fold) where the sweep's own attractor is seen to change there, else halved to about 1e-6 of
     itself. ``progress`` counts points, then ends. Other arguments as in `sweep`.
     """
-    quiet, settings = _quiet(quiet), settings or Settings()
+    family = Source.of(model).family()
+    quiet, settings = given.choice(Quiet, "kind of zone", quiet), checked_settings(settings)
+    fixed, start = checked_fixed(family, fixed, [axis]), checked_start(family, initial)
+    checked_ways(executor, progress, cancel)
     if len(axis) < 2:
         raise GearlashError(f"zones along {axis.name}: expected at least two values")
-    ways = None if known is None else tuple(known)
+    ways = None if known is None else given.instances("known", known, Sweep, "sweeps made before")
     if ways is None:
         ways = sweeps(
             model,
@@ -60,19 +64,12 @@ def zones(
             cancel=cancel,
         )
     _check(ways, axis, fixed)
-    start = None if initial is None else np.array(initial, dtype=np.float64)
-    search = _Search(Source.of(model), tuple((fixed or {}).items()), settings, quiet, start)
+    search = _Search(Source.of(model), tuple(fixed.items()), settings, quiet, start)
     rows, reason = search.rows(ways, executor, progress, cancel)
     certain = [_zone(model, ways, quiet, interval, True) for interval in intersection(rows)]
     wide = [_zone(model, ways, quiet, interval, False) for interval in union(rows)]
     wider = [zone for zone in wide if not any(_same(zone, sure) for sure in certain)]
     return Zones(quiet, axis, tuple(certain), tuple(wider), ways, not reason, reason, axis.step)
-
-
-def _quiet(text: Quiet | str) -> Quiet:
-    if text not in tuple(Quiet):
-        raise UnknownNameError("kind of zone", str(text), [str(q) for q in Quiet])
-    return Quiet(text)
 
 
 def _check(ways: Sequence[Sweep], axis: Axis, fixed: Mapping[str, float] | None) -> None:

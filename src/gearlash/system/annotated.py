@@ -61,8 +61,10 @@ def _first(checks: list[Check], value: Any) -> Any:
 def _of_kind(annotation: str) -> Check:
     """An instance of a class of this name, which need not be imported here."""
 
+    name = annotation.rpartition(".")[2].casefold()
+
     def check(value: Any) -> Any:
-        if any(base.__name__ == annotation for base in type(value).__mro__):
+        if any(base.__name__.casefold() == name for base in type(value).__mro__):
             return value
         raise _WrongError
 

@@ -105,7 +105,7 @@ def _called(name: str, function: Callable[[Mapping[str, float]], Any], values: d
     except (GearlashError, MemoryError):
         raise
     except Exception as error:
-        what = cut(f"{type(error).__name__}: {error}", LONGEST_VALUES)
+        what = cut(f"{type(error).__name__}: {error}".removesuffix(": "), LONGEST_VALUES)
         raise BuildError(f"{name} failed at {_told(values)}: {what}") from error
 
 

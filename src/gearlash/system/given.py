@@ -20,13 +20,14 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from .status import GearlashError, UnknownNameError, nearest
+from .status import GearlashError, UnknownNameError
 from .told import shown
 
 Array = NDArray[np.float64]
 Kind = TypeVar("Kind", bound=StrEnum)
 Thing = TypeVar("Thing")
 LARGEST_COUNT = 2**53
+FAR_MOST = 10_000  # beyond it an upper end is told only to those who passed it
 LONGEST_NAME = 200
 _KINDS = {"b": "truth values", "c": "complex numbers", "U": "text", "S": "text", "T": "text", "V": "records"}
 _KINDS |= {"m": "times", "M": "dates"}
@@ -66,9 +67,9 @@ def whole(name: str, value: Any, least: int = 1, most: int = LARGEST_COUNT) -> i
     except TypeError:
         found = None
     if found is None or not least <= found <= most:
-        limits = f"{least} or more" if most == LARGEST_COUNT else f"{least} to {most}"
-        too_large = f" (at most {most})" if found is not None and found > LARGEST_COUNT else ""
-        raise GearlashError(f"{name} is {shown(value)}: expected a whole number, {limits}{too_large}")
+        closed = most < FAR_MOST or (found is not None and found > most)
+        limits = f"{least} to {most:,}" if closed else f"{least} or more"
+        raise GearlashError(f"{name} is {shown(value)}: expected a whole number, {limits}")
     return found
 
 
@@ -116,9 +117,7 @@ def choice(kind: type[Kind], name: str, value: Any) -> Kind:
         return value
     if isinstance(value, str) and value in tuple(kind):
         return kind(value)
-    near = nearest(value, map(str, kind)) if isinstance(value, str) else None
-    hint = f"; did you mean {near!r}?" if near else ""
-    raise GearlashError(f"{name} = {shown(value)}: expected one of {', '.join(kind)}{hint}")
+    raise UnknownNameError(name, value, map(str, kind))
 
 
 def word(name: str, value: Any) -> str:

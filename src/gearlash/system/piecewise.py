@@ -61,7 +61,7 @@ class Clearance(Record):
         plain = {key: given.number(f"{of}{key}", getattr(self, key)) for key in NUMBERS}
         if self.damping_minus is not None:
             plain["damping_minus"] = given.number(f"{of}damping_minus", self.damping_minus)
-        contact = given.choice(ContactRule, f"{of}contact", self.contact)
+        contact = given.choice(ContactRule, f"contact rule of clearance {name!r}", self.contact)
         for key, value in {**arrays, **plain, "name": name, "contact": contact}.items():
             object.__setattr__(self, key, value)
 
