@@ -257,7 +257,7 @@ def test_a_build_that_fails_for_one_value_fails_that_point():
     def build(p):
         return system(stop(gap_plus=1.0 / (p["omega"] - 1.0)), omega=p["omega"])
 
-    found = gl.sweep(family(build=build), gl.Axis("omega", [0.5, 1.0, 1.5]))
+    found = gl.sweep(family(build=build), gl.Axis("omega", np.array([0.5, 1.0, 1.5])))
     assert [point.status == "failed" for point in found.points] == [False, True, False]
     assert "ZeroDivisionError" in found.points[1].message
     assert "omega = 1" in found.points[1].message

@@ -6,8 +6,6 @@ A series is a float64 array ``[mean, c1, s1, c2, s2, ...]`` (odd length) with
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -22,7 +20,7 @@ def constant(value: float) -> Fourier:
     return np.array([given.number("the constant", value)])
 
 
-def cosines(mean: float, amplitudes: Sequence[float], phases: Sequence[float] | None = None) -> Fourier:
+def cosines(mean: float, amplitudes: ArrayLike, phases: ArrayLike | None = None) -> Fourier:
     """``mean + Σ amplitude_n cos(nθ + phase_n)``, phases in rad (default 0). Raises `GearlashError` for other
     than finite numbers, and for phases that are not as many as amplitudes."""
     heights = given.row("amplitudes", amplitudes)
