@@ -59,6 +59,7 @@ SNAPSHOT = [
     "sweep",
     "sweep_dataset",
     "sweeps",
+    "table",
     "trace",
     "transitions",
     "variational",

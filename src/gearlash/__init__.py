@@ -117,6 +117,9 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .results import (
         sweep_dataset as sweep_dataset,
     )
+    from .results import (
+        table as table,
+    )
     from .studies import map_plane as map_plane
     from .studies import open_workers as open_workers
     from .studies import point as point
@@ -192,7 +195,7 @@ _PUBLIC = {
     "gearlash.studies": ("map_plane", "open_workers", "point", "sweep", "sweeps", "zones"),
     "gearlash.studies.transitions": ("transitions",),
     "gearlash.studies.article": ("reproduce",),
-    "gearlash.results": ("Axis", "PlaneMap", "Point", "Sweep", "plane_dataset", "sweep_dataset"),
+    "gearlash.results": ("Axis", "PlaneMap", "Point", "Sweep", "plane_dataset", "sweep_dataset", "table"),
 }
 _RENAMED = {
     "load_case": ("gearlash.case", "load"),

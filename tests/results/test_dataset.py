@@ -43,7 +43,7 @@ def a_sweep(direction="cold", hits=(0, 1, 3)) -> Sweep:
 def test_every_number_of_a_point_is_there_padded_with_nan():
     data = results.sweep_dataset(ARTICLE, [a_sweep("up"), a_sweep("down", (2, 0, 0))])
     sizes = {"direction": 2, "omega": 3, "state_name": 10, "strobe": 2, "drive_hit": 3}
-    assert dict(data.sizes) == sizes | {"back_hit": 0, "back_release": 0}
+    assert dict(data.sizes) == sizes | {"back_hit": 1, "back_release": 1}
     np.testing.assert_array_equal(data["drive_force"].sel(direction="up", omega=1.1), [1.1, 2.1, 3.1])
     np.testing.assert_array_equal(data["drive_force"].sel(direction="up", omega=1.0), [1.0, np.nan, np.nan])
     np.testing.assert_array_equal(data["drive"], [[0, 1, 3], [2, 0, 0]])

@@ -6,6 +6,7 @@ Each returns a matplotlib `Figure`; `save` writes it as SVG and PDF.
 
 from .bifurcation import diagram
 from .cost import cost
+from .draw import draw
 from .histories import history
 from .histories import triple as history_triple
 from .intervals import Bar, Panel, zones
@@ -24,6 +25,7 @@ __all__ = [
     "Units",
     "cost",
     "diagram",
+    "draw",
     "gallery",
     "history",
     "history_triple",

@@ -132,9 +132,16 @@ def _minor_ticks(made: Figure) -> None:
             axis.set_minor_locator(AutoMinorLocator())
 
 
+class Shown(Figure):
+    """A figure that a notebook shows as it is, whatever it was told about matplotlib."""
+
+    def _repr_svg_(self) -> str:
+        return to_bytes(self, "svg").decode()
+
+
 def figure(width: float, height: float) -> Figure:
     """An empty figure of a size in mm, with a layout that leaves no label outside."""
-    made = Figure(figsize=(width * MM, height * MM), dpi=RASTER_DPI, layout="constrained")
+    made = Shown(figsize=(width * MM, height * MM), dpi=RASTER_DPI, layout="constrained")
     FigureCanvasAgg(made)
     pads = {"w_pad": 1.0 * MM, "h_pad": 0.8 * MM, "wspace": 0.02, "hspace": 0.02}
     engine = made.get_layout_engine()

@@ -14,6 +14,7 @@ from .point import FAILED, NOT_COMPUTED, Point, blank
 from .provenance import provenance
 from .store import load, save
 from .sweep import Direction, Sweep
+from .table import table
 
 __all__ = [
     "CERTIFICATES",
@@ -35,4 +36,5 @@ __all__ = [
     "same_motion",
     "save",
     "sweep_dataset",
+    "table",
 ]

@@ -9,19 +9,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from gearlash.case import Case
-from gearlash.system import Family, GearlashError
+from gearlash.system import Family, GearlashError, given
 
 from .compare import coexisting
 from .physical import physical_axis, physical_unit
 from .point import Point
 from .provenance import provenance
 from .sweep import Sweep
-from .variables import PADDED, SCALARS, Variable
+from .variables import PADDED, SCALARS, Variable, dimension
 
 if TYPE_CHECKING:
     import xarray as xr
 
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
+STATE_NAME = "state_name"
 
 
 def sweep_dataset(model: Case | Family, sweeps: Sequence[Sweep]) -> xr.Dataset:
@@ -36,18 +37,28 @@ def sweep_dataset(model: Case | Family, sweeps: Sequence[Sweep]) -> xr.Dataset:
     """
     import xarray as xr
 
+    family = family_of(model)
+    sweeps = given.instances("sweeps", sweeps, Sweep, "sweeps, as from gearlash.sweeps")
     axis = _common_axis(sweeps)
+    given.known("parameter", axis.name, family.defaults)
     rows = [sweep.points for sweep in sweeps]
-    dims = ("direction", axis.name)
+    dims = ("direction", dimension(axis.name))
     data: dict[str, Any] = {}
     for variable in SCALARS:
         data[variable.name] = _array(model, variable, dims, _table(rows, variable.read, variable.dtype))
     for variable, dim in PADDED:
-        data[variable.name] = _array(model, variable, (*dims, dim), _padded(rows, variable.read))
+        least = len(family.states) if dim == STATE_NAME else 1  # a dimension of none empties tables
+        data[variable.name] = _array(model, variable, (*dims, dim), _padded(rows, variable.read, least))
     about = {"units": "1", "long_name": "did the sweeps find different attractors at this value"}
-    data["coexisting"] = ((axis.name,), coexisting(sweeps), about)
-    coords = _coordinates(model, sweeps, data["state"][1].shape[-1])
+    data["coexisting"] = ((dims[1],), coexisting(sweeps), about)
+    coords = _coordinates(model, sweeps)
     return xr.Dataset(data, coords, _attributes(model, sweeps))
+
+
+def family_of(model: Case | Family) -> Family:
+    """The family of a model."""
+    given.instance("model", model, (Case, Family), "a case, as from gearlash.load_case, or a Family")
+    return model if isinstance(model, Family) else model.family()[0]
 
 
 def _common_axis(sweeps: Sequence[Sweep]):
@@ -68,10 +79,10 @@ def _table(rows: list[tuple[Point, ...]], read: Callable[[Point], Any], dtype: s
     return np.array([[read(point) for point in row] for row in rows], dtype=dtype)
 
 
-def _padded(rows: list[tuple[Point, ...]], read: Callable[[Point], np.ndarray]) -> np.ndarray:
-    """(directions, m, longest): short ones are filled up with NaN."""
+def _padded(rows: list[tuple[Point, ...]], read: Callable[[Point], np.ndarray], least: int) -> np.ndarray:
+    """(directions, m, longest, at least so many): short ones are filled up with NaN."""
     parts = [[read(point) for point in row] for row in rows]
-    longest = max(len(part) for row in parts for part in row)
+    longest = max(least, *(len(part) for row in parts for part in row))
     out = np.full((len(rows), len(rows[0]), longest), np.nan)
     for i, row in enumerate(parts):
         for j, part in enumerate(row):
@@ -85,9 +96,9 @@ def _array(model: Case | Family, variable: Variable, dims: tuple[str, ...], valu
     return dims, values, about
 
 
-def _coordinates(model: Case | Family, sweeps: Sequence[Sweep], states: int) -> dict[str, Any]:
-    axis = sweeps[0].axis
-    family = model if isinstance(model, Family) else model.family()[0]
+def _coordinates(model: Case | Family, sweeps: Sequence[Sweep]) -> dict[str, Any]:
+    axis, dim = sweeps[0].axis, dimension(sweeps[0].axis.name)
+    family = family_of(model)
     description = next((p.description for p in family.parameters if p.name == axis.name), "")
     about = {"long_name": description or axis.name, "units": "1"}
     found: dict[str, Any] = {
@@ -96,16 +107,16 @@ def _coordinates(model: Case | Family, sweeps: Sequence[Sweep], states: int) -> 
             [str(s.direction) for s in sweeps],
             {"long_name": "where each point starts"},
         ),
-        axis.name: (axis.name, axis.values, about),
-        "state_name": ("state_name", list(family.states[:states]), {"long_name": "names of the states"}),
+        dim: (dim, axis.values, about),
+        STATE_NAME: (STATE_NAME, list(family.states), {"long_name": "names of the states"}),
     }
     for name, values, unit in physical_axis(model, axis):
-        found[name] = (axis.name, values, {"long_name": name.replace("_", " "), "units": unit})
+        found[name] = (dim, values, {"long_name": name.replace("_", " "), "units": unit})
     return found
 
 
 def _attributes(model: Case | Family, sweeps: Sequence[Sweep]) -> dict[str, Any]:
-    family = model if isinstance(model, Family) else model.family()[0]
+    family = family_of(model)
     fixed = {
         name: value for name, value in family.complete(sweeps[0].fixed).items() if name != sweeps[0].axis.name
     }

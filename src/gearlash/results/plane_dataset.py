@@ -8,14 +8,14 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from gearlash.case import Case
-from gearlash.system import Family, GearlashError
+from gearlash.system import Family, GearlashError, given
 
 from .axis import Axis
-from .dataset import FORMAT_VERSION
+from .dataset import FORMAT_VERSION, family_of
 from .physical import physical_axis, physical_unit
 from .plane import CERTIFICATES, NO_LABEL, STATUSES, PlaneMap
 from .provenance import provenance
-from .variables import Variable
+from .variables import Variable, dimension
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -54,7 +54,8 @@ def plane_dataset(model: Case | Family, plane: PlaneMap) -> xr.Dataset:
     """
     import xarray as xr
 
-    family = model if isinstance(model, Family) else model.family()[0]
+    given.instance("plane", plane, PlaneMap, "a map, as from gearlash.map_plane")
+    family = family_of(model)
     for axis in (plane.x, plane.y):
         if axis.name not in family.defaults:
             raise GearlashError(f"the map goes over {axis.name}, which the model does not have")
@@ -62,7 +63,7 @@ def plane_dataset(model: Case | Family, plane: PlaneMap) -> xr.Dataset:
     data["status"][2].update(_flags(STATUSES))
     data["certificate"][2].update(_flags(CERTIFICATES))
     about = {"long_name": "P-Q-R (and /Q-R of every further clearance), or aperiodic, or unresolved"}
-    coords: dict[str, Any] = {"label_name": ("label_name", list(plane.labels), about)}
+    coords: dict[str, Any] = {"label_name": ("label_name", list(plane.labels) or [""], about)}
     for axis in (plane.x, plane.y):
         coords |= _coordinates(model, family, axis)
     return xr.Dataset(data, coords, _attributes(model, family, plane))
@@ -71,7 +72,7 @@ def plane_dataset(model: Case | Family, plane: PlaneMap) -> xr.Dataset:
 def _array(model: Case | Family, variable: Variable, plane: PlaneMap) -> tuple[Any, Any, dict[str, Any]]:
     about = {"long_name": variable.long_name, "units": variable.units} | physical_unit(model, variable)
     read: Callable[[Any], Any] = variable.read  # of the map, where others read points
-    return (plane.y.name, plane.x.name), read(plane), about
+    return (dimension(plane.y.name), dimension(plane.x.name)), read(plane), about
 
 
 def _flags(names: tuple[str, ...]) -> dict[str, Any]:
@@ -81,9 +82,10 @@ def _flags(names: tuple[str, ...]) -> dict[str, Any]:
 def _coordinates(model: Case | Family, family: Family, axis: Axis) -> dict[str, Any]:
     description = next((p.description for p in family.parameters if p.name == axis.name), "")
     about = {"long_name": description or axis.name, "units": "1"}
-    found: dict[str, Any] = {axis.name: (axis.name, axis.values, about)}
+    dim = dimension(axis.name)
+    found: dict[str, Any] = {dim: (dim, axis.values, about)}
     for name, values, unit in physical_axis(model, axis):
-        found[name] = (axis.name, values, {"long_name": name.replace("_", " "), "units": unit})
+        found[name] = (dim, values, {"long_name": name.replace("_", " "), "units": unit})
     return found
 
 
@@ -93,8 +95,8 @@ def _attributes(model: Case | Family, family: Family, plane: PlaneMap) -> dict[s
     return {
         "gearlash_format": FORMAT_VERSION,
         "title": f"map over {plane.x.name} and {plane.y.name}",
-        "x": plane.x.name,
-        "y": plane.y.name,
+        "x": dimension(plane.x.name),
+        "y": dimension(plane.y.name),
         "parameters": json.dumps(parameters),
         "fixed": json.dumps(dict(plane.fixed)),
         "complete": int(plane.complete),

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, given
+
+from .groups import join, split
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -19,12 +21,22 @@ FORMAT = "gearlash_format"
 
 def save(dataset: xr.Dataset, path: str | Path) -> Path:
     """Writes a dataset beside its place, then moves it there in one step. Folders are made; an older file is
-    replaced. Raises `OSError` where that cannot be written.
+    replaced; `~` is home. The root group of the file has what is one number a point, every further dimension
+    a group of its name. Raises `OSError` where that cannot be written.
     """
-    path = Path(path)
+    import xarray as xr
+
+    given.instance("dataset", dataset, xr.Dataset, "a dataset, as from gearlash.sweep_dataset")
+    path = given.path("path", path)
     path.parent.mkdir(parents=True, exist_ok=True)
     # Made in memory: a disk that fills up while HDF5 writes to it can bring the whole process down.
-    write_whole(path, dataset.to_netcdf(None, engine="h5netcdf", encoding=_encoding(dataset)))
+    groups = split(dataset)
+    encoding = {name: _encoding(group) for name, group in groups.items()}
+    content = xr.DataTree.from_dict(groups).to_netcdf(
+        None, engine="h5netcdf", encoding=encoding, write_inherited_coords=True
+    )
+    assert isinstance(content, memoryview)
+    write_whole(path, content)
     return path
 
 
@@ -51,11 +63,14 @@ def load(path: str | Path) -> xr.Dataset:
     """
     import xarray as xr
 
-    path = Path(path)
+    path = given.path("path", path)
     if not path.is_file():
         raise GearlashError(f"{path}: no such file")
     try:
-        dataset = xr.load_dataset(path, engine="h5netcdf")
+        groups = xr.open_groups(path, engine="h5netcdf")
+        dataset = join({name: group.load() for name, group in groups.items()})
+        for group in groups.values():
+            group.close()
     except (OSError, ValueError) as error:
         raise GearlashError(f"{path}: not a NetCDF file of gearlash ({error})") from None
     if FORMAT not in dataset.attrs:

@@ -69,3 +69,15 @@ PADDED = (
     (_plain("back_release_phase", "phase where the back side is left", units="mesh cycles"), "back_release"),
 )
 """Variables of several numbers a point, with the dimension they run along."""
+
+TAKEN = frozenset(
+    ["direction", "coexisting", "label_name", *(v.name for v in SCALARS), *(v.name for v, _ in PADDED)]
+) | frozenset(dim for _, dim in PADDED)
+"""Names in a dataset that no parameter can have there."""
+
+
+def dimension(parameter: str) -> str:
+    """The dimension along which a parameter varies: its name, unless a dataset uses that for something
+    else."""
+    plain = parameter.replace("/", "_")  # which in a file begins a group
+    return f"{plain}_parameter" if plain in TAKEN else plain

@@ -15,6 +15,8 @@ from enum import StrEnum
 from math import inf, isfinite
 from numbers import Complex, Real
 from operator import index
+from os import PathLike
+from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
@@ -196,6 +198,16 @@ def function(name: str, value: Any, expected: str) -> Any:
     if callable(value):
         return value
     raise GearlashError(f"{name} = {shown(value)}: expected {expected}")
+
+
+def path(name: str, value: Any) -> Path:
+    """A path; `~` and `~user` at its beginning are homes."""
+    if not isinstance(value, (str, PathLike)):
+        raise GearlashError(f"{name} = {shown(value)}: expected the path of a file")
+    try:
+        return Path(value).expanduser()
+    except (RuntimeError, TypeError):
+        raise GearlashError(f"{name} = {shown(value)}: there is no such home") from None
 
 
 def known(what: str, name: Any, valid: Iterable[str]) -> str:

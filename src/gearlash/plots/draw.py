@@ -1,0 +1,53 @@
+"""The figure that goes with a result, whatever kind of result that is."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from matplotlib.figure import Figure
+
+from gearlash.case import Case
+from gearlash.orbits import Aperiodic, Orbit
+from gearlash.results import PlaneMap, Sweep, plane_dataset, sweep_dataset
+from gearlash.studies import Zones
+from gearlash.studies.motion import Motion, motion
+from gearlash.system import Family, GearlashError, given
+
+from .bifurcation import diagram
+from .plane import plane
+from .portraits import portrait
+from .units import Units
+
+
+def draw(result: Any, model: Case | Family | None = None) -> Figure:
+    """A motion (what `gearlash.attractor` returns) as its phase portrait, sweeps and zones as a bifurcation
+    diagram, a map as a plane. ``model`` is the case or family that was asked about: of a case the figure has
+    axes with units; sweeps, zones and maps need it. Raises `GearlashError` for anything else."""
+    if model is not None:
+        given.instance("model", model, (Case, Family), "a case, as from gearlash.load_case, or a Family")
+    units = Units.of(model) if isinstance(model, Case) else Units()
+    if isinstance(result, (Orbit, Aperiodic)):
+        return portrait(motion(result), units)
+    if isinstance(result, Motion):
+        return portrait(result, units)
+    sweeps = _sweeps(result)
+    if not (sweeps or isinstance(result, PlaneMap)):
+        expected = "an attractor, a Motion, sweeps, Zones or a PlaneMap"
+        raise GearlashError(f"nothing to draw: expected {expected}, not {given.kind_of(result)}")
+    if model is None:
+        raise GearlashError(
+            "a sweep, zones and a map are drawn with their case or family: draw(result, case)"
+        )
+    if isinstance(result, PlaneMap):
+        return plane(plane_dataset(model, result), units)
+    return diagram(sweep_dataset(model, sweeps), units=units)
+
+
+def _sweeps(result: Any) -> tuple[Sweep, ...]:
+    """One sweep, several, or those behind zones; else none."""
+    if isinstance(result, Sweep):
+        return (result,)
+    if isinstance(result, Zones):
+        return result.sweeps
+    several = isinstance(result, (list, tuple)) and all(isinstance(each, Sweep) for each in result)
+    return tuple(result) if several else ()

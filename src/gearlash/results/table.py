@@ -1,0 +1,42 @@
+"""A dataset as a table, one row a point."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from gearlash.system import GearlashError, given
+
+from .groups import POINTWISE, split
+from .plane_dataset import CODES
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+
+def table(dataset: xr.Dataset) -> pd.DataFrame:
+    """One row a point of a sweep, or a pixel of a map, by the values of its axes; codes are written out as
+    what they mean. What is several numbers a point (states, points on sections) is not in it. Raises
+    `GearlashError` for a dataset that is neither."""
+    import xarray as xr
+
+    given.instance("dataset", dataset, xr.Dataset, "a dataset, as from gearlash.sweep_dataset")
+    if POINTWISE not in dataset:
+        raise GearlashError("a table is made of a dataset of sweeps or of a map: this one has no labels")
+    frame = split(dataset)["/"].to_dataframe()
+    for name, meaning in _codes(dataset).items():
+        frame[name] = [meaning.get(int(code), "") for code in frame[name]]
+    return frame
+
+
+def _codes(dataset: xr.Dataset) -> dict[str, dict[int, str]]:
+    """Variables that hold codes, and what the codes mean."""
+    found: dict[str, dict[int, str]] = {}
+    for name, variable in dataset.data_vars.items():
+        about: dict[str, Any] = variable.attrs
+        if CODES in about:
+            values = [int(code) for code in about[CODES]]
+            found[str(name)] = dict(zip(values, about["flag_meanings"].split(), strict=True))
+    if "label_name" in dataset:
+        found[POINTWISE] = dict(enumerate(map(str, dataset["label_name"].values)))
+    return found
