@@ -129,5 +129,5 @@ def test_a_figure_on_request(what: str):
     with pytest.raises(gl.GearlashError, match="expected an attractor"):
         plots.draw(found["axis"], found["case"])
     if what in ("sweep", "zones", "map"):
-        with pytest.raises(gl.GearlashError, match="with their case or family"):
+        with pytest.raises(gl.GearlashError, match="with its case or family"):
             plots.draw(found[what])

@@ -55,24 +55,25 @@ numbers are `{"re", "im"}`.
 NETCDF = """\
 ## NetCDF
 
-`sweep.nc` and `zones.nc` are NetCDF 4 files; `gearlash.load_dataset(path)` or any NetCDF reader opens
-them. Dimensions are `direction` (cold, up, down), the swept parameter, and for what is several numbers a
-point one more, padded with NaN. The root group of a file has what is one number a point, so that
+`sweep.nc` and `zones.nc` are NetCDF 4 files; `gearlash.load_dataset(path)` or any NetCDF reader opens them.
+Dimensions are `direction` (cold, up, down), the swept parameter, and for what is several numbers a point
+one more, padded with NaN. The root group of a file has what is one number a point, so that
 `xarray.open_dataset("sweep.nc").to_dataframe()` is a table (pandas) with a row a point; every further
 dimension is a group of its name, with the variables along it: `open_dataset("sweep.nc", group="strobe")`.
 `gearlash.load_dataset` puts all of them into one dataset, of which `gearlash.table` makes that table. A
-parameter with the name of a variable has `_parameter` behind it. Coordinates: the parameter, dimensionless, and where the case has scales
-its physical counterparts (`pinion_speed` in rpm, `mesh_frequency` in Hz, `backlash` in µm, `torque` in
-N·m). Every variable has `long_name` and `units`; with scales also `physical_units` and `physical_factor`.
-F has the article's sign, F = −Φ. Attributes: `case_json` (the whole case), `case_hash`, `parameters`,
-`not_given`, `complete` (0 for a sweep that was stopped; what is missing has the status `not-computed`),
-`message`, and the versions of gearlash, numpy, numba and Python.
+parameter with the name of a variable has `_parameter` behind it. Coordinates: the parameter, dimensionless,
+and where the case has scales its physical counterparts (`pinion_speed` in rpm, `mesh_frequency` in Hz,
+`backlash` in µm, `torque` in N·m). Every variable has `long_name` and `units`; with scales also
+`physical_units` and `physical_factor`. F has the article's sign, F = −Φ. Attributes: `case_json` (the whole
+case), `case_hash`, `parameters`, `not_given`, `complete` (0 for a sweep that was stopped; what is missing
+has the status `not-computed`), `message`, and the versions of gearlash, numpy, numba and Python.
 """
 MAPS = """\
 `map.nc` has the dimensions of its two axes, which its attributes `x` and `y` name, and `label_name`, the
-labels that occur (in the file a group of that name). `label` is an index into those, -1 without a motion; `status` and `certificate` are
-codes, named by their attributes `flag_values` and `flag_meanings`. Coordinates and attributes are those of
-a sweep; `reasons` (JSON) lists row, column and reason of every failed pixel.
+labels that occur (in the file a group of that name). `label` is an index into those, -1 without a motion;
+`status` and `certificate` are codes, named by their attributes `flag_values` and `flag_meanings`.
+Coordinates and attributes are those of a sweep; `reasons` (JSON) lists row, column and reason of every
+failed pixel.
 """
 
 

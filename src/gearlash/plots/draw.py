@@ -35,9 +35,7 @@ def draw(result: Any, model: Case | Family | None = None) -> Figure:
         expected = "an attractor, a Motion, sweeps, Zones or a PlaneMap"
         raise GearlashError(f"nothing to draw: expected {expected}, not {given.kind_of(result)}")
     if model is None:
-        raise GearlashError(
-            "a sweep, zones and a map are drawn with their case or family: draw(result, case)"
-        )
+        raise GearlashError(f"{given.kind_of(result)} is drawn with its case or family: draw(result, case)")
     if isinstance(result, PlaneMap):
         return plane(plane_dataset(model, result), units)
     return diagram(sweep_dataset(model, sweeps), units=units)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from gearlash.case import Case
 from gearlash.studies.motion import Motion
+from gearlash.system import Record
 
 if TYPE_CHECKING:
     import xarray
@@ -29,8 +30,8 @@ class Mark:
     article: bool
 
 
-@dataclass(frozen=True, eq=False)
-class Diagram:
+@dataclass(frozen=True, eq=False, repr=False)
+class Diagram(Record):
     """One swept parameter: the data of all directions, and what was located along them."""
 
     parameter: str
@@ -39,8 +40,8 @@ class Diagram:
     marks: tuple[Mark, ...]
 
 
-@dataclass(frozen=True, eq=False)
-class Event:
+@dataclass(frozen=True, eq=False, repr=False)
+class Event(Record):
     """One of the article's events, computed beside reported. Where it was not found, ``value`` is NaN, the
     motions are those at and beside the reported value, and ``note`` says what is there instead."""
 
@@ -219,8 +220,8 @@ class Run:
     certificates: Mapping[str, int] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, eq=False)
-class Reproduction:
+@dataclass(frozen=True, eq=False, repr=False)
+class Reproduction(Record):
     """The article's whole study."""
 
     case: Case
