@@ -87,15 +87,19 @@ class Side:
 
 
 def sides(system: System) -> list[Side]:
-    """All sides of a system that are stops: one without stiffness is none."""
+    """All sides of a system that act: by stiffness, or by a damping that is not shared with a side that has
+    stiffness."""
     found = []
     for j, c in enumerate(system.clearances):
-        plus, minus = c.dampings
-        for sign, edge, series, damping in (
-            (1, c.gap_plus, c.stiffness_plus, plus),
-            (-1, c.gap_minus, c.stiffness_minus, minus),
+        shared = c.damping_minus is None
+        minus = c.damping if shared else c.damping_minus
+        one_stiff = c.stiffness_plus.any() != c.stiffness_minus.any()
+        stated = (0.0, 0.0) if shared and one_stiff else (c.damping, minus)
+        for sign, edge, series, damping, own in (
+            (1, c.gap_plus, c.stiffness_plus, c.damping, stated[0]),
+            (-1, c.gap_minus, c.stiffness_minus, minus, stated[1]),
         ):
-            if series.any():
+            if series.any() or (c.contact != ContactRule.ALWAYS and own != 0.0):
                 found.append(Side(j, sign, float(edge), series, damping, c.contact))
     return found
 

@@ -127,8 +127,9 @@ class Case(Record):
         return values(self)
 
     def notes(self) -> list[Note]:
-        """Conflicts between stated values and what is known otherwise; shown, never used."""
-        return [] if self.kind == PIECEWISE else notes(self)
+        """Conflicts between stated values and what is known otherwise, and how sides without stiffness are
+        read; shown, never used."""
+        return notes(self)
 
     @property
     def hash(self) -> str:

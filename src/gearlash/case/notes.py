@@ -1,4 +1,4 @@
-"""What a stated value conflicts with. Notes are shown, never used in a computation."""
+"""What a stated value conflicts with, and how it is read. Notes are shown, never used in a computation."""
 
 from __future__ import annotations
 
@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from gearlash.gears import iso6336
+from gearlash.system import Clearance, ContactRule
+
+from .quantities import PIECEWISE
 
 if TYPE_CHECKING:
     from .case import Case
@@ -24,7 +27,29 @@ class Note:
 
 def notes(case: Case) -> list[Note]:
     """Every remark on a case."""
-    return list(_stiffness(case))
+    found = [] if case.kind == PIECEWISE else list(_stiffness(case))
+    for clearance in case.family()[0].system().clearances:
+        found += _sides(clearance, case.kind)
+    return found
+
+
+def _sides(clearance: Clearance, kind: str) -> Iterator[Note]:
+    """Sides without stiffness: whether they act, by their damping, or not."""
+    series = (clearance.stiffness_plus, clearance.stiffness_minus)
+    for sign, boundary, stiffness, damping in zip("+-", (1, -1), series, clearance.dampings, strict=True):
+        if stiffness.any():
+            continue
+        if clearance.stops(boundary):
+            text = f"side {sign} has no stiffness: it acts by its damping {damping:g} alone"
+        elif clearance.contact == ContactRule.ALWAYS:
+            text = f"side {sign} has no stiffness: it does not act" + (
+                " (the damping acts everywhere)" if damping else ""
+            )
+        else:
+            text = f"side {sign} has no stiffness and no damping stated for it: it does not act"
+        side = "plus" if boundary > 0 else "minus"
+        path = f"clearance.{clearance.name}.stiffness_{side}" if kind == PIECEWISE else "mesh.back_stiffness"
+        yield Note(path, text)
 
 
 def _stiffness(case: Case) -> Iterator[Note]:

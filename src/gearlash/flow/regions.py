@@ -48,7 +48,7 @@ def _alike(clearance: Clearance) -> bool:
 @lru_cache(maxsize=KEPT)
 def extreme_regions(system: System) -> tuple[Sides, ...]:
     """Regions that decide the grid: all clearances free, all closed on one side, and on the other where that
-    is another system. Sides without stiffness are never closed."""
+    is another system. Sides that do not act are never closed."""
     found = []
     for side in (FREE, PLUS, MINUS):
         sides = tuple(

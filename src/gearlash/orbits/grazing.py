@@ -76,7 +76,7 @@ def grazing_checks(
     attractor: Attractor, within: float = np.inf, clearance: int | None = None
 ) -> tuple[GrazingCheck, ...]:
     """The conditions at every extremum whose distance to a boundary is at most ``within``, nearest first; of
-    all clearances, or of one. Sides without stiffness are no boundaries."""
+    all clearances, or of one. A side that does not act (`Clearance.stops`) has no boundary."""
     trace, count = motion_of(attractor).trace, len(attractor.propagators.system.clearances)
     within = given.limit("within", within)
     if clearance is not None:

@@ -37,9 +37,13 @@ class Clearance(Record):
 
     ``h`` (n,) reads the gap coordinate X = h·z - offset(θ); ``g`` (n,) is how the contact force Φ enters the
     state equations. Contact is X > ``gap_plus`` (side +) and X < -``gap_minus`` (side -). Stiffness and
-    offset are Fourier arrays over the base period; a side of stiffness zero is no stop at all. ``damping`` is
-    that of both sides, unless ``damping_minus`` gives side - its own (not with the rule `always`, under which
-    it acts in the gap too)."""
+    offset are Fourier arrays over the base period. ``damping`` is that of both sides, unless
+    ``damping_minus`` gives side - its own (not with the rule `always`, under which it acts in the gap too).
+
+    A side acts if its own stiffness, or the damping stated for it, is not zero (`stops`). A damping in common
+    is not inherited by a side without stiffness from one that has some: that side is no stop at all. Where
+    neither has stiffness it is stated for both. Under the rule `always` damping belongs to no side, and
+    stiffness alone decides."""
 
     h: Vector
     g: Vector
@@ -71,8 +75,16 @@ class Clearance(Record):
         return self.damping, self.damping if self.damping_minus is None else self.damping_minus
 
     def stops(self, boundary: int) -> bool:
-        """Is there anything to hit behind a boundary (+1, -1)? A side of stiffness zero is no stop."""
-        return bool((self.stiffness_plus if boundary > 0 else self.stiffness_minus).any())
+        """Does anything act behind a boundary (+1, -1)? Stiffness of that side, or damping stated for it."""
+        own, other = self.stiffness_plus, self.stiffness_minus
+        if boundary < 0:
+            own, other = other, own
+        if own.any():
+            return True
+        inherited = self.damping_minus is None and bool(other.any())
+        if self.contact is ContactRule.ALWAYS or inherited:
+            return False
+        return self.dampings[0 if boundary > 0 else 1] != 0.0
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -211,7 +211,7 @@ def _clearance(table: Mapping[str, Any], path: str, reading: Reading) -> Structu
         "gap_plus": (reading.number, "where side + begins: contact is X > gap_plus"),
         "gap_minus": (reading.number, "where side - begins: contact is X < -gap_minus"),
         "stiffness_plus": (reading.series, "the stiffness of side +"),
-        "stiffness_minus": (reading.series, "the stiffness of side -; 0 where there is no stop"),
+        "stiffness_minus": (reading.series, "the stiffness of side -; 0 where none acts"),
     }
     for key, (read_one, what) in required.items():
         if key in table:

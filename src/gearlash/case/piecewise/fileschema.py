@@ -117,9 +117,18 @@ def _clearance() -> dict[str, Any]:
         "gap_plus": {**number, "description": "contact of side + is X > gap_plus"},
         "gap_minus": {**number, "description": "contact of side - is X < -gap_minus"},
         "stiffness_plus": {**series, "description": "stiffness of side +"},
-        "stiffness_minus": {**series, "description": "stiffness of side -; 0: no stop"},
-        "damping": {**number, "description": "damping of both sides", "default": 0.0},
-        "damping_minus": {**number, "description": "damping of side -, where it differs"},
+        "stiffness_minus": {**series, "description": "stiffness of side -; 0: none"},
+        "damping": {
+            **number,
+            "description": "damping of both sides; a side without stiffness does not take it over from one "
+            "that has stiffness",
+            "default": 0.0,
+        },
+        "damping_minus": {
+            **number,
+            "description": "damping of side -, which acts even without stiffness; damping is that of side + "
+            "alone then",
+        },
         "offset": {**series, "description": "e(θ)", "default": 0.0},
         "contact": {
             "enum": [rule.value for rule in ContactRule],
