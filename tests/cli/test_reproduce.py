@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import xarray
 
 import gearlash.report
 import gearlash.studies.article as article
@@ -42,7 +43,7 @@ def found(case: Case, complete: bool = True) -> Reproduction:
         rests_on=("bearings.damping_ratio",),
     )
     lost = replace(row, id="other", verdict="not found", computed="–", computed_value=NAN, deviation=NAN)
-    nothing = Diagram("omega", {}, None, ())  # pyright: ignore[reportArgumentType]
+    nothing = Diagram("omega", {}, xarray.Dataset(), ())
     return Reproduction(
         case=case,
         frequency=nothing,
@@ -136,3 +137,17 @@ def test_a_foreign_report_is_not_overwritten(
     assert gearlash("reproduce", "--out", str(tmp_path)).code == 2
     assert asked == {}
     assert (tmp_path / "report.html").read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.parametrize("case", ["kahraman-singh", "shaw-holmes", "geared-rotor"])
+def test_another_pair_is_refused_with_what_to_use(
+    case: str, gearlash: Gearlash, study: Callable[[bool], dict[str, object]], tmp_path: Path
+):
+    asked = study(True)
+    ran = gearlash("reproduce", case, "--out", str(tmp_path / "out"))
+    assert ran.code == 2
+    assert asked == {}
+    assert not (tmp_path / "out").exists()
+    said = " ".join(ran.err.split())
+    assert "the article's pair" in said
+    assert "gearlash run, sweep, zones, graze or map" in said

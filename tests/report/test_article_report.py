@@ -106,8 +106,10 @@ def test_every_event_is_shown_found_or_not(page: Reading) -> None:
 
 def test_zones_stand_in_rpm_and_micrometres(page: Reading) -> None:
     scales = small().case.scales
-    for zone in small().zones:
-        low, high = zone.lower.value, zone.upper.value
+    for zone, reading in [(each, reading) for each in small().zones for reading in each.readings]:
+        assert folded(reading.name) in page.text
+        assert reading.found
+        low, high = reading.lower.value, reading.upper.value
         if zone.parameter == "omega":
             rpm = [float(scales.pinion_rpm(v)) for v in (low, high)]
             assert f"{rpm[0]:.0f} to {rpm[1]:.0f} rpm" in page.text
@@ -165,10 +167,13 @@ def test_the_summary_counts_what_the_table_says(page: Reading) -> None:
 
 def test_a_run_that_found_nothing_still_makes_a_report() -> None:
     done = small()
-    nowhere = replace(done.zones[0].lower, value=nan, how="none", next_label="")
-    zone = replace(
-        done.zones[0], lower=nowhere, upper=nowhere, labels=(), margin=nan, coexisting=(), verdict=NOT_FOUND
+    first = done.zones[0]
+    nowhere = replace(first.readings[0].lower, value=nan, how="none", next_label="")
+    readings = tuple(
+        replace(r, lower=nowhere, upper=nowhere, labels=(), margin=nan, coexisting=(), verdict=NOT_FOUND)
+        for r in first.readings
     )
+    zone = replace(first, readings=readings, nearest="", verdict=NOT_FOUND)
     empty = replace(done, events=(), zones=(zone,), window=(), table2=(), claims=())
     _, seen = read(empty)
     assert seen.problems == []

@@ -32,6 +32,8 @@ class Entry:
 
 
 Entries = dict[str, Entry]
+BY_OVERRIDE = "set by an override"
+"""The reason of a value that an override set without one of its own."""
 
 
 def collect(kind: str, stated: Mapping[str, Stated]) -> tuple[Entries, list[Problem]]:
@@ -120,4 +122,4 @@ def overridden(stated: Stated) -> Stated:
     """With the reason that an override gives, unless it states its own."""
     if stated.reason:
         return stated
-    return Stated(stated.value, stated.text, stated.provenance, "set by an override")
+    return Stated(stated.value, stated.text, stated.provenance, BY_OVERRIDE)

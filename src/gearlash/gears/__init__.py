@@ -3,7 +3,7 @@
 Nothing here knows a case file or a unit: lengths in m, angles in rad, masses in kg, or dimensionless numbers.
 """
 
-from . import helical, iso6336, spur
+from . import contact_lines, helical, iso6336, spur
 from .geometry import LineOfAction, Projection, ToothGeometry, YAxis, line_of_action
 from .helical import HelicalPair
 from .inertia import disc_face_width, equivalent_mass, solid_disc
@@ -14,6 +14,7 @@ __all__ = [
     "Projection",
     "ToothGeometry",
     "YAxis",
+    "contact_lines",
     "disc_face_width",
     "equivalent_mass",
     "helical",

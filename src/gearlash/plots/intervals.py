@@ -17,7 +17,7 @@ from .units import Units, name, second
 
 REPORTED = "reported"
 HEIGHT = 0.56  # of a bar, of the distance between two
-ROW = 8.5  # mm
+ROW, NARROW_ROW, MANY = 8.5, 6.5, 12  # mm; where all panels together have more bars than this
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,8 @@ class Panel:
 def zones(panels: Sequence[Panel], units: Units | None = None) -> Figure:
     """One panel a zone, one bar an interval, physical scale on top."""
     rows = [len(p.bars) for p in panels]
-    figure = style.figure(style.PAGE, sum(ROW * n + 27.0 for n in rows))
+    row = NARROW_ROW if sum(rows) > MANY else ROW
+    figure = style.figure(style.PAGE, sum(row * n + 27.0 for n in rows))
     axes = figure.subplots(len(panels), 1, squeeze=False, height_ratios=[n + 0.4 for n in rows])[:, 0]
     for panel, place in zip(panels, axes, strict=True):
         _panel(place, panel)

@@ -13,7 +13,7 @@ from gearlash.case import load as load_case
 from gearlash.orbits import Signature
 from gearlash.studies.article import NOT_FOUND, REPRODUCED, SHIFTED, Claim, load
 from gearlash.studies.article.claims import KINDS, _claim
-from gearlash.studies.article.judge import CLOSE, FAR, deviation, same_label, verdict
+from gearlash.studies.article.judge import CLOSE, FAR, coincides, deviation, same_label, verdict, worst
 from gearlash.system import GearlashError
 
 CLAIMS = load()
@@ -161,3 +161,19 @@ def test_deviation_is_relative_to_the_reported_value(reported, part):
 )
 def test_labels_are_compared_as_signatures(computed, reported, same):
     assert same_label(computed, reported) is same
+
+
+@pytest.mark.parametrize(
+    ("apart", "expected"),
+    [(0.0, REPRODUCED), (9.6e-6, REPRODUCED), (1e-4, REPRODUCED), (1.01e-4, SHIFTED), (0.0353, NOT_FOUND)],
+)
+def test_two_places_coincide_to_the_printed_digits(apart, expected):
+    assert coincides(apart, 0.3523, "0.3523") == expected
+    assert coincides(float("nan"), 0.3523, "0.3523") == NOT_FOUND
+
+
+def test_the_worst_of_several_verdicts_counts():
+    assert worst([REPRODUCED, SHIFTED]) == SHIFTED
+    assert worst([NOT_FOUND, REPRODUCED]) == NOT_FOUND
+    assert worst([REPRODUCED]) == REPRODUCED
+    assert worst([]) == NOT_FOUND

@@ -42,7 +42,7 @@ def test_something_is_found_at_all(both):
     one, _, _ = both
     assert sum(event.found for event in one.events) >= 2
     assert {row.id for row in one.claims if row.verdict == "reproduced"} >= {"window-upper", "window-lower"}
-    assert sum(np.isfinite(zone.lower.value) for zone in one.zones) >= 2
+    assert sum(reading.found for zone in one.zones for reading in zone.readings) >= 10
 
 
 def test_the_claims_were_really_perturbed(both):
@@ -64,6 +64,8 @@ def test_computed_columns_of_the_claims_do_not_move(both):
     one, other, _ = both
     for a, b in zip(one.claims, other.claims, strict=True):
         assert a.id == b.id
+        if a.id.endswith("-zone"):
+            continue  # which reading is compared follows the claim; the readings are compared below
         assert a.computed == b.computed
         assert np.array_equal(a.computed_value, b.computed_value, equal_nan=True)
         assert a.computed_labels == b.computed_labels
@@ -85,7 +87,13 @@ def test_computed_events_do_not_move(both):
 
 def test_zones_and_table_2_do_not_move(both):
     one, other, _ = both
-    for a, b in zip(one.zones, other.zones, strict=True):
+    pairs = [
+        pair
+        for a, b in zip(one.zones, other.zones, strict=True)
+        for pair in zip(a.readings, b.readings, strict=True)
+    ]
+    for a, b in pairs:
+        assert a.name == b.name
         assert repr((a.lower, a.upper)) == repr((b.lower, b.upper))  # NaN where there is none
         assert (a.labels, a.coexisting) == (b.labels, b.coexisting)
         assert np.array_equal(a.margin, b.margin, equal_nan=True)

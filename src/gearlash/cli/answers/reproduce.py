@@ -12,6 +12,17 @@ if TYPE_CHECKING:  # answers are described without the engine
 
 
 @dataclass(frozen=True)
+class Part:
+    """One of several things that a claim says."""
+
+    what: str
+    reported: str
+    computed: str
+    verdict: Annotated[str, "as of a claim"]
+    note: str
+
+
+@dataclass(frozen=True)
 class Claim:
     """One claim of the article."""
 
@@ -30,6 +41,9 @@ class Claim:
     branch: Annotated[str, "branch, direction and start of what was computed"]
     note: str
     rests_on: Annotated[tuple[str, ...], "paths of the values that it rests on and the article does not give"]
+    needs: Annotated[str, "the ways of scanning that give this verdict; empty if each does"]
+    fitted: Annotated[bool, "open values of the case were chosen to meet this number: it tests nothing"]
+    parts: Annotated[tuple[Part, ...], "what it says, where it says several things; the verdict is the worst"]
 
 
 @dataclass(frozen=True)
@@ -65,7 +79,12 @@ def reproduce_answer(found: article.Reproduction, report: str) -> ReproduceAnswe
     from collections import Counter
 
     verdicts = Counter(row.verdict for row in found.claims)
-    counted = ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
+    special = Counter(row.verdict for row in found.claims if row.needs)
+    counted = ", ".join(
+        f"{count} {verdict}"
+        + (f" ({special[verdict]} of them only with the scan named)" if special[verdict] else "")
+        for verdict, count in verdicts.items()
+    )
     return ReproduceAnswer(
         sentence=f"{len(found.claims)} claims of the article: {counted}",
         status="ok" if found.run.complete else "incomplete",
@@ -98,4 +117,7 @@ def _claim(row: article.ClaimRow) -> Claim:
         branch=row.branch,
         note=row.note,
         rests_on=row.rests_on,
+        needs=row.needs,
+        fitted=row.fitted,
+        parts=tuple(Part(p.what, p.reported, p.computed, p.verdict, p.note) for p in row.parts),
     )

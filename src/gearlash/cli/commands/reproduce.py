@@ -14,7 +14,10 @@ from gearlash.cli.options import AsJson, Settings, Workers
 @command
 def reproduce(
     case: Annotated[
-        str, typer.Argument(metavar="CASE", help="The article's pair, or a variant of it.")
+        str,
+        typer.Argument(
+            metavar="CASE", help="The article's pair, or a variation of it: Table 1 as in the article."
+        ),
     ] = "article",
     settings: Settings = None,
     points: Annotated[
@@ -48,8 +51,10 @@ def reproduce(
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
+    from gearlash.studies.article.pair import check_pair
 
     chosen = read_case(case, settings)
+    check_pair(chosen)
     folder = claim(out, ["report.html", "report.json", "figures", "reproduce.json"])
     load_engine()
 

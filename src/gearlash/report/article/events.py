@@ -10,6 +10,7 @@ from gearlash.report.blocks import Block, Cell, Figure, Note, Section, Strong, T
 from gearlash.report.numbers import complex_number, number, percent, scientific
 from gearlash.report.pictures import Picture
 from gearlash.studies.article import Event, Reproduction
+from gearlash.studies.article.reproduction import Coincidence, Part
 
 from .quantities import Quantities, fixed_words, symbol
 from .words import verdict, yes_or_no
@@ -26,7 +27,8 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
         "at and after it; the lower row of a portrait enlarges the place of the touch. Where an event was "
         "not found, the motions at and beside the reported value are shown instead."
     )
-    parts = tuple(_part(event, quantities) for event in done.events)
+    notes = {row.id: row.parts for row in done.claims}
+    parts = tuple(_part(event, quantities, notes.get(event.claim, ())) for event in done.events)
     return Section("events", "The article’s events", (intro,), parts), pictures
 
 
@@ -56,15 +58,51 @@ def _has_sections(event: Event) -> bool:
     return any(m.period > 1 or not m.periodic for m in event.motions)
 
 
-def _part(event: Event, quantities: Quantities) -> Section:
+def _part(event: Event, quantities: Quantities, said: tuple[Part, ...]) -> Section:
     blocks: list[Block] = [_opening(event, quantities)]
     if event.note:
         blocks.append(Note(Text.of(event.note), "Note" if event.found else "What was found instead"))
     blocks += [_facts(event, quantities), *_figures(event, quantities)]
+    if event.coincidence is not None:
+        blocks += [*(_judged(part) for part in said), _opening_table(event, event.coincidence)]
     if event.conditions:
         blocks.append(_conditions(event))
     title = f"{event.title}, {symbol(event.parameter)} ≈ {event.digits}"
     return Section(f"event-{slug(event)}", title, tuple(blocks), (), verdict(event.verdict))
+
+
+def _judged(part: Part) -> Text:
+    return Text.of(
+        Strong(f"{part.what[:1].upper()}{part.what[1:]}: "), verdict(part.verdict), f" {part.note}"
+    )
+
+
+def _opening_table(event: Event, both: Coincidence) -> Table:
+    """The square root, measured."""
+    rows = tuple(
+        (
+            scientific(o.distance, 2),
+            scientific(o.amplitude, 2),
+            number(o.amplitude / o.distance**0.5, 4),
+            number(o.clearance, 4),
+        )
+        for o in both.opening
+    )
+    at = (f"{scientific(both.apart, 2)} (grazing)", "", "", "0")
+    return Table(
+        f"table-opening-{slug(event)}",
+        f"How the doubled orbit {short(both.doubled)} opens below or above its doubling: an amplitude like "
+        "the "
+        "square root of the distance takes the next extremum to the boundary.",
+        (
+            f"distance from the doubling, in {symbol(event.parameter)}",
+            "amplitude a",
+            "a over the root of the distance",
+            "clearance of the extremum",
+        ),
+        (("0 (doubling)", "0", "", number(both.clearance, 4)), *rows, at),
+        frozenset({0, 1, 2, 3}),
+    )
 
 
 def _figures(event: Event, quantities: Quantities) -> list[Figure]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from gearlash.case import Value
+from gearlash.case import Case, Value
+from gearlash.gears import contact_lines
 from gearlash.report.blocks import Block, Cell, Marked, Note, Section, Table, Text
 from gearlash.report.numbers import number
 from gearlash.studies.article import Reproduction
@@ -10,6 +11,8 @@ from gearlash.studies.article import Reproduction
 from .words import plural, provenance
 
 OPEN = ("inferred", "assumed", "calibrated")
+RIPPLES = ("ripple", "ripple_2")
+CONFLICT = 2.0  # times what the contact lines give
 HEAD = ("value", "", "from", "reason")
 
 
@@ -34,6 +37,7 @@ def section(done: Reproduction) -> Section:
         Note(Text.of(note.text[:1].upper() + note.text[1:]), f"Conflict: {note.path}")
         for note in done.case.notes()
     ]
+    blocks += _ripple(done.case)
     blocks.append(
         Note(
             Text.of(
@@ -46,6 +50,33 @@ def section(done: Reproduction) -> Section:
     blocks.append(_derived(derived))
     blocks.append(_table("table-given", "Values that the article states.", given))
     return Section("assumed", "What was assumed or inferred", tuple(blocks))
+
+
+def _ripple(case: Case) -> list[Note]:
+    """The ripple of the stiffness beside what the length of the contact lines gives."""
+    body, own = case.numbers.body, case.family()[0].defaults
+    if body.geometry is None or body.face_width is None:
+        return []
+    used = [abs(own.get(name, 0.0)) for name in RIPPLES]
+    lines = [contact_lines.ripple(body.geometry, body.face_width, n) for n in (1, 2)]
+    said = (
+        f"The stiffness used varies by {_per_cent(used[0])} once and {_per_cent(used[1])} twice a mesh "
+        "cycle. The "
+        f"length of the contact lines of such gears varies by {_per_cent(lines[0])} and "
+        f"{_per_cent(lines[1])}, and "
+        "with unmodified flanks the second harmonic is never larger than the first. "
+    )
+    if all(each <= CONFLICT * line for each, line in zip(used, lines, strict=True)):
+        return []
+    return [
+        Note(
+            Text.of(said, "The values used are not those of a real pair of this drawing."), "Conflict: ripple"
+        )
+    ]
+
+
+def _per_cent(part: float) -> str:
+    return f"{number(100.0 * part, 2)} %"
 
 
 def _table(identifier: str, caption: str, values: list[Value]) -> Table:

@@ -4,12 +4,12 @@ rests on.
 
 from __future__ import annotations
 
-from math import isfinite
-
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Badge, Bullets, Inline, Ref, Section, Strong, Text
 from gearlash.report.numbers import number
 from gearlash.studies.article import NOT_FOUND, REPRODUCED, SHIFTED, Reproduction, Zone
+from gearlash.studies.article.reproduction import Reading
+from gearlash.studies.article.zoning import EVERY, SOME
 
 from .claims import counts
 from .quantities import Quantities, fixed_words, symbol
@@ -35,38 +35,37 @@ def section(done: Reproduction) -> Section:
 
 
 def _zones(done: Reproduction, quantities: Quantities) -> list[Text]:
-    groups: dict[tuple[str, str], list[Zone]] = {}
-    for zone in done.zones:
-        groups.setdefault((zone.parameter, zone.kind), []).append(zone)
-    return [_zone(readings, quantities) for readings in groups.values()]
+    return [_zone(zone, quantities) for zone in done.zones]
 
 
-def _zone(readings: list[Zone], quantities: Quantities) -> Text:
-    some = next((z for z in readings if z.reported is not None), readings[0])
-    every = next((z for z in readings if z.reported is None), None)
-    quiet = "without any impact" if some.kind == "impact-free" else "without impacts on the back side"
-    what = "Speed: " if some.parameter == "omega" else "Backlash: "
-    if not isfinite(some.lower.value):
+def _zone(zone: Zone, quantities: Quantities) -> Text:
+    some, every = zone.reading(SOME), zone.reading(EVERY)
+    quiet = "without any impact" if zone.kind == "impact-free" else "without impacts on the back side"
+    what = "Speed: " if zone.parameter == "omega" else "Backlash: "
+    if not some.found:
         return Text.of(
             Strong(what),
-            f"no interval {quiet} was found at {fixed_words(some.fixed)}. ",
-            verdict(some.verdict),
+            f"no interval {quiet} was found at {fixed_words(zone.fixed)}. ",
+            verdict(zone.verdict),
         )
-    parts: list[Inline] = [Strong(what), f"at {fixed_words(some.fixed)} the pair can run {quiet} from "]
-    parts += _between(some, quantities)
+    parts: list[Inline] = [Strong(what), f"at {fixed_words(zone.fixed)} the pair can run {quiet} from "]
+    parts += _between(zone, some, quantities)
     if some.coexisting:
         others = joined(sorted({short(c.label) for c in some.coexisting}))
         parts.append(
             f". Inside it other motions with impacts exist as well ({others}), and the start decides"
         )
-    if every is not None and isfinite(every.lower.value):
-        parts += [". Every motion found is quiet from ", *_between(every, quantities)]
-    parts += [". Compared with the article: ", verdict(some.verdict), " (", Ref("table-zones"), ")."]
+    if every.found:
+        parts += [". Every motion found is quiet from ", *_between(zone, every, quantities)]
+    parts += [". Compared with the article: ", verdict(zone.verdict)]
+    if zone.nearest:
+        parts += [f", as the {zone.reading(zone.nearest).name} shows it"]
+    parts += [" (", Ref(f"table-zone-{zone.parameter}"), ")."]
     return Text(tuple(parts))
 
 
-def _between(zone: Zone, quantities: Quantities) -> list[Inline]:
-    low, high = zone.lower.value, zone.upper.value
+def _between(zone: Zone, reading: Reading, quantities: Quantities) -> list[Inline]:
+    low, high = reading.lower.value, reading.upper.value
     words = f"{symbol(zone.parameter)} = {number(low, 5)} to {number(high, 5)}"
     physical = quantities.physical(zone.parameter, low, high)
     return [words] if physical is None else [words + ", that is ", physical]
@@ -74,6 +73,16 @@ def _between(zone: Zone, quantities: Quantities) -> list[Inline]:
 
 def _verdicts(done: Reproduction) -> Text:
     found = counts(done)
+    special = sum(bool(c.needs) for c in done.claims if c.verdict == REPRODUCED)
+    fitted = sum(c.fitted for c in done.claims)
+    remarks = ""
+    if special:
+        remarks += f" {special} of those reproduced need a certain way of scanning, which is named there."
+    if fitted:
+        remarks += (
+            f" The values of {fitted} of them test nothing: open values of this case were chosen to meet "
+            "them. Their labels were not."
+        )
     return Text.of(
         f"Of {plural(len(done.claims), 'claim')} of the article ",
         f"{found[REPRODUCED]} are ",
@@ -86,6 +95,7 @@ def _verdicts(done: Reproduction) -> Text:
         " with the values used here (",
         Ref("table-claims"),
         ").",
+        remarks,
     )
 
 

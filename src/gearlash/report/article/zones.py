@@ -6,37 +6,42 @@ from math import isfinite
 
 from gearlash import plots
 from gearlash.plots.regimes import short
-from gearlash.report.blocks import Block, Cell, Figure, Inline, Section, Strong, Table, Text
-from gearlash.report.numbers import NOTHING, interval, number, uncertainty
+from gearlash.report.blocks import Block, Cell, Figure, Inline, Note, Ref, Section, Strong, Table, Text
+from gearlash.report.numbers import NOTHING, interval, number, percent, uncertainty
 from gearlash.report.pictures import Picture
 from gearlash.studies.article import Reproduction, Zone
-from gearlash.studies.article.reproduction import Coexisting, End
+from gearlash.studies.article.reproduction import BearingMode, Coexisting, End, Reading
+from gearlash.studies.article.zoning import EVERY, SOME
 
 from .quantities import Quantities, fixed_words, symbol
-from .words import verdict
+from .words import plural, verdict
 
+BARS = {"cold": "cold start", "up": "followed up", "down": "followed down", EVERY: "every attractor"}
 MOST_BARS = 6  # of coexisting motions in the chart of one zone
 
 
 def section(done: Reproduction) -> tuple[Section, list[Picture]]:
-    """Chart and table of the zones, and the motions that coexist in the window."""
+    """Chart and tables of the zones, and the motions that coexist in the window."""
     quantities = Quantities.of(done.case)
-    panels = [panel(group) for group in _grouped(done.zones)]
+    panels = [panel(zone) for zone in done.zones]
     pictures, blocks = [], [_intro()]
     if panels:
         pictures.append(Picture("zones", plots.zones, (tuple(panels), quantities.units)))
         blocks.append(
             Figure(
                 "figure-zones",
-                Text.of("Stable zones: reported (hatched), computed, and other motions found inside them."),
-                f"Chart of {len(done.zones)} intervals, reported and computed",
+                Text.of(
+                    "Stable zones: reported (hatched), computed in each reading, and other motions found "
+                    "inside "
+                    "them."
+                ),
+                f"Chart of {plural(len(done.zones), 'zone')}, reported and computed in each reading",
                 "zones",
                 quantities.assumed(*(quantities.units.of_parameter(p.parameter) for p in panels)),
             )
         )
-    blocks.append(_table(done.zones, quantities))
-    notes = dict.fromkeys(f"In {symbol(zone.parameter)}: {zone.note}" for zone in done.zones if zone.note)
-    blocks += [Text.of(note) for note in notes]
+    for zone in done.zones:
+        blocks += [_table(zone, quantities), *_inside(zone, quantities)]
     inner: tuple[Section, ...] = ()
     if done.window:
         made, picture = _window(done, quantities)
@@ -46,58 +51,49 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
 
 def _intro() -> Block:
     return Text.of(
-        "A zone is shown in two readings. In the wider one at least one motion found stays clear of the "
-        "impacts in question; whoever follows that motion by hand sees this interval. In the narrower one "
-        "every motion found does, whatever the start: this is what an operator can rely on."
+        "Where motions coexist, the start decides which of them is seen, and so does the way of scanning. "
+        "Each "
+        "zone is therefore shown in every reading: from the cold start at every value, following the "
+        "motion up "
+        "and down, and where every attractor that these three find is quiet, whatever the start, which is "
+        "what "
+        "an operator can rely on. The article does not say how it scanned; three simple starts, with every "
+        "other "
+        "state at zero, show what it would have seen from them. The reading nearest to its numbers is in "
+        "bold."
     )
 
 
-def _grouped(zones: tuple[Zone, ...]) -> list[list[Zone]]:
-    """Readings of one zone together, without those that were not found."""
-    groups: dict[tuple[str, str], list[Zone]] = {}
-    for zone in zones:
-        groups.setdefault((zone.parameter, zone.kind), []).append(zone)
-    return list(groups.values())
-
-
-def panel(readings: list[Zone]) -> plots.Panel:
+def panel(zone: Zone) -> plots.Panel:
     """The chart of one zone in all its readings."""
-    first = readings[0]
-    bars = []
-    for zone in readings:
-        if zone.reported is not None:
-            low, high = zone.reported
-            bars.append(plots.Bar("article", low, high, "reported", "", number(low), number(high)))
-        if isfinite(zone.lower.value) and isfinite(zone.upper.value):
-            reading = "computed: some motion" if zone.reported is not None else "computed: every motion"
-            label = short(zone.labels[0]) if len(zone.labels) == 1 else f"{len(zone.labels)} labels"
-            bars.append(
-                plots.Bar(
-                    reading,
-                    zone.lower.value,
-                    zone.upper.value,
-                    "computed",
-                    label,
-                    _end(zone.lower),
-                    _end(zone.upper),
-                )
-            )
-    others = _together(max((z.coexisting for z in readings), key=len))
+    low, high = zone.reported
+    bars = [plots.Bar("article", low, high, "reported", "", number(low), number(high))]
     bars += [
         plots.Bar(
-            f"coexists: {short(label)}", low, high, "coexisting", label, number(low, 5), number(high, 5)
+            BARS.get(r.way, f"start {r.way.partition(',')[0]}"),
+            r.lower.value,
+            r.upper.value,
+            "computed",
+            short(r.labels[0]) if len(r.labels) == 1 else f"{len(r.labels)} labels",
+            _end(r.lower),
+            _end(r.upper),
         )
-        for label, low, high in others[:MOST_BARS]
+        for r in zone.readings
+        if r.found and r.way != SOME
     ]
-    title = f"{first.kind}, at {fixed_words(first.fixed)}"
+    others = _together(zone.reading(SOME).coexisting)
+    bars += [
+        plots.Bar(f"coexists: {short(each)}", low, high, "coexisting", each, number(low, 5), number(high, 5))
+        for each, low, high in others[:MOST_BARS]
+    ]
+    title = f"{zone.kind}, at {fixed_words(zone.fixed)}"
     if len(others) > MOST_BARS:
-        title += f"  ({len(others) - MOST_BARS} more coexisting motions are in the table)"
-    return plots.Panel(first.parameter, title, tuple(bars))
+        title += f"  ({len(others) - MOST_BARS} more coexisting motions are in the text)"
+    return plots.Panel(zone.parameter, title, tuple(bars))
 
 
 def _together(found: tuple[Coexisting, ...]) -> list[tuple[str, float, float]]:
-    """(label, lower, upper), the intervals of one label as one: which direction found which part is in the
-    table."""
+    """(label, lower, upper), the intervals of one label as one."""
     spans: dict[str, tuple[float, float]] = {}
     for each in found:
         low, high = spans.get(each.label, each.interval)
@@ -109,49 +105,70 @@ def _end(end: End) -> str:
     return f"{number(end.value, 5)}  {end.how}"
 
 
-def _table(zones: tuple[Zone, ...], quantities: Quantities) -> Table:
-    """Zones side by side, a property a row."""
-    columns = [_column(zone, quantities) for zone in zones]
-    rows = tuple((name, *(column[name] for column in columns)) for name in (columns[0] if columns else ()))
-    share = 84 // max(1, len(zones))
-    caption = "Stable zones, reported and computed."
+def _table(zone: Zone, quantities: Quantities) -> Table:
+    """A reading a row."""
+    name = symbol(zone.parameter)
+    reported: tuple[Cell, ...] = ("the article", interval(*zone.reported), "", "", "", "", "")
+    head = (
+        "reading",
+        f"{name} from, to",
+        "lower end",
+        "upper end",
+        "motions",
+        "deviation of the ends",
+        "verdict",
+    )
+    caption = f"{zone.name} at {fixed_words(zone.fixed)}, reported and in each reading."
+    rows = tuple(_row(zone, reading, quantities) for reading in zone.readings)
     return Table(
-        "table-zones", caption, ("", *(z.name for z in zones)), rows, widths=(16, *[share] * len(zones))
+        f"table-zone-{zone.parameter}", caption, head, (reported, *rows), widths=(19, 17, 15, 15, 9, 11, 14)
     )
 
 
-def _column(zone: Zone, quantities: Quantities) -> dict[str, Cell]:
-    found = isfinite(zone.lower.value) and isfinite(zone.upper.value)
-    physical = quantities.physical(zone.parameter, zone.lower.value, zone.upper.value) if found else None
-    name = symbol(zone.parameter)
-    others: Cell = [f"{short(c.label)} in {interval(*c.interval, 5)} ({c.start})" for c in zone.coexisting]
-    return {
-        "where": f"at {fixed_words(zone.fixed)}",
-        "article": NOTHING if zone.reported is None else f"{name} ∈ {interval(*zone.reported)}",
-        "computed": Strong(
-            f"{name} ∈ {interval(zone.lower.value, zone.upper.value)}" if found else "not found"
-        ),
-        "physical": physical or NOTHING,
-        "lower end": _edge(zone.lower) if found else NOTHING,
-        "upper end": _edge(zone.upper) if found else NOTHING,
-        "motions": ", ".join(short(label) for label in zone.labels) or NOTHING,
-        "least distance to the boundary, in the middle": _distance(zone.margin, quantities),
-        "coexisting in it": others or "none found",
-        "verdict": verdict(zone.verdict),
-    }
+def _row(zone: Zone, reading: Reading, quantities: Quantities) -> tuple[Cell, ...]:
+    name: Inline = Strong(reading.name) if reading.way == zone.nearest else reading.name
+    if not reading.found:
+        return name, "not found", NOTHING, NOTHING, NOTHING, NOTHING, verdict(reading.verdict)
+    low, high = reading.lower.value, reading.upper.value
+    shown = interval(low, high)
+    physical = quantities.physical(zone.parameter, low, high)
+    where: Cell = [Strong(shown) if reading.way == zone.nearest else shown, physical or ""]
+    compared = reading.way != SOME
+    return (
+        name,
+        where,
+        _edge(reading.lower),
+        _edge(reading.upper),
+        ", ".join(short(label) for label in reading.labels) or NOTHING,
+        [percent(d) for d in reading.deviations] if compared else NOTHING,
+        verdict(reading.verdict) if compared else NOTHING,
+    )
 
 
 def _edge(end: End) -> Cell:
-    beyond = f"beyond it: {short(end.next_label)}" if end.next_label else "beyond it: not computed"
-    return [end.how, beyond, uncertainty(end.uncertainty)]
+    if not end.next_label:
+        return end.how
+    return [end.how, f"beyond: {short(end.next_label)}", uncertainty(end.uncertainty)]
 
 
-def _distance(margin: float, quantities: Quantities) -> Cell:
-    if not isfinite(margin):
-        return NOTHING
+def _inside(zone: Zone, quantities: Quantities) -> list[Block]:
+    """What coexists in the widest reading, how far from the boundary its middle is, and what may be "
+    "missed."""
+    some, name = zone.reading(SOME), symbol(zone.parameter)
+    said: list[Inline] = []
+    if some.coexisting:
+        others = "; ".join(
+            f"{short(c.label)} in {interval(*c.interval, 5)} ({c.start})" for c in some.coexisting
+        )
+        said.append(f"Coexisting in {name} {interval(some.lower.value, some.upper.value, 5)}: {others}. ")
+    if isfinite(some.margin):
+        said += ["Least distance to the boundary in its middle: ", *_distance(some.margin, quantities), ". "]
+    return [Text.of(*said, zone.note)] if said or zone.note else []
+
+
+def _distance(margin: float, quantities: Quantities) -> list[Inline]:
     length = quantities.length(margin)
-    said: tuple[Inline, ...] = (number(margin, 3),)
-    return said if length is None else (*said, " (", length, ")")
+    return [number(margin, 3)] if length is None else [number(margin, 3), " (", length, ")"]
 
 
 def _window(done: Reproduction, quantities: Quantities) -> tuple[Section, Picture]:
@@ -176,5 +193,33 @@ def _window(done: Reproduction, quantities: Quantities) -> tuple[Section, Pictur
         )
     else:
         text = Text.of("No sweep found another motion inside the window than ", labels, ".")
+    blocks = (text, figure, *_resonances(done.bearings, quantities))
     picture = Picture("window", plots.gallery, (motions, quantities.units, "omega"))
-    return Section("window", "The window without impacts, and what coexists in it", (text, figure)), picture
+    return Section("window", "The window without impacts, and what coexists in it", blocks), picture
+
+
+def _resonances(found: tuple[BearingMode, ...], quantities: Quantities) -> list[Note]:
+    """Impact-free is not quiet."""
+    return [
+        Note(
+            Text.of(
+                f"On its bearing alone ({mode.bearing}) the body would swing at ",
+                *quantities.place("omega", mode.frequency),
+                ", inside the window; the frequencies of the whole pair with closed teeth are in ",
+                Ref("table-derived"),
+                f". At that speed, without any impact, the body moves there by {number(mode.motion, 3)} "
+                "D_c peak "
+                "to peak",
+                *_beside(quantities.length(mode.motion)),
+                f", and its bearing carries {number(mode.force / mode.mesh_force, 2)} times the "
+                "peak-to-peak mesh "
+                f"force, {number(mode.force / mode.mesh_mean, 2)} times the mean one.",
+            ),
+            "Without impacts is not without vibration",
+        )
+        for mode in found
+    ]
+
+
+def _beside(length: Inline | None) -> list[Inline]:
+    return [] if length is None else [" (", length, ")"]

@@ -7,27 +7,28 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearlash.branches import CODIMENSION_TWO, BifurcationPoint, GrazingPoint
+from gearlash.branches import BifurcationPoint, GrazingPoint
+from gearlash.branches.kinds import distance_to_unit
 from gearlash.flow import propagators
 from gearlash.orbits import Orbit, Settings, attractor, shoot
 from gearlash.results import Direction
 from gearlash.studies.motion import Motion, motion, touching
-from gearlash.studies.transitions import DOUBLING, GRAZING, Transition
+from gearlash.studies.transitions import Transition
 from gearlash.system import Family
 
 from .claims import Claim
-from .judge import FAR, NOT_FOUND, deviation, same_label, verdict
-from .reproduction import NAN, Event
+from .doubled import Beside, Found
+from .judge import FAR, NOT_FOUND, coincides, deviation, same_label, verdict, worst
+from .reproduction import NAN, Coincidence, Event
 
-Found = tuple[Transition, tuple[Direction, ...]]
 BESIDE = 0.008  # relative distance of the pictures before and after; halved until the labels agree
 SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)
 ZERO = 1e-3  # |λ ± 1|, |X ∓ D| and |X'| below which a condition counts as met
 
 
 def match(claim: Claim, found: Sequence[Found]) -> Found | None:
-    """The computed grazing with the claim's boundary and labels that lies nearest to its value, within 10 %;
-    for a co-dimension-2 claim it must be one."""
+    """The computed grazing with the claim's boundary and labels that lies nearest to its value, within
+    10 %."""
     near = [pair for pair in found if _fits(claim, pair[0])]
     return min(near, key=lambda pair: abs(pair[0].value - _value(claim)), default=None)
 
@@ -41,12 +42,26 @@ def _fits(claim: Claim, transition: Transition) -> bool:
     point = transition.point
     if not isinstance(point, GrazingPoint) or point.boundary != claim.boundary:
         return False
-    if claim.kind == "codimension-2" and point.type != CODIMENSION_TWO:
-        return False
     labels = (transition.label_below, transition.label_above)
+    return _labelled(claim, labels) and abs(deviation(transition.value, _value(claim))) <= FAR
+
+
+def _labelled(claim: Claim, labels: tuple[str, str]) -> bool:
     orders = [labels, labels[::-1]] if claim.either_order else [labels]
-    equal = any(same_label(a, claim.below) and same_label(b, claim.above) for a, b in orders)
-    return equal and abs(deviation(transition.value, _value(claim))) <= FAR
+    return any(same_label(a, claim.below) and same_label(b, claim.above) for a, b in orders)
+
+
+def match_coincidence(claim: Claim, found: Sequence[Beside]) -> Beside | None:
+    """The doubling with a grazing beside it, of the claim's boundary and labels, that lies nearest to its
+    value, within 10 %."""
+    near = [
+        pair
+        for pair in found
+        if pair[0].grazing.boundary == claim.boundary
+        and _labelled(claim, pair[0].labels)
+        and abs(deviation(pair[0].doubling.value, _value(claim))) <= FAR
+    ]
+    return min(near, key=lambda pair: abs(pair[0].doubling.value - _value(claim)), default=None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,9 +71,13 @@ class Scene:
     family: Family
     values: dict[str, float]
     found: Sequence[Found]
+    coincidences: Sequence[Beside] = ()
 
     def event(self, claim: Claim) -> Event:
         """The claim's event, found or not."""
+        if claim.kind == "codimension-2":
+            beside = match_coincidence(claim, self.coincidences)
+            return self.coincident(claim, *beside) if beside is not None else self.missing(claim)
         pair = match(claim, self.found)
         return self.solved(claim, *pair) if pair is not None else self.missing(claim)
 
@@ -92,7 +111,69 @@ class Scene:
             verdict=verdict([apart], labels_equal=True),
             note="",
             motions=(before, at, after),
+            everywhere=len(directions) == len(Direction),
         )
+
+    def coincident(self, claim: Claim, both: Coincidence, directions: tuple[Direction, ...]) -> Event:
+        """A doubling and a grazing beside it. Value and exponent are those of the doubling, the conditions
+        those of the touch."""
+        point, graze = both.doubling, both.grazing
+        apart = deviation(point.value, _value(claim))
+        at = touching(self.family, graze)
+        near = (
+            (graze.state_zero, point.state) if graze.value < point.value else (point.state, graze.state_zero)
+        )
+        values = sorted((graze.value, point.value))
+        before, after = (
+            self.settled(claim.parameter, values[i], side, near[i], both.labels[i])
+            for i, side in ((0, -1), (1, 1))
+        )
+        doubling, fold = distance_to_unit(point.multipliers)
+        period = point.period * 2.0 * np.pi / self.family.system(point.values).omega
+        return Event(
+            **_reported(claim),
+            found=True,
+            value=point.value,
+            deviation=apart,
+            label_below=both.labels[0],
+            label_above=both.labels[1],
+            kind=graze.kind,
+            boundary=graze.boundary,
+            a0=graze.a0,
+            phase=graze.phase,
+            type=f"{point.kind}, and {graze.type} {both.apart:.1e} beside it",
+            leading_below=before.leading,
+            leading_above=after.leading,
+            exponent=float(np.log(np.abs(point.multipliers[0])) / period),
+            distance_to_fold=fold,
+            distance_to_doubling=doubling,
+            conditions=(
+                ("least |λ + 1| of the orbit at the doubling", doubling, doubling <= ZERO),
+                *_conditions(graze, at, self.gradient(graze)),
+            ),
+            residual=max(point.residual, graze.residual),
+            method="the doubling solved for together with its orbit; the orbit born there followed by its "
+            "amplitude to its first touch, which is solved for together with orbit and time",
+            branch=_branch(directions),
+            verdict=worst(
+                [verdict([apart], labels_equal=True), coincides(both.apart, point.value, claim.printed)]
+            ),
+            note="",
+            motions=(before, at, after),
+            coincidence=both,
+            everywhere=len(directions) == len(Direction),
+        )
+
+    def settled(self, name: str, value: float, side: int, state: np.ndarray, wanted: str) -> Motion:
+        """The attractor at a distance at which it has the label of that side, from a state beside it."""
+        distance = BESIDE
+        for _ in range(14):
+            place = value * (1.0 + side * distance)
+            found = attractor(self.family.system({**self.values, name: place}), state, SETTINGS)
+            if found.label == wanted:
+                return motion(found, value=place)
+            distance /= 2.0
+        raise ValueError(f"no motion {wanted} beside {name} = {value}")
 
     def gradient(self, point: GrazingPoint) -> float:
         """|∂H/∂X| of the boundary: the length of what reads the gap from the state."""
@@ -143,7 +224,7 @@ class Scene:
             method="searched among all transitions located along the up, down and cold sweeps",
             branch="up, down and cold sweeps; pictures: cold start, at and 1 % beside the reported value",
             verdict=NOT_FOUND,
-            note=instead(claim, self.found),
+            note=instead(claim, self.found) + _beside(claim, self.coincidences),
             motions=motions,
         )
 
@@ -186,12 +267,13 @@ def _branch(directions: tuple[Direction, ...]) -> str:
         Direction.DOWN: "down sweep (follows the attractor, falling)",
         Direction.COLD: "cold start at every value",
     }
+    if len(directions) == len(words):
+        return "met in all three sweeps: cold, up, down"
     return "met in: " + "; ".join(words[d] for d in directions)
 
 
 def instead(claim: Claim, found: Sequence[Found]) -> str:
-    """What was located instead: the nearest transitions that touch either reported label, and for a
-    coincidence, how far grazing and doubling lie apart."""
+    """What was located instead: the nearest transitions that touch either reported label."""
     labels = [text for text in (claim.below, claim.above) if text]
     related = [
         t for t, _ in found
@@ -202,34 +284,18 @@ def instead(claim: Claim, found: Sequence[Found]) -> str:
     related.sort(key=lambda t: abs(t.value - _value(claim)))
     parts = [describe(t) for t in related[:3]]
     text = "Nearest located changes of the reported motions: " + "; ".join(parts) + "."
-    if claim.kind == "codimension-2":
-        text += _coincidence(found, related)
     return text
 
 
-def _coincidence(found: Sequence[Found], related: Sequence[Transition]) -> str:
-    """The closest pair of a back-side grazing and a doubling that share a motion, one of them of a reported
-    label."""
-    grazes = [
-        t
-        for t, _ in found
-        if t.kind == GRAZING and isinstance(t.point, GrazingPoint) and t.point.boundary < 0
-    ]
-    doublings = [t for t, _ in found if t.kind == DOUBLING]
-    pairs = [
-        (abs(g.value - d.value), g, d)
-        for g in grazes
-        for d in doublings
-        if {g.label_below, g.label_above} & {d.label_below, d.label_above} and (g in related or d in related)
-    ]
-    if not pairs:
+def _beside(claim: Claim, coincidences: Sequence[Beside]) -> str:
+    """For a coincidence that was not found: the closest pair of a doubling and a touch of what it bears."""
+    if claim.kind != "codimension-2" or not coincidences:
         return ""
-    apart, graze, double = min(pairs, key=lambda pair: pair[0])
-    assert isinstance(graze.point, GrazingPoint)
+    both, _ = min(coincidences, key=lambda pair: pair[0].apart)
+    name, (below, above) = {"omega": "ω"}.get(claim.parameter, claim.parameter), both.labels
     return (
-        f" Grazing and doubling do not coincide here: the closest pair is {apart / graze.value:.2%} apart "
-        f"(grazing at {graze.value:.6f}, least |λ+1| = {graze.point.to_doubling:.3f} there; "
-        f"doubling at {double.value:.6f})."
+        f" The closest pair of a doubling and a grazing of what it bears: {name} = {both.doubling.value:.6f} "
+        f"and {both.grazing.value:.6f}, {both.apart:.1e} apart ({_short(below)} → {_short(above)})."
     )
 
 

@@ -24,6 +24,23 @@ def verdict(deviations: list[float], labels_equal: bool) -> str:
     return REPRODUCED if worst <= CLOSE else SHIFTED if worst <= FAR else NOT_FOUND
 
 
+def coincides(apart: float, value: float, printed: str) -> str:
+    """Two places that are to be one: ``reproduced`` where they lie no further apart than one unit of the last
+    printed digit, so that print does not tell them apart; ``shifted`` within 10 % of the value."""
+    if not isfinite(apart):
+        return NOT_FOUND
+    digits = len(printed.partition(".")[2])
+    if apart <= 10.0**-digits:
+        return REPRODUCED
+    return SHIFTED if apart <= FAR * abs(value) else NOT_FOUND
+
+
+def worst(verdicts: list[str]) -> str:
+    """The least good of several verdicts."""
+    order = [REPRODUCED, SHIFTED, NOT_FOUND]
+    return max(verdicts, key=order.index, default=NOT_FOUND)
+
+
 def same_label(computed: str, reported: str) -> bool:
     """Whether two labels mean the same signature: "1-1-0" is "1-1"."""
     if not computed or not reported or not computed[0].isdigit():

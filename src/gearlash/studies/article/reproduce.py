@@ -9,8 +9,6 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
 
-import numpy as np
-
 from gearlash.case import Case
 from gearlash.flow import propagators
 from gearlash.jobs import Progress
@@ -21,14 +19,17 @@ from gearlash.studies.point import point
 from gearlash.studies.sweep import open_workers
 from gearlash.studies.transitions import Transition
 
+from .bearing import bearing_modes
 from .claims import Claim, load
+from .doubled import coincidences
 from .events import Found, Scene
-from .reproduction import Check, Diagram, Event, Mark, Reproduction, Run, Zone
+from .pair import check_pair
+from .reproduction import BearingMode, Check, Diagram, Event, Mark, Reproduction, Run, Zone
 from .rows import SETTINGS, Row, distinct, rows
 from .rules import effects
 from .table2 import fill
 from .verdicts import Evidence, judge
-from .zoning import article_zones
+from .zoning import SOME, article_zones
 
 STAGES = ("sweeps over ω", "sweeps over D", "zones", "events", "verdicts", "contact rules")
 StageProgress = Callable[[str, Progress | None], object]
@@ -70,7 +71,8 @@ def reproduce(
 ) -> Reproduction:
     """Everything but the article's multibody section. ``claims`` (default: those of the package) are paired
     with what is computed, and centre pictures; no computation reads a claimed value. ``progress`` is told the
-    stage and how far."""
+    stage and how far. Raises `CaseError` for a case that is not the article's pair."""
+    check_pair(case)
     scope, claims = scope or Scope(), load() if claims is None else tuple(claims)
     tell = progress or (lambda stage, state: None)
     clock = _Clock()
@@ -81,11 +83,11 @@ def reproduce(
         by_axis = {"omega": (omega, frequency), "D": (gap, backlash)}
         tell(STAGES[2], None)
         zones = tuple(
-            zone
+            article_zones(case, claim, *by_axis[claim.parameter], executor)
             for claim in claims
             if claim.kind == "zone"
-            for zone in article_zones(case, claim, *by_axis[claim.parameter], executor)
         )
+        beside = {name: coincidences(case, each, executor) for name, each in found.items()}
         clock.lap(STAGES[2])
         tell(STAGES[5], None)
         at = {"omega": scope.fixed_omega, "D": scope.fixed_backlash}
@@ -95,7 +97,7 @@ def reproduce(
     family, _ = case.family()
     values = family.complete()
     events = tuple(
-        Scene(family, {**values, **claim.fixed}, found[claim.parameter]).event(claim)
+        Scene(family, {**values, **claim.fixed}, found[claim.parameter], beside[claim.parameter]).event(claim)
         for claim in claims
         if claim.portrait
     )
@@ -125,6 +127,8 @@ def reproduce(
         checks=_checks(case, all_rows, found),
         run=_run(case, clock, workers, all_rows),
         rules=compared,
+        bearings=_bearings(case, frequency, zones, {"D": scope.fixed_backlash}),
+        coincidences=tuple(both for pairs in beside.values() for both, _ in pairs),
     )
 
 
@@ -173,10 +177,10 @@ def _window(
     case: Case, done: Sequence[Row], zones: Sequence[Zone], values: Mapping[str, float]
 ) -> tuple[Motion, ...]:
     """Every motion found at one ω of the impact-free zone: where most of them coexist, else in its middle."""
-    zone = next((z for z in zones if z.kind == "impact-free" and np.isfinite(z.lower.value)), None)
-    if zone is None:
+    wide = next((z.reading(SOME) for z in zones if z.kind == "impact-free"), None)
+    if wide is None or not wide.found:
         return ()
-    inside = [i for i, p in enumerate(done[0].sweep.points) if zone.lower.value < p.value < zone.upper.value]
+    inside = [i for i, p in enumerate(done[0].sweep.points) if wide.lower.value < p.value < wide.upper.value]
     if not inside:
         return ()
 
@@ -198,6 +202,15 @@ def _window(
         orbit = Orbit(props, shot, 0, shot.status, f"{row.direction} sweep")
         motions.append(motion(orbit, value=sampled.value))
     return tuple(motions)
+
+
+def _bearings(
+    case: Case, done: Sequence[Row], zones: Sequence[Zone], fixed: Mapping[str, float]
+) -> tuple[BearingMode, ...]:
+    """Bearings in resonance inside the impact-free window, with the motion there."""
+    wide = next((z.reading(SOME) for z in zones if z.kind == "impact-free"), None)
+    quiet = next((p for row in done for p in row.sweep.points if p.impact_free), None)
+    return () if wide is None or quiet is None else bearing_modes(case, wide, quiet.state, fixed)
 
 
 def _motions(

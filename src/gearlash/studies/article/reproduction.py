@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import isfinite
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case
@@ -12,6 +13,8 @@ from gearlash.system import Record
 
 if TYPE_CHECKING:
     import xarray
+
+    from gearlash.branches import BifurcationPoint, GrazingPoint
 
 NAN = float("nan")
 
@@ -40,10 +43,50 @@ class Diagram(Record):
     marks: tuple[Mark, ...]
 
 
+@dataclass(frozen=True)
+class Opening:
+    """A doubled orbit beside the doubling it is born at: its amplitude (how far its state at phase zero is
+    from that of the single orbit, along the critical eigenvector), the distance of the parameter, and the
+    clearance of the extremum that will touch."""
+
+    amplitude: float
+    distance: float
+    clearance: float
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Coincidence(Record):
+    """A period doubling and the first grazing of the orbit that is born there. ``single``, ``doubled`` and
+    ``beyond`` are the labels on the far side of the doubling, between the two, and beyond the grazing;
+    ``apart`` their distance in the parameter. ``clearance`` is that of the touching extremum at the doubling
+    itself: 0 in a true co-dimension-2 point. ``predicted`` is the distance foreseen from the square root
+    alone, ``power`` that of the opening as measured (1/2)."""
+
+    doubling: BifurcationPoint
+    grazing: GrazingPoint
+    single: str
+    doubled: str
+    beyond: str
+    apart: float
+    clearance: float
+    predicted: float
+    power: float
+    opening: tuple[Opening, ...]
+
+    @property
+    def labels(self) -> tuple[str, str]:
+        """Below both and above both, for a rising parameter."""
+        if self.grazing.value < self.doubling.value:
+            return self.beyond, self.single
+        return self.single, self.beyond
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Event(Record):
     """One of the article's events, computed beside reported. Where it was not found, ``value`` is NaN, the
-    motions are those at and beside the reported value, and ``note`` says what is there instead."""
+    motions are those at and beside the reported value, and ``note`` says what is there instead.
+    ``coincidence`` is the doubling and the grazing of a co-dimension-2 event, whose value and exponent are
+    those of the doubling; ``everywhere``: it was met in all three directions."""
 
     name: str
     title: str
@@ -76,6 +119,8 @@ class Event(Record):
     verdict: str
     note: str
     motions: tuple[Motion, ...]
+    coincidence: Coincidence | None = None
+    everywhere: bool = False
 
 
 @dataclass(frozen=True)
@@ -100,21 +145,49 @@ class End:
 
 
 @dataclass(frozen=True)
-class Zone:
-    """A stable zone, computed beside reported (None where the article has none)."""
+class Reading:
+    """A stable zone as one way of looking shows it (`cold`, `up`, `down`, a simple `start`), or as `some` or
+    `every` attractor found by the first three does. ``deviations`` are those of its ends from the article's;
+    ``margin`` is the least distance to the boundary in its middle. Ends are NaN where there is none."""
 
+    way: str
     name: str
-    parameter: str
-    fixed: Mapping[str, float]
-    kind: str
-    reported: tuple[float, float] | None
     lower: End
     upper: End
     labels: tuple[str, ...]
     margin: float
     coexisting: tuple[Coexisting, ...]
+    deviations: tuple[float, float]
+    verdict: str
+
+    @property
+    def found(self) -> bool:
+        return isfinite(self.lower.value) and isfinite(self.upper.value)
+
+    @property
+    def deviation(self) -> float:
+        """The larger one."""
+        return max(self.deviations, key=abs)
+
+
+@dataclass(frozen=True)
+class Zone:
+    """A stable zone of the article and its readings. ``nearest`` is the way whose ends lie nearest to the
+    article's (empty if no reading has a zone), ``verdict`` that of this reading."""
+
+    name: str
+    parameter: str
+    fixed: Mapping[str, float]
+    kind: str
+    reported: tuple[float, float]
+    readings: tuple[Reading, ...]
+    nearest: str
     verdict: str
     note: str
+
+    def reading(self, way: str) -> Reading:
+        """That of one way."""
+        return next(reading for reading in self.readings if reading.way == way)
 
 
 @dataclass(frozen=True)
@@ -135,8 +208,21 @@ class Table2Row:
 
 
 @dataclass(frozen=True)
+class Part:
+    """One of several things that a claim says, judged by itself."""
+
+    what: str
+    reported: str
+    computed: str
+    verdict: str
+    note: str
+
+
+@dataclass(frozen=True)
 class ClaimRow:
-    """A row of the table of claims."""
+    """A row of the table of claims. ``needs`` names the way of scanning without which it does not come out
+    (empty: each does); ``fitted`` says that open values of the case were chosen to meet this number, which
+    then tests nothing; ``parts`` are what it says, where it says several things."""
 
     id: str
     sentence: str
@@ -154,6 +240,9 @@ class ClaimRow:
     branch: str
     note: str
     rests_on: tuple[str, ...]
+    needs: str = ""
+    fitted: bool = False
+    parts: tuple[Part, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -208,6 +297,20 @@ class RuleEffect:
 
 
 @dataclass(frozen=True)
+class BearingMode:
+    """A bearing direction whose own frequency lies in the window without impacts, and the motion there: that
+    of the bearing, its force, and the mesh force (peak to peak and mean), lengths over D_c, forces over
+    k_m D_c."""
+
+    bearing: str
+    frequency: float
+    motion: float
+    force: float
+    mesh_force: float
+    mesh_mean: float
+
+
+@dataclass(frozen=True)
 class Run:
     """How the run went."""
 
@@ -235,3 +338,5 @@ class Reproduction(Record):
     checks: tuple[Check, ...]
     run: Run
     rules: tuple[RuleEffect, ...] = ()
+    bearings: tuple[BearingMode, ...] = ()
+    coincidences: tuple[Coincidence, ...] = ()

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from gearlash.branches import CODIMENSION_TWO, STANDARD, BifurcationPoint, GrazingPoint
 from gearlash.studies.transitions import Transition
 
 from .events import Found, exponent_at
-from .judge import NOT_FOUND, REPRODUCED
+from .judge import NOT_FOUND, REPRODUCED, coincides
 from .reproduction import Event, Table2Row
 
 SHOWN = 6  # examples of a row
@@ -37,16 +38,7 @@ def fill(found: Sequence[Found], events: Sequence[Event]) -> tuple[Table2Row, ..
             f"at {_all(negative)}. The change of the counts is sudden, that of the motion is not: the map is "
             "C¹ there.",
         ),
-        _row(
-            "Co-dimension-2 Grazing Bifurcation",
-            "LLE ≈ 0 (coupled with period-doubling)",
-            "Changes (e.g., P/2)",
-            "Sudden change",
-            "Within chaotic or period-multiplying regimes (e.g., D≈0.3523)",
-            double,
-            REPRODUCED if double else NOT_FOUND,
-            _nearest_coincidence(grazes) if not double else f"{len(double)} located.",
-        ),
+        _codimension_two(double, grazes, events),
         _row(
             "Smooth Bifurcation (e.g., Period-doubling, Saddle-node)",
             "LLE ≈ 0 or specific multiplier condition",
@@ -76,6 +68,38 @@ def _row(kind, condition, period, pattern, region, transitions, verdict, note) -
         patterns=tuple(f"{t.label_below} → {t.label_above}" for t in shown),
         verdict=verdict,
         note=note,
+    )
+
+
+def _codimension_two(
+    double: Sequence[Transition], grazes: Sequence[Transition], events: Sequence[Event]
+) -> Table2Row:
+    """Points with a multiplier at −1; else pairs of doubling and grazing, judged by whether the printed
+    digits tell them apart."""
+    row = _row(
+        "Co-dimension-2 Grazing Bifurcation",
+        "LLE ≈ 0 (coupled with period-doubling)",
+        "Changes (e.g., P/2)",
+        "Sudden change",
+        "Within chaotic or period-multiplying regimes (e.g., D≈0.3523)",
+        double,
+        REPRODUCED if double else NOT_FOUND,
+        f"{len(double)} located." if double else _nearest_coincidence(grazes),
+    )
+    pairs = [(event, event.coincidence) for event in events if event.coincidence is not None]
+    if double or not pairs:
+        return row
+    event, both = min(pairs, key=lambda pair: pair[1].apart)
+    name = {"omega": "ω"}.get(event.parameter, event.parameter)
+    return replace(
+        row,
+        events=(f"{name} = {event.value:.4f}",),
+        exponent=(event.exponent,),
+        periods=(f"{_period(event.label_below)} → {_period(event.label_above)}",),
+        patterns=(f"{event.label_below} → {event.label_above}",),
+        verdict=coincides(both.apart, both.doubling.value, event.digits),
+        note=f"A doubling at {name} = {both.doubling.value:.7f} and a grazing {both.apart:.1e} beside it: "
+        "one event to the article’s digits, two points in truth.",
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -13,11 +13,14 @@ from gearlash.results import Point
 from gearlash.studies.transitions import DOUBLING, FOLD
 
 from .claims import Claim
-from .judge import NOT_FOUND, REPRODUCED, SHIFTED, deviation, same_label
-from .reproduction import NAN, ClaimRow, Event, Zone
+from .judge import NOT_FOUND, REPRODUCED, SHIFTED, coincides, same_label, verdict
+from .pair import FITTED, is_bundled
+from .reproduction import NAN, ClaimRow, Coincidence, Event, Part, Reading, Zone
 from .rows import Row
+from .zoning import SOME
 
 ZERO_EXPONENT = 1e-3  # |LLE| that counts as "approximately zero", per unit of τ
+ROUNDING = 1e-9  # an exponent below this is zero
 SAME = 0.01  # relative change of X - D over the zone that counts as insensitive
 
 
@@ -36,7 +39,7 @@ def judge(claims: Sequence[Claim], evidence: Evidence) -> tuple[ClaimRow, ...]:
     """A row for every claim, in their order."""
     makers = {
         "grazing": _event,
-        "codimension-2": _event,
+        "codimension-2": _coincidence,
         "exponent": _exponent,
         "zone": _zone,
         "insensitive": _insensitive,
@@ -58,6 +61,7 @@ def _row(claim: Claim, evidence: Evidence, **computed) -> ClaimRow:
         "branch": "",
         "note": "",
         "rests_on": rests_on(evidence.case),
+        "fitted": claim.id in FITTED and is_bundled(evidence.case),
     }
     return ClaimRow(
         id=claim.id, sentence=claim.sentence, quantity=claim.quantity, where=where, printed=claim.printed,
@@ -90,65 +94,125 @@ def _event(claim: Claim, evidence: Evidence) -> ClaimRow:
         deviation=event.deviation,
         verdict=event.verdict,
         branch=event.branch,
+        needs=_needed(event),
         note=event.note,
     )
 
 
+def _needed(event: Event) -> str:
+    """The only scans in which an event was met, where it was not met in all three."""
+    return "" if not event.found or event.everywhere else event.branch.replace("met in: ", "")
+
+
+def _coincidence(claim: Claim, evidence: Evidence) -> ClaimRow:
+    """Value and labels, and the coincidence itself, each judged."""
+    row, event = _event(claim, evidence), _find(evidence, claim.id)
+    both = event.coincidence
+    if both is None:
+        return row
+    value = Part(
+        "value and labels",
+        f"{claim.printed}, {claim.below} → {claim.above}",
+        f"{event.value:.10g}, {event.label_below} → {event.label_above}",
+        verdict([event.deviation], labels_equal=True),
+        f"The doubling of {both.single}; {both.doubled} lies between the two for {both.apart:.1e} of "
+        f"{claim.parameter} only.",
+    )
+    one = Part(
+        "doubling and grazing coincide",
+        "one point",
+        f"{both.apart:.2e} apart",
+        coincides(both.apart, event.value, claim.printed),
+        _why_close(both, claim),
+    )
+    return replace(row, parts=(value, one))
+
+
+def _why_close(both: Coincidence, claim: Claim) -> str:
+    clear = f"{both.clearance:.3g}"
+    return (
+        f"Doubling at {both.doubling.value:.8f}, grazing at {both.grazing.value:.8f}: one event to the "
+        f"digits of {claim.printed}, not one point. They lie so close because the doubled orbit opens like a "
+        f"square root (measured: distance to the power {both.power:.2f}): an extremum that passes the "
+        f"boundary at {clear} in the doubling itself reaches it almost at once. From the smallest amplitudes "
+        f"{both.predicted:.1e} is foreseen. The exponent of the touching orbit is "
+        f"{both.grazing.exponent:.1e}. In one true point that clearance of {clear} would vanish as well, "
+        "which takes a second parameter; that is not claimed."
+    )
+
+
 def _exponent(claim: Claim, evidence: Evidence) -> ClaimRow:
+    """A claim about a sign is judged by the sign; where its event lies is judged with the event."""
     event = _find(evidence, claim.of)
     if not event.found:
         note = f"The event it belongs to ({event.digits}) was not found."
         return _row(claim, evidence, computed="not found", verdict=NOT_FOUND, branch=event.branch, note=note)
     holds = abs(event.exponent) <= ZERO_EXPONENT if claim.sign == 0 else event.exponent < 0.0
+    place = f"{_symbol(event.parameter)} = {event.value:.6f}"
+    note = f"At the computed grazing, {place}; ln|μ|max/(P T)."
+    if event.coincidence is not None:
+        touch = event.coincidence.grazing
+        note = (
+            f"At the doubling, {place}, where a multiplier is −1: zero but for rounding. At the grazing "
+            f"{event.coincidence.apart:.1e} beside it: {touch.exponent:.1e}."
+        )
     return _row(
         claim,
         evidence,
-        computed=f"{event.exponent:.4g}",
+        computed=f"{event.exponent:.4g}" if abs(event.exponent) > ROUNDING else "0",
         computed_value=event.exponent,
         computed_labels=f"{event.label_below} → {event.label_above}",
-        verdict=event.verdict if holds else NOT_FOUND,
+        verdict=REPRODUCED if holds else NOT_FOUND,
         branch=event.branch,
-        note=f"At the computed grazing, {_symbol(event.parameter)} = {event.value:.6f}; ln|μ|max/(P T).",
-    )
-
-
-def _zone(claim: Claim, evidence: Evidence) -> ClaimRow:
-    mine = [zone for zone in evidence.zones if zone.kind == claim.zone and zone.parameter == claim.parameter]
-    zone = next(z for z in mine if z.reported is not None)
-    every = next((z for z in mine if z.reported is None), None)
-    if zone.verdict == NOT_FOUND and not np.isfinite(zone.lower.value):
-        return _row(claim, evidence, computed="not found", verdict=NOT_FOUND, note=zone.note)
-    assert claim.interval is not None
-    worst = max((deviation(end.value, edge) for end, edge in _ends(zone, claim)), key=abs)
-    note = f"Lower end: {zone.lower.how}; upper end: {zone.upper.how}."
-    if every is not None:
-        narrow = f"[{every.lower.value:.4f}, {every.upper.value:.4f}]"
-        note += f" All attractors found agree on this ({claim.zone}) in {narrow} only."
-    if zone.coexisting:
-        note += " Coexisting in it: " + ", ".join(sorted({c.label for c in zone.coexisting})) + "."
-    return _row(
-        claim,
-        evidence,
-        computed=f"[{zone.lower.value:.6g}, {zone.upper.value:.6g}]",
-        reported_labels=claim.label or "P-Q-0",
-        computed_labels=", ".join(zone.labels),
-        deviation=worst,
-        verdict=zone.verdict,
-        branch="at least one of the up, down and cold sweeps",
+        needs=_needed(event),
         note=note,
     )
 
 
-def _ends(zone: Zone, claim: Claim):
-    assert claim.interval is not None
-    return zip((zone.lower, zone.upper), claim.interval, strict=True)
+def _zone(claim: Claim, evidence: Evidence) -> ClaimRow:
+    """The reading nearest to the article, by its name, and what the others show."""
+    zone = _found(evidence, claim)
+    if not zone.nearest:
+        return _row(claim, evidence, computed="not found", verdict=NOT_FOUND, note=zone.note)
+    best = zone.reading(zone.nearest)
+    others = "; ".join(
+        f"{r.name}: {_interval(r)}" for r in zone.readings if r.way not in (zone.nearest, SOME)
+    )
+    note = f"Lower end: {best.lower.how}; upper end: {best.upper.how}. Other readings: {others}."
+    return _row(
+        claim,
+        evidence,
+        computed=f"[{best.lower.value:.6g}, {best.upper.value:.6g}]",
+        reported_labels=claim.label or "P-Q-0",
+        computed_labels=", ".join(best.labels),
+        deviation=best.deviation,
+        verdict=zone.verdict,
+        branch=f"nearest reading: {best.name}",
+        needs=_needed_reading(zone),
+        note=note,
+    )
+
+
+def _found(evidence: Evidence, claim: Claim) -> Zone:
+    return next(z for z in evidence.zones if (z.kind, z.parameter) == (claim.zone, claim.parameter))
+
+
+def _interval(reading: Reading) -> str:
+    return f"[{reading.lower.value:.4f}, {reading.upper.value:.4f}]" if reading.found else "none"
+
+
+def _needed_reading(zone: Zone) -> str:
+    """The readings that reach the verdict, where not all of them do."""
+    compared = [r for r in zone.readings if r.way != SOME]
+    alike = [r.name for r in compared if r.verdict == zone.verdict]
+    return "" if len(alike) == len(compared) else "; ".join(alike)
 
 
 def _insensitive(claim: Claim, evidence: Evidence) -> ClaimRow:
     """How much X - D on σ_t moves with D beyond the last back-side impact, orbit by orbit of one label,
     beside how much it moves below."""
     zone = next(z for z in evidence.zones if z.kind == "drive side only")
-    edge = zone.lower.value
+    edge = zone.reading(SOME).lower.value
     change, labels = 0.0, set()
     for row in evidence.rows[claim.parameter]:
         inside = [p for p in row.sweep.points if p.value > edge and p.drive_side_only]
@@ -206,7 +270,7 @@ def _label(claim: Claim, evidence: Evidence) -> ClaimRow:
     found = evidence.motions[claim.id]
     cold = found[0][1]
     met = [start for start, point in found if same_label(point.label, claim.label)]
-    verdict = REPRODUCED if same_label(cold.label, claim.label) else SHIFTED if met else NOT_FOUND
+    judged = REPRODUCED if same_label(cold.label, claim.label) else SHIFTED if met else NOT_FOUND
     note = "" if len({p.label for _, p in found}) == 1 else "Which motion is met depends on the start."
     rpm = (
         evidence.case.scales.pinion_rpm(claim.at).item()
@@ -221,7 +285,7 @@ def _label(claim: Claim, evidence: Evidence) -> ClaimRow:
         computed=cold.label,
         reported_labels=claim.label,
         computed_labels="; ".join(f"{start}: {point.label}" for start, point in found),
-        verdict=verdict,
+        verdict=judged,
         branch="cold start, and the nearest points of the followed sweeps",
         note=note.strip(),
     )

@@ -1,40 +1,102 @@
-"""The article's two stable zones, computed from the same sweeps."""
+"""The article's two stable zones: as each way of scanning shows them, and as an operator can rely on them."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
 
+import numpy as np
+
 from gearlash.case import Case
-from gearlash.results import Axis
+from gearlash.results import Axis, Direction, Sweep
+from gearlash.studies.sweep import sweep
 from gearlash.studies.zones import Tenant, Zones, zones
 from gearlash.studies.zones import Zone as Found
 
 from .claims import Claim
 from .judge import NOT_FOUND, deviation, verdict
-from .reproduction import NAN, Coexisting, End, Zone
+from .reproduction import NAN, Coexisting, End, Reading, Zone
 from .rows import SETTINGS, Row
+from .starts import STARTS, starting
 
 KINDS = {"impact-free": "impact-free", "drive side only": "drive-side-only"}
+SOME, EVERY = "some", "every"
+EVERY_FEW = 3  # of the values of an axis: from a simple start
+NAMES = {
+    str(Direction.COLD): "cold start at every value (at rest under the load)",
+    str(Direction.UP): "motion followed upwards",
+    str(Direction.DOWN): "motion followed downwards",
+    SOME: "at least one of these attractors",
+    EVERY: "every one of these attractors",
+}
+NOWHERE = End(NAN, "none", "", NAN)
 
 
-def article_zones(
-    case: Case, claim: Claim, axis: Axis, rows: Sequence[Row], executor: Executor
-) -> tuple[Zone, ...]:
-    """The zone that the claim means, in two readings: where some attractor found is quiet (a branch followed
-    by hand would show it), and where every one is (an operator may rely on it). The first is compared with
-    the article."""
+def article_zones(case: Case, claim: Claim, axis: Axis, rows: Sequence[Row], executor: Executor) -> Zone:
+    """The zone that the claim means, in each reading: cold, up, down, for some and for every attractor that
+    these find, and from each of the simple starts. The one nearest to the article is named; `some` is no way
+    of scanning, so it is not compared."""
     sweeps = [row.sweep for row in rows]
-    found = zones(
-        case, axis, KINDS[claim.zone], fixed=claim.fixed, known=sweeps, settings=SETTINGS, executor=executor
+    together = _zones(case, claim, axis, sweeps, executor)
+    readings = [
+        _reading(claim, str(s.direction), _zones(case, claim, axis, [s], executor), rows) for s in sweeps
+    ]
+    readings.append(_reading(claim, EVERY, together, rows))
+    readings.append(_reading(claim, SOME, together, rows))
+    readings += [_from_start(case, claim, axis, name, executor) for name in STARTS]
+    compared = [r for r in readings if r.found and r.way != SOME]
+    nearest = min(compared, key=lambda r: abs(r.deviation), default=None)
+    assert claim.interval is not None
+    return Zone(
+        name=f"{claim.title}: {claim.zone}",
+        parameter=claim.parameter,
+        fixed=dict(claim.fixed),
+        kind=claim.zone,
+        reported=claim.interval,
+        readings=tuple(readings),
+        nearest=nearest.way if nearest is not None else "",
+        verdict=nearest.verdict if nearest is not None else NOT_FOUND,
+        note=_note(together) if nearest is not None else "No way of scanning shows such an interval there.",
     )
-    some, every = _nearest(found.wider or found.zones, claim), _nearest(found.zones, claim)
-    readings = []
-    if some is not None:
-        readings.append(_zone(claim, some, found, rows, "at least one attractor found", claim.interval))
-    if every is not None and every is not some:
-        readings.append(_zone(claim, every, found, rows, "every attractor found", None))
-    return tuple(readings) or (_none(claim),)
+
+
+def _zones(case: Case, claim: Claim, axis: Axis, known: Sequence[Sweep], executor: Executor) -> Zones:
+    return zones(
+        case, axis, KINDS[claim.zone], fixed=claim.fixed, known=known, settings=SETTINGS, executor=executor
+    )
+
+
+def _from_start(case: Case, claim: Claim, axis: Axis, name: str, executor: Executor) -> Reading:
+    """Every few values from one simple start; the ends are halved to as fine as all others."""
+    family = starting(case, name)
+    axis = Axis(axis.name, np.union1d(axis.values[::EVERY_FEW], axis.values[-1:]))
+    done = sweep(family, axis, fixed=claim.fixed, settings=SETTINGS, executor=executor)
+    found = zones(
+        family, axis, KINDS[claim.zone], fixed=claim.fixed, known=[done], settings=SETTINGS, executor=executor
+    )
+    return _reading(claim, name, found, (Row(done, ()),))
+
+
+def _reading(claim: Claim, way: str, found: Zones, rows: Sequence[Row]) -> Reading:
+    name = NAMES.get(way, f"fixed start {way}")
+    zone = _nearest((found.wider or found.zones) if way == SOME else found.zones, claim)
+    if zone is None:
+        return Reading(way, name, NOWHERE, NOWHERE, (), NAN, (), (NAN, NAN), NOT_FOUND)
+    assert claim.interval is not None
+    low, high = claim.interval
+    ends = deviation(zone.lower.value, low), deviation(zone.upper.value, high)
+    mine = [row for row in rows if way in (SOME, EVERY) or row.direction == way or way in STARTS]
+    return Reading(
+        way=way,
+        name=name,
+        lower=End(zone.lower.value, zone.lower.kind, zone.lower.outside, zone.lower.uncertainty),
+        upper=End(zone.upper.value, zone.upper.kind, zone.upper.outside, zone.upper.uncertainty),
+        labels=tuple(dict.fromkeys(t.label for t in zone.tenants if t.quiet)),
+        margin=_margin(claim, zone, mine),
+        coexisting=tuple(_coexisting(t, mine) for t in zone.tenants if not t.quiet),
+        deviations=ends,
+        verdict=verdict(list(ends), labels_equal=True),
+    )
 
 
 def _nearest(candidates: Sequence[Found], claim: Claim) -> Found | None:
@@ -47,35 +109,6 @@ def _nearest(candidates: Sequence[Found], claim: Claim) -> Found | None:
 
     best = max(candidates, key=shared, default=None)
     return best if best is not None and shared(best) > 0.0 else None
-
-
-def _zone(claim: Claim, zone: Found, found: Zones, rows: Sequence[Row], who: str, reported) -> Zone:
-    ends = [
-        _deviation(end, edge)
-        for end, edge in zip((zone.lower, zone.upper), claim.interval or (), strict=True)
-    ]
-    judged = verdict(ends, labels_equal=True) if reported else ""
-    quiet = [t for t in zone.tenants if t.quiet]
-    return Zone(
-        name=f"{claim.title}: {claim.zone} for {who}",
-        parameter=claim.parameter,
-        fixed=dict(claim.fixed),
-        kind=claim.zone,
-        reported=reported,
-        lower=End(zone.lower.value, zone.lower.kind, zone.lower.outside, zone.lower.uncertainty),
-        upper=End(zone.upper.value, zone.upper.kind, zone.upper.outside, zone.upper.uncertainty),
-        labels=tuple(dict.fromkeys(t.label for t in quiet)),
-        margin=_margin(claim, zone, rows),
-        coexisting=tuple(_coexisting(t, rows) for t in zone.tenants if not t.quiet),
-        verdict=judged,
-        note=_note(zone, found),
-    )
-
-
-def _deviation(end, edge: float) -> float:
-    """Of an end from the article's. A zone that reaches the end of the studied range agrees with an edge
-    there."""
-    return deviation(end.value, edge)
 
 
 def _margin(claim: Claim, zone: Found, rows: Sequence[Row]) -> float:
@@ -102,26 +135,11 @@ def _coexisting(tenant: Tenant, rows: Sequence[Row]) -> Coexisting:
     return Coexisting(tenant.label, (tenant.lower, tenant.upper), start, max(exponents, default=NAN))
 
 
-def _note(zone: Found, found: Zones) -> str:
-    text = f"Changes narrower than the step of the sweeps ({found.resolution:.2g}) may lie inside unseen."
+def _note(found: Zones) -> str:
+    text = (
+        f"Changes narrower than the step of the sweeps ({found.resolution:.2g}; from simple starts "
+        f"{EVERY_FEW * found.resolution:.2g}) may lie inside unseen."
+    )
     if not found.complete:
         text += f" Not complete: {found.message}."
     return text
-
-
-def _none(claim: Claim) -> Zone:
-    nowhere = End(NAN, "none", "", NAN)
-    return Zone(
-        name=f"{claim.title}: {claim.zone}",
-        parameter=claim.parameter,
-        fixed=dict(claim.fixed),
-        kind=claim.zone,
-        reported=claim.interval,
-        lower=nowhere,
-        upper=nowhere,
-        labels=(),
-        margin=NAN,
-        coexisting=(),
-        verdict=NOT_FOUND,
-        note="No quiet interval overlaps the reported one in any sweep.",
-    )
