@@ -112,7 +112,7 @@ VALUES = [
     Bad("a tolerance", MODULE, '"4 ± 0.1 mm"', NM, "±", "'±' is no unit"),
     Bad("a range of values", MODULE, '"4-5 mm"', NM, "4-5", "'-5' is no unit"),
     Bad("about", MODULE, '"~4 mm"', NM, "~4", "does not start with a number"),
-    Bad("a power of ten by hand", MODULE, '"4·10^-3 m"', NM, "4·10", "powers of ten are written 4e-3"),
+    Bad("a power of ten without its sign", MODULE, '"4·10 -3 m"', NM, "4·10", "a power of ten is written"),
     Bad("a fraction", MODULE, '"1/6 inch"', NM, "1/6", "a unit is missing"),
     Bad("two values in one", MODULE, '"4 mm 5 um"', NM, "4 mm 5 um", "'5' is no unit"),
     Bad("wide digits", MODULE, '"４ mm"', NM, "４", "does not start with a number"),

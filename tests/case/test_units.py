@@ -70,6 +70,30 @@ from gearlash.case.units import (
         ("2.5 %", 0.025, NUMBER),
         ("2.5%", 0.025, NUMBER),
         ("0.07", 0.07, NUMBER),
+        ("3.4·10⁸ N/m", 3.4e8, STIFFNESS),
+        ("3.4 × 10^8 N/m", 3.4e8, STIFFNESS),
+        ("3.4*10^8N/m", 3.4e8, STIFFNESS),
+        ("3.4x10^8 N/m", 3.4e8, STIFFNESS),
+        ("3.4 · 10 ** 8 N/m", 3.4e8, STIFFNESS),
+        ("3.4·10^(8) N/m", 3.4e8, STIFFNESS),
+        ("−3.4·10⁻³ mm", -3.4e-6, LENGTH),
+        ("10⁸ N/m", 1e8, STIFFNESS),
+        ("10 ^ 8 N/m", 1e8, STIFFNESS),
+        ("10 mm", 0.01, LENGTH),
+        ("10^3", 1000.0, NUMBER),
+        ("2.5e8N/m", 2.5e8, STIFFNESS),
+        ("340 N/µm", 3.4e8, STIFFNESS),
+        ("340 N\u202fµm⁻¹", 3.4e8, STIFFNESS),
+        ("12 N-m", 12.0, TORQUE),
+        ("12 kgf·m", 117.6798, TORQUE),
+        ("3600 U/min", 120 * pi, SPEED),
+        ("3600 r/min", 120 * pi, SPEED),
+        ("3600 rev min⁻¹", 120 * pi, SPEED),
+        ("3600 1/min", 60.0, FREQUENCY),
+        ("3600/min", 60.0, FREQUENCY),
+        ("3600 min^-1", 60.0, FREQUENCY),
+        ("3600 min⁻¹", 60.0, FREQUENCY),
+        ("1680 s⁻¹", 1680.0, FREQUENCY),
     ],
 )
 def test_what_engineers_type_works(text, value, dimension):
@@ -90,6 +114,16 @@ def test_what_engineers_type_works(text, value, dimension):
         ("4 mm)", "no unit"),
         ("4 (mm)", "no unit"),
         ("4,5 mm", "decimal point"),
+        ("3,4e8 N/m", "decimal point"),
+        ("3,600 rpm", "thousands are not set apart"),
+        ("3 600 rpm", "digits are written without anything between them"),
+        ("3\u202f600 rpm", "digits are written without anything between them"),
+        ("3'600 rpm", "digits are written without anything between them"),
+        ("3.4·10 8 N/m", "a power of ten is written 3.4e8"),
+        ("3.4 10^8 N/m", "a power of ten is written 3.4e8"),
+        ("×10^8 N/m", "start with a number"),
+        ("10^99999 N/m", "too large"),
+        ("5±1 mm", "no unit"),
         ("4 / mm", "a unit is missing"),
         ("4 mm/", "a unit is missing"),
         ("4 mm**2", "a unit is missing"),
@@ -115,7 +149,7 @@ def test_what_looks_right_and_is_not_is_refused(text, why):
         read(text)
 
 
-@pytest.mark.parametrize("word", [w for w in units.WORDS if w not in ("%", "rev")])
+@pytest.mark.parametrize("word", [w for w in units.WORDS if w not in ("%", "rev", "U", "r")])
 def test_every_known_word_is_what_pint_makes_of_it(word):
     found = units.ask_pint(word)
     assert found is not None

@@ -18,7 +18,7 @@ from gearlash.system import Family, GearlashError, Record, UnknownNameError
 
 from . import piecewise
 from .checks import contradictions, missing
-from .entries import Entries, Entry, collect, freeze_reference, override, place_of
+from .entries import Entries, Entry, collect, freeze_reference, override, place_for
 from .errors import CaseError, Problem
 from .notes import Note, notes
 from .numbers import Numbers, numbers, to_dimensionless, to_physical
@@ -86,7 +86,7 @@ class Case(Record):
         a name that is no parameter of the family."""
         if self.kind == PIECEWISE:
             return piecewise.resolve(self.structure, self.name, name, value)
-        place = place_of(self.kind, name)
+        place = place_for(self.kind, name, value, self.scales.physical)
         if isinstance(place, Problem):
             raise CaseError(self.name, [place])
         short = place.key if isinstance(place, Quantity) else place.path
@@ -98,6 +98,15 @@ class Case(Record):
         except ValueRefusedError as error:
             raise CaseError(self.name, [Problem(name, repr(value), error.expected, error.nearest)]) from None
         return short, to_dimensionless(self.scales, place.path, float(stated.value))
+
+    def named(self, name: str, value: object) -> str:
+        """The name of the quantity that a name and a value mean together: ``("error", "6 um")`` is
+        mesh.error; any other name stays as it is."""
+        if self.kind == PIECEWISE or name not in two_way(self.kind):
+            return name
+        place = place_for(self.kind, name, value, self.scales.physical)
+        moved = isinstance(place, Quantity) and not place.path.startswith("dimensionless.")
+        return place.path if moved else name
 
     def _physical_names(self, known: Mapping[str, float]) -> list[str]:
         ways = two_way(self.kind)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from .errors import Problem, nearest_name
 from .quantities import BEARINGS, REFERENCE, choices, quantities, two_way
 from .quantity import Choice, Quantity
 from .stated import Provenance, Stated, ValueRefusedError, read_stated
+from .units import ANGLE, NUMBER, Unit, UnitError, read, takes
 
 
 @dataclass(frozen=True)
@@ -88,18 +89,73 @@ def place_of(kind: str, name: str) -> Quantity | Choice | Problem:
     return Problem(name, None, "a path or short name that exists here", nearest_name(name, known))
 
 
+def place_for(kind: str, name: str, raw: object, physical: bool) -> Quantity | Choice | Problem:
+    """The same, with the value that is to stand there: the short name of a number without unit, given with
+    one, is the physical quantity that has such a unit (``error = 6 um`` is mesh.error). ``physical``: does
+    the case know units?"""
+    place, ways = place_of(kind, name), two_way(kind).get(name.removeprefix("dimensionless."), ())[:-1]
+    found = _unit_of(raw)
+    if found is None or not ways or not isinstance(place, Quantity) or takes(place.dimension, found):
+        return place
+    if not physical:
+        expected = f"{place.expected}, as this case is given in dimensionless numbers only"
+        return Problem(name, repr(raw), expected)
+    fitting = [path for path in ways if takes(quantities(kind)[path].dimension, found)]
+    if fitting == ["mesh.backlash"]:
+        expected = (
+            "a number without unit, as D is half the backlash over D_c; with a unit the whole of it is "
+            f"stated: mesh.backlash={raw} if that is the whole, twice as much if it is one of two sides"
+        )
+        return Problem(name, repr(raw), expected)
+    if len(fitting) > 1 or (fitting and name == "omega" and not _of_one_rotation(raw, found)):
+        both = " or ".join(quantity for quantity in ways)
+        return Problem(name, repr(raw), f"{both} by its name, as this unit may mean either")
+    if not fitting or name.startswith("dimensionless."):
+        return Problem(name, repr(raw), f"{place.expected}, or {_with_units(kind, ways)}")
+    return quantities(kind)[fitting[0]]
+
+
+def _has_units(kind: str, entries: Entries) -> bool:
+    """Is a quantity stated that has a unit?"""
+    places = (quantities(kind).get(entry.path) for entry in entries.values())
+    return any(place is not None and place.dimension not in (NUMBER, ANGLE) for place in places)
+
+
+def _of_one_rotation(raw: object, found: Unit) -> bool:
+    """Whether a unit is one of shafts only (rpm), or of meshes only (Hz): 1/s and rad/s are of both."""
+    return found.pi_power == 1 or "Hz" in str(raw)
+
+
+def _unit_of(raw: object) -> Unit | None:
+    """The unit of a text, if it has one that can be read."""
+    value = raw.get("value") if isinstance(raw, Mapping) else raw
+    try:
+        found = read(value)[1] if isinstance(value, str) else None
+    except UnitError:
+        return None
+    return None if found is None or found.dimension == NUMBER else found
+
+
+def _with_units(kind: str, ways: Iterable[str]) -> str:
+    """Physical quantities with an example each."""
+    return " or ".join(f'{path}="{quantities(kind)[path].example}"' for path in ways)
+
+
 def override(kind: str, entries: Entries, overrides: Mapping[str, object]) -> tuple[Entries, list[Problem]]:
     """Entries with these replaced, by path or short name; D_c is not to be moved."""
     problems: list[Problem] = []
     stated: dict[str, Stated] = {}
+    physical = _has_units(kind, entries)
     for name, raw in overrides.items():
-        place = place_of(kind, name)
+        place = place_for(kind, name, raw, physical)
         if isinstance(place, Problem):
             problems.append(place)
         elif place.path == REFERENCE:
             problems.append(Problem(name, repr(raw), "no override: D_c is settled when the file is loaded"))
         elif place.path in stated:
-            first = next(n for n in overrides if n != name and _path_of(kind, n) == place.path)
+            first = next(
+                n for n, v in overrides.items() if n != name and _path_of(kind, n, v, physical) == place.path
+            )
             both = f"{first} = {overrides[first]!r} and {name} = {raw!r}"
             problems.append(Problem(name, repr(raw), f"one of two that name the same quantity: {both}"))
         else:
@@ -113,8 +169,8 @@ def override(kind: str, entries: Entries, overrides: Mapping[str, object]) -> tu
     return {**entries, **replaced}, problems + clashes
 
 
-def _path_of(kind: str, name: str) -> str | None:
-    place = place_of(kind, name)
+def _path_of(kind: str, name: str, raw: object, physical: bool) -> str | None:
+    place = place_for(kind, name, raw, physical)
     return None if isinstance(place, Problem) else place.path
 
 

@@ -5,7 +5,10 @@ from __future__ import annotations
 import re
 import tomllib
 from importlib import resources
+from os import PathLike
 from pathlib import Path
+
+from gearlash.system import GearlashError, given, shown
 
 from .errors import CaseError, Problem, nearest_name
 
@@ -21,11 +24,11 @@ def bundled() -> list[str]:
 
 def source_text(path_or_name: str | Path) -> tuple[str, str]:
     """(label, text) of a bundled case or of a file. A bare bundled name wins over a file of that name."""
-    label = str(path_or_name)
+    label = str(path_or_name) if isinstance(path_or_name, (str, PathLike)) else shown(path_or_name)
     if isinstance(path_or_name, str) and path_or_name in bundled():
         data = resources.files("gearlash.case").joinpath("data", f"{path_or_name}.toml").read_bytes()
         return label, _decoded(label, data)
-    return label, _decoded(label, _file(label, Path(path_or_name)))
+    return label, _decoded(label, _file(label, _path(label, path_or_name)))
 
 
 def parse(label: str, text: str) -> dict[str, object]:
@@ -39,6 +42,14 @@ def parse(label: str, text: str) -> dict[str, object]:
         raise CaseError(label, [Problem(where, None, f"valid TOML ({what[:1].lower()}{what[1:]})")]) from None
     except RecursionError:
         raise CaseError(label, [Problem("file", None, "tables nested less deeply")]) from None
+
+
+def _path(label: str, path_or_name: object) -> Path:
+    try:
+        return given.path("case", path_or_name)
+    except GearlashError:
+        expected = "the path of a file, or the name of a bundled case"
+        raise CaseError(label, [Problem("file", shown(path_or_name), expected)]) from None
 
 
 def _file(label: str, path: Path) -> bytes:

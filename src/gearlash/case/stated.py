@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from enum import StrEnum
 from fractions import Fraction
 from math import isfinite
 
+import numpy as np
+
 from .errors import nearest_name, shown
 from .quantity import Choice, Quantity
 from .texts import refused
-from .units import NUMBER, UnitError, read
+from .units import NUMBER, SPEED, UnitError, in_si, read, takes
 
 
 class Provenance(StrEnum):
@@ -83,6 +86,7 @@ def _choice(raw: object, place: Choice) -> str:
 
 
 def _number(raw: object, place: Quantity) -> float:
+    raw = _plain(raw)
     if isinstance(raw, bool) or not isinstance(raw, int | float | str):
         raise ValueRefusedError(place.expected)
     if isinstance(raw, str) and refused(raw):
@@ -93,6 +97,18 @@ def _number(raw: object, place: Quantity) -> float:
     if not place.accepts(value):
         raise ValueRefusedError(place.expected_in_range)
     return value
+
+
+def _plain(raw: object) -> object:
+    """Numbers of NumPy, decimals and fractions as Python's own."""
+    if isinstance(raw, np.generic) or (isinstance(raw, np.ndarray) and raw.ndim == 0):
+        raw = raw.item()
+    if isinstance(raw, Decimal | Fraction):
+        try:
+            return float(raw)
+        except (OverflowError, ValueError):
+            return None
+    return raw
 
 
 def _from_number(raw: float, place: Quantity) -> float:
@@ -112,11 +128,12 @@ def _from_text(raw: str, place: Quantity) -> float:
         number, unit = read(raw)
     except UnitError as error:
         raise ValueRefusedError(f"{place.expected} ({error})") from None
-    if unit.dimension == place.dimension:
-        return _in_si(number, unit.convert(number))
+    if takes(place.dimension, unit):
+        return _in_si(number, in_si(place.dimension, number, unit))
     if place.bare and unit.dimension == NUMBER and unit.ratio == 1:
         return _in_si(number, float(number))
-    raise ValueRefusedError(place.expected)
+    turns = " (1/s and Hz may mean turns or radians: write rev/s, rad/s or rpm)"
+    raise ValueRefusedError(place.expected + (turns if place.dimension == SPEED else ""))
 
 
 def _in_si(number: Fraction, value: float) -> float:

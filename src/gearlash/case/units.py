@@ -14,6 +14,8 @@ from functools import cache
 from math import inf, isfinite, pi
 from typing import Any, NamedTuple
 
+from .spelling import plain_unit, plain_value
+
 
 class Dimension(NamedTuple):
     """Exponents of length, mass, time and angle."""
@@ -90,6 +92,8 @@ WORDS: dict[str, Unit] = {
     "mrad": _unit("1/1000", ANGLE),
     "deg": _unit("1/180", ANGLE, pi_power=1),
     "rev": _unit(2, ANGLE, pi_power=1),
+    "U": _unit(2, ANGLE, pi_power=1),
+    "r": _unit(2, ANGLE, pi_power=1),
     "rpm": _unit("1/30", SPEED, pi_power=1),
     "Hz": _unit(1, FREQUENCY),
     "kHz": _unit(1000, FREQUENCY),
@@ -100,11 +104,9 @@ WORDS: dict[str, Unit] = {
 }
 """Unit words that need no library; a test holds every one against pint."""
 
+PER_MINUTE = _unit("1/60", FREQUENCY)
 _NUMBER = re.compile(r"([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.ASCII | re.DOTALL)
 _TERM = re.compile(r"([A-Za-z]+|%)(?:\^?(-?\d))?", re.ASCII)
-_SPELLINGS = str.maketrans(
-    {"µ": "u", "μ": "u", "−": "-", "·": "*", "⋅": "*", "²": "^2", "³": "^3", "°": " deg ", "\u00a0": " "}
-)
 _JOINED = re.compile(r"\b(kN|MN|mN|N)(m|mm|cm)\b|\b(kg)(m)(?=\^?2\b)")
 _NO_NUMBER = "nan", "inf", "infinity"
 
@@ -115,7 +117,7 @@ class UnitError(ValueError):
 
 def read(text: str) -> tuple[Fraction, Unit]:
     """Number and unit of a text such as ``3.2e8 N/m``; no unit at all is `NUMBER`. Raises `UnitError`."""
-    stripped = text.strip().translate(_SPELLINGS).strip()
+    stripped = plain_value(text)
     if not stripped:
         raise UnitError("nothing stands there")
     match = _NUMBER.fullmatch(stripped)
@@ -125,14 +127,22 @@ def read(text: str) -> tuple[Fraction, Unit]:
             "it is not a finite number" if first in _NO_NUMBER else "it does not start with a number"
         )
     if match[2].startswith(","):
-        raise UnitError("a decimal point is written '.'")
+        raise UnitError("a decimal point is written '.', and thousands are not set apart")
+    if re.match(r"\*?\s*10\b", match[2]):
+        raise UnitError("a power of ten is written 3.4e8 or 3.4*10^8")
     return _number(match[1]), unit(match[2])
+
+
+def behind_number(text: str) -> str:
+    """What stands behind the number of a text: its unit."""
+    match = _NUMBER.fullmatch(plain_value(text))
+    return match[2] if match else ""
 
 
 def unit(text: str) -> Unit:
     """The unit of a text such as ``N·m`` or ``kg m^2``. Raises `UnitError` naming the part that is no
     unit."""
-    words = _JOINED.sub(lambda m: f"{m[1] or m[3]}*{m[2] or m[4]}", text.translate(_SPELLINGS).strip())
+    words = _JOINED.sub(lambda m: f"{m[1] or m[3]}*{m[2] or m[4]}", plain_unit(text))
     result = Unit(Fraction(1), 0, NUMBER)
     if not words:
         return result
@@ -143,7 +153,10 @@ def unit(text: str) -> Unit:
         if not part:
             raise UnitError("a unit is missing before or after '*' or '/'; powers of ten are written 4e-3")
         if match is None:
-            raise UnitError(f"{part!r} is no unit")
+            grouped = (
+                "; digits are written without anything between them" if re.match(r"['_]?\d", part) else ""
+            )
+            raise UnitError(f"{part!r} is no unit{grouped}")
         word, exponent = _word(match[1]), sign * int(match[2] or 1)
         result = Unit(
             result.ratio * word.ratio**exponent,
@@ -159,6 +172,17 @@ def _terms(words: str) -> list[tuple[int, str]]:
     parts = re.split(r"([*/]|\s+)", spaced)
     signs = [1, *(-1 if separator == "/" else 1 for separator in parts[1::2])]
     return list(zip(signs, parts[::2], strict=True))
+
+
+def takes(dimension: Dimension, found: Unit) -> bool:
+    """Whether a quantity of this dimension may be given in a unit: in one of its own, and shaft speeds, as
+    drawings do, in 1/min. (1/s and Hz are refused for them: turns and radians may be meant.)"""
+    return found.dimension == dimension or (dimension == SPEED and found == PER_MINUTE)
+
+
+def in_si(dimension: Dimension, number: Fraction, found: Unit) -> float:
+    """A number of such units in SI."""
+    return (WORDS["rpm"] if dimension == SPEED and found == PER_MINUTE else found).convert(number)
 
 
 def _number(text: str) -> Fraction:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, given
 
 from .jsonio import write_text
 
@@ -36,7 +36,7 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
     *before* anything is computed. Raises `GearlashError` if one of them is there and is not, or nothing
     can be written.
     """
-    wanted = list(names)
+    wanted, path = list(names), given.path("--out", path)
     try:
         path.mkdir(parents=True, exist_ok=True)
         own = _listed(path)

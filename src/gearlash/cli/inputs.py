@@ -5,23 +5,21 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case, CaseError, Problem, load
 from gearlash.case.errors import nearest_name
-from gearlash.system import Family, GearlashError
+from gearlash.case.units import behind_number
+from gearlash.system import Family, GearlashError, given
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
 MOST_POINTS = 1_000_000
-UNIT = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*([^\d\s.].*)")  # behind a number
 
 
 @dataclass(frozen=True)
@@ -99,9 +97,8 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
     if not equals or len(parts) != 3:
         raise CaseError("--over", [Problem("--over", repr(text), example)])
     short, last = case.resolve(name, parts[1])
-    unit = UNIT.fullmatch(parts[1])
-    if unit and _number(parts[0]) is not None:
-        parts[0] += unit[1]
+    if _number(parts[0]) is not None:
+        parts[0] += behind_number(parts[1])
     _, first = case.resolve(name, parts[0])
     problems, here = [], f"--over {name}"
     count = int(parts[2]) if parts[2].isascii() and parts[2].isdigit() else 0
@@ -114,7 +111,7 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
     problems += twice_named(case, name, short, settings)
     if problems:
         raise CaseError("--over", problems)
-    return Over(name, short, np.linspace(first, last, count))
+    return Over(case.named(name, parts[1]), short, np.linspace(first, last, count))
 
 
 def read_plane(case: Case, texts: Sequence[str], settings: Iterable[str] | None = None) -> tuple[Over, Over]:
@@ -185,7 +182,7 @@ def _short(case: Case, name: str, value: str) -> str | None:
 def _state_of_file(name: str, states: Iterable[str]) -> dict[str, float]:
     expected = f"STATE=VALUE or the JSON of an earlier run with the states {', '.join(states)}"
     try:
-        data = json.loads(Path(name).read_text(encoding="utf-8"))
+        data = json.loads(given.path("--initial", name).read_text(encoding="utf-8"))
         state = {str(k): float(v) for k, v in data["state"].items()}
     except OSError as error:
         raise CaseError(

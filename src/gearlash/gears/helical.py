@@ -18,7 +18,14 @@ from numpy.typing import NDArray
 
 from gearlash.system import ContactRule, Family, GearlashError, Parameter, System
 
-from .mesh import acceleration_forcing, harmonic_count, mesh_clearance, mesh_parameters, resting_displacement
+from .mesh import (
+    acceleration_forcing,
+    harmonic_count,
+    mesh_clearance,
+    mesh_parameters,
+    resting_displacement,
+    rotation_parameter,
+)
 from .spur import reject_unknown
 
 STATES = ("Y_p", "Y_p'", "Z_p", "Z_p'", "Y_g", "Y_g'", "Z_g", "Z_g'", "X", "X'")
@@ -68,7 +75,7 @@ def family(pair: HelicalPair, defaults: Mapping[str, float]) -> Family:
     parameters = (
         *mesh_parameters(defaults),
         *damping,
-        Parameter("rotation_factor", defaults.get("rotation_factor", pair.rotation_factor), "c_t²", 1e-6),
+        rotation_parameter(defaults.get("rotation_factor", pair.rotation_factor)),
     )
     reject_unknown(defaults, (*parameters, Parameter("bearing_damping", 0.0)))
     orders = harmonic_count(defaults, "ripple"), harmonic_count(defaults, "error")

@@ -105,6 +105,11 @@ def mesh_clearance(
     )
 
 
+def rotation_parameter(default: float) -> Parameter:
+    """c_t² as a parameter; a steep helix may have one below the usual range."""
+    return Parameter("rotation_factor", default, "c_t²", min(1e-6, default))
+
+
 def resting_displacement(values: Mapping[str, float], rotation_factor: float) -> float:
     """X of the cold start, pressed against the loaded side, bearings undeflected: sign(f_m) D + f_m / c_t².
 

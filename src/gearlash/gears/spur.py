@@ -15,7 +15,14 @@ from numpy.typing import NDArray
 
 from gearlash.system import ContactRule, Family, GearlashError, Parameter, System
 
-from .mesh import acceleration_forcing, harmonic_count, mesh_clearance, mesh_parameters, resting_displacement
+from .mesh import (
+    acceleration_forcing,
+    harmonic_count,
+    mesh_clearance,
+    mesh_parameters,
+    resting_displacement,
+    rotation_parameter,
+)
 
 STATES = ("X", "X'")
 H = np.array([1.0, 0.0])
@@ -34,7 +41,7 @@ def family(
     """
     parameters = (
         *mesh_parameters(defaults),
-        Parameter("rotation_factor", defaults.get("rotation_factor", 1.0), "c_t²", 1e-6),
+        rotation_parameter(defaults.get("rotation_factor", 1.0)),
     )
     reject_unknown(defaults, parameters)
     orders = harmonic_count(defaults, "ripple"), harmonic_count(defaults, "error")

@@ -147,7 +147,8 @@ def _exponents(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]]) 
         )
     values = np.concatenate(lowest)
     low, high = float(np.quantile(values, 0.01)), float(values.max())
-    panel.set_ylim(low - 0.08 * (high - low), high + 0.12 * (high - low))
+    room = high - low if high > low else max(abs(high), 1e-3)
+    panel.set_ylim(low - 0.08 * room, high + 0.12 * room)
 
 
 def directions(rows: list[Branch], shown: list[NDArray[np.bool_]] | None = None) -> list[Line2D]:

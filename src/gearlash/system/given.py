@@ -207,7 +207,7 @@ def path(name: str, value: Any) -> Path:
     try:
         return Path(value).expanduser()
     except (RuntimeError, TypeError):
-        raise GearlashError(f"{name} = {shown(value)}: there is no such home") from None
+        raise GearlashError(f"{name} = {shown(str(value))}: there is no such home") from None
 
 
 def known(what: str, name: Any, valid: Iterable[str]) -> str:

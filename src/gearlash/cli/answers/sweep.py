@@ -20,7 +20,7 @@ class AxisUsed:
     """The swept parameter."""
 
     name: Annotated[str, "short name; its values are dimensionless"]
-    named: Annotated[str, "as it was typed"]
+    named: Annotated[str, "as it was typed, or the quantity that its unit means"]
     lower: float
     upper: float
     count: int

@@ -1,0 +1,38 @@
+"""How people write numbers and units, brought into one form: 3.4·10⁸ N/m, 3.4 × 10^8 N/m, min⁻¹, µm."""
+
+from __future__ import annotations
+
+import re
+
+_SIGNS = str.maketrans(
+    {"µ": "u", "μ": "u", "−": "-", "–": "-", "·": "*", "⋅": "*", "∙": "*", "•": "*", "×": "*", "°": " deg "}
+    | dict.fromkeys("\u00a0\u2002\u2003\u2007\u2009\u202f", " ")
+)
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-")
+_SUPERSCRIPT = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻]+")
+_POWER = re.compile(
+    r"([+-]?)(?:(\d+(?:\.\d*)?|\.\d+)\s*[*xX]\s*)?10\s*(?:\^|\*\*)\s*(\(?)([+-]?\d+)(\)?)", re.ASCII
+)
+_PER = re.compile(r"/\s*(?=(?:min|s|h)$)")
+_HYPHEN = re.compile(r"(?<=[A-Za-z])-(?=[A-Za-z])")
+
+
+def plain(text: str) -> str:
+    """A text with ASCII signs: superscripts as ``^2``, products as ``*``, spaces as such."""
+    raised = _SUPERSCRIPT.sub(lambda m: f"^{m[0].translate(_RAISED)}", text)
+    return raised.translate(_SIGNS).strip()
+
+
+def plain_value(text: str) -> str:
+    """The same of a number with its unit; a power of ten before the unit as ``e8``."""
+    found = plain(text)
+    power = _POWER.match(found)
+    if power is None or len(power[3]) != len(power[5]):
+        return found
+    sign, number, _, exponent, _ = power.groups()
+    return f"{sign}{number or '1'}e{exponent}{found[power.end() :]}"
+
+
+def plain_unit(text: str) -> str:
+    """A unit as products of words: ``/min`` behind a number is ``1/min``, ``N-m`` is ``N*m``."""
+    return _HYPHEN.sub("*", _PER.sub("1/", plain(text), count=1) if text.startswith("/") else plain(text))
