@@ -7,7 +7,7 @@ import pytest
 
 from gearlash.branches import locate_grazing
 from gearlash.case import load
-from gearlash.cli.search.closed import closed_margin, impact_free_speeds
+from gearlash.cli.search.closed import _change, closed_margin, impact_free_speeds
 from gearlash.gears import spur
 from gearlash.orbits import Orbit, attractor, grazing_checks
 
@@ -69,3 +69,39 @@ def test_closed_form_of_the_constant_stiffness():
 
 def test_no_side_carries_without_load():
     assert impact_free_speeds(FAMILY, FAMILY.complete({"load": 0.0})) is None
+
+
+@pytest.mark.parametrize("centre", [1.3, 1.3021, 1.3047])
+@pytest.mark.parametrize("factor", [1.01, 1.0 / 1.01])
+def test_a_loss_of_contact_between_two_steps_is_found(centre: float, factor: float):
+    """A resonance narrower than a step, whose flanks are seen: Δ(ω) = 1 − h/(1 + ((ω − c)/w)²)."""
+
+    def margin(omega: float) -> float:
+        return 1.0 - 1.5 / (1.0 + ((omega - centre) / 5e-3) ** 2)
+
+    start = 1.0 if factor > 1.0 else 1.7
+    found = _change(margin, start, margin(start), factor, 0.69)
+    assert found is not None
+    edge = 5e-3 * np.sqrt(0.5)
+    assert found[0] == pytest.approx(centre - edge if factor > 1.0 else centre + edge, rel=1e-8)
+    assert found[1] == "contact"
+
+
+def test_an_end_of_stability_is_not_called_a_loss_of_contact():
+    """Mathieu: with the stiffness 1 + 0.3 cos ωτ and little damping, X at rest in contact is unstable near
+    ω = 2; its load keeps it far from the gap."""
+    family = spur.family(
+        {"omega": 1.5, "D": 1.0, "load": 1.0, "ripple": 0.3, "mesh_damping": 0.01, "error": 0.0}
+    )
+    found = impact_free_speeds(family, family.complete({"omega": 1.5}))
+    assert found is not None
+    assert found.here
+    assert found.upper_ending == "stability"
+    assert 1.8 < found.upper < 1.9
+
+
+def test_the_interval_says_how_finely_it_was_looked_at():
+    found = impact_free_speeds(FAMILY, FAMILY.complete({"omega": 1.03}))
+    assert found is not None
+    assert found.step == pytest.approx(0.01)
+    assert (found.lower_ending, found.upper_ending) == ("contact", "contact")

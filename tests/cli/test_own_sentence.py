@@ -25,4 +25,4 @@ from cli.conftest import Gearlash
     ],
 )
 def test_contacts_are_told_by_name_and_side(gearlash: Gearlash, arguments: tuple[str, ...], sentence: str):
-    assert gearlash("run", *arguments, "--json").answer["sentence"] == sentence
+    assert gearlash("run", *arguments, "--json").answer["sentence"].startswith(f"{sentence}; ")

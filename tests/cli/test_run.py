@@ -34,8 +34,11 @@ def orbit_of(case: str, **overrides: object) -> Orbit:
 
 def test_the_plain_sentence_comes_first(gearlash: Gearlash):
     ran = gearlash(*AT_3600)
-    first = "3600 rpm: 1-1, teeth separate once per mesh cycle; nearest impact-free speed 3715 rpm"
-    assert ran.out.splitlines()[0] == first
+    first = (
+        "3600 rpm: 1-1, teeth separate once per mesh cycle; nearest impact-free motion found at 3715 rpm; 5 "
+        "other starts lead to the same motion"
+    )
+    assert " ".join(ran.out.partition("\n\n")[0].split()) == first
     assert ran.code == 0
     assert ran.err == ""
 
@@ -106,7 +109,9 @@ def test_a_case_without_scales_has_no_physical_numbers(gearlash: Gearlash):
     answer = gearlash("run", "kahraman-singh", "--json").answer
     assert problems(answer, SCHEMA) == []
     assert answer["physical"] is None
-    assert answer["sentence"].startswith("ω = 0.5: 1-0, teeth stay in contact; impact-free up to ω = ")
+    assert answer["sentence"].startswith(
+        "ω = 0.5: 1-0, teeth stay in contact; this motion is impact-free up to ω = "
+    )
 
 
 def test_initial_states_lead_to_other_attractors(gearlash: Gearlash, tmp_path: Path):
@@ -118,7 +123,7 @@ def test_initial_states_lead_to_other_attractors(gearlash: Gearlash, tmp_path: P
     cold, followed = gearlash(*here).answer, gearlash(*here, "--initial", str(saved)).answer
     assert followed["start"] == earlier.answer["state"]
     assert (cold["label"], followed["label"]) == ("2-1-0", "1-0-0")
-    assert cold["sentence"].endswith("an impact-free motion exists at this speed too, from another start")
+    assert "an impact-free motion exists at this speed too, from another start" in cold["sentence"]
 
 
 def test_single_states_replace_those_of_the_cold_start(gearlash: Gearlash):

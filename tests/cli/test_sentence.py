@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from cli.conftest import Gearlash
-from gearlash.cli.answers.sentence import rate
+from gearlash.cli.answers.beside import Beside, BesideMotion
+from gearlash.cli.answers.sentence import coexisting, rate
 
 RATES = {
     (1, 1): "once per mesh cycle",
@@ -25,14 +26,45 @@ def test_rates(counts: tuple[int, int], words: str):
 @pytest.mark.parametrize(
     ("settings", "sentence"),
     [
-        (["omega=1.05"], "4011 rpm: 1-0, teeth stay in contact; impact-free from 3715 rpm to 4247 rpm"),
+        (
+            ["omega=1.05"],
+            "4010.97 rpm: 1-0, teeth stay in contact; this motion is impact-free from 3715 rpm to 4247 rpm, "
+            "looked at in steps of 1 %; 5 other starts lead to the same motion",
+        ),
         (
             ["omega=0.78", "D=0.384"],
-            "2980 rpm: 6-6-1, teeth hit the drive side once per mesh cycle and the back side once in 6 mesh "
-            "cycles; nearest impact-free speed 3715 rpm †",
+            "2979.58 rpm: 6-6-1, teeth hit the drive side once per mesh cycle and the back side once in 6 "
+            "mesh cycles; nearest impact-free motion found at 3715 rpm †; 5 other starts lead to the same "
+            "motion",
         ),
     ],
 )
 def test_whole_sentences(settings: list[str], sentence: str, gearlash: Gearlash):
     options = [part for setting in settings for part in ("--set", setting)]
     assert gearlash("run", "article", *options, "--json").answer["sentence"] == sentence
+
+
+def motion(label: str, starts: int, impacts: bool = True) -> BesideMotion:
+    return BesideMotion(label, "ok", starts, impacts, {})
+
+
+@pytest.mark.parametrize(
+    ("beside", "words"),
+    [
+        (None, "motions that may coexist were not looked for"),
+        (Beside(5, 5, 0, ()), "5 other starts lead to the same motion"),
+        (Beside(1, 1, 0, ()), "1 other start leads to the same motion"),
+        (
+            Beside(5, 3, 0, (motion("aperiodic", 2),)),
+            "2 of 5 other starts lead to another motion: aperiodic",
+        ),
+        (
+            Beside(5, 1, 1, (motion("2-1-0", 2), motion("1-0-0", 1, False))),
+            "3 of 5 other starts lead to other motions: 2-1, 1-0, without impacts, 1 settled to nothing in "
+            "the time given",
+        ),
+        (Beside(5, 3, 2, ()), "2 of 5 other starts settled to nothing in the time given"),
+    ],
+)
+def test_what_coexists_is_told_or_said_not_to_be_known(beside: Beside | None, words: str):
+    assert coexisting(beside) == words

@@ -3,16 +3,30 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Literal
+
+Ending = Literal["contact", "stability"]
 
 
 @dataclass(frozen=True)
 class ImpactFree:
-    """Where impact-free motion exists around a speed (values of ω); null: not met within the search."""
+    """Where one motion without impacts exists and is stable (values of ω): that of teeth which never part, on
+    the side of the load. It says nothing about other motions at the same speeds, nor which starts lead to
+    this one. Null: not met within the search."""
 
-    here: Annotated[bool, "an impact-free motion exists at this speed (perhaps beside the one found)"]
-    lower: Annotated[float | None, "lower end of the impact-free interval that holds this speed"]
+    here: Annotated[bool, "this motion exists at this speed (perhaps beside the one that was found)"]
+    lower: Annotated[float | None, "lower end of the interval around this speed in which it exists"]
     upper: Annotated[float | None, "its upper end"]
-    nearest: Annotated[float | None, "nearest impact-free speed when there is none here"]
-    searched_from: float
-    searched_to: float
+    lower_ending: Annotated[
+        Ending | None,
+        "what ends there: contact (a grazing), or stability: it is unstable beyond, or no longer solved for",
+    ]
+    upper_ending: Annotated[Ending | None, "the same of the upper end"]
+    nearest: Annotated[float | None, "nearest speed found at which it exists, where it does not exist here"]
+    searched_from: Annotated[float, "no speed below was looked at"]
+    searched_to: Annotated[float, "no speed above was looked at"]
+    step: Annotated[
+        float,
+        "distance between two speeds that were looked at, over the speed, at the most: what is narrower may "
+        "have been missed",
+    ]

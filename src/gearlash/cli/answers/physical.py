@@ -27,11 +27,14 @@ class PhysicalEvent:
 
 @dataclass(frozen=True)
 class SpeedWindow:
-    """Speeds between which the motion is free of impacts; null: not met within the search."""
+    """Speeds between which the motion of teeth that never part exists, whatever may coexist with it; null:
+    not met within the search."""
 
     lower_rpm: float | None
     upper_rpm: float | None
-    nearest_rpm: Annotated[float | None, "nearest impact-free speed when there are impacts now"]
+    nearest_rpm: Annotated[
+        float | None, "nearest speed found at which it exists, where it does not exist here"
+    ]
 
 
 @dataclass(frozen=True)

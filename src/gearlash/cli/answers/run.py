@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from gearlash.case import Case
 from gearlash.system import Status
 
+from .beside import Beside
 from .impact_free import ImpactFree
 from .motion import MotionNumbers, motion_numbers
 from .parts import (
@@ -62,8 +63,13 @@ class RunAnswer:
     exponent_error: Annotated[float | None, "half-width of its 95 % interval; 0 on an orbit"]
     periods_used: Annotated[int, "base periods that the motion was followed, transient and averages together"]
     numbers: Annotated[MotionNumbers | None, "of the motion, dimensionless; null where it ran away"]
+    beside: Annotated[
+        Beside | None, "what a few other starts lead to; null where no motion was found to compare with"
+    ]
     impact_free: Annotated[
-        ImpactFree | None, "speeds free of impacts nearby; null without load or where not looked for"
+        ImpactFree | None,
+        "speeds at which the motion of teeth that never part exists, whatever may coexist with it; null "
+        "without load or where not looked for",
     ]
     physical: Annotated[PhysicalRun | None, "in physical units; null for a case without scales"]
     result: Literal["run"] = "run"
@@ -75,6 +81,7 @@ def run_answer(
     start: Mapping[str, float],
     attractor: Attractor,
     impact_free: ImpactFree | None,
+    beside: Beside | None,
 ) -> RunAnswer:
     """The record of an attractor that was reached from ``start`` (by state name)."""
     from gearlash.orbits import Orbit, Unresolved
@@ -84,7 +91,7 @@ def run_answer(
     names = list(start)
     state = dict(zip(names, map(float, attractor.final_state), strict=True))
     return RunAnswer(
-        sentence=run_sentence(case, parameters, attractor, numbers, impact_free),
+        sentence=run_sentence(case, parameters, attractor, numbers, impact_free, beside),
         status=str(attractor.status),
         message=message_of(attractor),
         advice=attractor.status.advice,
@@ -103,6 +110,7 @@ def run_answer(
         exponent_error=attractor.exponent_error,
         periods_used=attractor.periods_used,
         numbers=numbers,
+        beside=beside,
         impact_free=impact_free,
         physical=_physical(case, parameters, state, numbers, impact_free),
     )

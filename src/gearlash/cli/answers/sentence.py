@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from math import ceil, floor
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case
+from gearlash.case.edges import shown_edge
 
+from .beside import Beside, BesideMotion
 from .impact_free import ImpactFree
 from .motion import MotionNumbers, OtherClearance
 from .parts import PhysicalValue, rests_on
@@ -17,7 +18,6 @@ if TYPE_CHECKING:  # answers are described without the engine
 
 MARK = "†"  # behind a physical number that rests on an assumed value
 TIMES = {1: "once", 2: "twice"}
-DIGITS = 4  # of a speed that is not in rpm
 
 
 def run_sentence(
@@ -26,12 +26,14 @@ def run_sentence(
     attractor: Attractor,
     numbers: MotionNumbers | None,
     impact_free: ImpactFree | None,
+    beside: Beside | None,
 ) -> str:
-    """Such as ``3600 rpm: 1-1, teeth separate once per mesh cycle; nearest impact-free speed 3715 rpm``."""
+    """Such as ``3600 rpm: 1-1, teeth separate once per mesh cycle; nearest impact-free motion found at 3715
+    rpm; 5 other starts lead to the same motion``."""
     from gearlash.orbits import Orbit, Unresolved
 
-    speed = _Speed(case, numbers)
-    here = speed.text(parameters["omega"])
+    speed = _Speed(case, numbers, parameters["omega"])
+    here = speed.here
     if isinstance(attractor, Unresolved) or numbers is None:
         return f"{here}: {attractor.label}, {message_of(attractor)}"
     label = attractor.signature.short if isinstance(attractor, Orbit) else "aperiodic"
@@ -40,7 +42,34 @@ def run_sentence(
     parts = [f"{here}: {label}, {doing}"]
     if impact_free is not None:
         parts += _quiet(impact_free, speed, free_now=not numbers.events)
-    return "; ".join([*parts, *(met(other.name, other, numbers.cycles) for other in numbers.others)])
+    parts[1:1] = [met(other.name, other, numbers.cycles) for other in numbers.others]
+    return "; ".join([*parts, coexisting(beside)])
+
+
+def coexisting(beside: Beside | None) -> str:
+    """What other starts lead to: ``4 of 5 other starts lead to other motions: 2-1, aperiodic``."""
+    if beside is None or not beside.starts:
+        return "motions that may coexist were not looked for"
+    tried, elsewhere = beside.starts, sum(motion.starts for motion in beside.others)
+    starts = f"{tried} other start{'s' if tried > 1 else ''}"
+    lead = "leads" if tried == 1 else "lead"
+    if beside.same == tried:
+        return f"{starts} {lead} to the same motion"
+    said = []
+    if elsewhere:
+        names = ", ".join(_named(motion) for motion in beside.others)
+        what = "another motion" if len(beside.others) == 1 else "other motions"
+        lead = "leads" if elsewhere == 1 else "lead"
+        said.append(f"{elsewhere} of {starts} {lead} to {what}: {names}")
+    if beside.undecided:
+        of = "" if said else f" of {starts}"
+        said.append(f"{beside.undecided}{of} settled to nothing in the time given")
+    return ", ".join(said)
+
+
+def _named(motion: BesideMotion) -> str:
+    label = motion.label.removesuffix("-0") if motion.label.count("-") == 2 else motion.label
+    return label if motion.impacts else f"{label}, without impacts"
 
 
 def message_of(attractor: Attractor) -> str:
@@ -99,43 +128,65 @@ def physical_text(value: PhysicalValue, digits: int) -> str:
 
 
 def _quiet(found: ImpactFree, speed: _Speed, free_now: bool) -> list[str]:
+    """Where the motion of teeth that never part exists; of this motion, if it is that one."""
     if not found.here:
+        if free_now:
+            return ["how far this motion stays impact-free was not found"]
         if found.nearest is None:
             reach = f"from {speed.text(found.searched_from)} to {speed.text(found.searched_to)}"
-            return [f"no impact-free speed was found {reach}"]
-        up = found.nearest > (found.searched_from * found.searched_to) ** 0.5
-        return [f"nearest impact-free speed {speed.text(found.nearest, towards=1 if up else -1)}"]
-    low = None if found.lower is None else speed.text(found.lower, towards=1)
-    high = None if found.upper is None else speed.text(found.upper, towards=-1)
+            return [f"no impact-free motion was found {reach}"]
+        inwards = 1 if found.nearest > speed.omega else -1
+        return [f"nearest impact-free motion found at {speed.text(found.nearest, inwards)}"]
     if not free_now:
         return ["an impact-free motion exists at this speed too, from another start"]
+    low = None if found.lower is None else speed.text(found.lower, 1)
+    high = None if found.upper is None else speed.text(found.upper, -1)
     if low and high:
-        return [f"impact-free from {low} to {high}"]
-    if low or high:
-        return [f"impact-free down to {low}" if low else f"impact-free up to {high}"]
-    return []
+        ends = [f"from {low} to {high}"]
+    elif low or high:
+        to = found.searched_to if low else found.searched_from
+        ends = [
+            f"{'down' if low else 'up'} to {low or high}, and {'up' if low else 'down'} to "
+            f"{speed.text(to)} at least"
+        ]
+    else:
+        ends = [f"from {speed.text(found.searched_from)} to {speed.text(found.searched_to)} at least"]
+    lost = [
+        end
+        for end, why in ((low, found.lower_ending), (high, found.upper_ending))
+        if end and why == "stability"
+    ]
+    unstable = f" (unstable beyond {' and '.join(lost)})" if lost else ""
+    return [f"this motion is impact-free {ends[0]}{unstable}, looked at in steps of {100.0 * found.step:g} %"]
 
 
 class _Speed:
     """Speeds as this case's user reads them: rpm, else ω."""
 
-    def __init__(self, case: Case, numbers: MotionNumbers | None):
+    def __init__(self, case: Case, numbers: MotionNumbers | None, omega: float):
+        self.omega = omega
         self.scales = case.scales if case.scales.physical else None
         rests = rests_on(case, numbers is not None and numbers.distances.back.minimum < 0.0)
         self.asked = f" {MARK}" if "speed" in rests else ""
         self.computed = f" {MARK}" if "time" in rests or "model" in rests else ""
 
-    def text(self, omega: float, towards: int = 0) -> str:
-        """Rounded up (+1), down (-1) or to the nearest (0): a bound stays on its impact-free side."""
-        shown = self.plain(omega, {1: ceil, -1: floor, 0: round}[towards])
-        return shown + (self.computed if towards else self.asked)
+    @property
+    def here(self) -> str:
+        """The present speed, as it was asked for."""
+        value = self.omega if self.scales is None else float(self.scales.pinion_rpm(self.omega))
+        near = round(value)
+        whole = self.scales is not None and abs(value - near) <= 1e-6 * abs(value)
+        shown = f"{near}" if whole else f"{value:.6g}"
+        return self._with_unit(shown) + self.asked
 
-    def plain(self, omega: float, turn: Callable[[float], int]) -> str:
+    def text(self, omega: float, inwards: int = 0) -> str:
+        """The end of an interval (see `shown_edge`)."""
         if self.scales is None:
-            unit = 10.0 ** (DIGITS - 1)
-            return f"ω = {turn(omega * unit) / unit:g}"
-        rpm = float(self.scales.pinion_rpm(omega))
-        near = round(rpm)
-        if abs(rpm - near) <= 1e-6 * abs(rpm):
-            return f"{near} rpm"
-        return f"{turn(rpm)} rpm" if rpm >= 100.0 else f"{rpm:.4g} rpm"
+            shown = shown_edge(omega, inwards, self.omega)
+        else:
+            value, beside = (float(self.scales.pinion_rpm(w)) for w in (omega, self.omega))
+            shown = shown_edge(value, inwards, beside)
+        return self._with_unit(shown) + (self.computed if inwards else self.asked)
+
+    def _with_unit(self, shown: str) -> str:
+        return f"ω = {shown}" if self.scales is None else f"{shown} rpm"

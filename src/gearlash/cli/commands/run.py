@@ -39,16 +39,18 @@ def run(
 
     from gearlash.cli.answers.run import run_answer
     from gearlash.cli.late import late_bar
+    from gearlash.cli.search.beside import motions_beside
     from gearlash.cli.search.closed import impact_free_speeds
     from gearlash.cli.search.settings import search_settings
     from gearlash.orbits import attractor
 
-    found = attractor(
-        family.system(parameters), list(start.values()), search_settings(family, periods, max_period, case)
-    )
+    search = search_settings(family, periods, max_period, case)
+    found = attractor(family.system(parameters), list(start.values()), search)
+    with late_bar("other starts") as tell:
+        beside = motions_beside(found, start, family.start(parameters), search, tell)
     with late_bar("speeds free of impacts") as tell:
         quiet = impact_free_speeds(family, parameters, tell)
-    answer = run_answer(chosen, parameters, start, found, quiet)
+    answer = run_answer(chosen, parameters, start, found, quiet, beside)
     with delivery():
         try:
             if folder:

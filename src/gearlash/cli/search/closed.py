@@ -13,8 +13,9 @@ from itertools import count
 from math import ceil, inf, log
 
 from gearlash import flow
-from gearlash.cli.answers.impact_free import ImpactFree
+from gearlash.cli.answers.impact_free import Ending, ImpactFree
 from gearlash.orbits import shoot
+from gearlash.orbits.dips import Sample, dip
 from gearlash.orbits.pressing import force_extrema
 from gearlash.orbits.results import Orbit
 from gearlash.system import ContactRule, Family, GearlashError, Status, System
@@ -25,7 +26,8 @@ SPEEDS = 2 * ceil(log(REACH) / log(STEP))  # that it tries, about, where nothing
 TOLERANCE = 1e-9  # relative, of an end
 NARROW = 1e-3  # of a bracket: no step is nearer to its ends, so that both close in
 
-Sample = tuple[float, float]  # speed, margin there
+Margin = Callable[[float], float]
+End = tuple[float, Ending]  # a value on the impact-free side, what ends there
 
 
 def impact_free_speeds(
@@ -35,7 +37,8 @@ def impact_free_speeds(
     and for systems of another kind than a mesh under a load. ``tell`` hears how many speeds were tried, out
     of how many.
 
-    An interval narrower than one per cent may lie between two speeds of the search and be missed.
+    Speeds of the search are one per cent apart, with closer looks where the margin is lowest. What comes and
+    goes within one per cent elsewhere may be missed.
     """
     if parameters.get("load", 0.0) == 0.0 or len(family.system(parameters).clearances) != 1:
         return None
@@ -53,16 +56,19 @@ def impact_free_speeds(
     up = _change(margin, omega, known, STEP, omega * (REACH - 1.0))
     farthest = omega * (1.0 - 1.0 / REACH)
     if not here and up is not None:  # what lies farther off than this one is not the nearest
-        farthest = min(farthest, up - omega)
+        farthest = min(farthest, up[0] - omega)
     down = _change(margin, omega, known, 1.0 / STEP, farthest)
-    ends = [end for end in (down, up) if end is not None]
+    ends = [end[0] for end in (down, up) if end is not None]
     return ImpactFree(
         here=here,
-        lower=down if here else None,
-        upper=up if here else None,
+        lower=down[0] if here and down else None,
+        upper=up[0] if here and up else None,
+        lower_ending=down[1] if here and down else None,
+        upper_ending=up[1] if here and up else None,
         nearest=None if here else min(ends, key=lambda end: abs(end - omega), default=None),
         searched_from=omega / REACH,
         searched_to=omega * REACH,
+        step=STEP - 1.0,
     )
 
 
@@ -100,21 +106,30 @@ def _closed(system: System, side: int) -> System:
     return replace(system, clearances=(closed,))
 
 
-def _change(
-    margin: Callable[[float], float], start: float, known: float, factor: float, farthest: float
-) -> float | None:
+def _change(margin: Margin, start: float, known: float, factor: float, farthest: float) -> End | None:
     """The first change of sign of the margin from ``start`` on, as a value on its positive side."""
-    at = start
-    while abs(at - start) < farthest:
-        there = at * factor
-        found = margin(there)
-        if (found > 0.0) != (known > 0.0):
-            return _narrowed(margin, (at, known), (there, found))
-        at, known = there, found
+    path = [(start, known)]
+    while abs(path[-1][0] - start) < farthest:
+        there = path[-1][0] * factor
+        path.append((there, margin(there)))
+        hidden = _hidden(margin, path[-3:])
+        if hidden is not None:
+            return hidden
+        if (path[-1][1] > 0.0) != (known > 0.0):
+            return _narrowed(margin, path[-2], path[-1])
     return None
 
 
-def _narrowed(margin: Callable[[float], float], here: Sample, there: Sample) -> float:
+def _hidden(margin: Margin, path: list[Sample]) -> End | None:
+    """A loss of the margin beside the middle one of three speeds, where it is lowest of the three and a
+    closer look finds it gone."""
+    if len(path) < 3 or not 0.0 < path[1][1] <= min(path[0][1], path[2][1]) < inf:
+        return None
+    lowest = dip(margin, *path)
+    return _narrowed(margin, path[0], lowest) if lowest[1] <= 0.0 else None
+
+
+def _narrowed(margin: Margin, here: Sample, there: Sample) -> End:
     """Illinois method between two samples of different sign, halving where one is infinite: M. Dowell and
     P. Jarratt, BIT 11 (1971) 168-174."""
     inside, outside = (here, there) if here[1] > 0.0 else (there, here)
@@ -129,4 +144,4 @@ def _narrowed(margin: Callable[[float], float], here: Sample, there: Sample) -> 
         else:
             outside, inside = (at, found), (inside[0], inside[1] / 2.0 if last < 0 else inside[1])
             last = -1
-    return inside[0]
+    return inside[0], "contact" if outside[1] > -inf else "stability"

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
+from gearlash.cli.answers.beside import Beside
 from gearlash.cli.answers.motion import ForceNumbers, MotionNumbers, OtherClearance
 from gearlash.cli.answers.physical import PhysicalEvent, PhysicalRun
 from gearlash.cli.answers.run import RunAnswer
@@ -68,8 +69,19 @@ def _facts(answer: RunAnswer, marks: Marks) -> Iterator[tuple[str, str]]:
         "certificate",
         ": ".join(filter(None, (answer.certificate.verdict, "; ".join(answer.certificate.reasons)))),
     )
+    if answer.beside:
+        yield "other starts", ", ".join(_beside(answer.beside))
     if answer.numbers:
         yield "no contact", f"{100.0 * answer.numbers.share_without_contact:.3g} % of the time"
+
+
+def _beside(beside: Beside) -> Iterator[str]:
+    yield f"{beside.same} of {beside.starts} to the same motion"
+    for motion in beside.others:
+        status = "" if motion.status == "ok" else f" ({motion.status})"
+        yield f"{motion.starts} to {motion.label}{status}"
+    if beside.undecided:
+        yield f"{beside.undecided} settled to nothing in the time given"
 
 
 def _operation(found: PhysicalRun, marks: Marks) -> str:

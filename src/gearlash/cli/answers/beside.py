@@ -1,0 +1,29 @@
+"""What other starts lead to, at the same parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+
+@dataclass(frozen=True)
+class BesideMotion:
+    """A motion that one or more of the other starts lead to."""
+
+    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic or unresolved"]
+    status: Annotated[str, "ok, or why it is not to be relied on"]
+    starts: Annotated[int, "how many of the other starts lead to it"]
+    impacts: Annotated[bool | None, "does it have impacts? null where nothing was settled"]
+    start: Annotated[dict[str, float], "the first of these starts, by state name: --initial takes it"]
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Whether another motion coexists with the one found, as far as a few other starts show: the motion
+    itself, with the relative velocity in a clearance raised and lowered, and all states zero. What these do
+    not find may exist all the same."""
+
+    starts: Annotated[int, "other starts that were followed"]
+    same: Annotated[int, "how many of them lead back to the motion that was found"]
+    undecided: Annotated[int, "how many of them led to nothing that could be named in the time they had"]
+    others: Annotated[tuple[BesideMotion, ...], "different motions, those of the most starts first"]

@@ -1,0 +1,124 @@
+"""A few other starts at the same parameters: does another motion coexist with the one found?
+
+From the motion itself the relative velocity in every clearance is raised and lowered, so that contact is lost
+or made. Each start is followed for `BUDGET` base periods at the most.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearlash.cli.answers.beside import Beside, BesideMotion
+from gearlash.orbits import Attractor, Orbit, Settings, Unresolved, attractor
+from gearlash.system import Clearance, GearlashError, Status, System
+
+Array = NDArray[np.float64]
+
+BUDGET = 2_000  # base periods of one start
+KICKS = (-1.0, 1.0, -2.0, 2.0)  # in units of what carries the motion across its clearance
+MOST = 12  # starts in all
+CLOSE = 1e-6  # of the size of a motion: what agrees so well is the same
+SMALLEST = 1e-3  # of a clearance's own numbers, where the motion has no size
+
+
+def motions_beside(
+    found: Attractor,
+    start: Mapping[str, float],
+    cold: ArrayLike,
+    settings: Settings,
+    tell: Callable[[int, int], object],
+) -> Beside | None:
+    """What other starts than ``start`` (by state name), which led to ``found``, lead to; None where that is
+    no motion to compare with. ``cold`` (n,) is the cold start, ``tell`` hears how many starts are done."""
+    if found.status not in (Status.OK, Status.UNCERTAIN):
+        return None
+    settings = replace(settings, budget=min(settings.budget, BUDGET))
+    own = np.array(list(start.values()))
+    starts = [s for s in _starts(found, np.asarray(cold)) if not np.array_equal(s, own)][:MOST]
+    same = undecided = 0
+    others: list[tuple[Attractor, Array, int]] = []
+    for done, state in enumerate(starts, 1):
+        other = _followed(found, state, settings)
+        tell(done, len(starts))
+        if other is None or isinstance(other, Unresolved):
+            undecided += 1
+        elif _same(found, other):
+            same += 1
+        else:
+            at = next((i for i, known in enumerate(others) if _same(known[0], other)), None)
+            if at is None:
+                others.append((other, state, 1))
+            else:
+                others[at] = (*others[at][:2], others[at][2] + 1)
+    rows = sorted(others, key=lambda row: -row[2])
+    return Beside(len(starts), same, undecided, tuple(_motion(*row, list(start)) for row in rows))
+
+
+def _starts(found: Attractor, cold: Array) -> Iterator[Array]:
+    """Other states, those first that are the likeliest to lead elsewhere."""
+    system, state = found.propagators.system, np.asarray(found.final_state, dtype=np.float64)
+    kicks = [_Kick.of(system, c, found, i) for i, c in enumerate(system.clearances)]
+    yield cold
+    if cold.any():
+        yield np.zeros(system.size)
+    for factor in KICKS:
+        for kick in kicks:
+            yield state + factor * kick.velocity * kick.direction
+
+
+@dataclass(frozen=True)
+class _Kick:
+    """A change of state that is one of the velocity of a gap: its direction, and how much matters."""
+
+    direction: Array
+    velocity: float
+
+    @staticmethod
+    def of(system: System, clearance: Clearance, found: Attractor, index: int) -> _Kick:
+        row = clearance.h @ system.matrix  # of the gap's velocity
+        if not row.any():
+            row = clearance.h
+        stiffness = max(clearance.stiffness_plus[0], clearance.stiffness_minus[0])
+        own = float(np.sqrt(abs(clearance.h @ system.matrix @ clearance.g) * abs(stiffness)))
+        x = found.trace.extrema_of(index).displacement
+        if not len(x):  # a motion at rest
+            x = found.trace.at([found.trace.start], index).displacement
+        edges = (clearance.gap_plus, -clearance.gap_minus)
+        apart = min(abs(float(one) - edge) for one in (x.min(), x.max()) for edge in edges)
+        wide = clearance.gap_plus + clearance.gap_minus
+        across = min(wide, 2.0 * float(x.max() - x.min()) + apart) if wide > 0.0 else float(np.ptp(x))
+        across = max(across, SMALLEST * max(1.0, abs(float(x.mean()))))
+        return _Kick(row / float(row @ row), across * max(system.omega, own))
+
+
+def _followed(found: Attractor, start: Array, settings: Settings) -> Attractor | None:
+    try:
+        return attractor(found.propagators, start, settings)
+    except (GearlashError, np.linalg.LinAlgError):
+        return None
+
+
+def _same(one: Attractor, other: Attractor) -> bool:
+    """The same motion: one orbit at another of its phases too; two aperiodic motions count as one."""
+    if one.label != other.label:
+        return False
+    if not (isinstance(one, Orbit) and isinstance(other, Orbit)):
+        return True
+    size = max(float(np.abs(one.strobes).max()), SMALLEST)
+    apart = np.abs(one.strobes[:, None, :] - other.state[None, None, :]).max(axis=2)
+    return bool(apart.min() <= CLOSE * size)
+
+
+def _motion(found: Attractor, start: Array, starts: int, names: list[str]) -> BesideMotion:
+    impacts = bool(found.signature.impacts) if isinstance(found, Orbit) else bool(len(found.events))
+    return BesideMotion(
+        label=found.label,
+        status=str(found.status),
+        starts=starts,
+        impacts=impacts,
+        start=dict(zip(names, map(float, start), strict=True)),
+    )
