@@ -97,6 +97,7 @@ def test_an_end_of_stability_is_not_called_a_loss_of_contact():
     assert found is not None
     assert found.here
     assert found.upper_ending == "stability"
+    assert found.upper is not None
     assert 1.8 < found.upper < 1.9
 
 

@@ -113,14 +113,15 @@ def test_ctrl_c_keeps_what_was_computed(
 def test_pixels_that_fail_are_named(gearlash: Gearlash):
     """A frequency too far below the natural ones fails, the pixels beside it do not."""
     typed = ("kahraman-singh", "--over", "omega=1e-6:0.9:2", "--over", "D=0.5:1.5:2")
-    answer = gearlash("map", *typed, "--json").answer
-    assert answer["status"] == "ok"
+    ran = gearlash("map", *typed, "--json")
+    answer = ran.answer
+    assert (ran.code, answer["status"]) == (3, "partly-failed")
     assert answer["statuses"] == {"failed": 2, "ok": 2}
     assert [(pixel["x"], pixel["y"]) for pixel in answer["failed"]] == [(1e-6, 0.5), (1e-6, 1.5)]
     assert "frequency" in answer["failed"][0]["reason"]
     assert [row[0] for row in answer["codes"]] == [-1, -1]
     words = " ".join(gearlash("map", *typed).out.split())
-    assert "2 pixels are flagged" in words
+    assert "2 of 4 pixels failed, the first: omega = 1e-06, D = 0.5, " in words
     assert "omega = 1e-06, D = 0.5: " in words
 
 

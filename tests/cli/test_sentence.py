@@ -29,12 +29,12 @@ def test_rates(counts: tuple[int, int], words: str):
         (
             ["omega=1.05"],
             "4010.97 rpm: 1-0, teeth stay in contact; this motion is impact-free from 3715 rpm to 4247 rpm, "
-            "looked at in steps of 1 %; 5 other starts lead to the same motion",
+            "looked at in steps of 1 %; 6 other starts lead to the same motion",
         ),
         (
             ["omega=0.78", "D=0.384"],
             "2979.58 rpm: 6-6-1, teeth hit the drive side once per mesh cycle and the back side once in 6 "
-            "mesh cycles; nearest impact-free motion found at 3715 rpm †; 5 other starts lead to the same "
+            "mesh cycles; nearest impact-free motion found at 3715 rpm †; 7 other starts lead to the same "
             "motion",
         ),
     ],
@@ -63,8 +63,12 @@ def motion(label: str, starts: int, impacts: bool = True) -> BesideMotion:
             "3 of 5 other starts lead to other motions: 2-1, 1-0, without impacts, 1 settled to nothing in "
             "the time given",
         ),
+        (
+            Beside(5, 4, 0, (motion("3-3-0", 1),)),
+            "1 of 5 other starts leads to another motion: a different 3-3",
+        ),
         (Beside(5, 3, 2, ()), "2 of 5 other starts settled to nothing in the time given"),
     ],
 )
 def test_what_coexists_is_told_or_said_not_to_be_known(beside: Beside | None, words: str):
-    assert coexisting(beside) == words
+    assert coexisting(beside, "3-3-0") == words

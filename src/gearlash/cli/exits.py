@@ -38,6 +38,11 @@ MEANINGS = {
 }
 
 
+def code_of(status: str) -> ExitCode:
+    """The exit code of a study by its status."""
+    return {"ok": ExitCode.OK, "incomplete": ExitCode.INTERRUPTED}.get(status, ExitCode.NOT_OK)
+
+
 class NotWrittenError(Exception):
     """A result that could not be written."""
 

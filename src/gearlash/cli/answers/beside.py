@@ -20,8 +20,9 @@ class BesideMotion:
 @dataclass(frozen=True)
 class Beside:
     """Whether another motion coexists with the one found, as far as a few other starts show: the motion
-    itself, with the relative velocity in a clearance raised and lowered, and all states zero. What these do
-    not find may exist all the same."""
+    itself, with the relative velocity in a clearance raised and lowered; all states zero; and of a system
+    with one clearance the periodic motions that it would have if contact were kept on one side, or never
+    made. What these do not find may exist all the same."""
 
     starts: Annotated[int, "other starts that were followed"]
     same: Annotated[int, "how many of them lead back to the motion that was found"]

@@ -10,6 +10,7 @@ import numpy as np
 
 from gearlash.case import Case
 
+from .outcome import PIXELS, study_status, troubles
 from .parts import CaseUsed, case_used
 from .sweep import AxisUsed, axis_used
 
@@ -43,7 +44,7 @@ class MapAnswer:
     """Attractors over a plane of two parameters (gearlash map)."""
 
     sentence: str
-    status: Annotated[str, "ok; incomplete if it was stopped; failed if no pixel is ok"]
+    status: Annotated[str, PIXELS]
     message: Annotated[str, "why it is not complete"]
     case: CaseUsed
     parameters: Annotated[dict[str, float], "every parameter but the two of the axes, by short name"]
@@ -66,11 +67,10 @@ def map_answer(
 ) -> MapAnswer:
     """The record of a map."""
     statuses = plane.statuses
-    status = "incomplete" if not plane.complete else "ok" if statuses.get("ok") else "failed"
     x, y = plane.x, plane.y
     return MapAnswer(
         sentence=_sentence(plane),
-        status=status,
+        status=study_status(plane.complete, statuses),
         message=plane.message,
         case=case_used(case),
         parameters={name: value for name, value in parameters.items() if name not in (x.name, y.name)},
@@ -118,12 +118,19 @@ def _sentence(plane: PlaneMap) -> str:
             f"aperiodic {_percent(restless / plane.computed)}"
         )
     missing = plane.statuses.get(NOT_COMPUTED, 0)
-    flagged = plane.label.size - plane.statuses.get("ok", 0) - missing
-    if flagged:
-        parts.append(f"{flagged} pixel{'s are' if flagged > 1 else ' is'} flagged")
+    trouble = troubles(plane.statuses, _first_failure(plane), "pixel")
+    if trouble:
+        parts.append(trouble)
     if missing:
         parts.append(f"incomplete, {missing} pixels missing")
     return "; ".join(parts)
+
+
+def _first_failure(plane: PlaneMap) -> str:
+    for (row, column), reason in plane.reasons.items():
+        x, y = plane.x.values[column], plane.y.values[row]
+        return f"{plane.x.name} = {x:.6g}, {plane.y.name} = {y:.6g}, {reason}"
+    return ""
 
 
 def _percent(share: float) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
+from .outcome import FAILED, PARTLY_FAILED, POINTS, study_status, troubles
 from .parts import CaseUsed, case_used
 
 if TYPE_CHECKING:  # answers are described without the engine
@@ -61,7 +62,7 @@ class ReproduceAnswer:
     """The article's claims, judged (gearlash reproduce)."""
 
     sentence: str
-    status: Annotated[str, "ok, or incomplete if it was stopped"]
+    status: Annotated[str, POINTS]
     case: CaseUsed
     report: Annotated[str, "path of the report; report.json beside it has every number, curves included"]
     verdicts: Annotated[dict[str, int], "number of claims by verdict"]
@@ -85,9 +86,13 @@ def reproduce_answer(found: article.Reproduction, report: str) -> ReproduceAnswe
         + (f" ({special[verdict]} of them only with the scan named)" if special[verdict] else "")
         for verdict, count in verdicts.items()
     )
+    sentence = f"{len(found.claims)} claims of the article: {counted}"
+    status = study_status(found.run.complete, found.run.statuses)
+    if status in (FAILED, PARTLY_FAILED):
+        sentence += f"; {troubles(found.run.statuses, '')}"
     return ReproduceAnswer(
-        sentence=f"{len(found.claims)} claims of the article: {counted}",
-        status="ok" if found.run.complete else "incomplete",
+        sentence=sentence,
+        status=status,
         case=case_used(found.case),
         report=report,
         verdicts=dict(verdicts),

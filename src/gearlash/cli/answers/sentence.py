@@ -43,11 +43,12 @@ def run_sentence(
     if impact_free is not None:
         parts += _quiet(impact_free, speed, free_now=not numbers.events)
     parts[1:1] = [met(other.name, other, numbers.cycles) for other in numbers.others]
-    return "; ".join([*parts, coexisting(beside)])
+    return "; ".join([*parts, coexisting(beside, attractor.label)])
 
 
-def coexisting(beside: Beside | None) -> str:
-    """What other starts lead to: ``4 of 5 other starts lead to other motions: 2-1, aperiodic``."""
+def coexisting(beside: Beside | None, own: str) -> str:
+    """What other starts lead to, beside a motion labelled ``own``: ``4 of 5 other starts lead to other
+    motions: 2-1, aperiodic``."""
     if beside is None or not beside.starts:
         return "motions that may coexist were not looked for"
     tried, elsewhere = beside.starts, sum(motion.starts for motion in beside.others)
@@ -57,7 +58,7 @@ def coexisting(beside: Beside | None) -> str:
         return f"{starts} {lead} to the same motion"
     said = []
     if elsewhere:
-        names = ", ".join(_named(motion) for motion in beside.others)
+        names = ", ".join(_named(motion, own) for motion in beside.others)
         what = "another motion" if len(beside.others) == 1 else "other motions"
         lead = "leads" if elsewhere == 1 else "lead"
         said.append(f"{elsewhere} of {starts} {lead} to {what}: {names}")
@@ -67,8 +68,9 @@ def coexisting(beside: Beside | None) -> str:
     return ", ".join(said)
 
 
-def _named(motion: BesideMotion) -> str:
+def _named(motion: BesideMotion, own: str) -> str:
     label = motion.label.removesuffix("-0") if motion.label.count("-") == 2 else motion.label
+    label = f"a different {label}" if motion.label == own else label
     return label if motion.impacts else f"{label}, without impacts"
 
 

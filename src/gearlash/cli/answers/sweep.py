@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
 
+from .outcome import POINTS, study_status, troubles
 from .parts import CaseUsed, PhysicalValue, case_used, physical_values
 
 if TYPE_CHECKING:  # answers are described without the engine
@@ -75,7 +76,7 @@ class SweepAnswer:
     """Attractors along one parameter (gearlash sweep)."""
 
     sentence: str
-    status: Annotated[str, "ok; incomplete if it was stopped; failed if no point is ok"]
+    status: Annotated[str, POINTS]
     case: CaseUsed
     parameters: Annotated[dict[str, float], "every parameter but the swept one, by short name"]
     axis: AxisUsed
@@ -97,11 +98,10 @@ def sweep_answer(
     axis = sweeps[0].axis
     statuses = Counter(point.status for sweep in sweeps for point in sweep.points)
     complete = all(sweep.complete for sweep in sweeps)
-    status = "incomplete" if not complete else "ok" if statuses["ok"] else "failed"
     beside = _intervals(axis, map(bool, coexisting(sweeps))) if len(sweeps) > 1 else ()
     return SweepAnswer(
         sentence=_sentence(axis, sweeps, statuses, beside),
-        status=status,
+        status=study_status(complete, statuses),
         case=case_used(case),
         parameters={name: value for name, value in parameters.items() if name != axis.name},
         axis=axis_used(case, axis, named),
@@ -164,6 +164,14 @@ def _intervals(axis: Axis, flags: Iterable[bool]) -> tuple[tuple[float, float], 
     return tuple(found)
 
 
+def first_failure(sweeps: Sequence[Sweep]) -> str:
+    """Where the first point failed, and why."""
+    from gearlash.results import FAILED
+
+    failed = (point for sweep in sweeps for point in sweep.points if point.status == FAILED)
+    return next((f"{sweeps[0].axis.name} = {point.value:.6g}, {point.message}" for point in failed), "")
+
+
 def _sentence(
     axis: Axis, sweeps: Sequence[Sweep], statuses: Mapping[str, int], beside: Sequence[tuple[float, float]]
 ) -> str:
@@ -178,7 +186,7 @@ def _sentence(
     if beside:
         text += f", attractors coexist in {len(beside)} interval{'s' if len(beside) > 1 else ''}"
     missing = statuses.get(NOT_COMPUTED, 0)
-    flagged = sum(statuses.values()) - statuses.get("ok", 0) - missing
-    if flagged:
-        text += f"; {flagged} point{'s are' if flagged > 1 else ' is'} flagged"
+    trouble = troubles(statuses, first_failure(sweeps))
+    if trouble:
+        text += f"; {trouble}"
     return f"{text}; incomplete, {missing} points missing" if missing else text

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, command, delivery
+from gearlash.cli.exits import ExitCode, code_of, command, delivery
 from gearlash.cli.options import (
     AsJson,
     CaseArgument,
@@ -90,6 +90,4 @@ def map(
                 from gearlash.cli.show.map import map_view
 
                 show(map_view, answer)
-    if answer.status == "incomplete":
-        return ExitCode.INTERRUPTED
-    return ExitCode.OK if answer.status == "ok" else ExitCode.NOT_OK
+    return code_of(answer.status)

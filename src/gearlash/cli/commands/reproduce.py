@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, command, delivery
+from gearlash.cli.exits import ExitCode, code_of, command, delivery
 from gearlash.cli.options import AsJson, Settings, Workers
 
 
@@ -78,7 +78,7 @@ def reproduce(
             from gearlash.cli.show.reproduce import reproduce_view
 
             show(reproduce_view, answer)
-    return ExitCode.OK if answer.status == "ok" else ExitCode.INTERRUPTED
+    return code_of(answer.status)
 
 
 def _scope(points: int | None):

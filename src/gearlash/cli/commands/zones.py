@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, command, delivery
+from gearlash.cli.exits import ExitCode, code_of, command, delivery
 from gearlash.cli.options import (
     AsJson,
     CaseArgument,
@@ -108,4 +108,4 @@ def zones(
                 from gearlash.cli.show.zones import zones_view
 
                 show(zones_view, answer)
-    return ExitCode.OK if answer.status == "ok" else ExitCode.INTERRUPTED
+    return code_of(answer.status)

@@ -1,19 +1,22 @@
 """A few other starts at the same parameters: does another motion coexist with the one found?
 
 From the motion itself the relative velocity in every clearance is raised and lowered, so that contact is lost
-or made. Each start is followed for `BUDGET` base periods at the most.
+or made; of a system with one clearance the periodic motions without any change of contact are tried, too.
+Each start is followed for `BUDGET` base periods at the most.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from gearlash import orbits
 from gearlash.cli.answers.beside import Beside, BesideMotion
-from gearlash.orbits import Attractor, Orbit, Settings, Unresolved, attractor
+from gearlash.cli.search.closed import linear_states
+from gearlash.orbits import Attractor, Orbit, Settings, Unresolved
 from gearlash.system import Clearance, GearlashError, Status, System
 
 Array = NDArray[np.float64]
@@ -37,8 +40,7 @@ def motions_beside(
     if found.status not in (Status.OK, Status.UNCERTAIN):
         return None
     settings = replace(settings, budget=min(settings.budget, BUDGET))
-    own = np.array(list(start.values()))
-    starts = [s for s in _starts(found, np.asarray(cold)) if not np.array_equal(s, own)][:MOST]
+    starts = _different(found, np.array(list(start.values())), _starts(found, np.asarray(cold)))
     same = undecided = 0
     others: list[tuple[Attractor, Array, int]] = []
     for done, state in enumerate(starts, 1):
@@ -58,6 +60,17 @@ def motions_beside(
     return Beside(len(starts), same, undecided, tuple(_motion(*row, list(start)) for row in rows))
 
 
+def _different(found: Attractor, own: Array, states: Iterable[Array]) -> list[Array]:
+    """Each once, without the start that was used and without states of the motion itself."""
+    near = CLOSE * max(1.0, float(np.abs(found.strobes).max()))
+    kept: list[Array] = []
+    for state in states:
+        known = np.array([own, *kept, *found.strobes])
+        if float(np.abs(known - state).max(axis=1).min()) > near:
+            kept.append(state)
+    return kept[:MOST]
+
+
 def _starts(found: Attractor, cold: Array) -> Iterator[Array]:
     """Other states, those first that are the likeliest to lead elsewhere."""
     system, state = found.propagators.system, np.asarray(found.final_state, dtype=np.float64)
@@ -65,6 +78,8 @@ def _starts(found: Attractor, cold: Array) -> Iterator[Array]:
     yield cold
     if cold.any():
         yield np.zeros(system.size)
+    if len(system.clearances) == 1:
+        yield from linear_states(system)
     for factor in KICKS:
         for kick in kicks:
             yield state + factor * kick.velocity * kick.direction
@@ -97,7 +112,7 @@ class _Kick:
 
 def _followed(found: Attractor, start: Array, settings: Settings) -> Attractor | None:
     try:
-        return attractor(found.propagators, start, settings)
+        return orbits.attractor(found.propagators, start, settings)
     except (GearlashError, np.linalg.LinAlgError):
         return None
 

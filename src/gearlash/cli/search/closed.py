@@ -7,10 +7,13 @@ mesh, a continuous function of speed, says where impact-free motion exists, what
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import count
 from math import ceil, inf, log
+
+import numpy as np
+from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.cli.answers.impact_free import Ending, ImpactFree
@@ -77,19 +80,38 @@ def closed_margin(system: System, side: int) -> float:
     -inf where that motion is unstable or was not found. With the rule `no-tension` contact ends with its
     force: the least force instead.
     """
-    try:
-        props = flow.propagators(_closed(system, side))
-        shot = shoot(props, [0.0] * system.size, 1)
-    except GearlashError:
-        return -inf
-    orbit = Orbit(props, shot, 0, shot.status, "")
-    if shot.status not in (Status.OK, Status.UNCERTAIN) or not orbit.stable:
+    orbit = _orbit(_closed(system, side))
+    if orbit is None or not orbit.stable:
         return -inf
     if system.clearances[0].contact is ContactRule.NO_TENSION:
         return float((side * force_extrema(orbit.trace, 0).force).min(initial=inf))
     gap = system.clearances[0].gap_plus if side > 0 else -system.clearances[0].gap_minus
     positions = orbit.extrema.displacement if len(orbit.extrema) else orbit.trace.samples(2).displacement
     return float((side * (positions - gap)).min())
+
+
+def linear_states(system: System) -> Iterator[NDArray[np.float64]]:
+    """States at phase zero of the periodic motions that a system of one clearance would have if it were in
+    contact on one side all the time, or never: near a touch the real motion is near to one of them."""
+    (clearance,) = system.clearances
+    none = np.zeros(1)
+    never = replace(clearance, stiffness_plus=none, stiffness_minus=none)
+    for linear in (_closed(system, 1), _closed(system, -1), replace(system, clearances=(never,))):
+        orbit = _orbit(linear)
+        if orbit is not None:
+            yield orbit.state
+
+
+def _orbit(system: System) -> Orbit | None:
+    """The periodic motion of a linear system, if it has one."""
+    try:
+        props = flow.propagators(system)
+        shot = shoot(props, [0.0] * system.size, 1)
+    except GearlashError:
+        return None
+    if shot.status not in (Status.OK, Status.UNCERTAIN):
+        return None
+    return Orbit(props, shot, 0, shot.status, "")
 
 
 def _closed(system: System, side: int) -> System:

@@ -36,6 +36,8 @@ def map_view(answer: MapAnswer, width: int) -> Iterator[Text]:
 
 
 def _facts(answer: MapAnswer) -> Iterator[tuple[str, str]]:
+    if answer.status != "ok":
+        yield "status", answer.status
     yield "pixels", ", ".join(f"{count} {status}" for status, count in answer.statuses.items())
     yield (
         "certificates",

@@ -24,6 +24,8 @@ def sweep_view(answer: SweepAnswer, width: int) -> Iterator[Text]:
 
 
 def _facts(answer: SweepAnswer) -> Iterator[tuple[str, str]]:
+    if answer.status != "ok":
+        yield "status", answer.status
     yield "points", ", ".join(f"{count} {status}" for status, count in answer.statuses.items())
     yield (
         "certificates",
