@@ -9,10 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash.system import Record, Status
 
-from .march import CALL, STATUS, columns_of, run_all, start_state
+from .march import STATUS, block_of, columns_of, run_all, start_state
 from .propagators import Propagators
 
 Array = NDArray[np.float64]
+
+CELLS = (
+    64  # a tangent shrinks or grows by some e² in a cell: by e^128 in so many, far from the ends of float64
+)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -31,23 +35,38 @@ class Growth(Record):
 
 def growth(props: Propagators, z: ArrayLike, tangent: ArrayLike, periods: int, stretch: int) -> Growth:
     """Marches from phase zero over ``periods`` base periods, in stretches of ``stretch`` of them and what is
-    left. Ends early, with its status, where the motion could not be carried on."""
+    left. Ends early, with its status, where the motion could not be carried on. In a period of very many
+    cells the tangent is given its length again several times, so that it neither vanishes nor overflows."""
     state = start_state(props, z)
     frame = np.array(tangent, dtype=np.float64)[None]
     states, sums = np.empty((periods + 1, len(state))), np.zeros(periods)
     states[0] = state
     counts = np.zeros((periods, columns_of(props)), dtype=np.int64)
+    parts, most = _parts(props), block_of(props, 1)
     done, status = 0, Status.OK
     while done < periods and status.ok:
-        end = min(done + CALL, periods)
-        outcome = run_all(
-            props, state[None], 0.0, float(props.cells), states[None, done : end + 1], counts[None, done:end],
-            frame, sums[done:end],
-        )  # fmt: skip
-        status, done = STATUS[int(outcome[0])], end
+        block = min(most, periods - done)
+        strobes = np.empty((1, block * parts + 1, len(state)))
+        happened = np.zeros((1, block * parts, counts.shape[1]), dtype=np.int64)
+        logarithms = np.zeros(block * parts)
+        outcome = run_all(props, state[None], 0.0, props.cells / parts, strobes, happened, frame, logarithms)
+        status, end = STATUS[int(outcome[0])], done + block
+        states[done + 1 : end + 1] = strobes[0, parts::parts]
+        counts[done:end] = happened[0].reshape(block, parts, -1).sum(axis=1)
+        sums[done:end] = logarithms.reshape(block, parts).sum(axis=1)
+        done = end
     undecided = int(counts[:, -1].sum())
     if status.ok and undecided:
         status = Status.UNCERTAIN
     starts = np.arange(0, periods, stretch)
     logarithms, lengths = np.add.reduceat(sums, starts), np.minimum(stretch, periods - starts)
     return Growth(states[: done + 1], frame[0], logarithms, lengths, undecided, status)
+
+
+def _parts(props: Propagators) -> int:
+    """How often in a base period the tangent is given its length again: a power of two, so that the parts of
+    a period are exact."""
+    parts = 1
+    while props.cells > CELLS * parts:
+        parts *= 2
+    return parts

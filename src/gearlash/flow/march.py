@@ -181,12 +181,24 @@ def trace(
     )
 
 
-def orthonormal_growth(props: Propagators, z: Array, frame: Array, periods: int) -> tuple[Status, Array]:
-    """Carries z (n,) and the orthonormal rows of frame (m, n) in place over base periods; returns the sums
-    (m,) of the logarithms of the lengths."""
-    sums = np.zeros((periods, len(frame)))
-    status, _, counts = _run(props, z, 0.0, float(props.cells), periods, tangents=frame, sums=sums)
-    return _with_doubt(status, int(counts[:, -1].sum())), sums.sum(axis=0)
+def orthonormal_growth(
+    props: Propagators, z: Array, frame: Array, periods: int, parts: int = 1
+) -> tuple[Status, Array]:
+    """Carries z (n,) and the orthonormal rows of frame (m, n) in place over base periods, made orthonormal
+    again ``parts`` times in each (a power of two: then parts of a period are exact); returns the sums (m,) of
+    the logarithms of the lengths. Ends early where the motion could not be carried on."""
+    total, left, undecided = np.zeros(len(frame)), periods, 0
+    most, length = max(1, block_of(props, 1)), props.cells / parts
+    while left:
+        block = min(left, most)
+        sums = np.zeros((block * parts, len(frame)))
+        status, _, counts = _run(props, z, 0.0, length, block * parts, tangents=frame, sums=sums)
+        total += sums.sum(axis=0)
+        undecided += int(counts[:, -1].sum())
+        left -= block
+        if not status.ok:
+            return status, total
+    return _with_doubt(Status.OK, undecided), total
 
 
 def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float, float]:

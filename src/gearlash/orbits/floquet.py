@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from math import ceil
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,28 +10,96 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.flow.march import LONGEST, start_state
-from gearlash.system import given
+from gearlash.system import ContactRule, Status, given
+
+from .subspaces import by_subspaces, ordered
 
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.float64]
 DEPTH = 5.0  # by how many powers of e one factor may shrink volumes: its eigenvalues keep their digits
 PLAIN = 2 * DEPTH  # the same for the plain product of all factors
 MOST = 800  # size of the lifted matrix up to which it is used
+AGREES = 1e-9  # how far the logarithms of all multipliers may miss the trace over the orbit, relative to it
+SPREAD = 10.0  # powers of e between the largest and the least stretch of a part of a period
+TALL = 200.0  # powers of e by which lengths may grow or shrink in it
+MOVING = (Status.OK, Status.UNCERTAIN)
 
 
 def multipliers(props: Propagators, state: NDArray[np.float64], period: int) -> NDArray[np.complex128]:
-    """All multipliers (n,) of a periodic orbit through ``state``, by modulus, descending.
+    """All multipliers (n,) of a periodic orbit through ``state``, by modulus, descending. One smaller than
+    the least float is zero; its logarithm is in `spectrum`."""
+    return spectrum(props, state, period)[0]
+
+
+def spectrum(
+    props: Propagators, state: NDArray[np.float64], period: int
+) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
+    """All multipliers (n,) of a periodic orbit through ``state``, by modulus, descending, and the logarithms
+    (n,) of their moduli.
 
     A long or strongly damped orbit's small multipliers drown in the rounding of the product of its maps. The
     block-cyclic matrix of single maps has their roots as eigenvalues and is of norm one: see D. Watkins,
-    "Product eigenvalue problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110."""
+    "Product eigenvalue problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110. Where the sum of the
+    logarithms is not the trace, digits were lost all the same, and each group of multipliers of like size is
+    computed in its own subspace (`subspaces`)."""
     state, period = start_state(props, state), given.whole("period", period, 1, LONGEST)
     shrinking = fastest_shrinking(props) * props.system.period
     parts = max(1, ceil(shrinking / DEPTH))
     factors = _factors(props, state, period, parts)
     if period * shrinking <= PLAIN:
-        return ordered(np.linalg.eigvals(_product(factors)))
-    return _lifted(_merged(factors, MOST // len(state)))
+        found = ordered(np.linalg.eigvals(_product(factors)))
+    else:
+        found = _lifted(_merged(factors, MOST // len(state)))
+    with np.errstate(divide="ignore"):
+        logarithms = np.log(np.abs(found))
+    trace = mean_trace(props, state, period) * period * props.system.period
+    if abs(float(logarithms.sum()) - trace) <= AGREES * max(1.0, abs(trace)):  # not so for NaN and -inf
+        return found, logarithms
+    return by_subspaces(_factors(props, state, period, cut(props, state)))
+
+
+def cut(props: Propagators, state: NDArray[np.float64]) -> int:
+    """Into how many equal parts (a power of two) a base period is cut so that the tangent flow from ``state``
+    (n,) spreads lengths by less than e^`SPREAD` in each."""
+    parts, cycles = 1, float(props.system.cycles)
+    while parts < props.cells:
+        z, part, tame = state, 0, True
+        while tame and part < parts:
+            step = flow.variational(props, z, cycles / parts, part * cycles / parts)
+            if step.status not in MOVING:
+                return parts  # no cut helps where the motion cannot be carried on
+            z, part, tame = step.state, part + 1, _tame(step.jacobian)
+        if tame:
+            break
+        parts *= 2
+    return parts
+
+
+def _tame(jacobian: NDArray[np.float64] | None) -> bool:
+    assert jacobian is not None
+    if not np.isfinite(jacobian).all():
+        return False
+    stretches = np.linalg.svd(jacobian, compute_uv=False)
+    if stretches[-1] < np.exp(-TALL):
+        return False
+    logarithms = np.log(stretches)
+    return bool(logarithms[0] < TALL and logarithms[0] - logarithms[-1] < SPREAD)
+
+
+def mean_trace(props: Propagators, z: NDArray[np.float64], periods: int) -> float:
+    """Mean over time of the trace of the field along the motion from z: contact damping counts while it
+    acts."""
+    if props.trace is not None:
+        return props.trace
+    system = props.system
+    motion = flow.trace(props, z, float(periods * system.cycles))
+    share, mean = motion.lengths / motion.lengths.sum(), float(np.trace(system.matrix))
+    for j, c in enumerate(system.clearances):
+        acting = np.array([c.dampings[0], 0.0, c.dampings[1]])[motion.regions_of(j)]
+        if c.contact is ContactRule.ALWAYS:
+            acting = np.full(len(share), c.damping)
+        mean += float(share @ acting) * float(c.h @ system.matrix @ c.g)
+    return mean
 
 
 def fastest_shrinking(props: Propagators) -> float:
@@ -43,14 +110,6 @@ def fastest_shrinking(props: Propagators) -> float:
     return abs(float(np.trace(matrix))) + sum(
         max(map(abs, c.dampings)) * abs(float(c.h @ matrix @ c.g)) for c in props.system.clearances
     )
-
-
-def ordered(values: NDArray[Any]) -> Complex:
-    """By modulus descending, then by imaginary part, so that pairs print in one order."""
-    found: Complex = np.asarray(values, dtype=np.complex128)
-    with np.errstate(divide="ignore"):
-        size = np.round(np.log(np.abs(found)), 12)
-    return found[np.lexsort((-found.imag, -size))]
 
 
 def _factors(props: Propagators, state: NDArray[np.float64], period: int, parts: int) -> list[Matrix]:

@@ -15,18 +15,27 @@ from numpy.typing import ArrayLike, NDArray
 from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.flow.march import LONGEST, start_state
-from gearlash.system import ContactRule, Record, Status, given
+from gearlash.system import Record, Status, given
+
+from .certificate import MOVING
+from .floquet import cut, mean_trace
 
 BATCHES = 20
 STUDENT = 2.093  # 95 % two-sided, 19 degrees of freedom
+ROUNDING = 1e-14  # of the tangent flow over a base period: no error bar is below what it makes
+EPSILON = float(np.finfo(np.float64).eps)
+AGREES = 1e-6  # of the exponents' size: a larger defect of their sum is no rounding
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Exponents(Record):
     """Exponents (k,) per unit of τ, descending, with the half-width (k,) of their 95 % intervals from batch
-    means, over ``periods`` base periods, and the state (n,) at the end. For k = n, `trace_defect` is the sum
-    of the exponents minus the mean trace of the field over the same motion (exactly zero in theory); it is
-    NaN otherwise. Status `uncertain`: a contact lay within rounding of touching somewhere on the way."""
+    means, at least what rounding may do, over ``periods`` base periods, and the state (n,) at the end. For
+    k = n, `trace_defect` is the sum of the exponents minus the mean trace of the field over the same motion
+    (exactly zero in theory); it is NaN otherwise.
+
+    Status `uncertain`: a contact lay within rounding of touching somewhere on the way. Status `inexact`: the
+    defect is more than rounding, or an exponent is no number; the values are not to be relied on."""
 
     values: NDArray[np.float64]
     errors: NDArray[np.float64]
@@ -40,50 +49,51 @@ def lyapunov(
     props: Propagators, state: ArrayLike, periods: int, count: int | None = None, settle: int = 20
 ) -> Exponents:
     """The ``count`` largest exponents (default all) from ``periods`` base periods after ``settle`` for the
-    frame."""
+    frame. The frame is made orthogonal once in a base period, or as much more often as the tangent flow needs
+    it: where that spreads lengths by more than e^10 in between, small directions would be lost to rounding.
+    """
     z = start_state(props, state)
     n = len(z)
     count = n if count is None else given.whole("count", count, 1, n)
     periods, settle = given.whole("periods", periods, 1, LONGEST), given.whole("settle", settle, 0, LONGEST)
+    parts = cut(props, z)
     frame = (
         np.eye(n)[:count]
         if count == n
         else np.linalg.qr(np.ones((n, count)) + np.eye(n)[:, :count])[0].T.copy()
     )
-    status, _ = flow.orthonormal_growth(props, z, frame, settle)
+    status, _ = flow.orthonormal_growth(props, z, frame, settle, parts)
     each = max(1, periods // BATCHES)
     sums, traces = [], []
     for _ in range(BATCHES):
-        if status not in (Status.OK, Status.UNCERTAIN):
+        if status not in MOVING:
             break
         if count == n:
-            traces.append(_mean_trace(props, z, each))
-        later, batch = flow.orthonormal_growth(props, z, frame, each)
+            traces.append(mean_trace(props, z, each))
+        later, batch = flow.orthonormal_growth(props, z, frame, each, parts)
         status = status if later.ok else later  # a doubt stays
         sums.append(batch / (each * props.system.period))
-    table = np.array(sums)
-    values = table.mean(axis=0)
-    errors = (
-        STUDENT * table.std(axis=0, ddof=1) / np.sqrt(len(table))
-        if len(table) > 1
-        else np.full(count, np.inf)
-    )
+    table = np.array(sums).reshape(-1, count)
+    values = table.mean(axis=0) if len(table) else np.full(count, np.nan)
+    errors = _errors(table) + ROUNDING / props.system.period
     order = np.argsort(-values, kind="stable")
-    defect = float(values.sum() - np.mean(traces)) if count == n else np.nan
+    defect = float(values.sum() - np.mean(traces)) if count == n and traces else np.nan
+    if traces:  # what the sum lacks, each of them may lack; and none has more digits than a float
+        errors = errors + abs(defect) + 4.0 * EPSILON * np.abs(values)
+    if status in MOVING and not _agree(values, defect, count == n):
+        status = Status.INEXACT
     return Exponents(values[order], errors[order], each * BATCHES, defect, z, status)
 
 
-def _mean_trace(props: Propagators, z: NDArray[np.float64], periods: int) -> float:
-    """Mean over time of the trace of the field along the motion from z: contact damping counts while it
-    acts."""
-    if props.trace is not None:
-        return props.trace
-    system = props.system
-    motion = flow.trace(props, z, float(periods * system.cycles))
-    share, mean = motion.lengths / motion.lengths.sum(), float(np.trace(system.matrix))
-    for j, c in enumerate(system.clearances):
-        acting = np.array([c.dampings[0], 0.0, c.dampings[1]])[motion.regions_of(j)]
-        if c.contact is ContactRule.ALWAYS:
-            acting = np.full(len(share), c.damping)
-        mean += float(share @ acting) * float(c.h @ system.matrix @ c.g)
-    return mean
+def _errors(table: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Half-widths from batches (batches, k)."""
+    if len(table) < 2:
+        return np.full(table.shape[1], np.inf)
+    return STUDENT * table.std(axis=0, ddof=1) / np.sqrt(len(table))
+
+
+def _agree(values: NDArray[np.float64], defect: float, whole: bool) -> bool:
+    """Whether all are numbers, and their sum is the trace where that is known."""
+    if not np.isfinite(values).all():
+        return False
+    return not whole or abs(defect) <= AGREES * max(float(np.abs(values).max()), 1e-9)

@@ -18,6 +18,7 @@ from .certificate import Certificate, certify_motion, certify_orbit
 from .shooting import Shot
 from .signature import Signature
 
+LEAST = 1e-200  # a leading multiplier below it has lost digits in the product of its maps
 SAMPLE = 200  # base periods of an aperiodic motion that are kept as its picture
 
 
@@ -92,7 +93,11 @@ class Orbit(Record):
     @cached_property
     def multipliers(self) -> NDArray[np.complex128]:
         """All Floquet multipliers (n,), by modulus, descending."""
-        return floquet.multipliers(self.propagators, self.state, self.shot.period)
+        return self._spectrum[0]
+
+    @cached_property
+    def _spectrum(self) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
+        return floquet.spectrum(self.propagators, self.state, self.shot.period)
 
     @cached_property
     def leading(self) -> complex:
@@ -105,13 +110,14 @@ class Orbit(Record):
 
     @cached_property
     def exponents(self) -> NDArray[np.float64]:
-        """Lyapunov exponents (n,) per unit of τ: ln|μ|/(P T), exact on a periodic orbit."""
-        with np.errstate(divide="ignore"):
-            return np.log(np.abs(self.multipliers)) / self.duration
+        """Lyapunov exponents (n,) per unit of τ: ln|μ|/(P T), exact on a periodic orbit, also where a
+        multiplier is less than the least float."""
+        return self._spectrum[1] / self.duration
 
     @property
     def largest_exponent(self) -> float:
-        return float(np.log(abs(self.leading)) / self.duration)
+        size = abs(self.leading)
+        return float(np.log(size) / self.duration if size > LEAST else self.exponents[0])
 
     @property
     def exponent_error(self) -> float:

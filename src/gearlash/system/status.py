@@ -63,6 +63,8 @@ class Status(Named):
     OK = "ok"
     UNCERTAIN = "uncertain"
     UNRESOLVED = "unresolved"
+    NEUTRAL = "neutral"
+    INEXACT = "inexact"
     NOT_CONVERGED = "not-converged"
     TOO_MANY_EVENTS = "too-many-events"
     DIVERGED = "diverged"
@@ -85,6 +87,11 @@ _ADVICE = {
     "or locate the grazing point itself (gearlash graze)",
     Status.UNRESOLVED: "no periodic motion was proved within the budget and the exponent does not settle it: "
     "allow more periods (--periods) or a larger period (--max-period)",
+    Status.NEUTRAL: "neighbouring motions neither come closer nor leave: this one is one of a continuum, and "
+    "the start decides which. State what takes up the freedom (damping, a load, a support), or start from "
+    "the state that is meant (--initial)",
+    Status.INEXACT: "rounding has spoilt the numbers, as their sum shows: ask for fewer exponents, or scale "
+    "the system so that its rates lie nearer to each other",
     Status.NOT_CONVERGED: "Newton's method did not converge: start nearer to the solution",
     Status.TOO_MANY_EVENTS: "more contacts in one cell than the buffers hold: check gap and stiffness "
     "for extreme values",

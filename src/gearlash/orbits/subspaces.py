@@ -1,0 +1,73 @@
+"""Eigenvalues of a long product of matrices, each group of like size in its own subspace.
+
+An orthogonal frame is carried through the factors again and again: its leading columns turn into the space
+of the largest eigenvalues, and in that frame the product is triangular but for blocks of eigenvalues of like
+modulus. The factors' blocks are multiplied with their size kept apart as a logarithm, so that nothing
+vanishes and nothing drowns: G. Golub and C. Van Loan, Matrix Computations, 4th ed. (2013), sect. 7.3."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Complex = NDArray[np.complex128]
+Matrix = NDArray[np.float64]
+APART = 1.0  # powers of e between two groups: they part by so much in each turn
+TURNS = 40  # e^-40 is below rounding
+
+
+def by_subspaces(factors: list[Matrix]) -> tuple[Complex, NDArray[np.float64]]:
+    """Eigenvalues (n,) of the product of ``factors``, the first one rightmost, by modulus, descending, and
+    the logarithms (n,) of their moduli. An eigenvalue beyond the range of floats is zero or infinite, its
+    logarithm is not."""
+    begin = np.eye(len(factors[0]))
+    for _ in range(TURNS):
+        begin, _ = _turn(factors, begin)
+    frame, triangles = _turn(factors, begin)
+    sizes = np.sum([np.log(np.abs(np.diag(each))) for each in triangles], axis=0)
+    values, logarithms = [], []
+    for group in _groups(sizes):
+        block, logarithm = np.eye(len(group)), 0.0
+        for triangle in triangles:
+            block = triangle[np.ix_(group, group)] @ block
+            size = float(np.abs(block).max())
+            block, logarithm = block / size, logarithm + np.log(size)
+        turned = begin.T @ frame  # the frame comes back to itself but for a turn within each group
+        inner = np.linalg.eigvals(turned[np.ix_(group, group)] @ block)
+        logarithms.append(np.log(np.abs(inner)) + logarithm)
+        with np.errstate(over="ignore", under="ignore"):
+            values.append(inner * np.exp(logarithm))
+    found: Complex = np.concatenate(values).astype(np.complex128)
+    size = np.concatenate(logarithms)
+    order = np.lexsort((-found.imag, -np.round(size, 12)))
+    return found[order], size[order]
+
+
+def _turn(factors: list[Matrix], frame: Matrix) -> tuple[Matrix, list[Matrix]]:
+    triangles = []
+    for factor in factors:
+        frame, triangle = np.linalg.qr(factor @ frame)
+        triangles.append(triangle)
+    return frame, triangles
+
+
+def _groups(sizes: NDArray[np.float64]) -> Iterator[list[int]]:
+    """Neighbours whose sizes are less than `APART` from each other."""
+    group = [0]
+    for i in range(1, len(sizes)):
+        if sizes[i - 1] - sizes[i] > APART:
+            yield group
+            group = []
+        group.append(i)
+    yield group
+
+
+def ordered(values: NDArray[Any]) -> Complex:
+    """By modulus descending, then by imaginary part, so that pairs print in one order."""
+    found: Complex = np.asarray(values, dtype=np.complex128)
+    with np.errstate(divide="ignore"):
+        size = np.round(np.log(np.abs(found)), 12)
+    return found[np.lexsort((-found.imag, -size))]
