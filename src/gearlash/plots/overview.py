@@ -121,7 +121,7 @@ def _diagram(axes: Axes, scene: Scene, units: Units) -> None:
     for edge in scene.ends:
         axes.axvline(edge, color=style.BOUNDARY, lw=0.9, zorder=0.5)
     _names(axes, rows, scene.ends)
-    axes.legend(handles=directions(rows), loc="lower left", bbox_to_anchor=(0.0, 0.23))
+    axes.legend(handles=directions(rows), loc="upper left")
     speeds = "" if units.speed is None else "\n{:.0f} to {:.0f} rpm".format(*units.speed(scene.ends))
     axes.text(
         (low + high) / 2,

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from gearlash.case import load
 from gearlash.studies.article import REPRODUCED, SHIFTED, ClaimRow, Reproduction, Scope, reproduce
 from gearlash.studies.article.reproduction import Reading
 
+ROOT = Path(__file__).parents[3]
 SCOPE = Scope(omega=(0.82, 1.13, 63), backlash=(0.33, 1.0, 135), rules_backlash=(0.44, 0.5))
 NEEDS_A_SCAN = {"window-upper", "exponent-window-upper", "frequency-zone", "backlash-zone"}
 FITTED = {"window-upper", "window-lower", "period-3", "codimension-2", "back-side"}
@@ -109,3 +112,22 @@ def test_table_2_has_the_pair_that_print_does_not_tell_apart(done: Reproduction)
     assert row.verdict == REPRODUCED
     assert row.patterns == ("12-12-3 → 6-6-1",)
     assert row.periods == ("12 → 6",)
+
+
+def test_the_page_on_theory_and_the_readme_say_what_comes_out(done: Reproduction, rows: dict[str, ClaimRow]):
+    theory = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
+    for name, digits in {"window-lower": 6, "window-upper": 6, "period-3": 6, "back-side": 6}.items():
+        assert f"| {rows[name].computed_value:.{digits}f}" in theory
+    (both,) = [each for each in done.coincidences if each.labels == ("12-12-3", "6-6-1")]
+    assert f"doubling of 6-6-1 at {both.doubling.value:.7f}" in theory
+    assert f"grazing at {both.grazing.value:.7f}, {both.apart:.1e}".replace("e-06", "e-6") in theory
+    ways = ("X = 1, all else zero", "X = D + f_m, all else zero", "cold", "all zero", "up", "down")
+    lower = [reading(done, "D", way).lower.value for way in ways]
+    said = "from X = 1, all else zero: {:.4f}; from X = D + f_m: {:.4f}; cold {:.4f}; all zero {:.4f}; "
+    assert (said + "followed up {:.4f}, down {:.4f}").format(*lower) in theory
+    (mode,) = done.bearings
+    assert f"moves by {mode.motion:.2f} D_c" in theory
+    readme = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    assert (
+        f"All {len(rows)} claims come out, {len(NEEDS_A_SCAN)} of them only with a way of scanning" in readme
+    )

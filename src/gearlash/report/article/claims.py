@@ -9,6 +9,7 @@ from gearlash.studies.article import NOT_FOUND, REPRODUCED, SHIFTED, ClaimRow, R
 
 from .words import verdict
 
+OTHERS = " Other readings: "  # of a zone; here its own table has them
 HEAD = (
     "Claim of the article",
     "Printed",
@@ -66,7 +67,9 @@ def _row(claim: ClaimRow) -> tuple[Cell, ...]:
     what: Cell = [Strong(claim.quantity), f"at {claim.where}" if claim.where else "", f"“{claim.sentence}”"]
     printed: Cell = [_with_unit(claim.printed, claim.unit), claim.reported_labels]
     computed: Cell = [_with_unit(claim.computed, claim.unit), _labels(claim.computed_labels)]
-    remarks: list[Inline | tuple[Inline, ...]] = [line for line in (claim.branch, claim.note) if line] or [""]
+    note, others, _ = claim.note.partition(OTHERS)
+    remarks: list[Inline | tuple[Inline, ...]] = [line for line in (claim.branch, note) if line] or [""]
+    remarks += [("All readings: ", Ref("zones"), ".")] if others else []
     judged: list[Inline | tuple[Inline, ...]] = [verdict(claim.verdict)]
     judged += [f"only with: {claim.needs}"] if claim.needs else []
     judged += ["value fitted; labels are not"] if claim.fitted else []

@@ -28,7 +28,9 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
         "not found, the motions at and beside the reported value are shown instead."
     )
     notes = {row.id: row.parts for row in done.claims}
-    parts = tuple(_part(event, quantities, notes.get(event.claim, ())) for event in done.events)
+    parts = tuple(
+        _part(event, quantities, notes.get(event.claim, ()), done.coincidences) for event in done.events
+    )
     return Section("events", "The article’s events", (intro,), parts), pictures
 
 
@@ -58,13 +60,17 @@ def _has_sections(event: Event) -> bool:
     return any(m.period > 1 or not m.periodic for m in event.motions)
 
 
-def _part(event: Event, quantities: Quantities, said: tuple[Part, ...]) -> Section:
+def _part(
+    event: Event, quantities: Quantities, said: tuple[Part, ...], all_pairs: tuple[Coincidence, ...]
+) -> Section:
     blocks: list[Block] = [_opening(event, quantities)]
     if event.note:
         blocks.append(Note(Text.of(event.note), "Note" if event.found else "What was found instead"))
-    blocks += [_facts(event, quantities), *_figures(event, quantities)]
+    blocks.append(_facts(event, quantities))
     if event.coincidence is not None:
         blocks += [*(_judged(part) for part in said), _opening_table(event, event.coincidence)]
+        blocks.append(_others(all_pairs))
+    blocks += _figures(event, quantities)
     if event.conditions:
         blocks.append(_conditions(event))
     title = f"{event.title}, {symbol(event.parameter)} ≈ {event.digits}"
@@ -74,6 +80,20 @@ def _part(event: Event, quantities: Quantities, said: tuple[Part, ...]) -> Secti
 def _judged(part: Part) -> Text:
     return Text.of(
         Strong(f"{part.what[:1].upper()}{part.what[1:]}: "), verdict(part.verdict), f" {part.note}"
+    )
+
+
+def _others(pairs: tuple[Coincidence, ...]) -> Text:
+    """That nothing was picked: every doubling was asked the same."""
+    shown = "; ".join(
+        f"{symbol(p.doubling.name)} = {number(p.doubling.value, 6)}, {scientific(p.apart)} apart, "
+        f"{short(p.labels[0])} → {short(p.labels[1])}"
+        for p in pairs
+    )
+    return Text.of(
+        "Every doubling located along the sweeps was followed in the same way. Those with a grazing within "
+        "2 % "
+        f"of the parameter: {shown}."
     )
 
 
