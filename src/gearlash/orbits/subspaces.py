@@ -17,6 +17,7 @@ Complex = NDArray[np.complex128]
 Matrix = NDArray[np.float64]
 APART = 1.0  # powers of e between two groups: they part by so much in each turn
 TURNS = 40  # e^-40 is below rounding
+STILL = 1e-9  # how little directions of two groups may turn into each other
 
 
 def by_subspaces(factors: list[Matrix]) -> tuple[Complex, NDArray[np.float64]]:
@@ -28,14 +29,14 @@ def by_subspaces(factors: list[Matrix]) -> tuple[Complex, NDArray[np.float64]]:
         begin, _ = _turn(factors, begin)
     frame, triangles = _turn(factors, begin)
     sizes = np.sum([np.log(np.abs(np.diag(each))) for each in triangles], axis=0)
+    turned = begin.T @ frame  # the frame comes back to itself but for a turn within each group
     values, logarithms = [], []
-    for group in _groups(sizes):
+    for group in _groups(sizes, turned):
         block, logarithm = np.eye(len(group)), 0.0
         for triangle in triangles:
             block = triangle[np.ix_(group, group)] @ block
             size = float(np.abs(block).max())
             block, logarithm = block / size, logarithm + np.log(size)
-        turned = begin.T @ frame  # the frame comes back to itself but for a turn within each group
         inner = np.linalg.eigvals(turned[np.ix_(group, group)] @ block)
         logarithms.append(np.log(np.abs(inner)) + logarithm)
         with np.errstate(over="ignore", under="ignore"):
@@ -54,11 +55,13 @@ def _turn(factors: list[Matrix], frame: Matrix) -> tuple[Matrix, list[Matrix]]:
     return frame, triangles
 
 
-def _groups(sizes: NDArray[np.float64]) -> Iterator[list[int]]:
-    """Neighbours whose sizes are less than `APART` from each other."""
+def _groups(sizes: NDArray[np.float64], turned: Matrix) -> Iterator[list[int]]:
+    """Neighbours whose sizes are less than `APART` from each other, or whose directions still turn into each
+    other, as those of a complex pair do."""
     group = [0]
     for i in range(1, len(sizes)):
-        if sizes[i - 1] - sizes[i] > APART:
+        mixed = max(np.abs(turned[:i, i:]).max(), np.abs(turned[i:, :i]).max())
+        if sizes[i - 1] - sizes[i] > APART and mixed < STILL:
             yield group
             group = []
         group.append(i)
