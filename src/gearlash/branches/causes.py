@@ -1,0 +1,106 @@
+"""What may stop a step along a branch: grazing, doubling and fold, solved for from the last orbit before."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearlash.orbits import Orbit, Shot
+from gearlash.system import Status
+
+from .bifurcation import BifurcationPoint, locate_multiplier
+from .grazing import GrazingPoint, locate_grazing
+from .node import Node, Pair
+from .stepping import Earlier, Line, rates
+from .steps import UNBUILT, member
+
+Point = GrazingPoint | BifurcationPoint
+AHEAD = 4.0  # lengths of the refused step: how far ahead an extremum may seem to touch, to be solved for
+TRIES = 6  # extrema solved for at one orbit
+CLOSE = 0.05  # of the orbit's size: extrema so near a boundary are tried where no motion of them is known
+WORTH = 0.3  # a multiplier so near to ±1 is followed there
+LEADING = 1e-5  # what a multiplier of modulus 1 may exceed it by, where it is known to the root of rounding
+FOLD_NEAR = 1e-3  # of the scale: a fold is believed from an orbit so near
+FOLD_APART = 0.1  # of the orbit's ranges: and that lies so near in the state
+
+
+@dataclass(frozen=True, eq=False)
+class Causes:
+    """Points ahead of ``before`` in the way of ``sign``, nearest first."""
+
+    points: tuple[Point, ...]
+
+    @staticmethod
+    def ahead(line: Line, before: Node, earlier: Earlier, value: float) -> Causes:
+        """Those that a refused step from ``before`` to ``value`` may have met."""
+        sign = 1.0 if value > before.value else -1.0
+        found = [*_grazings(line, before, earlier, value), *_multipliers(line, before)]
+        ahead = (p for p in found if sign * (p.value - before.value) >= -slack(p.value))
+        return Causes(tuple(sorted(ahead, key=lambda p: sign * p.value)))
+
+    def up_to(self, value: float, sign: float) -> Iterator[Point]:
+        """Those not beyond a value. No step leads to a fold, only ever nearer: it is met as soon as it is
+        believed."""
+        for point in self.points:
+            if is_fold(point) or sign * (point.value - value) <= slack(value):
+                yield point
+
+
+def is_fold(point: Point) -> bool:
+    return isinstance(point, BifurcationPoint) and point.multiplier > 0
+
+
+def slack(value: float) -> float:
+    """What is no difference of two values."""
+    return 1e-9 * max(abs(value), 1e-3)
+
+
+def _grazings(line: Line, before: Node, earlier: Earlier, value: float) -> Iterator[GrazingPoint]:
+    """The touches of the extrema that come nearest to their boundaries."""
+    width, sign = value - before.value, 1 if value > before.value else -1
+    rate, size, tried = rates(earlier, before), float(before.ranges.max()), []
+    for check in before.checks:
+        if check in rate and rate[check] != 0.0:
+            ahead = -check.distance / rate[check] / width
+            if 0.0 <= ahead <= AHEAD:
+                tried.append((ahead, check))
+        elif check not in rate and abs(check.distance) <= CLOSE * size:
+            tried.append((abs(check.distance) / size, check))
+    for _, check in sorted(tried, key=lambda one: one[0])[:TRIES]:
+        try:
+            point = locate_grazing(line.family, line.at(before.value), line.name, before.orbit, check)
+        except UNBUILT:
+            continue
+        near = point.label_below if sign > 0 else point.label_above
+        if point.status is Status.OK and near == before.label:
+            yield point
+
+
+def _multipliers(line: Line, before: Node) -> Iterator[BifurcationPoint]:
+    """The doubling and the fold that real multipliers on their way to -1 and +1 speak for."""
+    multipliers = np.linalg.eigvals(before.orbit.shot.monodromy)
+    real = multipliers.real[np.abs(multipliers.imag) <= 1e-6 * np.abs(multipliers)]
+    for target in (-1, 1):
+        if (target * real).max(initial=0.0) < WORTH:
+            continue
+        try:
+            point = locate_multiplier(line.family, line.at(before.value), line.name, before.orbit, target)
+        except UNBUILT:
+            continue
+        stable = float(np.abs(point.multipliers).max()) <= 1.0 + LEADING  # what crossed ±1 before was the end
+        if point.status is not Status.OK or point.label != before.label or not stable:
+            continue
+        if target < 0 or _is_near(line, before, point):
+            yield point
+
+
+def _is_near(line: Line, before: Node, point: BifurcationPoint) -> bool:
+    """Whether a fold ends the branch of an orbit: it lies close by, and no touch lies between."""
+    if abs(point.value - before.value) > FOLD_NEAR * line.scale or before.apart(point.state) > FOLD_APART:
+        return False
+    props = member(line.family, line.values, line.name, point.value, before.orbit.propagators)
+    unit = np.eye(len(point.state))
+    shot = Shot(point.state, before.orbit.shot.period, point.residual, unit, point.residual, 0, Status.OK)
+    return not Pair(before, Node(point.value, Orbit(props, shot, 0, Status.OK, ""))).crossed

@@ -1,0 +1,109 @@
+"""One orbit on the way along a branch, and what tells whether a second one is its continuation."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.orbits import GrazingCheck, Orbit, grazing_checks
+
+Array = NDArray[np.float64]
+SAMPLES = 32  # of a mesh cycle: for the range of every state
+LEAST = 1e-6  # of the largest range: what a state that hardly moves is measured by
+
+Kind = tuple[int, int, str, int]
+"""Clearance, boundary, surface, and sign of the curvature: extrema of one kind."""
+
+
+@dataclass(frozen=True, eq=False)
+class Node:
+    """A periodic orbit at one value of the parameter."""
+
+    value: float
+    orbit: Orbit
+
+    @property
+    def state(self) -> Array:
+        return self.orbit.state
+
+    @property
+    def label(self) -> str:
+        return self.orbit.label
+
+    @cached_property
+    def ranges(self) -> Array:
+        """(n,): how far every state moves in the course of the orbit, the unit for what is near."""
+        state = self.orbit.trace.samples(SAMPLES * self.orbit.period + 1).state
+        moved = state.max(axis=0) - state.min(axis=0)
+        largest = max(float(moved.max()), LEAST * max(1.0, float(np.abs(state).max())))
+        return np.maximum(moved, LEAST * largest)
+
+    @cached_property
+    def checks(self) -> tuple[GrazingCheck, ...]:
+        """Every extremum beside every boundary, nearest first."""
+        return grazing_checks(self.orbit)
+
+    @cached_property
+    def extrema(self) -> dict[Kind, list[GrazingCheck]]:
+        """The same by kind, in the order of their phases."""
+        found: dict[Kind, list[GrazingCheck]] = defaultdict(list)
+        for check in sorted(self.checks, key=lambda check: check.phase):
+            sign = 1 if check.a0 > 0.0 else -1
+            found[check.clearance, check.boundary, check.surface, sign].append(check)
+        return dict(found)
+
+    def apart(self, state: Array) -> float:
+        """Distance of a state from this orbit's at phase zero, in units of `ranges`."""
+        return float((np.abs(state - self.state) / self.ranges).max())
+
+
+@dataclass(frozen=True, eq=False)
+class Pair:
+    """Two orbits of a branch, compared extremum by extremum."""
+
+    before: Node
+    after: Node
+
+    @cached_property
+    def matched(self) -> list[tuple[GrazingCheck, GrazingCheck]]:
+        """Extrema of both that continue each other: of one kind, as many in both, in the order of phases."""
+        pairs: list[tuple[GrazingCheck, GrazingCheck]] = []
+        for kind, mine in self.before.extrema.items():
+            its = self.after.extrema.get(kind, [])
+            if len(its) == len(mine):
+                pairs += zip(mine, self._turned(mine, its), strict=True)
+        return pairs
+
+    @cached_property
+    def unmatched(self) -> list[GrazingCheck]:
+        """Extrema of either orbit that were born or ended between them, or cannot be told apart."""
+        here, there = self.before.extrema, self.after.extrema
+        kinds = [kind for kind in {*here, *there} if len(here.get(kind, [])) != len(there.get(kind, []))]
+        return [check for kind in kinds for side in (here, there) for check in side.get(kind, [])]
+
+    @cached_property
+    def moved(self) -> float:
+        """Largest change of the distance of an extremum from its boundary."""
+        return max((abs(a.distance - b.distance) for a, b in self.matched), default=0.0)
+
+    @property
+    def crossed(self) -> bool:
+        """Whether an extremum lies on one side of its boundary before and on the other after."""
+        return any((a.distance > 0.0) != (b.distance > 0.0) for a, b in self.matched)
+
+    def _turned(self, mine: list[GrazingCheck], its: list[GrazingCheck]) -> list[GrazingCheck]:
+        """The second list begun where it fits the first one best: the first extremum after phase zero may
+        have passed it."""
+        cycles = float(self.before.orbit.period)
+        one, two = (np.array([check.phase for check in side]) for side in (mine, its))
+
+        def misfit(shift: int) -> float:
+            away = (np.roll(two, -shift) - one) % cycles
+            return float(np.minimum(away, cycles - away).max())
+
+        best = min({0, 1 % len(its), len(its) - 1}, key=misfit)
+        return its[best:] + its[:best]

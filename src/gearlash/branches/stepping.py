@@ -1,0 +1,155 @@
+"""One step along a branch: from an orbit to the one at another value of the parameter, or why it is refused.
+
+A step is taken only where the orbit found is the continuation of the one before as far as can be seen: it
+lies where two orbits before it point to, closes after the same period, is stable, has the same contacts, and
+no extremum has come to the other side of its boundary."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from gearlash.orbits import GrazingCheck, Orbit, shoot
+from gearlash.orbits.shooting import TOLERANCE, minimal
+from gearlash.system import Family
+
+from .node import Array, Node, Pair
+from .steps import UNBUILT, member
+
+BEND = 0.15  # of a step's length: how far beside the curve through the orbits before it may end
+SHORT = 1e-2  # of the orbit's ranges: longest step where there is no orbit before, so no curve
+LONG = 0.2  # the same where there is one
+ROUNDING = 1e-7  # of the ranges: below it no direction is told
+TOUCHING = 1e-7  # of the scale: width of a step below which an extremum that only comes near has not crossed
+BORN = 1e-5  # the same for extrema that are born or end near a boundary
+NEWTON = 10  # iterations: from so near a few do
+
+Earlier = tuple[Node, ...]
+"""Orbits before one, the last first; two are enough."""
+
+
+class Refusal(StrEnum):
+    """Why a step was not taken."""
+
+    UNBUILT = "there is no system that could be built"
+    NEWTON = "Newton's method finds no orbit"
+    FAR = "Newton's method finds an orbit somewhere else"
+    PERIOD = "the orbit closes after a part of the period"
+    UNSTABLE = "the orbit is not stable"
+    LABEL = "the orbit has other contacts"
+    CROSSED = "an extremum has crossed its boundary"
+    TOUCHED = "an extremum may have touched its boundary"
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """The orbit that a step led to and the bend on the way (of the step's length), or the refusal; with
+    `Refusal.PERIOD` and `Refusal.UNSTABLE` the orbit is there too."""
+
+    node: Node | None
+    refusal: Refusal | None = None
+    bend: float = 0.0
+    reason: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """What a branch is followed along: parameter ``name`` of a family, other ``values``; ``scale``: the unit
+    of the parameter for what is a short step."""
+
+    family: Family
+    values: Mapping[str, float]
+    name: str
+    scale: float
+
+    def at(self, value: float) -> dict[str, float]:
+        return {**self.values, self.name: value}
+
+    def orbit(self, value: float, guess: Array, period: int, reuse: Orbit | None = None) -> Orbit | None:
+        """The orbit of so many base periods at a value, by Newton's method, stable or not."""
+        props = member(self.family, self.values, self.name, value, reuse.propagators if reuse else None)
+        shot = shoot(props, guess, period, iterations=NEWTON)
+        if shot.residual > TOLERANCE:
+            return None
+        shot = minimal(props, shot)
+        return Orbit(props, shot, 0, shot.status, "")
+
+    def step(self, before: Node, earlier: Earlier, value: float) -> Step:
+        """From ``before`` to ``value``; ``earlier`` are the orbits before that one, the last first."""
+        guess = _extrapolated((before, *earlier), value)
+        try:
+            orbit = self.orbit(value, guess, before.orbit.shot.period, before.orbit)
+        except UNBUILT as error:
+            return Step(None, Refusal.UNBUILT, reason=str(error))
+        if orbit is None:
+            return Step(None, Refusal.NEWTON)
+        node = Node(value, orbit)
+        moved, beside = before.apart(orbit.state), _distance(before, orbit.state, guess)
+        if moved > (LONG if earlier else SHORT) or (earlier and beside > BEND * moved + ROUNDING):
+            return Step(None, Refusal.FAR)
+        refusal = self.compared(before, earlier, node)
+        return Step(node, refusal, beside / (moved + ROUNDING) if earlier else 0.0)
+
+    def compared(self, before: Node, earlier: Earlier, after: Node) -> Refusal | None:
+        """What speaks against ``after`` as the continuation, although it lies where it should."""
+        if after.orbit.shot.period != before.orbit.shot.period:
+            return Refusal.PERIOD
+        if not after.orbit.stable:
+            return Refusal.UNSTABLE
+        if after.label != before.label:
+            return Refusal.LABEL
+        pair, width = Pair(before, after), abs(after.value - before.value)
+        if pair.crossed:
+            return Refusal.CROSSED
+        if width > TOUCHING * self.scale and _may_have_touched(pair, rates(earlier, before)):
+            return Refusal.TOUCHED
+        near = 3.0 * pair.moved
+        if width > BORN * self.scale and any(abs(check.distance) <= near for check in pair.unmatched):
+            return Refusal.TOUCHED
+        return None
+
+
+def rates(earlier: Earlier, node: Node) -> dict[GrazingCheck, float]:
+    """How fast the extrema of an orbit move from their boundaries, per unit of the parameter, from the orbit
+    before it."""
+    if not earlier:
+        return {}
+    width = node.value - earlier[0].value
+    return {here: (here.distance - there.distance) / width for there, here in Pair(earlier[0], node).matched}
+
+
+def _extrapolated(nodes: tuple[Node, ...], value: float) -> Array:
+    """The state at a value, on the parabola through the last three orbits (the line through two)."""
+    if len(nodes) == 1:
+        return nodes[0].state
+    slope = _slope(nodes[0], nodes[1])
+    state = nodes[0].state + slope * (value - nodes[0].value)
+    if len(nodes) > 2:
+        bend = (slope - _slope(nodes[1], nodes[2])) / (nodes[0].value - nodes[2].value)
+        state = state + bend * (value - nodes[0].value) * (value - nodes[1].value)
+    return state
+
+
+def _slope(one: Node, two: Node) -> Array:
+    return (one.state - two.state) / (one.value - two.value)
+
+
+def _may_have_touched(pair: Pair, rate: Mapping[GrazingCheck, float]) -> bool:
+    """Whether an extremum that is on one side before and after may have been on the other in between: a
+    parabola through its three distances leaves its chord by a quarter of what it misses the straight line
+    by, at most."""
+    width = pair.after.value - pair.before.value
+    for before, after in pair.matched:
+        if before in rate:
+            bent = abs(after.distance - before.distance - rate[before] * width)
+            if min(abs(before.distance), abs(after.distance)) < 0.5 * bent:
+                return True
+    return False
+
+
+def _distance(node: Node, one: Array, two: Array) -> float:
+    """Of two states, in units of the orbit's ranges."""
+    return float((np.abs(one - two) / node.ranges).max())

@@ -1,0 +1,235 @@
+"""A stable orbit followed in one parameter, through touches and doublings, to where it ends.
+
+Steps are as long as the branch is straight, and halved where the next orbit is not plainly the continuation
+of the last (`stepping`). What stops a step is solved for from the last orbit before it (`causes`), so it is
+found however near it lies and whatever the motion is beyond, and believed if the branch can be followed to
+just before it. Two touches within a step that is straight to a few per cent, the second undoing the first,
+may be missed. Folds are ends here: continuation round them has its place beside this."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from gearlash.orbits import Orbit
+from gearlash.system import Family
+
+from .bifurcation import BifurcationPoint, locate_multiplier
+from .causes import Causes, Point, is_fold, slack
+from .grazing import GrazingPoint
+from .node import Array, Node
+from .stepping import Earlier, Line, Refusal, Step
+from .steps import UNBUILT
+
+FIRST, LONGEST, NARROW = 1e-6, 1e-2, 1e-9  # of the scale: first, longest and shortest step
+STRAIGHT, BENT = 0.02, 0.06  # bends below which the next step is longer
+MOST = 20_000  # steps
+AFTER = (1e-8, 1e-9, 1e-10)  # relative distances beyond a touch at which the orbit is taken up again
+DOUBLED = (1e-5, 1e-6, 1e-7)  # the same beyond a doubling
+DIRECTIONS = (
+    1e-4,
+    1e-3,
+    1e-2,
+    3e-2,
+    0.1,
+)  # of the ranges: how far beside the single orbit the doubled is sought
+NEAR = 0.2  # of the ranges: how far from the single orbit the doubled one may lie there
+AT_ONE = 0.99  # a leading multiplier above it, where no step is short enough, is that of a fold
+
+
+class Outcome(StrEnum):
+    """Why the walk ends."""
+
+    ARRIVED = "arrived"
+    FOLD = "the orbit ends in a fold"
+    TOUCH = "beyond the touch the orbit is not stable, or not found"
+    DOUBLING = "beyond the doubling no stable orbit of twice the period was found"
+    UNSTABLE = "the orbit loses its stability"
+    UNBUILT = "beyond it no system can be built"
+    LOST = "the orbit could not be followed farther"
+
+
+@dataclass(frozen=True, eq=False)
+class Met:
+    """A point on the way: the orbit ``before`` it, and the one ``after`` it that the walk goes on with (None:
+    it ends here)."""
+
+    point: Point
+    before: Node
+    after: Node | None
+
+    @property
+    def value(self) -> float:
+        return self.point.value
+
+
+@dataclass(frozen=True, eq=False)
+class End:
+    """The last orbit of the walk, and the nearest value beyond at which a step was refused (its own where it
+    arrived): a fold that is no `Met` lies between them."""
+
+    outcome: Outcome
+    last: Node
+    beyond: float
+    reason: str = ""
+
+
+def walk(
+    family: Family,
+    values: Mapping[str, float],
+    name: str,
+    orbit: Orbit,
+    to: float,
+    tell: Callable[[float], object] | None = None,
+) -> Iterator[Met | End]:
+    """Follows ``orbit`` (stable, found at ``values``) to the value ``to`` of parameter ``name``: every touch,
+    doubling and fold in the order in which it is met, then an `End`. ``tell`` hears the value after every
+    step."""
+    start = float(values[name])
+    scale = max(abs(start), abs(to - start))
+    yield from _Walk(Line(family, values, name, scale), to, tell).run(Node(start, orbit))
+
+
+class _Walk:
+    def __init__(self, line: Line, to: float, tell: Callable[[float], object] | None):
+        self.line, self.to, self.tell = line, to, tell
+        self.causes: tuple[Node, Causes] | None = None
+
+    def run(self, node: Node) -> Iterator[Met | End]:
+        earlier: Earlier = ()
+        sign = 1.0 if self.to > node.value else -1.0
+        width = first = FIRST * self.line.scale
+        for _ in range(MOST):
+            if node.value == self.to:
+                yield End(Outcome.ARRIVED, node, node.value)
+                return
+            value = node.value + sign * width
+            if sign * (self.to - value) <= 0.5 * width:
+                value = self.to if sign * (self.to - value) <= 0.0 else 0.5 * (node.value + self.to)
+            step = self.line.step(node, earlier, value)
+            if step.refusal is None and step.node is not None:
+                earlier, node = (node, *earlier[:1]), step.node
+                width = self.longer(width, step)
+                if self.tell is not None:
+                    self.tell(node.value)
+                continue
+            met = self.explained(node, earlier, value, step)
+            if met is not None:
+                yield met
+                if met.after is None:
+                    yield End(_end_at(met), met.before, met.value)
+                    return
+                node, earlier, width = met.after, (), first
+                continue
+            width = 0.5 * abs(value - node.value)
+            if width < NARROW * self.line.scale:
+                yield End(_outcome(step, node), node, value, step.reason or str(step.refusal))
+                return
+        yield End(Outcome.LOST, node, node.value, f"{MOST} steps were not enough")
+
+    def longer(self, width: float, step: Step) -> float:
+        factor = 3.0 if step.bend < STRAIGHT else 1.5 if step.bend < BENT else 1.0
+        return min(factor * width, LONGEST * self.line.scale)
+
+    def explained(self, node: Node, earlier: Earlier, value: float, step: Step) -> Met | None:
+        """The point that stopped the step, if one is found on the way and the branch leads up to it."""
+        if self.causes is None or self.causes[0] is not node:
+            self.causes = node, Causes.ahead(self.line, node, earlier, value)
+        sign = 1.0 if value > node.value else -1.0
+        for point in self.causes[1].up_to(value, sign):
+            if is_fold(point):
+                return Met(point, node, None)
+            just_before = point.value - sign * slack(point.value)
+            before = node
+            if sign * (just_before - node.value) > 0.0:
+                there = self.line.step(node, earlier, just_before)
+                if there.refusal is not None or there.node is None:
+                    continue
+                before = there.node
+            return Met(point, before, self.beyond(point, sign))
+        if step.refusal is Refusal.PERIOD and step.node is not None:
+            return self.halved(node, step.node)
+        return None
+
+    def beyond(self, point: Point, sign: float) -> Node | None:
+        """The stable orbit beyond a touch or a doubling."""
+        if isinstance(point, GrazingPoint):
+            label = point.label_above if sign > 0.0 else point.label_below
+            for relative in AFTER:
+                node = self.taken_up(point, sign * relative, point.state_zero, point.period)
+                if node is not None and node.label == label:
+                    return node
+            return None
+        for relative in DOUBLED:
+            node = self.doubled(point, sign * relative)
+            if node is not None:
+                return node
+        return None
+
+    def taken_up(self, point: Point, relative: float, state: Array, period: int) -> Node | None:
+        """The stable orbit of a period (mesh cycles) beside a point, near a state."""
+        value = point.value + relative * max(abs(point.value), 1e-3)
+        try:
+            props = self.line.family.system(self.line.at(value))
+            orbit = self.line.orbit(value, state, period // props.cycles)
+        except UNBUILT:
+            return None
+        if orbit is None or orbit.period != period or not orbit.stable:
+            return None
+        node = Node(value, orbit)
+        return node if node.apart(state) <= NEAR else None
+
+    def doubled(self, point: BifurcationPoint, relative: float) -> Node | None:
+        """The stable orbit of twice the period beside a doubling, with twice its contacts."""
+        value = point.value + relative * max(abs(point.value), 1e-3)
+        try:
+            cycles = self.line.family.system(self.line.at(value)).cycles
+            single = self.line.orbit(value, point.state, point.period // cycles)
+        except UNBUILT:
+            return None
+        if single is None:
+            return None
+        values, vectors = np.linalg.eig(single.shot.monodromy)
+        direction = np.real(vectors[:, np.argmin(np.abs(values + 1.0))])
+        ranges = Node(value, single).ranges
+        direction = direction / (np.abs(direction) / ranges).max()
+        for size in DIRECTIONS:
+            node = self.taken_up(point, relative, single.state + size * direction, 2 * point.period)
+            if node is not None and node.label == str(single.signature.twice):
+                return node
+        return None
+
+    def halved(self, node: Node, short: Node) -> Met | None:
+        """A doubling met from the side of the doubled orbit: the ``short`` orbit beyond has the multiplier
+        -1 on the way."""
+        if 2 * short.orbit.shot.period != node.orbit.shot.period or not short.orbit.stable:
+            return None
+        if node.label != str(short.orbit.signature.twice):
+            return None
+        line = self.line
+        try:
+            point = locate_multiplier(line.family, line.at(short.value), line.name, short.orbit, -1)
+        except UNBUILT:
+            return None
+        inside = min(node.value, short.value) <= point.value <= max(node.value, short.value)
+        return Met(point, node, short) if point.status.ok and inside else None
+
+
+def _end_at(met: Met) -> Outcome:
+    if isinstance(met.point, GrazingPoint):
+        return Outcome.TOUCH
+    return Outcome.FOLD if met.point.multiplier > 0 else Outcome.DOUBLING
+
+
+def _outcome(step: Step, last: Node) -> Outcome:
+    """Of a walk whose last step could not be made shorter."""
+    if step.refusal is Refusal.UNBUILT:
+        return Outcome.UNBUILT
+    if step.refusal is Refusal.UNSTABLE:
+        return Outcome.UNSTABLE
+    leading = last.orbit.leading
+    fold = step.refusal in (Refusal.NEWTON, Refusal.FAR) and leading.imag == 0.0 and leading.real > AT_ONE
+    return Outcome.FOLD if fold else Outcome.LOST
