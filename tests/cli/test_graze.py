@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -112,3 +114,107 @@ def test_advice_is_given_once(gearlash: Gearlash):
     ran = gearlash("graze", "article", "--near", "0.9", "--periods", "200")
     assert ran.code == 3
     assert " ".join(ran.out.split()).count("allow more periods") == 1
+
+
+STOP = """
+kind = "piecewise-linear"
+name = "soft-stop"
+states = ["x", "v"]
+[parameters]
+omega = 0.75
+a = 0.7
+zeta = 0.01
+beta = 29.0
+limit = 10.0
+[matrix]
+x = { v = 1 }
+v = { x = -1, v = "-2*zeta" }
+[forcing]
+v = { cos = ["a/1.26*omega^2*sqrt(limit-omega)/sqrt(limit-omega)"] }
+[[clearance]]
+name = "stop"
+h = { x = 1 }
+g = { v = -1 }
+gap_plus = 1
+gap_minus = 1000
+stiffness_plus = "beta"
+stiffness_minus = 0
+"""
+TOUCH = 0.8019281065932358  # amplitude (a/1.26)ω²/√((1-ω²)² + (2ζω)²) = 1, from below
+RETURN = 1.4997299367834077  # the same from above
+
+
+@pytest.fixture
+def stop(tmp_path: Path) -> str:
+    """A stiff one-sided stop, behind whose touch lies chaos."""
+    file = tmp_path / "stop.toml"
+    file.write_text(STOP)
+    return str(file)
+
+
+def linear_start(omega: float) -> list[str]:
+    """The state of the linear motion, as options."""
+    z = 0.7 / 1.26 * omega**2 / complex(1.0 - omega**2, 0.02 * omega)
+    return ["--initial", f"x={z.real!r}", "--initial", f"v={-omega * z.imag!r}"]
+
+
+@pytest.mark.parametrize("near", [0.5, 0.79, 0.8019, 0.801928, 0.8019281065])
+def test_chaos_behind_the_touch(gearlash: Gearlash, stop: str, near: float):
+    """The next touch of this motion, from however near; not one of what lies behind it."""
+    answer = gearlash("graze", stop, "--near", repr(near), "--json", *linear_start(near)).answer
+    assert answer["label"] == "1-0-0"
+    (point,) = (p for p in answer["points"] if p["value"] > near)
+    assert point["value"] == pytest.approx(TOUCH, abs=1e-11)
+    assert (point["label_below"], point["label_above"]) == ("1-0-0", "1-1-0")
+    assert (point["stable_below"], point["stable_above"]) == (True, True)
+    up = next(path for path in answer["paths"] if path["direction"] == "up")
+    assert up["passed"] == []
+    assert "its period doubles" in up["beyond"]
+    assert (
+        f"nearest grazing of this motion is engagement on the drive side at omega = {TOUCH:.10g}"
+        in (answer["sentence"])
+    )
+
+
+def test_from_the_touch_itself(gearlash: Gearlash, stop: str):
+    answer = gearlash("graze", stop, "--near", repr(TOUCH), "--json", *linear_start(TOUCH)).answer
+    assert [p["value"] for p in answer["points"]] == pytest.approx([TOUCH], abs=1e-11)
+    assert [path["decided"] for path in answer["paths"]] == [True, True]
+
+
+def test_from_beyond_the_resonance(gearlash: Gearlash, stop: str):
+    answer = gearlash("graze", stop, "--near", "1.6", "--json", *linear_start(1.6)).answer
+    (point,) = answer["points"]
+    assert point["value"] == pytest.approx(RETURN, abs=1e-11)
+    assert (point["label_below"], point["label_above"]) == ("1-1-0", "1-0-0")
+
+
+def test_a_motion_without_a_grazing_says_how_far(gearlash: Gearlash, stop: str):
+    ran = gearlash("graze", stop, "--near", "1.38", "--json", "--initial", "x=0.9989")
+    assert ran.code == 3
+    assert ran.answer["label"] == "1-1-0"
+    assert ran.answer["points"] == []
+    down, up = ran.answer["paths"]
+    assert "the orbit ends in a fold" in up["ended"]
+    assert [p["kind"] for p in up["passed"]] == ["fold"]
+    shown = f"from omega = {down['reached']:.7g} to {up['reached']:.7g}"
+    assert f"no grazing of this motion was found {shown}" in ran.answer["sentence"]
+
+
+def test_nearest_is_not_said_where_the_other_way_was_lost(gearlash: Gearlash, stop: str):
+    """No system can be built above 0.79: there a nearer touch may lie, for all that is known."""
+    options = ["--set", "limit=1.61", "--near", "1.6", "--json", *linear_start(1.6)]
+    answer = gearlash("graze", stop, *options).answer
+    assert answer["points"][0]["value"] == pytest.approx(RETURN, abs=1e-11)
+    assert "nearest grazing" not in answer["sentence"]
+    assert "whether one lies nearer above is not known, followed to 1.6" in answer["sentence"]
+    up = next(path for path in answer["paths"] if path["direction"] == "up")
+    assert not up["decided"]
+    assert "no system can be built" in up["ended"]
+
+
+def test_a_doubling_beyond_the_largest_period_ends_the_way(gearlash: Gearlash):
+    options = ("--over", "D", "--near", "0.3855", "--set", "omega=0.78", "--max-period", "6", "--json")
+    down = gearlash("graze", "article-first-harmonic", *options).answer["paths"][0]
+    assert not down["decided"]
+    assert "larger than --max-period" in down["ended"]

@@ -1,17 +1,22 @@
-"""Special points of families of orbits. Continuation in arclength and two-parameter curves have their place
-here too."""
+"""Special points of families of orbits, and the way from one to the next. Continuation in arclength and
+two-parameter curves have their place here too."""
 
 from .bifurcation import BifurcationPoint, locate_multiplier
 from .grazing import GrazingPoint, locate_grazing
 from .kinds import CODIMENSION_TWO, SMOOTH, STANDARD, table2_type
+from .walk import End, Met, Outcome, walk
 
 __all__ = [
     "CODIMENSION_TWO",
     "SMOOTH",
     "STANDARD",
     "BifurcationPoint",
+    "End",
     "GrazingPoint",
+    "Met",
+    "Outcome",
     "locate_grazing",
     "locate_multiplier",
     "table2_type",
+    "walk",
 ]

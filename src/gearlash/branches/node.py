@@ -13,6 +13,7 @@ from gearlash.orbits import GrazingCheck, Orbit, grazing_checks
 
 Array = NDArray[np.float64]
 SAMPLES = 32  # of a mesh cycle: for the range of every state
+ROUNDING = 1e-11  # of the state: an extremum so near a boundary may be on either side
 LEAST = 1e-6  # of the largest range: what a state that hardly moves is measured by
 
 Kind = tuple[int, int, str, int]
@@ -92,8 +93,11 @@ class Pair:
 
     @property
     def crossed(self) -> bool:
-        """Whether an extremum lies on one side of its boundary before and on the other after."""
-        return any((a.distance > 0.0) != (b.distance > 0.0) for a, b in self.matched)
+        """Whether an extremum lies on one side of its boundary before and on the other after; of one that
+        touches it within rounding only the contacts tell."""
+        zero = ROUNDING * max(1.0, float(np.abs(self.before.state).max()))
+        sure = (pair for pair in self.matched if min(abs(check.distance) for check in pair) > zero)
+        return any((a.distance > 0.0) != (b.distance > 0.0) for a, b in sure)
 
     def _turned(self, mine: list[GrazingCheck], its: list[GrazingCheck]) -> list[GrazingCheck]:
         """The second list begun where it fits the first one best: the first extremum after phase zero may

@@ -44,8 +44,10 @@ class Touch:
     ]
     kind: Annotated[str, "loss of contact or engagement"]
     type: Annotated[str, "as Table 2 of the article names it"]
-    label_below: Annotated[str, "P-Q-R just below the value"]
-    label_above: Annotated[str, "P-Q-R just above the value"]
+    label_below: Annotated[str, "P-Q-R of the orbit just below the value, none where it was not found"]
+    label_above: Annotated[str, "P-Q-R of the orbit just above the value, none where it was not found"]
+    stable_below: Annotated[bool | None, "whether it is stable there"]
+    stable_above: Annotated[bool | None, "whether it is stable there"]
     period: Annotated[int, "of the orbit, in mesh cycles"]
     phase: Annotated[float, "of the touch, in mesh cycles"]
     a0: Annotated[float, "X″ at the touch; Φ″ where the surface is the force"]
@@ -60,7 +62,7 @@ class Touch:
 
 @dataclass(frozen=True)
 class Passed:
-    """A change of the motion on the way that is no grazing."""
+    """A change of the motion on the way that is no grazing (none: no stable orbit was found there)."""
 
     kind: str
     value: float
@@ -70,11 +72,15 @@ class Passed:
 
 @dataclass(frozen=True)
 class Path:
-    """Where one attractor was followed to."""
+    """Where the motion was followed to."""
 
     direction: Literal["down", "up"]
     reached: Annotated[float, "last value at which it was found"]
     ended: Annotated[str, "why it was not followed further"]
+    decided: Annotated[
+        bool, "whether a grazing, the end of the motion, or the end of the search is there; else it was lost"
+    ]
+    beyond: Annotated[str, "what the orbit does just beyond its grazing"]
     passed: Annotated[tuple[Passed, ...], "changes on the way that are no grazing"]
 
 
@@ -93,8 +99,8 @@ class GrazeAnswer:
     over: Annotated[str, "short name of the parameter that is solved for"]
     near: Annotated[float, "its value at the start"]
     label: Annotated[str, "of the attractor there"]
-    points: Annotated[tuple[Touch, ...], "the nearest below and above, nearest first"]
-    paths: Annotated[tuple[Path, ...], "how the attractor was followed, downwards and upwards"]
+    points: Annotated[tuple[Touch, ...], "the first that this motion meets below and above, nearest first"]
+    paths: Annotated[tuple[Path, ...], "how the motion was followed, downwards and upwards"]
     result: Literal["graze"] = "graze"
 
 
@@ -111,9 +117,10 @@ def graze_answer(
     """The record of what was found on the paths from ``start``; ``named`` is the parameter as typed."""
     near = parameters[over]
     touches = tuple(_touch(case, family, p) for p in sorted(found, key=lambda p: abs(p.value - near)))
+    asked = _asked(case, over, named, near, start)
     status, advice = _outcome(start, bool(touches))
     return GrazeAnswer(
-        sentence=_sentence(case, over, named, near, start, touches, _several(family, parameters)),
+        sentence=f"{asked}: {_sentence(over, named, near, touches, paths, _several(family, parameters))}",
         status=status,
         message=_message(start, paths),
         advice=advice,
@@ -139,6 +146,8 @@ def _touch(case: Case, family: Family, point: GrazingPoint) -> Touch:
         type=point.type,
         label_below=point.label_below,
         label_above=point.label_above,
+        stable_below=point.stable_below,
+        stable_above=point.stable_above,
         period=point.period,
         phase=point.phase,
         a0=point.a0,
@@ -208,20 +217,46 @@ def _curvature(point: GrazingPoint) -> str:
     return "> 0 (at Σ2, seen from S2)" if above else "< 0 (at Σ2: the mirror image of the article's)"
 
 
-def _sentence(
-    case: Case, over: str, named: str, near: float, start: Point, touches: tuple[Touch, ...], several: bool
-) -> str:
+def _asked(case: Case, over: str, named: str, near: float, start: Point) -> str:
     asked = _named(physical_values(case, over, near, computed=False), named)
     here = f"{over} = {near:.10g}" if asked is None else physical_text(replace(asked, rests_on=()), 6)
-    here += f", {start.label or start.status}"
+    return f"{here}, {start.label or start.status}"
+
+
+def _sentence(
+    over: str, named: str, near: float, touches: tuple[Touch, ...], paths: tuple[Path, ...], several: bool
+) -> str:
+    """What was found, along this motion; the nearest is called so only if the other way was followed as
+    far."""
+    if not paths:
+        return "no grazing was found, as none was looked for"
     if not touches:
-        return f"{here}: no grazing was found"
+        low, high = (path.reached for path in paths)
+        lost = [path.direction for path in paths if not path.decided]
+        text = f"no grazing of this motion was found from {over} = {low:.7g} to {high:.7g}"
+        return text + (f" (lost there on the way {' and '.join(lost)})" if lost else "")
     first = touches[0]
     shown = _named(first.physical, named) or (first.physical[0] if first.physical else None)
     value = f"{over} = {first.value:.10g}" + (f" ({physical_text(shown, 6)})" if shown else "")
     what = first.kind.partition(" (")[0] + (f" of {first.clearance}" if several else "")
-    sides = f"{first.label_below} below and {first.label_above} above"
-    return f"{here}: nearest grazing is {what} at {value}, {sides}"
+    below, above = (
+        _side(first.label_below, first.stable_below),
+        _side(first.label_above, first.stable_above),
+    )
+    text = f"{what} at {value}, {below} below and {above} above"
+    for path in paths:
+        if not path.decided and abs(path.reached - near) < abs(first.value - near):
+            way = {"down": "below", "up": "above"}[path.direction]
+            text += f"; whether one lies nearer {way} is not known, followed to {path.reached:.7g} there"
+            return f"a grazing of this motion is {text}"
+    return f"nearest grazing of this motion is {text}"
+
+
+def _side(label: str, stable: bool | None) -> str:
+    """The orbit on one side of a touch."""
+    if stable is None:
+        return "no orbit found"
+    return label if stable else f"{label} (unstable)"
 
 
 def _several(family: Family, parameters: Mapping[str, float]) -> bool:
@@ -237,8 +272,12 @@ def _outcome(start: Point, found: bool) -> tuple[str, str]:
     """Status and advice: those of the attractor where it could not be followed."""
     if found:
         return str(Status.OK), Status.OK.advice
-    if start.periodic or start.status == Status.OK:  # followed in vain, or aperiodic
-        return str(Status.NOT_FOUND), Status.NOT_FOUND.advice
+    if start.periodic:  # followed in vain
+        return str(Status.NOT_FOUND), "start from another value (--near), or another motion (--initial)"
+    if start.status == Status.OK:  # aperiodic
+        return str(Status.NOT_FOUND), (
+            "start where the motion is periodic (--near), or from a state on a periodic motion (--initial)"
+        )
     if start.status in tuple(Status):
         return start.status, Status(start.status).advice
     return start.status, "change what the message names"

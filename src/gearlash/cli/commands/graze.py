@@ -32,8 +32,9 @@ def graze(
 ) -> ExitCode:
     """At which value does the motion just touch a boundary of the gap, and what kind of point is that?
 
-    The attractor at the given parameters is followed down and up until a contact is born or dies; the touch
-    is solved for together with the orbit. Prints value, kind, labels on both sides, multipliers and the
+    The periodic motion at the given parameters is followed down and up, through doublings, until a contact is
+    born or dies; the touch is solved for together with the orbit. Motions that coexist with it are not
+    looked at. Prints value, kind, labels on both sides, multipliers and the
     article's four conditions.
     """
     from gearlash.cli.folder import claim_if
@@ -51,17 +52,19 @@ def graze(
     load_engine()
 
     from gearlash.cli.answers.graze import graze_answer
+    from gearlash.cli.late import late_bar
     from gearlash.cli.search.follow import follow
     from gearlash.cli.search.settings import search_settings
     from gearlash.studies import point
 
     search = search_settings(family, periods, max_period, case)
     first = point(family, parameters, name=short, start=list(start.values()), settings=search)
-    walks = (
-        [follow(family, parameters, short, first, way, search) for way in ("down", "up")]
-        if first.periodic
-        else []
-    )
+    with late_bar("following the motion") as tell:
+        walks = (
+            [follow(family, parameters, short, first, way, search, tell) for way in ("down", "up")]
+            if first.periodic
+            else []
+        )
     found = [touch for _, touch in walks if touch is not None]
     answer = graze_answer(
         chosen, family, parameters, short, over, first, tuple(path for path, _ in walks), found

@@ -1,21 +1,21 @@
-"""Following one attractor away from where it was found, to the first grazing."""
+"""Following one motion away from where it was found, to its first grazing."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Literal
 
-from gearlash.branches import GrazingPoint
+from gearlash import flow
+from gearlash.branches import BifurcationPoint, End, GrazingPoint, Met, Outcome, walk
 from gearlash.cli.answers.graze import Passed, Path
-from gearlash.orbits import Settings
+from gearlash.orbits import Orbit, Settings, shoot
 from gearlash.results import Point
-from gearlash.studies.row import Trail, onward, step
-from gearlash.studies.transitions import GRAZING, Transition, transitions
 from gearlash.system import Family
 
-FIRST, GROWTH, LONGEST = 1e-3, 1.4, 1e-2  # steps, relative to the value at the start
-REACH = 0.95  # as far as it is followed, relative to that value
-SMALL = 1e-3  # what counts as the size of a value at zero
+REACH = 0.95  # as far as it is followed, relative to the value at the start
+SMALL = 1e-3  # what counts as the size of a small value
+BEYOND = 1e-3  # how far beyond a touch the orbit is looked after, relative to that value
+PARTS = 1000  # of one direction, for the progress
 
 
 def follow(
@@ -25,36 +25,75 @@ def follow(
     start: Point,
     direction: Literal["down", "up"],
     settings: Settings,
+    tell: Callable[[int, int], object] | None = None,
 ) -> tuple[Path, GrazingPoint | None]:
-    """Follows the attractor ``start`` in one parameter until a contact is born or dies in a touch."""
-    sign = 1.0 if direction == "up" else -1.0
+    """Follows the periodic motion ``start`` in one parameter until a contact is born or dies in a touch.
+    ``tell`` hears how much of the way is done, out of how much."""
+    to = _last(family, name, start.value, direction)
+    way, passed = abs(to - start.value), []
+
+    def told(value: float) -> None:
+        if tell is not None:
+            tell(round(PARTS * abs(value - start.value) / way), PARTS)
+
+    props = flow.propagators(family.system(values))
+    shot = shoot(props, start.state, len(start.strobes))
+    orbit = Orbit(props, shot, 0, shot.status, "")
+    for step in walk(family, values, name, orbit, to, told):
+        if isinstance(step, End):
+            ended, decided = _ended(step, family, name)
+            return Path(direction, step.last.value, ended, decided, "", tuple(passed)), None
+        if isinstance(step.point, GrazingPoint):
+            beyond = _beyond(family, values, name, step, direction)
+            ended = f"grazing at {step.value:.10g}"
+            return Path(direction, step.value, ended, True, beyond, tuple(passed)), step.point
+        after = step.after.orbit if step.after else None
+        passed.append(_passed(step.point, step, direction))
+        if after is not None and after.shot.period > settings.max_period:
+            ended = f"beyond the doubling at {step.value:.10g} the period is larger than --max-period"
+            return Path(direction, step.value, ended, False, "", tuple(passed)), None
+    raise AssertionError("a walk ends with an End")
+
+
+def _last(family: Family, name: str, value: float, direction: str) -> float:
+    """The end of the search: of its reach, or of the range of the parameter."""
     parameter = next(p for p in family.parameters if p.name == name)
-    size = max(abs(start.value), SMALL)
-    last, trail, passed = start, onward(Trail(start.state, None), start), []
-    width = FIRST * size
-    while last.periodic:
-        value = last.value + sign * width
-        if not parameter.lower <= value <= parameter.upper or abs(value - start.value) > REACH * size:
-            return Path(direction, last.value, "end of the search", tuple(passed)), None
-        point = step(family, {**values, name: value}, name, trail, settings)
-        for change in _changes(family, values, name, last, point, direction):
-            if change.kind == GRAZING and isinstance(change.point, GrazingPoint):
-                ended = f"grazing at {change.value:.10g}"
-                return Path(direction, change.value, ended, tuple(passed)), change.point
-            passed.append(Passed(change.kind, change.value, change.label_below, change.label_above))
-        last, trail = point, onward(trail, point)
-        width = min(width * GROWTH, LONGEST * size)
-    return Path(
-        direction, last.value, f"the motion there is {last.label or last.status}", tuple(passed)
-    ), None
+    reach = REACH * (max(abs(value), SMALL) if value != 0.0 else 1.0)
+    return min(value + reach, parameter.upper) if direction == "up" else max(value - reach, parameter.lower)
 
 
-def _changes(
-    family: Family, values: Mapping[str, float], name: str, last: Point, point: Point, direction: str
-) -> tuple[Transition, ...]:
-    """Changes of label between neighbours, in the order in which they are met."""
-    if last.label == point.label:
-        return ()
-    rising = direction == "up"
-    found = transitions(family, values, name, (last, point) if rising else (point, last), rising)
-    return found if rising else found[::-1]
+def _ended(end: End, family: Family, name: str) -> tuple[str, bool]:
+    """Why the motion was not followed further, and whether that is the end of it, or of the search."""
+    if end.outcome is Outcome.ARRIVED:
+        parameter = next(p for p in family.parameters if p.name == name)
+        at_limit = end.last.value in (parameter.lower, parameter.upper)
+        return ("end of the range of the parameter" if at_limit else "end of the search"), True
+    if end.outcome in (Outcome.UNBUILT, Outcome.LOST):
+        return f"{end.outcome}: {end.reason}", False
+    return f"at {end.beyond:.10g} {end.outcome}", True
+
+
+def _passed(point: BifurcationPoint, met: Met, direction: str) -> Passed:
+    before, after = met.before.label, met.after.label if met.after else "none"
+    below, above = (before, after) if direction == "up" else (after, before)
+    return Passed("doubling" if point.multiplier < 0 else "fold", point.value, below, above)
+
+
+def _beyond(family: Family, values: Mapping[str, float], name: str, met: Met, direction: str) -> str:
+    """What the orbit does just beyond its touch."""
+    if met.after is None:
+        return str(Outcome.TOUCH)
+    node, sign = met.after, 1.0 if direction == "up" else -1.0
+    farthest = _last(family, name, met.value, direction)
+    to = met.value + sign * min(BEYOND * max(abs(met.value), SMALL), abs(farthest - met.value))
+    if sign * (to - node.value) <= 0.0:
+        return ""
+    step = next(walk(family, {**values, name: node.value}, name, node.orbit, to))
+    if isinstance(step, Met):
+        if isinstance(step.point, GrazingPoint):
+            return f"{node.label} goes on to the next grazing, at {step.value:.10g}"
+        what = "its period doubles" if step.point.multiplier < 0 else "it ends in a fold"
+        return f"{node.label} goes on to {step.value:.10g}, where {what}"
+    if step.outcome is Outcome.ARRIVED:
+        return f"{node.label} goes on (followed to {to:.7g})"
+    return f"{node.label} goes on to {step.last.value:.10g}, where {step.outcome}"

@@ -14,7 +14,7 @@ from .numbers import Marks, number, polar, quantity
 
 
 def graze_view(answer: GrazeAnswer, width: int) -> Iterator[Text]:
-    """Sentence, every point found, and how the attractor was followed."""
+    """Sentence, every point found, and how the motion was followed."""
     marks = Marks({})
     yield from headline(answer.sentence, width)
     if not answer.points:
@@ -34,7 +34,9 @@ def _facts(touch: Touch, marks: Marks) -> Iterator[tuple[str, str]]:
     yield "kind", touch.kind
     yield "gap", touch.clearance
     yield "type", f"{touch.type} (Table 2)"
-    yield "labels", f"{touch.label_below} below, {touch.label_above} above"
+    sides = (touch.label_below, touch.stable_below), (touch.label_above, touch.stable_above)
+    below, above = (label if stable is not False else f"{label} (unstable)" for label, stable in sides)
+    yield "labels", f"{below} below, {above} above"
     yield "touch", f"phase {touch.phase:.6f} of {touch.period} mesh cycle{'s' if touch.period > 1 else ''}"
     yield (
         "multipliers",
@@ -55,7 +57,8 @@ def _paths(answer: GrazeAnswer, width: int) -> Iterator[Text]:
     rows = []
     for path in answer.paths:
         passed = (f"{p.kind} at {p.value:.7g} ({p.label_below} | {p.label_above})" for p in path.passed)
-        rows.append((path.direction, f"{path.reached:.7g}", path.ended, ", ".join(passed) or "nothing"))
+        ended = path.ended + (f"; beyond it {path.beyond}" if path.beyond else "")
+        rows.append((path.direction, f"{path.reached:.7g}", ended, ", ".join(passed) or "nothing"))
     columns = [("", "left"), ("to", "right"), ("ended by", "left"), ("passed", "left")]
     yield from table(
         f"Followed from {answer.over} = {answer.near:.7g} ({answer.label})", columns, rows, width
