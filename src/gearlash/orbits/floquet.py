@@ -40,16 +40,18 @@ def spectrum(
     A long or strongly damped orbit's small multipliers drown in the rounding of the product of its maps. The
     block-cyclic matrix of single maps has their roots as eigenvalues and is of norm one: see D. Watkins,
     "Product eigenvalue problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110. Where the sum of the
-    logarithms is not the trace, digits were lost all the same, and each group of multipliers of like size is
-    computed in its own subspace (`subspaces`)."""
+    logarithms is not the trace, digits were lost all the same; then, and where there are too many maps, each
+    group of multipliers of like size is computed in its own subspace (`subspaces`)."""
     state, period = start_state(props, state), given.whole("period", period, 1, LONGEST)
     shrinking = fastest_shrinking(props) * props.system.period
     parts = max(1, ceil(shrinking / DEPTH))
     factors = _factors(props, state, period, parts)
     if period * shrinking <= PLAIN:
         found = ordered(np.linalg.eigvals(_product(factors)))
+    elif len(factors) * len(state) <= MOST:
+        found = _lifted(factors)
     else:
-        found = _lifted(_merged(factors, MOST // len(state)))
+        return by_subspaces(_factors(props, state, period, cut(props, state)))
     with np.errstate(divide="ignore"):
         logarithms = np.log(np.abs(found))
     trace = mean_trace(props, state, period) * period * props.system.period
@@ -128,12 +130,6 @@ def _product(factors: list[Matrix]) -> Matrix:
     for factor in factors:
         product = factor @ product
     return product
-
-
-def _merged(factors: list[Matrix], most: int) -> list[Matrix]:
-    """At most ``most`` factors with the same product."""
-    each = ceil(len(factors) / most)
-    return [_product(factors[i : i + each]) for i in range(0, len(factors), each)]
 
 
 def _lifted(factors: list[Matrix]) -> NDArray[np.complex128]:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.float64]
 APART = 1.0  # powers of e between two groups: they part by so much in each turn
-TURNS = 40  # e^-40 is below rounding
+TURNS = 40  # at the most; e^-40 is below rounding
 STILL = 1e-9  # how little directions of two groups may turn into each other
 
 
@@ -24,11 +24,16 @@ def by_subspaces(factors: list[Matrix]) -> tuple[Complex, NDArray[np.float64]]:
     """Eigenvalues (n,) of the product of ``factors``, the first one rightmost, by modulus, descending, and
     the logarithms (n,) of their moduli. An eigenvalue beyond the range of floats is zero or infinite, its
     logarithm is not."""
-    begin = np.eye(len(factors[0]))
-    for _ in range(TURNS):
-        begin, _ = _turn(factors, begin)
-    frame, triangles = _turn(factors, begin)
-    sizes = np.sum([np.log(np.abs(np.diag(each))) for each in triangles], axis=0)
+    begin = frame = np.eye(len(factors[0]))
+    triangles, sizes = factors, np.zeros(len(frame))
+    for turn in range(1, TURNS + 1):
+        begin = frame
+        frame, triangles = _turn(factors, begin)
+        sizes = np.sum([np.log(np.abs(np.diag(each))) for each in triangles], axis=0)
+        gaps = sizes[:-1] - sizes[1:]
+        nearest = gaps[gaps > APART].min(initial=np.inf)  # of two groups: they part by e^nearest in a turn
+        if turn > 2 and (turn - 2) * nearest > TURNS * APART:
+            break
     turned = begin.T @ frame  # the frame comes back to itself but for a turn within each group
     values, logarithms = [], []
     for group in _groups(sizes, turned):
