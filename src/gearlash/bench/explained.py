@@ -21,7 +21,7 @@ def sizes_explained(curves: Sequence[Curve]) -> Iterator[str]:
 
 def _harmonics(curve: Curve) -> str:
     return (
-        "The article's pair at 1-1; amplitudes fall as 1/k². The cells follow the highest harmonic "
+        "`article-first-harmonic` at 1-1; amplitudes fall as 1/k². The cells follow the highest harmonic "
         f"({curve.cells[0]} to {curve.cells[-1]}), so that each is resolved to rounding: "
         f"{_micro(curve.seconds[0])} to {_micro(curve.seconds[-1])} µs, and each further cell adds "
         f"{1e9 * _slope(curve.cells, curve.seconds):.0f} ns; the rest are the crossings. "
