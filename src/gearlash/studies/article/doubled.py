@@ -40,6 +40,7 @@ FARTHEST = 0.02  # of the parameter: a touch beyond is not beside the doubling
 ITERATIONS, SOLVED = 15, 1e-12
 STEP = 1e-7  # of the parameter: for the derivative
 LEAST = 4  # amplitudes from which the square root is read
+UNKNOWN = "none"  # label of a side on which the touching orbit could not be followed
 SHOWN = 6  # amplitudes that are kept, evenly among those that were followed
 
 
@@ -166,7 +167,8 @@ def _located(branch: _Branch, followed: list[tuple[float, float, Orbit]]) -> Gra
         graze = locate_grazing(branch.family, {**branch.values, branch.name: mu}, branch.name, orbit, check)
         near = abs(graze.value - branch.value) <= FARTHEST * abs(branch.value)
         towards = graze.label_above if graze.value < branch.value else graze.label_below
-        if graze.status is Status.OK and graze.surface == "gap" and near and towards == wanted:
+        known = graze.status is Status.OK and UNKNOWN not in (graze.label_below, graze.label_above)
+        if known and graze.surface == "gap" and near and towards == wanted:
             return graze
     return None
 

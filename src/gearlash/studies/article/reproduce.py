@@ -83,7 +83,9 @@ def reproduce(
         by_axis = {"omega": (omega, frequency), "D": (gap, backlash)}
         tell(STAGES[2], None)
         zones = tuple(
-            article_zones(case, claim, *by_axis[claim.parameter], executor)
+            article_zones(
+                case, claim, *by_axis[claim.parameter], executor, lambda state: tell(STAGES[2], state)
+            )
             for claim in claims
             if claim.kind == "zone"
         )

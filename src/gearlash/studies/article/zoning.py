@@ -8,6 +8,7 @@ from concurrent.futures import Executor
 import numpy as np
 
 from gearlash.case import Case
+from gearlash.jobs import ProgressCallback
 from gearlash.results import Axis, Direction, Sweep
 from gearlash.studies.sweep import sweep
 from gearlash.studies.zones import Tenant, Zones, zones
@@ -32,7 +33,14 @@ NAMES = {
 NOWHERE = End(NAN, "none", "", NAN)
 
 
-def article_zones(case: Case, claim: Claim, axis: Axis, rows: Sequence[Row], executor: Executor) -> Zone:
+def article_zones(
+    case: Case,
+    claim: Claim,
+    axis: Axis,
+    rows: Sequence[Row],
+    executor: Executor,
+    progress: ProgressCallback | None = None,
+) -> Zone:
     """The zone that the claim means, in each reading: cold, up, down, for some and for every attractor that
     these find, and from each of the simple starts. The one nearest to the article is named; `some` is no way
     of scanning, so it is not compared."""
@@ -43,7 +51,7 @@ def article_zones(case: Case, claim: Claim, axis: Axis, rows: Sequence[Row], exe
     ]
     readings.append(_reading(claim, EVERY, together, rows))
     readings.append(_reading(claim, SOME, together, rows))
-    readings += [_from_start(case, claim, axis, name, executor) for name in STARTS]
+    readings += [_from_start(case, claim, axis, name, executor, progress) for name in STARTS]
     compared = [r for r in readings if r.found and r.way != SOME]
     nearest = min(compared, key=lambda r: abs(r.deviation), default=None)
     assert claim.interval is not None
@@ -66,11 +74,18 @@ def _zones(case: Case, claim: Claim, axis: Axis, known: Sequence[Sweep], executo
     )
 
 
-def _from_start(case: Case, claim: Claim, axis: Axis, name: str, executor: Executor) -> Reading:
+def _from_start(
+    case: Case,
+    claim: Claim,
+    axis: Axis,
+    name: str,
+    executor: Executor,
+    progress: ProgressCallback | None,
+) -> Reading:
     """Every few values from one simple start; the ends are halved to as fine as all others."""
     family = starting(case, name)
     axis = Axis(axis.name, np.union1d(axis.values[::EVERY_FEW], axis.values[-1:]))
-    done = sweep(family, axis, fixed=claim.fixed, settings=SETTINGS, executor=executor)
+    done = sweep(family, axis, fixed=claim.fixed, settings=SETTINGS, executor=executor, progress=progress)
     found = zones(
         family, axis, KINDS[claim.zone], fixed=claim.fixed, known=[done], settings=SETTINGS, executor=executor
     )
