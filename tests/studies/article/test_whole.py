@@ -10,6 +10,7 @@ from gearlash.case import load
 from gearlash.studies.article import REPRODUCED, SHIFTED, ClaimRow, Reproduction, Scope, reproduce
 from gearlash.studies.article.reproduction import Reading
 
+pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[3]
 SCOPE = Scope(omega=(0.82, 1.13, 63), backlash=(0.33, 1.0, 135), rules_backlash=(0.44, 0.5))
 NEEDS_A_SCAN = {"window-upper", "exponent-window-upper", "frequency-zone", "backlash-zone"}
