@@ -22,6 +22,7 @@ SNAPSHOT = [
     "Family",
     "GearlashError",
     "GrazingPoint",
+    "Neutral",
     "Orbit",
     "Parameter",
     "PlaneMap",

@@ -67,6 +67,9 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         Aperiodic as Aperiodic,
     )
     from .orbits import (
+        Neutral as Neutral,
+    )
+    from .orbits import (
         Orbit as Orbit,
     )
     from .orbits import (
@@ -179,6 +182,7 @@ _PUBLIC = {
     ),
     "gearlash.orbits": (
         "Aperiodic",
+        "Neutral",
         "Orbit",
         "Settings",
         "Signature",

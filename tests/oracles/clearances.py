@@ -92,7 +92,7 @@ def sides(system: System) -> list[Side]:
     found = []
     for j, c in enumerate(system.clearances):
         shared = c.damping_minus is None
-        minus = c.damping if shared else c.damping_minus
+        minus = c.dampings[1]
         one_stiff = c.stiffness_plus.any() != c.stiffness_minus.any()
         stated = (0.0, 0.0) if shared and one_stiff else (c.damping, minus)
         for sign, edge, series, damping, own in (

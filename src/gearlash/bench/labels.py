@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash._kernel import started_safely
 from gearlash.flow import Propagators
-from gearlash.orbits import Orbit, Unresolved, attractor
+from gearlash.orbits import Neutral, Orbit, Unresolved, attractor
 
 from .peers.plain import Array
 from .pixels import pixel_values
@@ -100,7 +100,7 @@ def compare(values: dict[str, float]) -> Compared:
         "periodic"
         if isinstance(found, Orbit)
         else "unresolved"
-        if isinstance(found, Unresolved)
+        if isinstance(found, Unresolved | Neutral)
         else APERIODIC
     )
     label = found.label if kind == "periodic" else kind

@@ -6,7 +6,7 @@ from .certificate import Certificate, Verdict
 from .floquet import multipliers
 from .grazing import GrazingCheck, grazing_checks
 from .lyapunov import Exponents, lyapunov
-from .results import Aperiodic, Attractor, Orbit, Unresolved
+from .results import Aperiodic, Attractor, Neutral, Orbit, Unresolved
 from .sections import Section, Sections, sections
 from .shooting import Shot, shoot
 from .signature import Signature
@@ -20,6 +20,7 @@ __all__ = [
     "ForceStatistics",
     "GrazingCheck",
     "MotionStatistics",
+    "Neutral",
     "Orbit",
     "Section",
     "Sections",

@@ -15,9 +15,10 @@ from gearlash.flow.march import LONGEST, start_state
 from gearlash.system import GearlashError, Record, Status, System, given, shown
 
 from .floquet import fastest_shrinking
-from .results import Aperiodic, Attractor, Orbit, Unresolved
+from .neutral import FLAT, affine, lossless, repeated
+from .results import Aperiodic, Attractor, Neutral, Orbit, Unresolved
 from .shooting import TOLERANCE, Shot, minimal, shoot
-from .wandering import SETTLE, STRETCH, Average, Wandering
+from .wandering import ROUNDING, SETTLE, STRETCH, Average, Wandering
 
 Array = NDArray[np.float64]
 
@@ -79,16 +80,16 @@ def attractor(
     """The attractor reached from ``start`` (n,) at phase zero.
 
     ``trial`` (state, base periods) is a periodic orbit to try first: the neighbour's, where an attractor is
-    followed. Returns an `Orbit` (P proved least, residual ≤ 1e-11, stable), an `Aperiodic` motion, or
-    `Unresolved` with its reason. A periodic orbit is accepted only if it is stable and the motion is seen to
-    approach it; a slow transient therefore goes on, and is neither called periodic with a wrong P nor
-    aperiodic."""
+    followed. Returns an `Orbit` (P proved least, residual ≤ 1e-11, stable), an `Aperiodic` motion, a
+    `Neutral` one (of a continuum, none of which attracts), or `Unresolved` with its reason. A periodic orbit
+    is accepted only if it is stable and the motion is seen to approach it; a slow transient therefore goes
+    on, and is neither called periodic with a wrong P nor aperiodic."""
     props = system if isinstance(system, Propagators) else flow.propagators(system)
     given.instance("settings", settings, Settings, "Settings, such as gearlash.Settings(max_period=128)")
     search = _Search(props, settings, start_state(props, start))
     if trial is not None:
         found = search.attempt(*_trial(props, trial, settings))
-        if found is not None and found.stable:
+        if found is not None and found.attracts:
             return found
     return search.run()
 
@@ -120,7 +121,7 @@ class _Search:
             status = self.motion.march(block)
             if status not in MOVING:
                 return self.unresolved(status, "the motion could not be carried on", NOTHING)
-            found, last = self.newton(), self.left <= 0
+            found, last = self.newton() or self.neutral(), self.left <= 0
             if found is None and self.motion.used >= self.settings.patience:
                 found = self.aperiodic(last)
             if found is not None:
@@ -205,13 +206,13 @@ class _Search:
             return None
         shot = minimal(self.props, shot)
         orbit = self.orbit(shot)
-        return orbit if orbit.stable else None
+        return orbit if orbit.attracts else None
 
     def accept(self, shot: Shot) -> Orbit | None:
         """The orbit, if it is stable and the motion approaches it; where it has just lost its stability to
         its double, the doubled orbit, on the same terms."""
         orbit = self.orbit(shot)
-        if orbit.stable:
+        if orbit.attracts:
             return orbit if self.approached(orbit) else None
         if abs(orbit.leading + 1.0) < 0.05 and 2 * shot.period <= self.settings.max_period:
             return self.doubled(shot)
@@ -234,7 +235,7 @@ class _Search:
                 continue
             twice = minimal(self.props, twice)
             orbit = self.orbit(twice)
-            if twice.period == 2 * shot.period and orbit.stable and self.approached(orbit):
+            if twice.period == 2 * shot.period and orbit.attracts and self.approached(orbit):
                 return orbit
         return None
 
@@ -277,6 +278,23 @@ class _Search:
         apart = np.abs(states[:, None] - points[None]).max(axis=2)
         return float(apart.min(axis=1).max())
 
+    def neutral(self) -> Neutral | None:
+        """The motion as neutral, where its neighbours neither come closer nor leave."""
+        if not abs(self.motion.growth(1)) <= FLAT:
+            return None
+        long = self.motion.used >= self.settings.patience or self.left <= 0  # what drifts may be stopped yet
+        told = repeated(self.props, self.strobes, self.settings.max_period, drifts=long)
+        if not told and long:
+            told = affine(self.props, self.state)
+        if not told:
+            return None
+        rounding = ROUNDING / self.props.system.period
+        return self.nothing_attracts(told, Average(0.0, rounding, self.motion.used))
+
+    def nothing_attracts(self, told: str, found: Average) -> Neutral:
+        message = f"one of a continuum of motions, {told}: {Status.NEUTRAL.advice}"
+        return Neutral(*self.told(found), Status.NEUTRAL, message, self.motion.undecided)
+
     def aperiodic(self, last: bool) -> Attractor | None:
         """The motion as aperiodic: if its largest exponent is above zero, or if it is zero (quasi-periodic).
         Either way the motion must be seen to persist without closing: one that leaves an unstable orbit has
@@ -288,6 +306,8 @@ class _Search:
         if self.grows(found, last) and self.persists(GROWTH):
             return self.settled(f"aperiodic: {text}", found)
         if self.is_zero(found) and self.persists(STEADY):
+            if lossless(self.props, self.state):
+                return self.nothing_attracts(f"as nothing takes energy out ({text})", found)
             longer = self.longer()
             if longer is not None:
                 return self.too_long(longer, found)
@@ -357,7 +377,7 @@ class _Search:
             return None
         close = np.abs(shot.state - states[-1]).max() < FAR * self.size
         shot = minimal(self.props, shot)
-        return shot.period if close and shot.period > limit and self.orbit(shot).stable else None
+        return shot.period if close and shot.period > limit and self.orbit(shot).attracts else None
 
     def settled(self, message: str, found: Average) -> Aperiodic:
         status = Status.UNCERTAIN if self.motion.doubtful else Status.OK

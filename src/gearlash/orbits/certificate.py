@@ -83,7 +83,7 @@ def certify_orbit(orbit: Orbit) -> Certificate:
 
 def certify_motion(motion: Aperiodic, resolved: bool) -> Certificate:
     """The certificate of a motion that is not proved periodic; ``resolved``: its exponent settled it."""
-    if motion.status not in (*MOVING, Status.UNRESOLVED):
+    if motion.status not in (*MOVING, Status.UNRESOLVED, Status.NEUTRAL):
         return Certificate(Verdict.FAILED, (motion.message,))
     if not resolved:
         return Certificate(Verdict.UNCERTAIN, (motion.message,))

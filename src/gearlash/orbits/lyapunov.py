@@ -19,10 +19,10 @@ from gearlash.system import Record, Status, given
 
 from .certificate import MOVING
 from .floquet import cut, mean_trace
+from .wandering import ROUNDING
 
 BATCHES = 20
 STUDENT = 2.093  # 95 % two-sided, 19 degrees of freedom
-ROUNDING = 1e-14  # of the tangent flow over a base period: no error bar is below what it makes
 EPSILON = float(np.finfo(np.float64).eps)
 AGREES = 1e-6  # of the exponents' size: a larger defect of their sum is no rounding
 

@@ -15,10 +15,12 @@ from gearlash.system import Record, Status
 
 from . import floquet
 from .certificate import Certificate, certify_motion, certify_orbit
+from .neutral import is_neutral
 from .shooting import Shot
 from .signature import Signature
 
 LEAST = 1e-200  # a leading multiplier below it has lost digits in the product of its maps
+FASTER = 0.999  # a multiplier below it is far from the unit circle
 SAMPLE = 200  # base periods of an aperiodic motion that are kept as its picture
 
 
@@ -108,6 +110,11 @@ class Orbit(Record):
     def stable(self) -> bool:
         return abs(self.leading) < 1.0
 
+    @property
+    def attracts(self) -> bool:
+        """Whether it is stable by more than rounding: neighbours come closer."""
+        return self.stable and (abs(self.leading) < FASTER or not is_neutral(self.shot.monodromy))
+
     @cached_property
     def exponents(self) -> NDArray[np.float64]:
         """Lyapunov exponents (n,) per unit of τ: ln|μ|/(P T), exact on a periodic orbit, also where a
@@ -194,4 +201,19 @@ class Unresolved(Aperiodic):
         return certify_motion(self, resolved=False)
 
 
-Attractor = Orbit | Aperiodic | Unresolved
+@dataclass(frozen=True, eq=False, repr=False)
+class Neutral(Aperiodic):
+    """A motion whose neighbours neither come closer nor leave: one of a continuum, which the start decides.
+    `message` says by which sign it was told."""
+
+    @property
+    def label(self) -> str:
+        return "neutral"
+
+    @cached_property
+    def certificate(self) -> Certificate:
+        """Never `certified`: says why."""
+        return certify_motion(self, resolved=False)
+
+
+Attractor = Orbit | Aperiodic | Neutral | Unresolved

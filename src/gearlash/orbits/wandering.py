@@ -18,6 +18,7 @@ STRETCH = 24  # base periods, at least, over which one growth is recorded
 STRETCHES = 48  # of the whole motion, at most about
 SETTLE = 6  # one part in so many of the record, its first, is left to settle
 STUDENT = {20: 2.093, 10: 2.262}  # batches → 95 % two-sided, one degree of freedom less
+ROUNDING = 1e-14  # of the tangent flow over a base period: no error bar is below what it makes
 STILL = 1e-6  # size of σ_t, of the state, below which a motion is as good as an orbit
 CLOSED = 1e-3  # mean return, of the size, below which it is closing
 RETURNS = 128  # places of a window, at least, that returns are averaged over
@@ -100,7 +101,7 @@ class Wandering:
         apart = sums - mean * lengths  # batches are of about the same length only
         error = STUDENT[parts] * float(np.sqrt((apart**2).sum() * parts / (parts - 1))) / periods
         duration = self.props.system.period
-        return Average(mean / duration, error / duration, periods)
+        return Average(mean / duration, (error + ROUNDING) / duration, periods)
 
     def growth(self, periods: int) -> float:
         """Logarithm of the growth over ``periods``, on the average of the last two times as many (but no

@@ -25,15 +25,17 @@ FREE = Regime("no impacts", "#c9ebdd")
 DRIVE = Regime("drive-side impacts", "#74c0ee")
 BACK = Regime("drive- and back-side impacts", "#cd7f00")
 APERIODIC = Regime("aperiodic", "#4d4d4d", ink="white")
+NEUTRAL = Regime("neutral: one of a continuum", "white", "....")
 UNRESOLVED = Regime("unresolved", "white", "xxxx")
-ALL = (FREE, DRIVE, BACK, APERIODIC, UNRESOLVED)
+ALL = (FREE, DRIVE, BACK, APERIODIC, NEUTRAL, UNRESOLVED)
+NAMED = {"aperiodic": APERIODIC, "neutral": NEUTRAL}
 
 
 def regime(label: str) -> Regime:
     """The regime of a label: P-Q-R (impacts of all clearances count), ``aperiodic``, or anything else:
     unresolved."""
-    if label == "aperiodic":
-        return APERIODIC
+    if label in NAMED:
+        return NAMED[label]
     try:
         signature = Signature.parse(label)
     except GearlashError:

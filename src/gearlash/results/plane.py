@@ -31,12 +31,12 @@ MOST_PIXELS = 1_000_000
 class PlaneMap(Record):
     """Attractors from cold starts over ``x`` and ``y``; every array has the shape (len(y), len(x)).
 
-    ``label`` (int16; int32 beyond 32,767 labels): index into ``labels`` (P-Q-R of proved orbits, aperiodic,
-    unresolved), `NO_LABEL` where there is no motion. ``period`` (mesh cycles), ``drive``, ``back`` (impacts
-    of the first clearance in it) and ``others`` (of all further ones), int32: 0 where nothing periodic was
-    proved. ``exponent``: the largest Lyapunov exponent per unit of τ, float64, NaN where unknown.
-    ``periods``: base periods marched, int32. ``status`` and ``certificate``, uint8: index into `STATUSES` and
-    `CERTIFICATES`.
+    ``label`` (int16; int32 beyond 32,767 labels): index into ``labels`` (P-Q-R of proved orbits,
+    aperiodic, neutral, unresolved), `NO_LABEL` where there is no motion. ``period`` (mesh cycles),
+    ``drive``, ``back`` (impacts of the first clearance in it) and ``others`` (of all further ones),
+    int32: 0 where nothing periodic was proved. ``exponent``: the largest Lyapunov exponent per unit of τ,
+    float64, NaN where unknown. ``periods``: base periods marched, int32. ``status`` and ``certificate``,
+    uint8: index into `STATUSES` and `CERTIFICATES`.
 
     ``reasons``: (row, column) of every failed pixel → why. Where the map was stopped early ``complete`` is
     False, ``message`` says why, and what is missing has the status `not-computed`. ``fixed`` are the

@@ -62,7 +62,7 @@ def plane_dataset(model: Case | Family, plane: PlaneMap) -> xr.Dataset:
     data = {name: _array(model, variable, plane) for name, variable in VARIABLES.items()}
     data["status"][2].update(_flags(STATUSES))
     data["certificate"][2].update(_flags(CERTIFICATES))
-    about = {"long_name": "P-Q-R (and /Q-R of every further clearance), or aperiodic, or unresolved"}
+    about = {"long_name": "P-Q-R (and /Q-R of every further clearance), or aperiodic, neutral or unresolved"}
     coords: dict[str, Any] = {"label_name": ("label_name", list(plane.labels) or [""], about)}
     for axis in (plane.x, plane.y):
         coords |= _coordinates(model, family, axis)

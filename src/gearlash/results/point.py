@@ -29,11 +29,12 @@ class Point(Record):
     """One attractor at one value of the parameter under study: plain numbers and small arrays, all
     dimensionless.
 
-    ``label`` is P-Q-R of a proved orbit, else aperiodic, unresolved, or empty. ``period`` (mesh cycles),
-    ``drive`` and ``back`` (impacts on either side of the first clearance in it) are 0 where nothing periodic
-    was proved, and ``others`` has the same pair of every further clearance; ``leading`` is the multiplier of
-    largest modulus. ``certificate`` is certified, uncertain or failed, or empty where nothing was computed,
-    and ``certificate_reason`` says why. ``state`` (n,) at phase zero starts other computations.
+    ``label`` is P-Q-R of a proved orbit, else aperiodic, neutral, unresolved, or empty. ``period`` (mesh
+    cycles), ``drive`` and ``back`` (impacts on either side of the first clearance in it) are 0 where
+    nothing periodic was proved, and ``others`` has the same pair of every further clearance; ``leading``
+    is the multiplier of largest modulus. ``certificate`` is certified, uncertain or failed, or empty
+    where nothing was computed, and ``certificate_reason`` says why. ``state`` (n,) at phase zero starts
+    other computations.
 
     Of the first clearance, over one period, or over 200 base periods of another motion: ``strobes`` X on
     σ_t; force F in the sign of the article (F = -Φ) and phase (mesh cycles from zero) of the impacts on

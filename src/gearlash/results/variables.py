@@ -30,7 +30,9 @@ SCALARS = (
     _plain("status", "outcome of the computation", "U"),
     _plain("message", "what is known about the motion", "U"),
     _plain(
-        "label", "signature P-Q-R (and /Q-R of every further clearance), or aperiodic, or unresolved", "U"
+        "label",
+        "signature P-Q-R (and /Q-R of every further clearance), or aperiodic, neutral or unresolved",
+        "U",
     ),
     _plain("period", "least period P, 0 where none was proved", "i4", "mesh cycles"),
     _plain("drive", "impacts Q on the drive side per period (first clearance)", "i4"),

@@ -11,7 +11,7 @@ from numpy.linalg import LinAlgError
 from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.jobs import Carry, Part, stopping
-from gearlash.orbits import Aperiodic, Attractor, Orbit, Settings, Unresolved, Verdict, attractor
+from gearlash.orbits import Aperiodic, Attractor, Neutral, Orbit, Settings, Unresolved, Verdict, attractor
 from gearlash.orbits.certificate import MOVING
 from gearlash.orbits.results import SAMPLE
 from gearlash.results.plane import CERTIFICATES, STATUSES
@@ -20,8 +20,9 @@ from gearlash.system import Family, GearlashError, Status
 
 from .model import Source
 
-PERIODIC, APERIODIC, UNRESOLVED, NOTHING = range(4)
-"""Kinds of a record: a proved orbit, aperiodic, unresolved, no motion at all."""
+PERIODIC, APERIODIC, UNRESOLVED, NEUTRAL, NOTHING = range(5)
+"""Kinds of a record: a proved orbit, aperiodic, unresolved, neutral, no motion at all."""
+KINDS = {Unresolved: UNRESOLVED, Neutral: NEUTRAL, Aperiodic: APERIODIC}
 
 
 @dataclass(frozen=True)
@@ -105,7 +106,7 @@ def _record(found: Attractor) -> bytes:
         record["period"], record["counts"] = found.signature.period, found.signature.counts
         verdict = found.certificate.verdict
     else:
-        record["kind"] = UNRESOLVED if isinstance(found, Unresolved) else APERIODIC
+        record["kind"] = next(kind for cls, kind in KINDS.items() if isinstance(found, cls))
         verdict = _verdict(found)
     record["status"] = STATUSES.index(found.status)
     record["certificate"] = CERTIFICATES.index(verdict)
@@ -116,9 +117,9 @@ def _record(found: Attractor) -> bytes:
 def _verdict(motion: Aperiodic) -> Verdict:
     """The verdict of ``motion.certificate``: undecided contacts of its sample are counted by marching through
     it, which takes a fiftieth of the trace that the certificate makes."""
-    if motion.status not in (*MOVING, Status.UNRESOLVED):
+    if motion.status not in (*MOVING, Status.UNRESOLVED, Status.NEUTRAL):
         return Verdict.FAILED
-    if isinstance(motion, Unresolved):
+    if isinstance(motion, Unresolved | Neutral):
         return Verdict.UNCERTAIN
     doubtful = motion.undecided > 0 or motion.status is Status.UNCERTAIN
     settled = abs(motion.largest_exponent) > motion.exponent_error

@@ -21,6 +21,7 @@ from .arguments import checked_fixed, checked_settings, checked_start, checked_w
 from .model import Model, Source, check_travels
 from .pixels import (
     APERIODIC,
+    NEUTRAL,
     NOTHING,
     PERIODIC,
     UNRESOLVED,
@@ -35,7 +36,7 @@ from .pixels import (
 OTHER_GAPS = "its system has another number of clearances than the first of the map"
 CHUNK = 64  # pixels a task: about a second of work, of which a cancel has to wait for the rest
 _NO_CLEARANCE = bytes(record_kind(1).itemsize)
-NAMED = {APERIODIC: "aperiodic", UNRESOLVED: "unresolved"}
+NAMED = {APERIODIC: "aperiodic", UNRESOLVED: "unresolved", NEUTRAL: "neutral"}
 
 
 def map_plane(

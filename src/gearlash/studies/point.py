@@ -19,7 +19,7 @@ from .arguments import checked_settings
 from .forces import force_figures
 from .model import Model, Source
 
-TRACEABLE = (Status.OK, Status.UNCERTAIN, Status.UNRESOLVED)
+TRACEABLE = (Status.OK, Status.UNCERTAIN, Status.UNRESOLVED, Status.NEUTRAL)
 NOT_A_NUMBER = float("nan")
 
 

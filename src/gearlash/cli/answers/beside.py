@@ -10,7 +10,7 @@ from typing import Annotated
 class BesideMotion:
     """A motion that one or more of the other starts lead to."""
 
-    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic or unresolved"]
+    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral or unresolved"]
     status: Annotated[str, "ok, or why it is not to be relied on"]
     starts: Annotated[int, "how many of the other starts lead to it"]
     impacts: Annotated[bool | None, "does it have impacts? null where nothing was settled"]

@@ -22,7 +22,7 @@ if TYPE_CHECKING:  # answers are described without the engine
 class MapLabel:
     """A motion of the map."""
 
-    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, or unresolved"]
+    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral or unresolved"]
     code: Annotated[int, "its number in codes"]
     pixels: int
     share: Annotated[float, "of the computed pixels, 0 to 1"]
@@ -108,7 +108,7 @@ def _sentence(plane: PlaneMap) -> str:
 
     ends = (f"{a.name} from {a.values[0]:.6g} to {a.values[-1]:.6g}" for a in (plane.x, plane.y))
     rows, columns = plane.shape
-    orbits = sum(label not in ("aperiodic", "unresolved") for label in plane.labels)
+    orbits = sum(label not in ("aperiodic", "neutral", "unresolved") for label in plane.labels)
     many = f"{orbits} different signatures" if orbits != 1 else "1 signature"
     parts = [f"{' and '.join(ends)}, {columns} × {rows} pixels: {many}"]
     if plane.computed:

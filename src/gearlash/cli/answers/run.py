@@ -28,7 +28,7 @@ if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.orbits import Attractor, Orbit
 
 
-TRACEABLE = (Status.OK, Status.UNCERTAIN, Status.UNRESOLVED)  # statuses that leave a motion to look at
+TRACEABLE = (Status.OK, Status.UNCERTAIN, Status.UNRESOLVED, Status.NEUTRAL)  # of motions to look at
 
 
 @dataclass(frozen=True)
@@ -42,8 +42,8 @@ class RunAnswer:
     case: CaseUsed
     parameters: Annotated[dict[str, float], "every parameter of the model by short name, dimensionless"]
     start: Annotated[dict[str, float], "state at phase zero that the search started from"]
-    motion: Annotated[Literal["periodic", "aperiodic", "unresolved"], "what was found"]
-    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic or unresolved"]
+    motion: Annotated[Literal["periodic", "aperiodic", "neutral", "unresolved"], "what was found"]
+    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral or unresolved"]
     certificate: CertificateUsed
     signature: Annotated[SignatureCounts | None, "null where nothing periodic was proved"]
     stable: Annotated[bool | None, "all multipliers inside the unit circle; null without an orbit"]
@@ -84,7 +84,7 @@ def run_answer(
     beside: Beside | None,
 ) -> RunAnswer:
     """The record of an attractor that was reached from ``start`` (by state name)."""
-    from gearlash.orbits import Orbit, Unresolved
+    from gearlash.orbits import Orbit
 
     orbit = attractor if isinstance(attractor, Orbit) else None
     numbers = motion_numbers(attractor) if attractor.status in TRACEABLE else None
@@ -98,7 +98,7 @@ def run_answer(
         case=case_used(case),
         parameters=dict(parameters),
         start=dict(start),
-        motion="periodic" if orbit else "unresolved" if isinstance(attractor, Unresolved) else "aperiodic",
+        motion=_motion(attractor),
         label=attractor.label,
         certificate=_certificate(attractor),
         signature=_counts(orbit) if orbit else None,
@@ -143,3 +143,13 @@ def _physical(
     if numbers is None or not case.scales.physical:
         return None
     return physical_run(case, parameters, state, numbers, impact_free)
+
+
+def _motion(attractor: Attractor) -> Literal["periodic", "aperiodic", "neutral", "unresolved"]:
+    from gearlash.orbits import Neutral, Orbit, Unresolved
+
+    if isinstance(attractor, Orbit):
+        return "periodic"
+    if isinstance(attractor, Neutral):
+        return "neutral"
+    return "unresolved" if isinstance(attractor, Unresolved) else "aperiodic"

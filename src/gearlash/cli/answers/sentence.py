@@ -30,11 +30,11 @@ def run_sentence(
 ) -> str:
     """Such as ``3600 rpm: 1-1, teeth separate once per mesh cycle; nearest impact-free motion found at 3715
     rpm; 5 other starts lead to the same motion``."""
-    from gearlash.orbits import Orbit, Unresolved
+    from gearlash.orbits import Neutral, Orbit, Unresolved
 
     speed = _Speed(case, numbers, parameters["omega"])
     here = speed.here
-    if isinstance(attractor, Unresolved) or numbers is None:
+    if isinstance(attractor, Unresolved | Neutral) or numbers is None:
         return f"{here}: {attractor.label}, {message_of(attractor)}"
     label = attractor.signature.short if isinstance(attractor, Orbit) else "aperiodic"
     own = case.structure.get("clearance")  # of a system that need not have teeth

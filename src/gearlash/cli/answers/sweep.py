@@ -45,7 +45,7 @@ class SweepPoint:
 
     value: float
     status: str
-    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, unresolved, or empty"]
+    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral, unresolved, or empty"]
     certificate: Annotated[str, "certified, uncertain or failed; empty where nothing was computed"]
     certificate_reason: Annotated[str, "why it is not certified"]
     largest_exponent: Annotated[float | None, "per unit of τ"]
