@@ -122,7 +122,7 @@ def test_every_kind_of_bad_value_is_named(old, new, path, expected, nearest):
 def test_without_clearance_or_with_something_else_in_its_place():
     text = TEXT.partition("[[clearance]]")[0]
     assert [p.path for p in problems_of(text)] == ["clearance"]
-    assert problems_of("clearance = 3\n" + text)[0].expected == "one table [[clearance]] or more"
+    assert problems_of("clearance = 3\n" + text)[0].expected == "1 to 8 tables [[clearance]]"
     assert problems_of("clearance = [3]\n" + text)[0].path == "clearance[0]"
 
 

@@ -87,7 +87,7 @@ BAD = {
     ("check", "."): "directory",
     ("check", ""): "directory",
     ("check", "bad\0name"): "a case file that can be read",
-    ("check", "n" * 5000): "a case file that can be read",
+    ("check", "n" * 4000): "a case file that can be read",
     ("check", "../../../etc/no-such-file"): "No such file",
     ("check", "article", "--set", ""): "NAME=VALUE",
     ("check", "article", "--set", "=1"): "NAME=VALUE",

@@ -6,9 +6,14 @@ import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, told
+from gearlash.system.told import cut
 
-_LONGEST_VALUE = 60
+_LONGEST = {"path": 120, "value": 120, "expected": 600, "nearest": 60}
+MOST_SHOWN = 20
+"""Problems of a case that are told; of a thousand of one kind the first tell as much."""
+MOST_BITS = 10_000  # of a number that Python turns into decimal digits
+LONGEST_NAME = 60  # of one that may be misspelt
 
 
 @dataclass(frozen=True)
@@ -21,6 +26,12 @@ class Problem:
     expected: str
     nearest: str | None = None
     missing: bool = False
+
+    def __post_init__(self) -> None:
+        for name, length in _LONGEST.items():
+            text = getattr(self, name)
+            if text is not None:
+                object.__setattr__(self, name, cut(text, length))
 
     def __str__(self) -> str:
         path = self.path or "''"
@@ -36,14 +47,19 @@ class CaseError(GearlashError):
     exit_code = 2
 
     def __init__(self, source: str, problems: Iterable[Problem]):
-        self.source = source
         self.problems = tuple(problems)
-        count = "1 problem" if len(self.problems) == 1 else f"{len(self.problems)} problems"
-        super().__init__("\n  ".join([f"{source}: {count}", *map(str, self.problems)]))
+        self.source, many = cut(source, 200), len(self.problems)
+        count = "1 problem" if many == 1 else f"{many:,} problems"
+        lines = [f"{self.source}: {count}", *map(str, self.problems[:MOST_SHOWN])]
+        if many > MOST_SHOWN:
+            lines.append(f"and {many - MOST_SHOWN:,} more")
+        super().__init__("\n  ".join(lines))
 
 
 def nearest_name(name: str, valid: Iterable[str]) -> str | None:
     """The valid name that looks most like this one, large letters or small, if any does."""
+    if len(name) > LONGEST_NAME:
+        return None
     by_look = {each.casefold(): each for each in valid}
     look = name.casefold()
     if look.removesuffix("_1") in by_look:  # ripple_1: the first harmonic carries no number
@@ -53,6 +69,9 @@ def nearest_name(name: str, valid: Iterable[str]) -> str | None:
 
 
 def shown(value: object) -> str:
-    """A value as it appears in a problem: its repr, cut to a readable length."""
-    text = repr(value)
-    return text if len(text) <= _LONGEST_VALUE else text[: _LONGEST_VALUE - 1] + "…"
+    """A value as it appears in a problem: texts and numbers as they stand, cut to a readable length."""
+    if isinstance(value, str):
+        return cut(repr(value[: told.LONGEST]))
+    if isinstance(value, int) and value.bit_length() < MOST_BITS:
+        return cut(repr(value))
+    return told.shown(value)

@@ -20,7 +20,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from .errors import Problem, nearest_name, shown
+from .errors import MOST_SHOWN, Problem, nearest_name, shown
 from .piecewise.fileschema import definitions, piecewise_schema
 from .quantities import GEAR_KINDS, KINDS, PIECEWISE, choices, quantities
 from .quantity import Choice, Quantity
@@ -102,7 +102,7 @@ def check(raw: Mapping[str, object]) -> Checked:
         return Checked(kind, *_contents(kind, content), frozenset(), problems)
     except ValidationError as error:
         errors = error.errors(include_url=False)
-    found = [_problem(kind, e) for e in errors]
+    found = _problems(kind, errors)
     for e in errors:  # without what is wrong, the rest can be read and searched for more problems
         content = _without(content, [part for part in e["loc"] if part != kind])
     named = [path for p in found for path in (p.path, p.nearest or "")]
@@ -124,7 +124,7 @@ def check_head(kind: str, raw: Mapping[str, object]) -> tuple[dict[str, object],
     content: dict[str, Any] = dict(raw)
     for e in errors:
         content = _without(content, e["loc"])
-    return Head.model_validate(content).model_dump(), [_problem(kind, e) for e in errors]
+    return Head.model_validate(content).model_dump(), _problems(kind, errors)
 
 
 def _contents(kind: str, content: Mapping[str, object]) -> tuple[dict[str, Stated], dict[str, object]]:
@@ -211,6 +211,12 @@ def kind_of(raw: Mapping[str, object]) -> tuple[str | None, list[Problem]]:
         return kind, []
     near = nearest_name(kind, KINDS) if isinstance(kind, str) else None
     return near, [Problem("kind", shown(kind), expected, near)]
+
+
+def _problems(kind: str, errors: Sequence[Any]) -> list[Problem]:
+    """In words, as many as can be told; the rest is counted."""
+    found = [_problem(kind, error) for error in errors[:MOST_SHOWN]]
+    return found + [Problem(str(error["loc"][0]), None, "") for error in errors[MOST_SHOWN:]]
 
 
 def _problem(kind: str, error: Any) -> Problem:

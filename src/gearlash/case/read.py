@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Mapping
 from importlib import resources
 from os import PathLike
 from pathlib import Path
@@ -11,8 +12,16 @@ from pathlib import Path
 from gearlash.system import GearlashError, given, shown
 
 from .errors import CaseError, Problem, nearest_name
+from .files import UnreadableError, read_file
 
-_LARGEST_FILE = 10_000_000
+LARGEST_FILE = 500_000  # bytes; the largest bundled case has 6,000
+MOST_PARTS = 30
+"""Of a name with dots. (Python's reader of TOML keeps every beginning of it: 100,000 parts take 40 GB.)"""
+MOST_NAMES, MOST_ITEMS, DEEPEST = 5_000, 50_000, 12
+"""Names in all tables of a file, items in all its arrays, tables and arrays inside each other."""
+_LONG_KEY = re.compile(
+    r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){""" + f"{MOST_PARTS}}}", re.ASCII
+)
 _AT_LINE = re.compile(r"\s*\(at (line \d+, column \d+|end of document)\)")
 
 
@@ -33,8 +42,12 @@ def source_text(path_or_name: str | Path) -> tuple[str, str]:
 
 def parse(label: str, text: str) -> dict[str, object]:
     """The tables of a TOML text."""
+    if len(text) > LARGEST_FILE:
+        raise CaseError(label, [Problem("file", None, f"at most {LARGEST_FILE:,} characters")])
+    if _LONG_KEY.search(text):
+        raise CaseError(label, [Problem("file", None, f"names of at most {MOST_PARTS} parts")])
     try:
-        return tomllib.loads(text)
+        tables = tomllib.loads(text)
     except ValueError as error:
         place = _AT_LINE.search(str(error))
         what = _AT_LINE.sub("", str(error))
@@ -42,6 +55,31 @@ def parse(label: str, text: str) -> dict[str, object]:
         raise CaseError(label, [Problem(where, None, f"valid TOML ({what[:1].lower()}{what[1:]})")]) from None
     except RecursionError:
         raise CaseError(label, [Problem("file", None, "tables nested less deeply")]) from None
+    check_size(label, tables)
+    return tables
+
+
+def check_size(label: str, tables: Mapping[str, object]) -> None:
+    """Raises `CaseError` for tables that no case can have. (Each of fifty thousand wrong names would be held
+    against the valid ones.)"""
+    names = items = 0
+    layer: list[object] = [tables]
+    for _ in range(DEEPEST):
+        inside: list[object] = []
+        for part in layer:
+            if isinstance(part, Mapping):
+                names += len(part)
+                inside += part.values()
+            elif isinstance(part, list):
+                items += len(part)
+                inside += part
+        if names > MOST_NAMES:
+            raise CaseError(label, [Problem("file", None, f"at most {MOST_NAMES:,} names")])
+        if items > MOST_ITEMS:
+            raise CaseError(label, [Problem("file", None, f"at most {MOST_ITEMS:,} items in arrays")])
+        layer = [part for part in inside if isinstance(part, (Mapping, list))]
+    if layer:
+        raise CaseError(label, [Problem("file", None, "tables and arrays nested less deeply")])
 
 
 def _path(label: str, path_or_name: object) -> Path:
@@ -54,17 +92,12 @@ def _path(label: str, path_or_name: object) -> Path:
 
 def _file(label: str, path: Path) -> bytes:
     try:
-        with path.open("rb") as stream:
-            data = stream.read(_LARGEST_FILE + 1)
-    except (OSError, ValueError) as error:  # ValueError: a null character in the name
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        expected = (
-            f"a case file that can be read ({reason}) or one of the bundled cases: {', '.join(bundled())}"
-        )
-        raise CaseError(label, [Problem("file", None, expected, nearest_name(label, bundled()))]) from None
-    if len(data) > _LARGEST_FILE:
-        raise CaseError(label, [Problem("file", None, "less than 10 MB")])
-    return data
+        return read_file(path, LARGEST_FILE)
+    except UnreadableError as error:
+        names = ", ".join(bundled())
+        expected = f"a case file that can be read ({error}) or one of the bundled cases: {names}"
+        near = nearest_name(label, bundled())
+        raise CaseError(label, [Problem("file", None, expected, near)]) from None
 
 
 def _decoded(label: str, data: bytes) -> str:

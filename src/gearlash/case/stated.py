@@ -44,13 +44,15 @@ class ValueRefusedError(ValueError):
         super().__init__(expected)
 
 
+LONGEST = 200
+"""Characters of a number with its unit."""
 _KEYS = ("value", "provenance", "reason")
 
 
 def read_stated(raw: object, place: Quantity | Choice) -> Stated:
     """A raw TOML value, plain or ``{value = …, provenance = …, reason = …}``. Raises `ValueRefusedError`."""
     if not isinstance(raw, Mapping):
-        return Stated(_read(raw, place), raw if isinstance(raw, str) else str(raw))
+        return Stated(_read(raw, place), _text_of(raw))
     for key in raw:
         if key not in _KEYS:
             raise ValueRefusedError(
@@ -71,8 +73,12 @@ def read_stated(raw: object, place: Quantity | Choice) -> Stated:
     if expected := refused(reason):
         raise ValueRefusedError(f"{expected} as its reason")
     value = raw["value"]
-    text = value if isinstance(value, str) else str(value)
-    return Stated(_read(value, place), text, Provenance(str(provenance)), reason)
+    return Stated(_read(value, place), _text_of(value), Provenance(str(provenance)), reason)
+
+
+def _text_of(raw: object) -> str:
+    """As it was written, of a value that was read."""
+    return raw if isinstance(raw, str) else str(raw)
 
 
 def _read(raw: object, place: Quantity | Choice) -> float | str:
@@ -89,6 +95,8 @@ def _number(raw: object, place: Quantity) -> float:
     raw = _plain(raw)
     if isinstance(raw, bool) or not isinstance(raw, int | float | str):
         raise ValueRefusedError(place.expected)
+    if isinstance(raw, str) and len(raw) > LONGEST:
+        raise ValueRefusedError(f"{place.expected} of at most {LONGEST} characters")
     if isinstance(raw, str) and refused(raw):
         raise ValueRefusedError(f"{place.expected} (a control character stands there)")
     value = _from_text(raw, place) if isinstance(raw, str) else _from_number(raw, place)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from .commands.bench import bench
 from .commands.check import check
@@ -16,8 +17,27 @@ from .commands.schema import schema
 from .commands.sweep import sweep
 from .commands.zones import zones
 
+LONGEST_ARGUMENT, MOST_ARGUMENTS = 4096, 1000  # characters: as much as a path may have
+
+
+class Bounded(TyperGroup):
+    """Takes no argument that could only be repeated in an error, and fill the screen."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Raises `typer.BadParameter` before anything is looked at."""
+        longest = max(map(len, args), default=0)
+        if longest > LONGEST_ARGUMENT:
+            raise typer.BadParameter(
+                f"an argument of {longest:,} characters; expected at most {LONGEST_ARGUMENT:,}"
+            )
+        if len(args) > MOST_ARGUMENTS:
+            raise typer.BadParameter(f"{len(args):,} arguments; expected at most {MOST_ARGUMENTS:,}")
+        return super().parse_args(ctx, args)
+
+
 app = typer.Typer(
     name="gearlash",
+    cls=Bounded,
     help="How a gear pair with backlash really moves: where it runs quietly, where teeth hit, and where one "
     "regime turns into the other.",
     no_args_is_help=True,

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from gearlash.case import Case, CaseError, Problem, load
 from gearlash.case.errors import nearest_name
+from gearlash.case.files import UnreadableError, read_file
 from gearlash.case.units import behind_number
 from gearlash.system import Family, GearlashError, given
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 MOST_POINTS = 1_000_000
+LARGEST_RUN = 20_000_000  # bytes of run.json
 
 
 @dataclass(frozen=True)
@@ -101,7 +103,8 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
         parts[0] += behind_number(parts[1])
     _, first = case.resolve(name, parts[0])
     problems, here = [], f"--over {name}"
-    count = int(parts[2]) if parts[2].isascii() and parts[2].isdigit() else 0
+    digits = parts[2].isascii() and parts[2].isdigit() and len(parts[2]) < 20
+    count = int(parts[2]) if digits else 0
     if not 2 <= count <= MOST_POINTS:
         expected = f"a number of points from 2 to {MOST_POINTS:,}, in digits, such as 200"
         problems.append(Problem(here, repr(parts[2]), expected))
@@ -182,13 +185,11 @@ def _short(case: Case, name: str, value: str) -> str | None:
 def _state_of_file(name: str, states: Iterable[str]) -> dict[str, float]:
     expected = f"STATE=VALUE or the JSON of an earlier run with the states {', '.join(states)}"
     try:
-        data = json.loads(given.path("--initial", name).read_text(encoding="utf-8"))
+        data = json.loads(read_file(given.path("--initial", name), LARGEST_RUN))
         state = {str(k): float(v) for k, v in data["state"].items()}
-    except OSError as error:
-        raise CaseError(
-            "--initial", [Problem("--initial", repr(name), f"{expected} ({error.strerror})")]
-        ) from None
-    except (ValueError, KeyError, TypeError, AttributeError):
+    except UnreadableError as error:
+        raise CaseError("--initial", [Problem("--initial", repr(name), f"{expected} ({error})")]) from None
+    except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
         raise CaseError("--initial", [Problem("--initial", repr(name), expected)]) from None
     if set(state) != set(states) or not all(isfinite(x) for x in state.values()):
         raise CaseError("--initial", [Problem("--initial", repr(name), expected)])

@@ -12,6 +12,7 @@ import numpy as np
 
 from gearlash.system import ContactRule, GearlashError, Record, System, derivative, given, padded
 from gearlash.system.harmonics import harmonics
+from gearlash.system.piecewise import MOST_CLEARANCES
 
 from ._assemble import assemble, laps
 from ._cells import EDGE, OFFSET, respond, stiffness_series
@@ -47,7 +48,6 @@ TRUNCATION = 1e-15  # bound on the Taylor remainder of every unit column of ever
 LATER = 1e-14  # the same for regions that are met only later, on the grid of the first ones
 MOST_CELLS = 200_000
 MOST_BYTES = 3_000_000_000  # of the tables of one region
-MOST_CLEARANCES = 8  # 3^8 regions are numbered
 RULES = {ContactRule.ALWAYS: ALWAYS, ContactRule.IN_CONTACT: IN_CONTACT, ContactRule.NO_TENSION: NO_TENSION}
 
 

@@ -19,6 +19,8 @@ from .record import Record
 from .status import GearlashError, Named
 
 Vector = NDArray[np.float64]
+MOST_CLEARANCES = 8
+"""Of a system: 3^8 regions are numbered."""
 SERIES = "stiffness_plus", "stiffness_minus", "offset"
 NUMBERS = "gap_plus", "gap_minus", "damping"
 

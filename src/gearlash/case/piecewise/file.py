@@ -10,10 +10,11 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple, TypeAlias
 
 from gearlash.case.entries import Entry
-from gearlash.case.errors import Problem, nearest_name
+from gearlash.case.errors import Problem
 from gearlash.case.stated import Provenance, ValueRefusedError, read_stated
 from gearlash.case.texts import refused
 from gearlash.system import ContactRule
+from gearlash.system.piecewise import MOST_CLEARANCES
 
 from .expressions import is_name
 from .places import contact_place, parameter_place
@@ -46,7 +47,7 @@ def read(raw: Mapping[str, Any]) -> Content:
     reading = Reading()
     for key in raw:
         if key not in TOP:
-            reading.wrong(key, raw[key], "a name that exists here", nearest_name(key, TOP))
+            reading.wrong(key, raw[key], "a name that exists here", reading.near(key, TOP))
     states = _states(raw, reading)
     parameters, entries = _parameters(raw, reading)
     rest = Reading(set(parameters), states)
@@ -169,12 +170,12 @@ def _matrix(raw: Mapping[str, Any], reading: Reading) -> dict[str, dict[str, Any
 
 
 def _clearances(raw: Mapping[str, Any], reading: Reading) -> tuple[list[Structure], dict[str, Entry]]:
-    expected = "one table [[clearance]] or more"
+    expected = f"1 to {MOST_CLEARANCES} tables [[clearance]]"
     stated = raw.get("clearance")
     if stated is None:
         reading.missing("clearance", expected)
         return [], {}
-    if not isinstance(stated, list) or not stated:
+    if not isinstance(stated, list) or not 1 <= len(stated) <= MOST_CLEARANCES:
         reading.wrong("clearance", stated, expected)
         return [], {}
     found, entries = [], {}

@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 from typing import Any, TypeAlias
 
-from gearlash.case.errors import Problem, nearest_name, shown
+from gearlash.case.errors import MOST_SHOWN, Problem, nearest_name, shown
 
 from .expressions import GRAMMAR, LARGEST, Expression, ExpressionError
 
@@ -37,6 +37,10 @@ class Reading:
     def missing(self, path: str, expected: str) -> None:
         self.problems.append(Problem(path, None, expected, missing=True))
 
+    def near(self, name: str, valid: Iterable[str]) -> str | None:
+        """The nearest valid name, for problems that are told and not only counted."""
+        return nearest_name(name, valid) if len(self.problems) < MOST_SHOWN else None
+
     def table(self, raw: object, path: str, keys: Iterable[str] | None = None) -> dict[str, Any]:
         """The table, without keys that are none of these."""
         if not isinstance(raw, Mapping):
@@ -47,8 +51,8 @@ class Reading:
         valid = tuple(keys)
         for key in raw:
             if key not in valid:
-                near = nearest_name(key, valid)
-                self.wrong(f"{path}.{key}", raw[key], f"one of {', '.join(valid)} here", near)
+                expected = f"one of {', '.join(valid)} here"
+                self.wrong(f"{path}.{key}", raw[key], expected, self.near(key, valid))
         return {key: raw[key] for key in valid if key in raw}
 
     def label(self, raw: object, path: str) -> str | None:
@@ -133,7 +137,7 @@ class Reading:
         for name in raw:
             if states is not None and name not in states:
                 expected = f"the name of a state: {', '.join(states)}"
-                self.wrong(f"{path}.{name}", raw[name], expected, nearest_name(name, states))
+                self.wrong(f"{path}.{name}", raw[name], expected, self.near(name, states))
         return {name: read(item, f"{path}.{name}") for name, item in raw.items()}
 
     def vector(self, raw: object, path: str) -> dict[str, Number]:

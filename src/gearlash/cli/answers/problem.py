@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from gearlash.case import CaseError
+from gearlash.case.errors import MOST_SHOWN
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,9 @@ class ProblemAnswer:
     """Input that cannot be used (exit code 2)."""
 
     message: Annotated[str, "all of it in words, as on standard error"]
-    problems: Annotated[tuple[ProblemRow, ...], "every problem of a case; empty for other errors"]
+    problems: Annotated[
+        tuple[ProblemRow, ...], "every problem of a case, the first 20 of many; empty for other errors"
+    ]
     result: Literal["problem"] = "problem"
 
 
@@ -32,6 +35,6 @@ def problem_answer(error: Exception) -> ProblemAnswer:
     found = error.problems if isinstance(error, CaseError) else ()
     rows = (
         ProblemRow(p.path, p.value, f"{p.expected} (missing)" if p.missing else p.expected, p.nearest)
-        for p in found
+        for p in found[:MOST_SHOWN]
     )
     return ProblemAnswer(str(error), tuple(rows))
