@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import time
 
-from gearlash.jobs import Part, stopping
+from gearlash.jobs import Part, handing_on, stopping
 
 
 def running_sum(task, carry) -> Part:
@@ -44,3 +45,46 @@ def fail(task, carry) -> Part:
 def hand_on(task, carry) -> Part:
     """The process id, to see who worked."""
     return Part(tuple(os.getpid() for _ in task), None)
+
+
+def stubborn(task, carry) -> Part:
+    """Two points quickly, then one that takes a minute and never looks up."""
+    found = []
+    with handing_on(lambda: Part(tuple(found))):
+        for number in task:
+            if number == 2:
+                until = time.monotonic() + 60.0
+                while time.monotonic() < until:
+                    sum(range(1000))
+            found.append(number)
+    return Part(tuple(found))
+
+
+def deaf(task, carry) -> Part:
+    """One long call that nothing interrupts but the end of the process."""
+    for number in task:
+        while number == 1:
+            try:
+                time.sleep(60.0)
+            except KeyboardInterrupt:
+                continue
+    return Part(tuple(task))
+
+
+def talkative(task, carry) -> Part:
+    """Prints, and writes past Python."""
+    print("a word on standard output", flush=True)
+    print("a word on standard error", file=sys.stderr, flush=True)
+    os.write(1, b"a word past Python\n")
+    os.write(2, b"a word past Python\n")
+    return Part(tuple(task))
+
+
+def broken_beginning() -> None:
+    """A preparation that fails."""
+    raise ValueError("no beginning")
+
+
+def deadly_beginning() -> None:
+    """A preparation in which the worker is killed."""
+    os.kill(os.getpid(), signal.SIGKILL)

@@ -148,5 +148,7 @@ def test_a_family_of_ones_own_runs_here_and_says_why_it_cannot_travel():
     assert labels(found) == labels(whole)
     dataset = results.sweep_dataset(family, [found])
     assert "case_hash" not in dataset.attrs
-    with studies.open_workers(family, 2) as executor, pytest.raises(GearlashError, match="workers=0"):
+    with pytest.raises(GearlashError, match="workers=1"):
+        studies.open_workers(family, 2)
+    with studies.open_workers(CLASSICAL, 2) as executor, pytest.raises(GearlashError, match="workers=1"):
         studies.sweep(family, SPEEDS, executor=executor)

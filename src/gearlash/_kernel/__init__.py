@@ -8,7 +8,6 @@ calls it without numba, whose import takes longer than most answers.
 calls machine code) → `cache` (files) → `machine` (loads them)."""
 
 from .announce import keep_silent
-from .children import started_safely
 from .declare import Kernel, allocating, fma, inlined, inner, kernel, primitive
 from .prepare import compile_all, load_all
 from .signature import ArrayOf, Record, Several, boolean, float64, int64, void
@@ -30,6 +29,5 @@ __all__ = [
     "kernel",
     "load_all",
     "primitive",
-    "started_safely",
     "void",
 ]

@@ -9,9 +9,7 @@ from __future__ import annotations
 import sys
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from multiprocessing import get_context
 from pathlib import Path
 from time import perf_counter
 
@@ -19,8 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash._kernel import started_safely
 from gearlash.flow import Propagators
+from gearlash.jobs import open_executor
 from gearlash.orbits import Neutral, Orbit, Unresolved, attractor
 
 from .peers.plain import Array
@@ -200,8 +198,8 @@ def main(count: int, target: Path) -> None:
     """Compares so many pixels on all cores and writes the page."""
     points, found = pixel_values(count), []
     compare(points[0])  # kernels are compiled before there are workers
-    with started_safely(), ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
-        for one in pool.map(compare, points, chunksize=4):
+    with open_executor() as executor:
+        for one in executor.map(compare, points):
             found.append(one)
             if len(found) % 50 == 0:
                 different = sum(bool(f.why) for f in found)

@@ -4,21 +4,28 @@ with open_executor(workers=2) as executor:
     outcome = run(function, chains, executor, progress=show)
 """
 
-from .chains import Carry, Chain, Outcome, Part, run
-from .executors import Inline, Pool, open_executor
+from .chains import DIED, INTERRUPTED, Carry, Chain, Outcome, Part, run
+from .executors import Inline, open_executor
+from .pool import NoWorkersError, Pool
 from .progress import Progress, ProgressCallback, seconds_as_text
-from .stop import Cancel, stopping
+from .stop import Cancel, handing_on, stopping
+from .travel import cannot_travel
 
 __all__ = [
+    "DIED",
+    "INTERRUPTED",
     "Cancel",
     "Carry",
     "Chain",
     "Inline",
+    "NoWorkersError",
     "Outcome",
     "Part",
     "Pool",
     "Progress",
     "ProgressCallback",
+    "cannot_travel",
+    "handing_on",
     "open_executor",
     "run",
     "seconds_as_text",

@@ -15,13 +15,19 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from .executors import Inline, available_cores
+from .pool import NoWorkersError, Pool
 from .progress import Load, Progress, ProgressCallback, remaining
-from .stop import Cancel
+from .stop import Cancel, Interrupted, interruptible, stopping
+from .travel import GUARD
 
 Carry: TypeAlias = Any
+INTERRUPTED, CANCELLED = "interrupted", "cancelled"
 DIED = "a worker process died (killed, or out of memory)"
-GUARD = 'a script that starts workers must do so under `if __name__ == "__main__":`'
+DEFECT = "defect"
+NEEDS_NONE = f"workers=1 needs none ({GUARD})"
 POLL = 0.2  # s between two looks at a cancel while nothing finishes
+PATIENCE = 1.0  # s that tasks at work have to return what they have; what comes later is given up
+MANY, SELDOM = 1_000, 0.1  # chains from which progress is told no more often than so (s): it looks at all
 
 
 @dataclass(frozen=True)
@@ -72,24 +78,28 @@ def run(
     """Does all tasks of all chains: ``work(task, carry)`` is a function that other processes can import.
 
     A cancel, Ctrl-C or the death of a worker process ends it early; what was done is returned with the
-    reason. An exception from ``work`` is a defect and raised.
+    reason. Raises `NoWorkersError` where workers died before anything was done, and what ``work`` raises,
+    which is a defect.
     """
     executor = Inline() if executor is None else executor
-    resume = getattr(executor, "resume", None)
-    if resume is not None:
-        resume()
+    if isinstance(executor, Pool):
+        executor.resume()
     round_ = _Round(work, chains, executor, progress)
+    reason, none = DEFECT, NoWorkersError(f"{DIED} before anything was computed; {NEEDS_NONE}")
     try:
         reason = round_.go(cancel)
     except KeyboardInterrupt:
-        reason = "interrupted"
+        reason = INTERRUPTED
     except BrokenExecutor:
-        reason = DIED if any(round_.results) else f"{DIED}; {GUARD}"
+        reason = DIED
+    except NoWorkersError as error:
+        reason, none = DIED, error
     finally:
-        round_.end()
-    return Outcome(
-        {chain.name: tuple(got) for chain, got in zip(chains, round_.results, strict=True)}, reason
-    )
+        round_.end(reason)
+    results = round_.results()
+    if reason == DIED and not any(results.values()):
+        raise none
+    return Outcome(results, reason)
 
 
 @dataclass
@@ -101,11 +111,13 @@ class _Round:
     executor: Executor
     progress: ProgressCallback | None
     began: float = field(default_factory=time.perf_counter)
+    told: float = 0.0
     flying: dict[Future[Any], tuple[int, int]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.results: list[list[Any]] = [[] for _ in self.chains]
+        self.parts: list[dict[int, tuple[Any, ...]]] = [{} for _ in self.chains]
         self.loads = [Load(sum(chain.sizes)) for chain in self.chains]
+        self.inline = isinstance(self.executor, Inline)
         self.workers = int(getattr(self.executor, "workers", available_cores()))
         # The longest chain first: it decides when all is done. Of equal ones the first.
         order = sorted(range(len(self.chains)), key=lambda i: (-len(self.chains[i].tasks), i))
@@ -113,27 +125,45 @@ class _Round:
 
     def go(self, cancel: Cancel | None) -> str:
         """Until all is done, or the reason why not."""
-        ahead = 1 if isinstance(self.executor, Inline) else self.workers + 1
+        ahead = 1 if self.inline else self.workers + 1
         while self.ready or self.flying:
             if cancel is not None and cancel.is_set():
-                return "cancelled"
+                return CANCELLED
+            if stopping():
+                return INTERRUPTED
             while self.ready and len(self.flying) < ahead:
                 self.submit(*self.ready.pop())
             done, _ = wait(self.flying, timeout=POLL, return_when=FIRST_COMPLETED)
             for future in done:
                 self.collect(future)
-        return "" if all(load.left == 0 for load in self.loads) else "stopped"
+        if all(load.left == 0 for load in self.loads):
+            return ""
+        return INTERRUPTED if stopping() else "stopped"
 
     def submit(self, index: int, step: int, carry: Carry) -> None:
-        future = self.executor.submit(_timed, self.work, self.chains[index].tasks[step], carry)
+        """Done at once where this process does the work: a signal may end that, and only that."""
+        arguments = (_timed, self.work, self.chains[index].tasks[step], carry)
+        if not self.inline:
+            self.flying[self.executor.submit(*arguments)] = (index, step)
+            return
+        try:
+            with interruptible():
+                future = self.executor.submit(*arguments)
+        except Interrupted as error:
+            self.parts[index][step] = error.part.results
+            raise
         self.flying[future] = (index, step)
 
     def collect(self, future: Future[Any], proceed: bool = True) -> None:
         """Keeps the results of a task; the next of its chain goes ahead of chains not yet begun."""
-        index, step = self.flying.pop(future)
-        seconds, part = future.result()
+        index, step = self.flying[future]
+        try:
+            seconds, part = future.result()
+        except Interrupted as error:
+            seconds, part = 0.0, error.part
         chain, load = self.chains[index], self.loads[index]
-        self.results[index].extend(part.results)
+        self.parts[index][step] = part.results
+        del self.flying[future]
         load.done += len(part.results)
         load.seconds += seconds
         whole = len(part.results) == chain.sizes[step]
@@ -142,22 +172,39 @@ class _Round:
         self.tell()
 
     def tell(self) -> None:
-        if self.progress is not None:
-            done, total = sum(load.done for load in self.loads), sum(load.total for load in self.loads)
-            elapsed = time.perf_counter() - self.began
-            self.progress(Progress(done, total, elapsed, remaining(self.loads, self.workers)))
+        now, last = time.perf_counter(), not (self.ready or self.flying)
+        seldom = len(self.chains) > MANY and now - self.told < SELDOM and not last
+        if self.progress is None or seldom:
+            return
+        self.told = now
+        done, total = sum(load.done for load in self.loads), sum(load.total for load in self.loads)
+        self.progress(Progress(done, total, now - self.began, remaining(self.loads, self.workers)))
 
-    def end(self) -> None:
+    def end(self, reason: str) -> None:
         """Takes back what has not begun, asks what is at work to stop, and keeps what that returns."""
         left = [future for future in self.flying if not future.cancel()]
-        stop = getattr(self.executor, "stop", None)
-        if left and stop is not None:
-            stop()
+        if isinstance(self.executor, Pool):
+            if left:
+                self.executor.stop()
+            if reason and wait(left, PATIENCE).not_done:
+                self.executor.abandon()
+        self.progress = None
         for future in left:
-            if isinstance(future.exception(), BrokenExecutor):
-                continue
-            self.progress = None
-            self.collect(future, proceed=False)
+            if not isinstance(future.exception(), BrokenExecutor | NoWorkersError) and _kept(future):
+                self.collect(future, proceed=False)
+
+    def results(self) -> dict[Hashable, tuple[Any, ...]]:
+        """Per chain, in order."""
+        return {
+            chain.name: tuple(result for step in sorted(parts) for result in parts[step])
+            for chain, parts in zip(self.chains, self.parts, strict=True)
+        }
+
+
+def _kept(future: Future[Any]) -> bool:
+    """Not so if a stop ended the task before it had anything to hand on."""
+    error = future.exception()
+    return isinstance(error, Interrupted) or not isinstance(error, KeyboardInterrupt)
 
 
 def _timed(work: Work, task: Any, carry: Carry) -> tuple[float, Part]:

@@ -1,8 +1,15 @@
-"""Asking work to end early, across threads and processes."""
+"""Asking work to end early, across threads and processes.
+
+Two ways, one after the other: a flag that tasks look at between two points (`stopping`), and
+KeyboardInterrupt for a point that takes long. Who answers signals raises it only where it can be taken: while
+a task runs (`interruptible`); a task that has something already hands it on with it (`handing_on`).
+"""
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, Protocol
 
 
 class Cancel(Protocol):
@@ -16,11 +23,22 @@ class _Never:
         return False
 
 
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C came in the middle of a task; ``part`` is what the task had by then."""
+
+    def __init__(self, part: Any):
+        self.part = part
+        super().__init__(part)
+
+
 _flag: Cancel = _Never()
+_inside = 0
 
 
 def watch(flag: Cancel) -> None:
-    """Makes this process listen to ``flag``; workers do so when they start."""
+    """Makes this process listen to ``flag``: workers do so when they start, the command line while a study
+    runs.
+    """
     global _flag
     _flag = flag
 
@@ -30,3 +48,30 @@ def stopping() -> bool:
     they have.
     """
     return _flag.is_set()
+
+
+@contextmanager
+def interruptible() -> Iterator[None]:
+    """Around work of the main thread that KeyboardInterrupt may end anywhere."""
+    global _inside
+    _inside += 1
+    try:
+        if stopping():
+            raise KeyboardInterrupt
+        yield
+    finally:
+        _inside -= 1
+
+
+def may_be_interrupted() -> bool:
+    """Whether the main thread is at such work."""
+    return _inside > 0
+
+
+@contextmanager
+def handing_on(part: Callable[[], Any]) -> Iterator[None]:
+    """Around the loop of a task: if Ctrl-C ends it, ``part()`` is not lost."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        raise Interrupted(part()) from None

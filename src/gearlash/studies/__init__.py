@@ -3,10 +3,10 @@
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, PlaneMap, Point, Sweep, coexisting, same_motion
 
-from .model import Model, prepare
+from .model import Model, open_workers, prepare
 from .plane import map_plane
 from .point import point, summary
-from .sweep import open_workers, sweep, sweeps
+from .sweep import sweep, sweeps
 from .zone import End, Interval, Quiet, Tenant, Zone, Zones
 from .zones import zones
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import pickle
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TypeAlias
 
+from gearlash._kernel import compile_all, load_all
 from gearlash.case import Case
-from gearlash.jobs import Pool
+from gearlash.jobs import Pool, cannot_travel, open_executor
+from gearlash.jobs.executors import available_cores
 from gearlash.system import Family, GearlashError, given
 
 Model: TypeAlias = Case | Family
@@ -45,14 +46,28 @@ def prepare(source: Source) -> None:
     source.family()
 
 
+def open_workers(model: Model, workers: int | None = None) -> Executor:
+    """An executor whose processes know the model before their first task; see `jobs.open_executor`. Kernels
+    that must be compiled are so before, by this process, which says it. Raises `GearlashError` for a family
+    of one's own that they cannot get."""
+    source = Source.of(model)
+    if (available_cores() if workers is None else workers) > 1:
+        if source.own is not None:
+            _check_sent(source.own)
+        compile_all(load_all())
+    return open_executor(workers, prepare, (source,))
+
+
 def check_travels(source: Source, executor: Executor | None) -> None:
     """Raises `GearlashError` where a family of one's own cannot be sent to worker processes."""
-    if source.own is None or not isinstance(executor, Pool):
-        return
-    try:
-        pickle.dumps(source.own)
-    except (pickle.PicklingError, AttributeError, TypeError) as error:
+    if source.own is not None and isinstance(executor, Pool):
+        _check_sent(source.own)
+
+
+def _check_sent(family: Family) -> None:
+    reason = cannot_travel(family)
+    if reason:
         raise GearlashError(
-            f"this family cannot be sent to worker processes ({error}): "
-            "define its `build` and `initial` as functions of a module, or use workers=0"
-        ) from None
+            f"this family cannot be sent to worker processes ({reason}); "
+            "define its `build` and `initial` as functions of a module, or use workers=1, which needs none"
+        )

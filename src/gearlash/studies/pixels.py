@@ -10,7 +10,7 @@ from numpy.linalg import LinAlgError
 
 from gearlash import flow
 from gearlash.flow import Propagators
-from gearlash.jobs import Carry, Part, stopping
+from gearlash.jobs import Carry, Part, handing_on, stopping
 from gearlash.orbits import Aperiodic, Attractor, Neutral, Orbit, Settings, Unresolved, Verdict, attractor
 from gearlash.orbits.certificate import MOVING
 from gearlash.orbits.results import SAMPLE
@@ -78,11 +78,12 @@ def work(stretch: Stretch, carry: Carry) -> Part:
     the propagators of a pixel are those of the one before with other forced parts."""
     family, found = stretch.source.family(), []
     props: Propagators | None = None
-    for value in stretch.values:
-        if stopping():
-            break
-        pixel, props = _pixel(family, {**dict(stretch.fixed), stretch.along: value}, stretch, props)
-        found.append(pixel)
+    with handing_on(lambda: Part(tuple(found))):
+        for value in stretch.values:
+            if stopping():
+                break
+            pixel, props = _pixel(family, {**dict(stretch.fixed), stretch.along: value}, stretch, props)
+            found.append(pixel)
     return Part(tuple(found))
 
 

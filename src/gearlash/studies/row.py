@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.flow import Propagators
-from gearlash.jobs import Part, stopping
+from gearlash.jobs import Part, handing_on, stopping
 from gearlash.orbits import Settings
 from gearlash.results import Point
 from gearlash.system import Family
@@ -58,16 +58,17 @@ _bench = _Bench()
 def work(segment: Segment, trail: Trail) -> Part:
     """The points of a segment, as far as they go before a stop, and the trail for the next one."""
     family, found = segment.source.family(), []
-    for value in segment.values:
-        if stopping():
-            break
-        values = {**dict(segment.fixed), segment.name: value}
-        if segment.follow:
-            point = step(family, values, segment.name, trail, segment.settings)
-            trail = onward(trail, point)
-        else:
-            point = _at(family, values, segment.name, trail.state, None, segment.settings)
-        found.append(point)
+    with handing_on(lambda: Part(tuple(found), trail)):
+        for value in segment.values:
+            if stopping():
+                break
+            values = {**dict(segment.fixed), segment.name: value}
+            if segment.follow:
+                point = step(family, values, segment.name, trail, segment.settings)
+                trail = onward(trail, point)
+            else:
+                point = _at(family, values, segment.name, trail.state, None, segment.settings)
+            found.append(point)
     return Part(tuple(found), trail)
 
 

@@ -9,14 +9,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash._kernel import compile_all, load_all
-from gearlash.jobs import Cancel, Chain, Inline, Outcome, ProgressCallback, open_executor, run
+from gearlash.jobs import Cancel, Chain, Inline, Outcome, ProgressCallback, run
 from gearlash.orbits import Settings
 from gearlash.results import NOT_COMPUTED, Axis, Direction, Sweep, blank
 from gearlash.system import given
 
 from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
-from .model import Model, Source, check_travels, prepare
+from .model import Model, Source, check_travels
 from .row import Segment, Trail, work
 
 CHUNK = 8  # points a task: some ten milliseconds of work for a fraction of one of talk
@@ -85,14 +84,6 @@ def sweeps(
     chains = [chain for way in ways for chain in _chains(way, axis, size, form, begin)]
     outcome = run(work, chains, executor, progress=progress, cancel=cancel)
     return tuple(_gathered(way, axis, fixed, outcome) for way in ways)
-
-
-def open_workers(model: Model, workers: int | None = None) -> Executor:
-    """An executor whose processes know the model before their first task; see `jobs.open_executor`. Kernels
-    that must be compiled are so before, by this process, which says it."""
-    if workers is None or workers > 1:
-        compile_all(load_all())
-    return open_executor(workers, prepare, (Source.of(model),))
 
 
 def _directions(directions: Sequence[Direction | str]) -> list[Direction]:

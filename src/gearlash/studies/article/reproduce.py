@@ -14,9 +14,9 @@ from gearlash.flow import propagators
 from gearlash.jobs import Progress
 from gearlash.orbits import Orbit, shoot
 from gearlash.results import Axis, Direction, Point, provenance, sweep_dataset
+from gearlash.studies.model import open_workers
 from gearlash.studies.motion import Motion, motion
 from gearlash.studies.point import point
-from gearlash.studies.sweep import open_workers
 from gearlash.studies.transitions import Transition
 
 from .bearing import bearing_modes
