@@ -14,8 +14,11 @@ from hypothesis import strategies as st
 
 from gearlash import case, studies
 from gearlash.branches import GrazingPoint
-from gearlash.studies import Axis, End, Interval, Quiet
+from gearlash.studies import Axis, Direction, End, Interval, Quiet
+from gearlash.studies.model import Source
+from gearlash.studies.quiet import Row, Search
 from gearlash.studies.zone import BASIN, RANGE, UNKNOWN, Tenant, Zone, intersection, union
+from gearlash.studies.zones import zones_of_kinds
 from gearlash.system import GearlashError, UnknownNameError
 
 ARTICLE = case.load("article-first-harmonic")
@@ -228,3 +231,80 @@ def test_tenants_coexist_only_where_they_overlap():
 
     assert make(tenants).coexisting == tenants
     assert make(apart).coexisting == ()
+
+
+def sharp_loss_of_contact(damping: float, load: float, error: float) -> tuple[float, float]:
+    """Frequencies at which the amplitude ω²E/|1 − ω² + 2iζω| is the load: a quadratic in w = ω²."""
+    a, b, c = 1.0 - (error / load) ** 2, 4.0 * damping**2 - 2.0, 1.0
+    root = math.sqrt(b * b - 4.0 * a * c)
+    return math.sqrt((-b - root) / (2.0 * a)), math.sqrt((-b + root) / (2.0 * a))
+
+
+@pytest.mark.parametrize("count", [2, 3, 5, 15])
+def test_impacts_between_two_quiet_points_end_the_zones(count: int):
+    """However few points: motion is quiet at both ends of the range, and has impacts around the resonance."""
+    low, high = loss_of_contact()
+    found = studies.zones(CLASSICAL, Axis.even("omega", (0.3, 1.6), count))
+    intervals = [*found.zones, *found.wider]
+    assert not any(z.lower.value < 0.5 * (low + high) < z.upper.value for z in intervals)
+    solved = [end for z in intervals for end in (z.lower, z.upper) if end.kind == "grazing"]
+    assert any(abs(end.value - low) < 1e-9 for end in solved)
+    assert any(abs(end.value - high) < 1e-9 for end in solved)
+
+
+@pytest.mark.parametrize("range_", [(0.5, 1.5), (0.4, 1.31), (0.73, 1.9)])
+def test_a_loss_of_contact_narrower_than_a_step_is_found_by_its_flanks(range_: tuple[float, float]):
+    """A resonance with ζ = 0.001, in which contact is lost over 1.3e-3 in ω only."""
+    values = {"mesh_damping": 1e-3, "load": 0.1, "error": 2.4e-4}
+    low, high = sharp_loss_of_contact(1e-3, 0.1, 2.4e-4)
+    assert 1e-3 < high - low < 2e-3
+    found = studies.zones(CLASSICAL, Axis.even("omega", range_, 5), fixed=values)
+    assert found.step > 3.0 * (high - low)
+    intervals = [*found.zones, *found.wider]
+    assert not any(z.contains(0.5 * (low + high)) for z in intervals)
+    ends = {round(e.value, 9) for z in intervals for e in (z.lower, z.upper) if e.kind == "grazing"}
+    assert {round(low, 9), round(high, 9)} <= ends
+
+
+def test_a_load_that_changes_sides_is_no_quiet_interval_through_zero():
+    """Contact on the drive side and contact on the back side have the gap between them."""
+    found = studies.zones(CLASSICAL, Axis.even("load", (-0.2, 0.2), 2), fixed={"omega": 0.5})
+    intervals = [*found.zones, *found.wider]
+    amplitude = 0.05 * 0.25 / abs(0.75 + 0.05j)
+    assert not any(z.lower.value < 0.0 < z.upper.value for z in intervals)
+    ends = [e.value for z in intervals for e in (z.lower, z.upper) if e.kind == "grazing"]
+    assert min(abs(e - amplitude) for e in ends) < 1e-9
+    assert min(abs(e + amplitude) for e in ends) < 1e-9
+
+
+def test_the_step_that_is_told_is_that_of_what_was_looked_at():
+    coarse = studies.zones(CLASSICAL, Axis.even("omega", (0.3, 0.6), 4))
+    assert coarse.resolution == pytest.approx(0.1)
+    assert 0.0 < coarse.step <= 0.3 / 128 * (1.0 + 1e-9)
+    fine = studies.zones(CLASSICAL, Axis.even("omega", (0.3, 0.6), 301))
+    assert fine.step <= fine.resolution == pytest.approx(1e-3)
+
+
+def test_several_kinds_at_once_are_those_of_one():
+    both = zones_of_kinds(CLASSICAL, SPEEDS, ["impact-free", "drive-side-only"])
+    for kind, found in zip(("impact-free", "drive-side-only"), both, strict=True):
+        alone = studies.zones(CLASSICAL, SPEEDS, kind, known=found.sweeps)
+        assert [str(z) for z in alone.zones + alone.wider] == [str(z) for z in found.zones + found.wider]
+
+
+def test_an_end_of_one_row_is_looked_at_in_the_others():
+    """A grazing that ends another sweep's interval between two quiet points of this one is probed there."""
+    axis = Axis.even("omega", (0.4, 0.6), 2)
+    (up,) = studies.sweeps(CLASSICAL, axis, ["up"])
+    search = Search(Source.of(CLASSICAL), (), studies.Settings(), Quiet.IMPACT_FREE, None, None, None, None)
+    row = Row(up.direction, up.points, frozenset(p.value for p in up.points))
+    point = next(e.point for z in studies.zones(CLASSICAL, SPEEDS).wider for e in (z.upper,))
+    assert isinstance(point, GrazingPoint)
+    end = End(0.5, "grazing", 1e-12, point=point)
+    ((at, found),) = search.probes(row, {(Direction.COLD, 0.4, 0.6): end})
+    assert (at, found) == (0, end)
+    (probed,) = search.probed([row], [[(at, found)]], "omega", 0.1)
+    values = [p.value for p in probed.points]
+    assert values == pytest.approx([0.4, 0.5, 0.5, 0.6], abs=1e-6)
+    assert values[1] < 0.5 < values[2]
+    assert search.probes(probed, {(Direction.COLD, 0.4, 0.6): end}) == []

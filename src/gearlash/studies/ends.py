@@ -35,7 +35,8 @@ BESIDE = 3.0  # bracket widths: how near to a bracket a fold must be to be what 
 @dataclass(frozen=True, eq=False)
 class Bracket:
     """Neighbouring points of one sweep, ``below`` and ``above``, of which one is quiet. ``start`` is what
-    the sweep started from (None: the family's own)."""
+    the sweep started from (None: the family's own). ``followed``: they lie between points of the sweep, and
+    motion was followed from one to the other, whatever the direction of the sweep."""
 
     source: Source
     fixed: tuple[tuple[str, float], ...]
@@ -46,6 +47,12 @@ class Bracket:
     below: Point
     above: Point
     start: NDArray[np.float64] | None
+    followed: bool = False
+
+    @property
+    def cold(self) -> bool:
+        """Is what lies between found from cold starts?"""
+        return self.direction is Direction.COLD and not self.followed
 
 
 def find_end(bracket: Bracket, carry: object) -> Part:
@@ -82,7 +89,7 @@ class _Search:
     def found(self, value: float, below: Point, above: Point) -> Point:
         """What a sweep of this direction finds between two points, coming from its side."""
         trail = Trail(self.bracket.start, None)
-        if self.bracket.direction is not Direction.COLD:
+        if not self.bracket.cold:
             trail = onward(trail, above if self.bracket.direction is Direction.DOWN else below)
         return self.step(value, trail)
 
@@ -139,7 +146,7 @@ class _Search:
 
     def unsolved(self, inside: Point, outside: Point) -> str:
         """What to call a change that no point was solved for."""
-        if self.bracket.direction is Direction.COLD:
+        if self.bracket.cold:
             followed = self.step(outside.value, onward(Trail(None, None), inside))
             if self.quiet(followed):
                 return BASIN

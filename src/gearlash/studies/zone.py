@@ -156,9 +156,11 @@ class Zone(Interval):
 @dataclass(frozen=True, eq=False, repr=False)
 class Zones(Record):
     """``zones``: where every attractor found by the sweeps is quiet. ``wider``: intervals where at least
-    one of them is, as far as they reach beyond a zone of the first kind. What is narrower than
-    ``resolution`` (the step of the axis) may have been missed; ``complete`` is False where something was
-    not computed, ``message`` says why."""
+    one of them is, as far as they reach beyond a zone of the first kind. A zone narrower than ``resolution``
+    (the step of the axis) may have been missed, and so may other motions that live between two values of
+    the axis only; inside the zones quiet motion was followed in steps of ``step`` at the most, and an
+    interruption narrower than that may have been missed. ``complete`` is False where something was not
+    computed, ``message`` says why."""
 
     _told: ClassVar = ("quiet", "axis", "zones", "wider", "complete", "message")
 
@@ -170,6 +172,7 @@ class Zones(Record):
     complete: bool = True
     message: str = ""
     resolution: float = field(default=0.0)
+    step: float = field(default=0.0)
 
     def at(self, value: float) -> Zone | None:
         """The zone (for every attractor) that holds a value."""

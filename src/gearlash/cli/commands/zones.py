@@ -72,7 +72,7 @@ def zones(
     from gearlash.cli.workers import executor_for
     from gearlash.results import Axis
     from gearlash.studies import sweeps
-    from gearlash.studies.zones import zones as find_zones
+    from gearlash.studies.zones import zones_of_kinds
 
     axis, search = Axis(along.short, along.values), search_settings(family, periods, max_period, case)
     kinds = [kind] if kind else list(Kind)
@@ -80,19 +80,16 @@ def zones(
         with progress_bar("sweeps") as progress:
             ways = sweeps(chosen, axis, initial=start, settings=search, executor=executor, progress=progress)
         with progress_bar("ends") as progress:
-            found = [
-                find_zones(
-                    chosen,
-                    axis,
-                    k,
-                    known=ways,
-                    initial=start,
-                    settings=search,
-                    executor=executor,
-                    progress=progress,
-                )
-                for k in kinds
-            ]
+            found = zones_of_kinds(
+                chosen,
+                axis,
+                kinds,
+                known=ways,
+                initial=start,
+                settings=search,
+                executor=executor,
+                progress=progress,
+            )
     answer = zones_answer(chosen, family.complete(), along.named, found)
     with delivery():
         try:
