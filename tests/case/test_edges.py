@@ -32,8 +32,9 @@ def test_ends_are_rounded_into_the_interval(value: float, inwards: int, text: st
 
 def test_the_present_value_stays_on_its_side():
     assert shown_edge(4114.082, 1, beside=4114.1) == "4114.082"
-    assert shown_edge(4114.082, 1, beside=4200.0) == "4115"
-    assert shown_distance(4200.0, 4114.082, 1) == "85"
+    assert shown_edge(4114.082, 1, beside=4200.0) == "4114.1"
+    assert shown_edge(4114.082, 1, beside=6000.0) == "4115"
+    assert shown_distance(4200.0, 4114.082, 1) == "85.9"
 
 
 @given(VALUES, VALUES, st.sampled_from((-1, 1)))

@@ -1,4 +1,4 @@
-"""gearlash sweep and zones."""
+"""gearlash sweep."""
 
 from __future__ import annotations
 
@@ -79,31 +79,3 @@ def test_ctrl_c_keeps_what_was_computed(gearlash: Gearlash, tmp_path: Path, monk
     assert dataset.attrs["complete"] == 0
     assert [str(s) for s in dataset["status"].values[0]] == ["ok"] * 4 + ["not-computed"] * 5
     assert not (tmp_path / "sweep.svg").exists()
-
-
-def test_zones_against_their_grazings(gearlash: Gearlash, tmp_path: Path):
-    over = ("--over", "omega=0.95:1.06:12")
-    ran = gearlash("zones", "article", *over, "--kind", "impact-free", "--json", "--out", str(tmp_path))
-    answer = ran.answer
-    assert ran.code == 0
-    assert problems(answer, answer_schema(answer_kind("zones"))) == []
-    zone = answer["zones"][0]
-    assert (zone["kind"], zone["every"]) == ("impact-free", True)
-    assert zone["lower"]["kind"] == "grazing"
-    assert zone["lower"]["solved"] is True
-    assert zone["upper"]["kind"] == "end of the range"
-    lower = gearlash("graze", "article", "--near", "0.98", "--json").answer["points"][0]["value"]
-    assert zone["lower"]["value"] == pytest.approx(lower, abs=1e-10)
-    own = answer["parameters"]["omega"]
-    assert zone["margin"] == pytest.approx(own - lower, rel=1e-9)
-    rpm = next(p for p in zone["lower"]["physical"] if p["unit"] == "rpm")
-    assert rpm["value"] == pytest.approx(3600 * 0.9725 / 0.9424154746983821, abs=0.001)
-    assert (tmp_path / "zones.nc").exists()
-
-
-def test_zones_in_words(gearlash: Gearlash):
-    out = gearlash("zones", "article", "--over", "omega=0.95:1.06:12").out
-    assert out.startswith("every attractor found is free of impacts for omega from 0.9725 to 1.06 (3714.9 to")
-    assert "Free of impacts on the back side, every attractor found" in out
-    assert "grazing, 1-0-0 inside, 1-1-0 outside" in out
-    assert "may have been missed" in " ".join(out.split())

@@ -11,8 +11,9 @@ from gearlash.branches import locate_grazing
 from gearlash.case import Case, load
 from gearlash.orbits import Orbit, attractor, grazing_checks
 from gearlash.results import Axis, plane_dataset, sweep_dataset
-from gearlash.studies import map_plane, sweeps
+from gearlash.studies import Zones, map_plane, sweeps
 from gearlash.studies.motion import Motion, motion, touching
+from gearlash.studies.zones import zones_of_kinds
 
 
 @cache
@@ -72,3 +73,12 @@ def plane() -> xr.Dataset:
         article(), Axis.even("omega", (0.74, 1.2), 8), Axis("D", np.array([-0.1, 0.25, 0.39, 0.7]))
     )
     return plane_dataset(article(), found)
+
+
+@cache
+def zoned() -> tuple[xr.Dataset, tuple[Zones, ...]]:
+    """Zones of both kinds over a coarse axis, and the sweeps they come from."""
+    found = zones_of_kinds(
+        article(), Axis.even("omega", (0.94, 1.13), 12), ["impact-free", "drive-side-only"]
+    )
+    return sweep_dataset(article(), found[0].sweeps), found

@@ -6,14 +6,16 @@ import re
 from collections.abc import Callable
 
 import matplotlib as mpl
+import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 from matplotlib.text import Text
 
 from gearlash import plots
 from gearlash.plots.units import MARK
-from plots.made import aperiodic, around_grazing, article, dataset, moving, plane
+from plots.made import aperiodic, around_grazing, article, dataset, moving, plane, zoned
 
 BARS = (
     plots.Bar("article", 0.973, 1.112, "reported", "", "0.973", "1.112"),
@@ -44,6 +46,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "histories-stacked": lambda: plots.history_triple((moving(0.78, 0.386), aperiodic()), units(), "D"),
     "plane": lambda: plots.plane(plane(), units()),
     "sections": lambda: plots.sections((moving(1.1, 1.0, 1.1), moving(0.78, 0.386, 0.386))),
+    "zone-bands": lambda: plots.zone_bands(*zoned(), "Zones of article", 1.047, units()),
     "zones": lambda: plots.zones((plots.Panel("omega", "impact-free at D = 1", BARS),), units()),
 }
 
@@ -181,3 +184,31 @@ def test_a_zoom_holds_the_touch_in_its_middle_and_what_is_missed_beside_it() -> 
         low, high = axes.get_xlim()
         assert (low + high) / 2 == pytest.approx(at.touch.displacement, abs=1e-9)
         assert low < before.displacement.min() < after.displacement.min() < high
+
+
+def test_zones_are_drawn_as_bands_with_their_ends() -> None:
+    _, found = zoned()
+    figure = FIGURES["zone-bands"]()
+    upper, lower = figure.axes[0], panels(figure)[-1]
+    bands = [(r.get_x(), r.get_x() + r.get_width()) for r in upper.patches if isinstance(r, Rectangle)]
+    expected = [(z.lower.value, z.upper.value) for kind in found for z in (*kind.zones, *kind.wider)]
+    assert np.allclose(sorted(bands), sorted(expected), rtol=1e-14)
+    ends = {float(x) for line in upper.lines for x in np.atleast_1d(line.get_xdata())}
+    solved = {e.value for kind in found for z in kind.zones for e in (z.lower, z.upper) if e.bounded}
+    assert solved
+    assert solved <= ends
+    assert any(np.all(np.asarray(line.get_xdata()) == 1.047) for line in lower.lines), "the present value"
+    assert "no impacts, every" in words(figure)
+    assert "grazing, solved for" in words(figure)
+    assert "pinion speed  [rpm]" in words(figure)
+
+
+def test_the_legend_of_zones_lies_inside_the_page() -> None:
+    figure = FIGURES["zone-bands"]()
+    figure.draw_without_rendering()
+    (legend,) = figure.legends
+    box, page = legend.get_window_extent(), figure.bbox
+    assert page.x0 <= box.x0
+    assert box.x1 <= page.x1
+    assert box.y0 >= page.y0 - 1.0
+    assert all(box.y1 <= a.get_window_extent().y0 for a in figure.axes)

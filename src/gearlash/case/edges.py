@@ -6,7 +6,7 @@ from math import ceil, floor, isfinite, log10
 
 DIGITS = 4  # significant ones of an end, at least
 MOST = 15  # decimals
-APART = 0.1  # of the distance to the present value: no rounding is coarser, so that the two stay in order
+APART = 0.01  # of the distance to the present value: no rounding is coarser, so that the two stay in order
 EXACT = 1e-9  # relative: what lies so near to a round number is that number
 
 

@@ -26,11 +26,13 @@ LARGEST_RUN = 20_000_000  # bytes of run.json
 
 @dataclass(frozen=True)
 class Over:
-    """A parameter to vary: as it was named, its short name, and dimensionless values, ascending."""
+    """A parameter to vary: as it was named, its short name, dimensionless values, ascending, and the unit
+    that its ends were typed in (empty: none)."""
 
     named: str
     short: str
     values: NDArray[np.float64]
+    unit: str = ""
 
 
 def read_case(name: str, settings: Iterable[str] | None = None) -> Case:
@@ -114,7 +116,7 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
     problems += twice_named(case, name, short, settings)
     if problems:
         raise CaseError("--over", problems)
-    return Over(case.named(name, parts[1]), short, np.linspace(first, last, count))
+    return Over(case.named(name, parts[1]), short, np.linspace(first, last, count), behind_number(parts[1]))
 
 
 def read_plane(case: Case, texts: Sequence[str], settings: Iterable[str] | None = None) -> tuple[Over, Over]:

@@ -17,6 +17,7 @@ from .portraits import gallery, portrait
 from .portraits import triple as portrait_triple
 from .style import save, to_bytes
 from .units import Units
+from .zoned import zone_bands
 
 __all__ = [
     "Bar",
@@ -35,5 +36,6 @@ __all__ = [
     "save",
     "sections",
     "to_bytes",
+    "zone_bands",
     "zones",
 ]

@@ -32,7 +32,7 @@ def diagram(dataset: xr.Dataset, marks: Sequence[Mark] = (), units: Units | None
     """The whole diagram of a sweep dataset over one axis with a dimension ``direction``."""
     rows = branches(dataset)
     axis = axis_name(dataset)
-    shown = _new_points(rows)
+    shown = new_points(rows)
     back = any(np.isfinite(b.back_force).any() for b in rows)
     heights = [height(marks), 4.6 * len(rows), 50.0, 34.0, 34.0 if back else 5.0, 30.0]
     figure = style.figure(style.PAGE, sum(heights) + 38.0)
@@ -67,7 +67,7 @@ _PANELS = {
 }
 
 
-def _new_points(rows: list[Branch]) -> list[NDArray[np.bool_]]:
+def new_points(rows: list[Branch]) -> list[NDArray[np.bool_]]:
     """Per branch, the axis values at which it shows another attractor than the first branch."""
     return [np.ones(len(rows[0].values), dtype=bool), *(differs(b, rows[0]) for b in rows[1:])]
 
@@ -113,14 +113,20 @@ def _points(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]], arr
 
 
 def scatter(
-    panel: Axes, direction: str, x: NDArray[np.float64], y: NDArray[np.float64], hollow: bool = False
+    panel: Axes,
+    direction: str,
+    x: NDArray[np.float64],
+    y: NDArray[np.float64],
+    hollow: bool = False,
+    larger: float = 1.0,
 ) -> None:
-    """Points of one direction in its look, as a picture of print resolution inside the vector file."""
+    """Points of one direction in its look, as a picture of print resolution inside the vector file;
+    ``larger``: than usual, in area."""
     colour, marker, size, order = LOOKS.get(direction, LOOKS["cold"])
     panel.scatter(
         x,
         y,
-        s=size,
+        s=size * larger,
         marker=marker,
         facecolors=colour,
         edgecolors="none",

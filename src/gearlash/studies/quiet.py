@@ -133,7 +133,7 @@ class Search:
         for below, above in self.quiet_pairs(row):
             for counts, donor in self.donors:
                 inner = donor.between(below, above, counts)
-                if inner and all(self.quiet.holds(point) for point in inner):
+                if inner and all(counts.holds(p) and self.quiet.holds(p) for p in inner):
                     yield from inner
                     break
 

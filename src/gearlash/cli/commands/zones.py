@@ -50,8 +50,9 @@ def zones(
     """Which intervals are free of impacts, or of impacts on the back side?
 
     Cold, up and down sweeps, then every end located: solved for where it is a grazing or doubling, else
-    halved. Says where every attractor found is quiet, where only some are, and what coexists. --out writes
-    zones.json, and the sweeps as zones.nc.
+    halved. Between quiet points motion is followed in small steps. Says where the present value lies, where
+    every attractor found is quiet, where only some are, and what coexists. --out writes zones.json, the
+    sweeps as zones.nc, and the zones over them as SVG and PDF.
     """
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_over, read_start
@@ -90,13 +91,13 @@ def zones(
                 executor=executor,
                 progress=progress,
             )
-    answer = zones_answer(chosen, family.complete(), along.named, found)
+    answer = zones_answer(chosen, family.complete(), along.named, along.unit, found)
     with delivery():
         try:
             if folder:
-                from gearlash.cli.files import write_sweep
+                from gearlash.cli.files import write_zones
 
-                write_sweep(folder, chosen, ways, "zones")
+                write_zones(folder, chosen, found, answer.present)
                 write_file(answer, folder.file("zones.json"))
         finally:  # an answer that took long is shown even if it cannot be kept
             if as_json:

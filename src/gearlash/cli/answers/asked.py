@@ -1,0 +1,65 @@
+"""A parameter in the unit that it was asked for in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearlash.case import Case
+from gearlash.case.edges import shown_distance, shown_edge
+from gearlash.case.units import UnitError, pretty, read
+
+
+@dataclass(frozen=True)
+class Asked:
+    """How values of the varied parameter are told: its dimensionless values times ``factor``."""
+
+    name: Annotated[str, "as it was typed"]
+    unit: Annotated[str, "that it was typed in; empty where values are dimensionless"]
+    factor: Annotated[float, "what dimensionless values are multiplied with"]
+
+    @staticmethod
+    def of(case: Case, short: str, named: str, unit: str) -> Asked:
+        """``named`` is the name as typed, ``unit`` the one typed with it (empty: none)."""
+        leaf = named.rpartition(".")[2]
+        for path, values, own in case.physical(short, 1.0):
+            if path.rpartition(".")[2] == leaf and (unit or named != short):
+                return Asked(leaf, *_converted(float(values), own, unit))
+        return Asked(short if leaf == short else leaf, "", 1.0)
+
+    def value(self, dimensionless: float) -> float:
+        return self.factor * dimensionless
+
+    def text(self, value: float) -> str:
+        """A value as it stands in the case: ``4200 rpm``, ``omega = 0.55``."""
+        return self.with_unit(f"{self.value(value):.6g}")
+
+    def edge(self, value: float, inwards: int, beside: float) -> str:
+        """The end of an interval, rounded into it; only the number."""
+        inwards = inwards if self.factor > 0.0 else -inwards
+        return shown_edge(self.value(value), inwards, self.value(beside))
+
+    def distance(self, here: float, edge: float, inwards: int) -> str:
+        """Between a value and an end, as both are shown: ``86 rpm``."""
+        inwards = inwards if self.factor > 0.0 else -inwards
+        shown = shown_distance(self.value(here), self.value(edge), inwards)
+        return f"{shown} {pretty(self.unit)}" if self.unit else shown
+
+    def with_unit(self, shown: str) -> str:
+        return f"{shown} {pretty(self.unit)}" if self.unit else f"{self.name} = {shown}"
+
+    def between(self, low: str, high: str) -> str:
+        """Two numbers as an interval: ``1000 to 3850 rpm``, ``omega from 0.13 to 0.5``."""
+        return f"{low} to {high} {pretty(self.unit)}" if self.unit else f"{self.name} from {low} to {high}"
+
+
+def _converted(value: float, own: str, asked: str) -> tuple[str, float]:
+    """A value in its own unit, in the asked one where that measures the same."""
+    try:
+        (_, here), (_, there) = read(f"1 {own}"), read(f"1 {asked}")
+    except UnitError:
+        return own, value
+    if not asked or here.dimension != there.dimension:
+        return own, value
+    factor = float(here.ratio / there.ratio) * 3.141592653589793 ** (here.pi_power - there.pi_power)
+    return asked, value * factor

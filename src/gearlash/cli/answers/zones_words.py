@@ -1,0 +1,95 @@
+"""The sentence that zones begin with: where the present value lies first, then the other zones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .asked import Asked
+from .zones_parts import ZoneEnd, ZoneFound
+
+QUIET = {"impact-free": "free of impacts", "drive-side-only": "free of impacts on the back side"}
+WHO = {True: "every attractor found", False: "some of the attractors found, but not for all"}
+MARK = "†"  # behind a physical number that rests on an assumed value
+MOST = 4  # further zones that are named
+NO_END = ("end of the range", "not computed beyond")
+
+
+def headline(asked: Asked, ends: tuple[float, float], here: float, zones: Sequence[ZoneFound]) -> str:
+    """``ends`` of the range that was examined and the present value ``here``, all dimensionless."""
+    at = asked.text(here)
+    holding = [zone for zone in zones if zone.lower.value <= here <= zone.upper.value]
+    own = min(holding, key=_rank, default=None)
+    if not ends[0] <= here <= ends[1]:
+        reach = asked.between(*(f"{asked.value(end):.6g}" for end in ends))
+        first = [f"{at} lies outside the range that was examined, {reach}"]
+    elif own is None:
+        first = [f"{at} lies in no zone that was found"]
+    else:
+        span = _span(asked, own, here)
+        first = [f"{at} lies in a zone {QUIET[own.kind]} for {WHO[own.every]}: {span}"]
+        first.append(_margin(asked, own, here))
+    kind = own.kind if own is not None else _first_kind(zones)
+    others = [zone for zone in zones if zone is not own and zone.every and zone.kind == kind]
+    if own is not None and own.every and not others:
+        return "; ".join(first)
+    return "; ".join([*first, _further(asked, others, kind, here, own)])
+
+
+def _rank(zone: ZoneFound) -> tuple[bool, bool]:
+    """What says most comes first."""
+    return zone.kind != "impact-free", not zone.every
+
+
+def _first_kind(zones: Sequence[ZoneFound]) -> str:
+    kinds = [zone.kind for zone in zones if zone.every]
+    return "impact-free" if "impact-free" in kinds or not kinds else kinds[0]
+
+
+def _span(asked: Asked, zone: ZoneFound, here: float) -> str:
+    low, high = asked.edge(zone.lower.value, 1, here), asked.edge(zone.upper.value, -1, here)
+    return asked.between(low, high) + (f" {MARK}" if _marked(asked, zone) else "")
+
+
+def _marked(asked: Asked, zone: ZoneFound) -> bool:
+    """Whether an end that was computed rests on assumed values in this unit; what was typed rests on none."""
+    ends = [end for end in (zone.lower, zone.upper) if end.kind not in NO_END]
+    return bool(asked.unit) and any(p.rests_on for end in ends for p in end.physical)
+
+
+def _margin(asked: Asked, zone: ZoneFound, here: float) -> str:
+    """How far the nearest end at which something happens is."""
+    ends: list[tuple[float, str, ZoneEnd]] = []
+    if zone.lower.kind not in NO_END:
+        ends.append((here - zone.lower.value, "lower", zone.lower))
+    if zone.upper.kind not in NO_END:
+        ends.append((zone.upper.value - here, "upper", zone.upper))
+    if not ends:
+        return "no end of it was met within the range"
+    _, which, end = min(ends, key=lambda one: one[0])
+    apart = asked.distance(here, end.value, 1 if which == "lower" else -1)
+    return f"{apart} from its {which} end ({end.kind})"
+
+
+def _further(asked: Asked, zones: Sequence[ZoneFound], kind: str, here: float, own: ZoneFound | None) -> str:
+    """The other zones of the same kind for every attractor, the nearest first where the present value lies in
+    none."""
+    if not zones:
+        return f"no interval was found in which {WHO[True]} is {QUIET[kind]}"
+    spans = [_span(asked, zone, here) for zone in zones]
+    if own is None:
+        near = min(zones, key=lambda zone: max(zone.lower.value - here, here - zone.upper.value))
+        at = zones.index(near)
+        above = near.lower.value > here
+        end, inwards = (near.lower, 1) if above else (near.upper, -1)
+        apart = f"{asked.distance(here, end.value, inwards)} {'above' if above else 'below'}"
+        spans = [f"{spans[at]}, {apart}", *spans[:at], *spans[at + 1 :]]
+        head, rest = f"nearest zone {QUIET[kind]} for {WHO[True]}: {spans[0]}", spans[1:]
+        return f"{head}; others: {_listed(rest)}" if rest else head
+    many = "zones" if len(spans) > 1 else "zone"
+    also = "other " if own.every else ""
+    return f"{also}{many} {QUIET[kind]} for {WHO[True]}: {_listed(spans)}"
+
+
+def _listed(spans: Sequence[str]) -> str:
+    left = len(spans) - MOST
+    return ", ".join(spans[:MOST]) + (f" and {left} more" if left > 0 else "")

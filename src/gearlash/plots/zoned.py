@@ -1,0 +1,174 @@
+"""Zones as `gearlash zones` finds them: bands with their ends, over what the sweeps show."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch, Rectangle
+
+from gearlash.studies.zone import End, Quiet, Zone, Zones
+
+from . import style
+from .bifurcation import directions, new_points, scatter
+from .branch import axis_name, branches
+from .marks import OTHER_TICK, TICKS
+from .regimes import DRIVE, FREE
+from .strip import key, strip
+from .units import ASSUMED, Units, name, plain, second
+
+WIDTH = 140.0  # mm of the panels: what is left beside the labels
+ROW = 6.0  # mm of a band
+THICK = 0.62  # of a band, of its row
+SOME = "/////"  # hatch of where only some attractors are quiet
+PRESENT = (0, (5, 2))
+DENSE = 250  # values of an axis from which points are drawn as small as in a bifurcation diagram
+LARGEST = 14.0  # times that size, of the points of a coarse axis
+WORDS = {Quiet.IMPACT_FREE: "no impacts", Quiet.DRIVE_SIDE_ONLY: "back side not hit"}
+FILLS = {Quiet.IMPACT_FREE: FREE.colour, Quiet.DRIVE_SIDE_ONLY: DRIVE.colour}
+HALVED = "end found by halving"
+
+
+@dataclass(frozen=True)
+class _Band:
+    """A row of bands: what holds in them, and for whom."""
+
+    quiet: Quiet
+    every: bool
+    zones: tuple[Zone, ...]
+
+    @property
+    def title(self) -> str:
+        return f"{WORDS[self.quiet]}, {'every' if self.every else 'some'}"
+
+
+@style.styled
+def zone_bands(
+    dataset: xr.Dataset,
+    found: Sequence[Zones],
+    title: str = "",
+    present: float | None = None,
+    units: Units | None = None,
+) -> Figure:
+    """Zones of one or several kinds over the sweeps that they were found from (``dataset``, complete);
+    ``present`` is the value of the case itself."""
+    rows, axis, bands = branches(dataset), axis_name(dataset), list(_bands(found))
+    heights = [ROW * len(bands), 4.6 * len(rows), 52.0]
+    figure = style.figure(style.PAGE, sum(heights) + 46.0)
+    panels: list[Axes] = list(figure.subplots(3, 1, sharex=True, height_ratios=heights))
+    upper, bars, lower = panels
+    upper.set_xlim(float(rows[0].values[0]), float(rows[0].values[-1]))
+    marks = _draw(upper, bands)
+    seen = strip(bars, rows, WIDTH)
+    _shade(lower, bands)
+    shown = new_points(rows)
+    larger = min(LARGEST, max(1.0, (DENSE / len(rows[0].values)) ** 1.2))
+    for branch, keep in zip(rows, shown, strict=True):
+        scatter(lower, branch.direction, *branch.points("strobes", keep), larger=larger)
+    lower.margins(y=0.08)
+    lower.set_ylabel(r"$X_n$  on  $\sigma_t$")
+    lower.set_xlabel(name(axis))
+    twin = (units or Units()).of_parameter(axis)
+    second(lower, twin, below=9.5)
+    bars.tick_params(which="both", bottom=False, top=False)
+    if title:
+        upper.set_title(plain(f"{title} (every, some: of the attractors found)"), pad=6.0)
+    here = list(_present(panels, present))
+    figure.legend(
+        handles=[*directions(rows, shown), *key(seen), *_key(bands), *marks, *here],
+        loc="outside lower center", ncols=3, columnspacing=1.6,
+        title=ASSUMED if twin is not None and twin.assumed else None, title_fontsize=6.5,
+    )  # fmt: skip
+    return figure
+
+
+def _bands(found: Sequence[Zones]) -> Iterator[_Band]:
+    for zones in found:
+        yield _Band(zones.quiet, True, zones.zones)
+        if zones.wider:
+            yield _Band(zones.quiet, False, zones.wider)
+
+
+def _draw(axes: Axes, bands: Sequence[_Band]) -> list[Line2D]:
+    """The bands, first on top, and their ends; returns the legend entries of the ends."""
+    seen: dict[str, Line2D] = {}
+    for row, band in enumerate(bands):
+        bottom = len(bands) - 1 - row + (1.0 - THICK) / 2.0
+        for zone in band.zones:
+            low, high = zone.lower.value, zone.upper.value
+            axes.add_patch(
+                Rectangle(
+                    (low, bottom),
+                    high - low,
+                    THICK,
+                    facecolor=FILLS[band.quiet],
+                    edgecolor=style.INK,
+                    linewidth=0.5,
+                    hatch="" if band.every else SOME,
+                )
+            )
+            for end in (zone.lower, zone.upper):
+                if end.bounded:
+                    _tick(axes, end, bottom + THICK / 2.0, seen)
+        if not band.zones:
+            axes.text(
+                0.5, bottom + THICK / 2.0, "none found", transform=axes.get_yaxis_transform(), ha="center",
+                va="center_baseline", color=style.GREY,
+            )  # fmt: skip
+    axes.set_ylim(0.0, len(bands))
+    axes.set_yticks([len(bands) - 0.5 - i for i in range(len(bands))], [band.title for band in bands])
+    axes.tick_params(which="both", length=0, labelbottom=False)
+    return [seen[kind] for kind in sorted(seen, key=lambda kind: kind == HALVED)]
+
+
+def _tick(axes: Axes, end: End, height: float, seen: dict[str, Line2D]) -> None:
+    """The end of a band: solved for (filled), or found by halving (hollow)."""
+    kind = end.kind if end.point is not None else HALVED
+    marker = TICKS.get(kind, OTHER_TICK) if end.point is not None else "s"
+    fill = style.INK if end.point is not None else "white"
+    look = {"marker": marker, "ms": 4.0, "mew": 0.7, "color": style.INK, "mfc": fill}
+    axes.plot([end.value], [height], ls="none", clip_on=False, zorder=5, **look)
+    label = kind if kind == HALVED else f"{kind}, solved for"
+    seen.setdefault(kind, Line2D([], [], ls="none", label=label, **look))
+
+
+def _shade(axes: Axes, bands: Sequence[_Band]) -> None:
+    """Behind the points: the zones of the first kind that has any, for every attractor, and lines where zones
+    end."""
+    for zone in (zone for band in _certain(bands)[:1] for zone in band.zones):
+        axes.axvspan(
+            zone.lower.value, zone.upper.value, facecolor=FILLS[zone.quiet], alpha=0.55, edgecolor="none",
+            zorder=0.1,
+        )  # fmt: skip
+    for end in (e for band in bands for zone in band.zones for e in (zone.lower, zone.upper)):
+        if end.bounded:
+            axes.axvline(end.value, color=style.GREY, lw=0.5, zorder=0.5)
+
+
+def _certain(bands: Sequence[_Band]) -> list[_Band]:
+    return [band for band in bands if band.every and band.zones]
+
+
+def _key(bands: Sequence[_Band]) -> Iterator[Patch]:
+    looks = {"edgecolor": style.INK, "linewidth": 0.4}
+    for band in _certain(bands)[:1]:
+        yield Patch(facecolor=FILLS[band.quiet], alpha=0.55, label=f"zone: {band.title}", linewidth=0.0)
+    if any(not band.every for band in bands):
+        yield Patch(facecolor="white", hatch=SOME, label="some attractors found only", **looks)
+
+
+def _present(panels: Sequence[Axes], value: float | None) -> Iterator[Line2D]:
+    """A line where the case itself is, if that is in the range."""
+    if value is None:
+        return
+    low, high = panels[0].get_xlim()
+    if not low <= value <= high:
+        return
+    look = {"color": style.VERMILION, "lw": 1.0, "ls": PRESENT}
+    for panel in panels:
+        panel.axvline(value, zorder=4, **look)
+    yield Line2D([], [], label="present value", **look)

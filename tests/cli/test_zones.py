@@ -1,0 +1,187 @@
+"""gearlash zones: intervals against what ends them, the sentence, the files."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+import gearlash as gl
+from cli.conftest import Gearlash
+from cli.schema_check import problems
+from gearlash.cli.answers.asked import Asked
+from gearlash.cli.answers.zones_parts import ZoneEnd, ZoneFound
+from gearlash.cli.answers.zones_words import headline
+from gearlash.cli.kinds import answer_kind
+from gearlash.cli.schemas import answer_schema
+
+CASES = Path(__file__).resolve().parents[1] / "cases"
+DRIVE = str(CASES / "drive.toml")
+RPM = Asked("pinion_speed", "rpm", 1000.0)
+
+
+def test_zones_against_their_grazings(gearlash: Gearlash, tmp_path: Path):
+    over = ("--over", "omega=0.95:1.06:12")
+    ran = gearlash("zones", "article", *over, "--kind", "impact-free", "--json", "--out", str(tmp_path))
+    answer = ran.answer
+    assert ran.code == 0
+    assert problems(answer, answer_schema(answer_kind("zones"))) == []
+    zone = answer["zones"][0]
+    assert (zone["kind"], zone["every"]) == ("impact-free", True)
+    assert zone["lower"]["kind"] == "grazing"
+    assert zone["lower"]["solved"] is True
+    assert zone["upper"]["kind"] == "end of the range"
+    lower = gearlash("graze", "article", "--near", "0.98", "--json").answer["points"][0]["value"]
+    assert zone["lower"]["value"] == pytest.approx(lower, abs=1e-10)
+    own = answer["parameters"]["omega"]
+    assert answer["present"] == own
+    assert zone["margin"] == pytest.approx(own - lower, rel=1e-9)
+    rpm = next(p for p in zone["lower"]["physical"] if p["unit"] == "rpm")
+    assert rpm["value"] == pytest.approx(3600 * 0.9725 / 0.9424154746983821, abs=0.001)
+    assert (tmp_path / "zones.nc").exists()
+
+
+def test_zones_in_words(gearlash: Gearlash):
+    out = gearlash("zones", "article", "--over", "omega=0.95:1.06:12").out
+    first = " ".join(out.partition("\n\n")[0].split())
+    assert first == (
+        "omega = 1.04713 lies in a zone free of impacts for every attractor found: omega from 0.9725 to "
+        "1.06; 0.0746 from its lower end (grazing)"
+    )
+    assert "Free of impacts on the back side, every attractor found: omega from 0.95 to 1.06" in out
+    assert "grazing, 1-0-0 inside, 1-1-0 outside" in out
+    flat = " ".join(out.split())
+    assert "a zone narrower than 0.01, or a motion that lives between two of the values only" in flat
+    assert "quiet motion was followed in steps of 0.000833 at the most" in flat
+
+
+@pytest.mark.parametrize("count", [5, 15, 41])
+def test_the_present_speed_comes_first_however_coarse_the_axis(gearlash: Gearlash, count: int):
+    """Between 3872 and 4114 rpm contact is lost, though both neighbours of 15 points are quiet."""
+    ran = gearlash("zones", DRIVE, "--over", f"pinion_speed=1000rpm:6000rpm:{count}", "--json")
+    answer = ran.answer
+    assert answer["sentence"].startswith(
+        "4200 rpm lies in a zone free of impacts for every attractor found: 4114.1 to 6000 rpm †; 85.9 rpm "
+        "from its lower end (grazing)"
+    )
+    assert answer["asked"]["unit"] == "rpm"
+    free = [z for z in answer["zones"] if z["kind"] == "impact-free"]
+    middle = 4000.0 / 4200.0 * answer["present"]
+    assert not any(z["lower"]["value"] < middle < z["upper"]["value"] for z in free)
+    held = next(z for z in free if z["margin"] is not None)
+    assert held["margin_asked"] == pytest.approx(85.9, abs=0.1)
+
+
+def test_what_was_typed_in_other_units_is_told_in_them(gearlash: Gearlash):
+    for over, start, margin in (
+        ("pinion_speed=100rad/s:600rad/s:9", "439.823 rad/s lies in a zone", "rad/s from its lower end"),
+        ("backlash=0.02mm:0.2mm:5", "0.08 mm lies in a zone", "no end of it was met within the range"),
+        ("torque=10Nm:300Nm:5", "150 Nm lies in a zone", "Nm from its lower end (grazing)"),
+        ("omega=0.2:0.9:9", "omega = 0.548539 lies in a zone", "0.0111 from its lower end (grazing)"),
+    ):
+        options = ("--over", over, "--kind", "impact-free", "--json")
+        sentence = gearlash("zones", DRIVE, *options).answer["sentence"]
+        assert sentence.startswith(start)
+        assert margin in sentence
+
+
+def test_a_typed_end_rests_on_nothing_and_a_computed_one_does(gearlash: Gearlash):
+    answer = gearlash("zones", DRIVE, "--over", "pinion_speed=4000rpm:5000rpm:5", "--json").answer
+    zone = next(z for z in answer["zones"] if z["margin"] is not None)
+    for end, rests in (("lower", True), ("upper", False)):
+        rpm = next(p for p in zone[end]["physical"] if p["unit"] == "rpm")
+        assert bool(rpm["rests_on"]) is rests
+
+
+def test_one_edge_is_one_number_in_run_and_zones(gearlash: Gearlash):
+    run = gearlash("run", DRIVE, "--json").answer["sentence"]
+    ran = gearlash("zones", DRIVE, "--over", "pinion_speed=3900rpm:5000rpm:5")
+    assert "impact-free from 4114.1 rpm †" in run
+    assert ran.out.count("4114.1 to 5000 rpm") == 2
+    assert "4114.1 rpm †" in ran.out
+
+
+def test_zones_of_points_that_fail_are_not_ok(gearlash: Gearlash):
+    ran = gearlash("zones", str(CASES / "narrow.toml"), "--over", "gap=-3:1:9", "--json")
+    assert ran.code == 3
+    assert ran.answer["status"] == "partly-failed"
+    assert "15 of 27 points failed, the first: gap = -3, not a valid system" in ran.answer["sentence"]
+    assert sum(ran.answer["statuses"].values()) == 27
+
+
+def test_out_has_zones_and_not_a_sweep_again(gearlash: Gearlash, tmp_path: Path):
+    over = ("--over", "omega=0.95:1.06:12")
+    zones = gearlash("zones", "article", *over, "--json", "--out", str(tmp_path / "zones"))
+    gearlash("sweep", "article", *over, "--out", str(tmp_path / "sweep"))
+    figure = (tmp_path / "zones" / "zones.svg").read_bytes()
+    assert figure.startswith(b"<?xml")
+    assert figure != (tmp_path / "sweep" / "sweep.svg").read_bytes()
+    assert (tmp_path / "zones" / "zones.pdf").read_bytes().startswith(b"%PDF")
+    assert json.loads((tmp_path / "zones" / "zones.json").read_text(encoding="utf-8")) == zones.answer
+    assert gl.load_dataset(tmp_path / "zones" / "zones.nc").attrs["complete"] == 1
+
+
+def zone(low: float, high: float, every: bool = True, kind: str = "impact-free") -> ZoneFound:
+    """In thousands of revolutions per minute; both ends are grazings but those at 1 and 9."""
+    ends = [
+        ZoneEnd(
+            v, 0.0, (), "end of the range" if v in (1.0, 9.0) else "grazing", True, "1-0-0", "1-1-0", "up"
+        )
+        for v in (low, high)
+    ]
+    return ZoneFound(kind, every, ends[0], ends[1], None, None, ())  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize(
+    ("here", "zones", "words"),
+    [
+        (
+            2.0,
+            [zone(1.0, 3.0), zone(5.0, 6.0)],
+            "2000 rpm lies in a zone free of impacts for every attractor found: 1000 to 3000 rpm; 1000 rpm "
+            "from its upper end (grazing); other zone free of impacts for every attractor found: 5000 to 6000 "
+            "rpm",
+        ),
+        (
+            4.0,
+            [zone(1.0, 3.0), zone(4.5, 6.0)],
+            "4000 rpm lies in no zone that was found; nearest zone free of impacts for every attractor "
+            "found: 4500 to 6000 rpm, 500 rpm above; others: 1000 to 3000 rpm",
+        ),
+        (
+            4.0,
+            [zone(3.0, 5.0, every=False)],
+            "4000 rpm lies in a zone free of impacts for some of the attractors found, but not for all: 3000 "
+            "to 5000 rpm; 1000 rpm from its lower end (grazing); no interval was found in which every "
+            "attractor found is free of impacts",
+        ),
+        (
+            4.0,
+            [zone(3.0, 5.0, every=False), zone(1.0, 9.0, kind="drive-side-only")],
+            "4000 rpm lies in a zone free of impacts for some of the attractors found, but not for all: 3000 "
+            "to 5000 rpm; 1000 rpm from its lower end (grazing); no interval was found in which every "
+            "attractor found is free of impacts",
+        ),
+        (
+            4.0,
+            [zone(1.0, 9.0, kind="drive-side-only")],
+            "4000 rpm lies in a zone free of impacts on the back side for every attractor found: 1000 to "
+            "9000 rpm; no end of it was met within the range",
+        ),
+        (
+            12.0,
+            [zone(1.0, 9.0)],
+            "12000 rpm lies outside the range that was examined, 1000 to 9000 rpm; nearest zone free of "
+            "impacts for every attractor found: 1000 to 9000 rpm, 3000 rpm below",
+        ),
+        (
+            4.0,
+            [],
+            "4000 rpm lies in no zone that was found; no interval was found in which every attractor found "
+            "is free of impacts",
+        ),
+    ],
+)
+def test_headlines(here: float, zones: list[ZoneFound], words: str):
+    assert headline(RPM, (1.0, 9.0), here, zones) == words
