@@ -140,8 +140,8 @@ def zone(low: float, high: float, every: bool = True, kind: str = "impact-free")
             2.0,
             [zone(1.0, 3.0), zone(5.0, 6.0)],
             "2000 rpm lies in a zone free of impacts for every attractor found: 1000 to 3000 rpm; 1000 rpm "
-            "from its upper end (grazing); other zone free of impacts for every attractor found: 5000 to 6000 "
-            "rpm",
+            "from its upper end (grazing); other zone free of impacts for every attractor found: 5000 to "
+            "6000 rpm",
         ),
         (
             4.0,
