@@ -217,4 +217,4 @@ def test_a_doubling_beyond_the_largest_period_ends_the_way(gearlash: Gearlash):
     options = ("--over", "D", "--near", "0.3855", "--set", "omega=0.78", "--max-period", "6", "--json")
     down = gearlash("graze", "article-first-harmonic", *options).answer["paths"][0]
     assert not down["decided"]
-    assert "larger than --max-period" in down["ended"]
+    assert "the period is longer than was to be followed (--max-period)" in down["ended"]

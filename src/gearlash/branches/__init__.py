@@ -4,6 +4,7 @@ two-parameter curves have their place here too."""
 from .bifurcation import BifurcationPoint, locate_multiplier
 from .grazing import GrazingPoint, locate_grazing
 from .kinds import CODIMENSION_TWO, SMOOTH, STANDARD, table2_type
+from .node import Node
 from .walk import End, Met, Outcome, walk
 
 __all__ = [
@@ -14,6 +15,7 @@ __all__ = [
     "End",
     "GrazingPoint",
     "Met",
+    "Node",
     "Outcome",
     "locate_grazing",
     "locate_multiplier",

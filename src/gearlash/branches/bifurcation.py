@@ -76,7 +76,7 @@ def locate_multiplier(
     props = problem.system_at(mu)
     _, jacobian = problem.equations(props, state)
     status = Status.OK if residual <= CLOSED else Status.NOT_CONVERGED
-    if status.ok and multiplier == 1 and _born_by_doubling(props, state, orbit.shot.period):
+    if status.ok and multiplier == 1 and born_by_doubling(props, state, orbit.shot.period):
         status = Status.NOT_ADMISSIBLE  # a doubled orbit is born here, which is no fold
     shot = Shot(state, orbit.shot.period, residual, jacobian, residual, 0, status)
     return BifurcationPoint(
@@ -94,7 +94,7 @@ def locate_multiplier(
     )
 
 
-def _born_by_doubling(props: Propagators, state: Array, period: int) -> bool:
+def born_by_doubling(props: Propagators, state: Array, period: int) -> bool:
     """Whether an orbit of half the period lies close by, with a multiplier close to -1."""
     if period % 2:
         return False

@@ -20,7 +20,7 @@ Point = GrazingPoint | BifurcationPoint
 AHEAD = 4.0  # lengths of the refused step: how far ahead an extremum may seem to touch, to be solved for
 TRIES = 6  # extrema solved for at one orbit
 CLOSE = 0.05  # of the orbit's size: extrema so near a boundary are tried where no motion of them is known
-WORTH = 0.3  # a multiplier so near to ±1 is followed there
+WORTH = 0.8  # a real multiplier beyond it is followed to ±1
 LEADING = 1e-5  # what a multiplier of modulus 1 may exceed it by, where it is known to the root of rounding
 FOLD_NEAR = 1e-3  # of the scale: a fold is believed from an orbit so near
 FOLD_APART = 0.1  # of the orbit's ranges: and that lies so near in the state
@@ -30,26 +30,36 @@ FOLD_APART = 0.1  # of the orbit's ranges: and that lies so near in the state
 class Causes:
     """Points ahead of ``before`` in the way of ``sign``, nearest first."""
 
+    before: Node
     points: tuple[Point, ...]
 
     @staticmethod
-    def ahead(line: Line, before: Node, earlier: Earlier, value: float) -> Causes:
-        """Those that a refused step from ``before`` to ``value`` may have met."""
+    def ahead(
+        line: Line, before: Node, earlier: Earlier, value: float, *, touches: bool, losses: bool
+    ) -> Causes:
+        """Those that a refused step from ``before`` to ``value`` may have met: touches, and where the orbit
+        loses its stability or ends."""
         sign = 1.0 if value > before.value else -1.0
-        found = [*_grazings(line, before, earlier, value), *_multipliers(line, before)]
+        found: list[Point] = []
+        if touches:
+            found += _grazings(line, before, earlier, value)
+        if losses:
+            joined = list(_joined(line, before))
+            found += joined or _multipliers(line, before)
         ahead = (p for p in found if sign * (p.value - before.value) >= -slack(p.value))
-        return Causes(tuple(sorted(ahead, key=lambda p: sign * p.value)))
+        return Causes(before, tuple(sorted(ahead, key=lambda p: sign * p.value)))
 
     def up_to(self, value: float, sign: float) -> Iterator[Point]:
-        """Those not beyond a value. No step leads to a fold, only ever nearer: it is met as soon as it is
-        believed."""
+        """Those not beyond a value. No step leads to where a branch ends, only ever nearer: that is met as
+        soon as it is believed."""
         for point in self.points:
-            if is_fold(point) or sign * (point.value - value) <= slack(value):
+            if ends(point, self.before) or sign * (point.value - value) <= slack(value):
                 yield point
 
 
-def is_fold(point: Point) -> bool:
-    return isinstance(point, BifurcationPoint) and point.multiplier > 0
+def ends(point: Point, orbit: Node) -> bool:
+    """Whether the branch of an orbit ends at a point ahead: in a fold, or in the orbit of half its period."""
+    return isinstance(point, BifurcationPoint) and (point.multiplier > 0 or point.period < orbit.orbit.period)
 
 
 def slack(value: float) -> float:
@@ -96,9 +106,34 @@ def _multipliers(line: Line, before: Node) -> Iterator[BifurcationPoint]:
             yield point
 
 
+def _joined(line: Line, before: Node) -> Iterator[BifurcationPoint]:
+    """The doubling at which an orbit ends that was born from one of half its period: solved for from that
+    one, which lies between the two halves."""
+    orbit, half = before.orbit, before.orbit.shot.period // 2
+    if orbit.shot.period % 2 or orbit.leading.imag != 0.0 or orbit.leading.real < WORTH:
+        return
+    try:
+        between = 0.5 * (orbit.strobes[0] + orbit.strobes[half])
+        single = line.orbit(before.value, between, half, orbit)
+        if single is None or single.shot.period != half or before.label != str(single.signature.twice):
+            return
+        point = locate_multiplier(line.family, line.at(before.value), line.name, single, -1)
+    except UNBUILT:
+        return
+    if point.status is Status.OK and point.label == single.label and close(line, before, point):
+        yield point
+
+
+def close(line: Line, before: Node, point: BifurcationPoint) -> bool:
+    """Whether an orbit lies so close to where a branch ends, or joins another, that no step is short enough:
+    there it leaves as the root of the distance."""
+    near = abs(point.value - before.value) <= FOLD_NEAR * line.scale
+    return near and before.apart(point.state) <= FOLD_APART
+
+
 def _is_near(line: Line, before: Node, point: BifurcationPoint) -> bool:
     """Whether a fold ends the branch of an orbit: it lies close by, and no touch lies between."""
-    if abs(point.value - before.value) > FOLD_NEAR * line.scale or before.apart(point.state) > FOLD_APART:
+    if not close(line, before, point):
         return False
     props = member(line.family, line.values, line.name, point.value, before.orbit.propagators)
     unit = np.eye(len(point.state))

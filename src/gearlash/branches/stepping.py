@@ -46,8 +46,7 @@ class Refusal(StrEnum):
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """The orbit that a step led to and the bend on the way (of the step's length), or the refusal; with
-    `Refusal.PERIOD` and `Refusal.UNSTABLE` the orbit is there too."""
+    """The orbit that a step led to and the bend on the way (of the step's length), or the refusal."""
 
     node: Node | None
     refusal: Refusal | None = None
@@ -88,15 +87,17 @@ class Line:
             return Step(None, Refusal.NEWTON)
         node = Node(value, orbit)
         moved, beside = before.apart(orbit.state), _distance(before, orbit.state, guess)
-        if moved > (LONG if earlier else SHORT) or (earlier and beside > BEND * moved + ROUNDING):
+        if moved > (LONG if earlier else SHORT):
+            return Step(None, Refusal.FAR)
+        if orbit.shot.period != before.orbit.shot.period:
+            return Step(None, Refusal.PERIOD)
+        if earlier and beside > BEND * moved + ROUNDING:
             return Step(None, Refusal.FAR)
         refusal = self.compared(before, earlier, node)
         return Step(node, refusal, beside / (moved + ROUNDING) if earlier else 0.0)
 
     def compared(self, before: Node, earlier: Earlier, after: Node) -> Refusal | None:
         """What speaks against ``after`` as the continuation, although it lies where it should."""
-        if after.orbit.shot.period != before.orbit.shot.period:
-            return Refusal.PERIOD
         if not after.orbit.stable:
             return Refusal.UNSTABLE
         if after.label != before.label:

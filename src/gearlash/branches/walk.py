@@ -17,8 +17,8 @@ import numpy as np
 from gearlash.orbits import Orbit
 from gearlash.system import Family
 
-from .bifurcation import BifurcationPoint, locate_multiplier
-from .causes import Causes, Point, is_fold, slack
+from .bifurcation import BifurcationPoint, born_by_doubling
+from .causes import Causes, Point, ends, slack
 from .grazing import GrazingPoint
 from .node import Array, Node
 from .stepping import Earlier, Line, Refusal, Step
@@ -27,6 +27,7 @@ from .steps import UNBUILT
 FIRST, LONGEST, NARROW = 1e-6, 1e-2, 1e-9  # of the scale: first, longest and shortest step
 STRAIGHT, BENT = 0.02, 0.06  # bends below which the next step is longer
 MOST = 20_000  # steps
+LONGEST_PERIOD = 64  # base periods: of the orbit of a doubling that is still followed
 AFTER = (1e-8, 1e-9, 1e-10)  # relative distances beyond a touch at which the orbit is taken up again
 DOUBLED = (1e-5, 1e-6, 1e-7)  # the same beyond a doubling
 DIRECTIONS = (
@@ -37,6 +38,8 @@ DIRECTIONS = (
     0.1,
 )  # of the ranges: how far beside the single orbit the doubled is sought
 NEAR = 0.2  # of the ranges: how far from the single orbit the doubled one may lie there
+OF_CONTACTS = (Refusal.LABEL, Refusal.CROSSED, Refusal.TOUCHED)
+"""Refusals that touches explain; an orbit that is not stable is explained by none."""
 AT_ONE = 0.99  # a leading multiplier above it, where no step is short enough, is that of a fold
 
 
@@ -46,7 +49,8 @@ class Outcome(StrEnum):
     ARRIVED = "arrived"
     FOLD = "the orbit ends in a fold"
     TOUCH = "beyond the touch the orbit is not stable, or not found"
-    DOUBLING = "beyond the doubling no stable orbit of twice the period was found"
+    DOUBLING = "beyond the doubling no stable orbit was found"
+    PERIOD = "beyond the doubling the period is longer than was to be followed"
     UNSTABLE = "the orbit loses its stability"
     UNBUILT = "beyond it no system can be built"
     LOST = "the orbit could not be followed farther"
@@ -84,19 +88,22 @@ def walk(
     orbit: Orbit,
     to: float,
     tell: Callable[[float], object] | None = None,
+    longest: int = LONGEST_PERIOD,
 ) -> Iterator[Met | End]:
     """Follows ``orbit`` (stable, found at ``values``) to the value ``to`` of parameter ``name``: every touch,
     doubling and fold in the order in which it is met, then an `End`. ``tell`` hears the value after every
-    step."""
+    step; doublings are passed up to a period of ``longest`` base periods."""
     start = float(values[name])
     scale = max(abs(start), abs(to - start))
-    yield from _Walk(Line(family, values, name, scale), to, tell).run(Node(start, orbit))
+    yield from _Walk(Line(family, values, name, scale), to, tell, longest).run(Node(start, orbit))
 
 
 class _Walk:
-    def __init__(self, line: Line, to: float, tell: Callable[[float], object] | None):
-        self.line, self.to, self.tell = line, to, tell
-        self.causes: tuple[Node, Causes] | None = None
+    def __init__(self, line: Line, to: float, tell: Callable[[float], object] | None, longest: int):
+        self.line, self.to, self.tell, self.longest = line, to, tell, longest
+        self.causes: dict[
+            tuple[bool, bool], Causes
+        ] = {}  # that lie ahead of one orbit, by what was looked for
 
     def run(self, node: Node) -> Iterator[Met | End]:
         earlier: Earlier = ()
@@ -120,7 +127,7 @@ class _Walk:
             if met is not None:
                 yield met
                 if met.after is None:
-                    yield End(_end_at(met), met.before, met.value)
+                    yield End(self.end_at(met), met.before, met.value)
                     return
                 node, earlier, width = met.after, (), first
                 continue
@@ -130,18 +137,35 @@ class _Walk:
                 return
         yield End(Outcome.LOST, node, node.value, f"{MOST} steps were not enough")
 
+    def end_at(self, met: Met) -> Outcome:
+        if isinstance(met.point, GrazingPoint):
+            return Outcome.TOUCH
+        if met.point.multiplier > 0:
+            return Outcome.FOLD
+        if met.point.period < met.before.orbit.period:
+            return Outcome.DOUBLING
+        return Outcome.PERIOD if 2 * met.before.orbit.shot.period > self.longest else Outcome.DOUBLING
+
     def longer(self, width: float, step: Step) -> float:
         factor = 3.0 if step.bend < STRAIGHT else 1.5 if step.bend < BENT else 1.0
         return min(factor * width, LONGEST * self.line.scale)
 
+    def ahead(self, node: Node, earlier: Earlier, value: float, refusal: Refusal | None) -> Causes:
+        """What may have stopped a step, solved for once an orbit."""
+        key = refusal is not Refusal.UNSTABLE, refusal not in OF_CONTACTS
+        found = self.causes.get(key)
+        if found is None or found.before is not node:
+            touches, losses = key
+            found = Causes.ahead(self.line, node, earlier, value, touches=touches, losses=losses)
+            self.causes[key] = found
+        return found
+
     def explained(self, node: Node, earlier: Earlier, value: float, step: Step) -> Met | None:
         """The point that stopped the step, if one is found on the way and the branch leads up to it."""
-        if self.causes is None or self.causes[0] is not node:
-            self.causes = node, Causes.ahead(self.line, node, earlier, value)
         sign = 1.0 if value > node.value else -1.0
-        for point in self.causes[1].up_to(value, sign):
-            if is_fold(point):
-                return Met(point, node, None)
+        for point in self.ahead(node, earlier, value, step.refusal).up_to(value, sign):
+            if ends(point, node):
+                return Met(point, node, self.joined(point, node, sign))
             just_before = point.value - sign * slack(point.value)
             before = node
             if sign * (just_before - node.value) > 0.0:
@@ -150,28 +174,44 @@ class _Walk:
                     continue
                 before = there.node
             return Met(point, before, self.beyond(point, sign))
-        if step.refusal is Refusal.PERIOD and step.node is not None:
-            return self.halved(node, step.node)
         return None
+
+    def joined(self, point: Point, node: Node, sign: float) -> Node | None:
+        """The stable orbit of half the period, beyond the doubling from which an orbit was born."""
+        if point.period == node.orbit.period:
+            return None
+        beyond = (
+            self.taken_up(value, point.state, point.period)
+            for value in self.values_beyond(point, sign, DOUBLED)
+        )
+        return next((after for after in beyond if after is not None), None)
 
     def beyond(self, point: Point, sign: float) -> Node | None:
         """The stable orbit beyond a touch or a doubling."""
         if isinstance(point, GrazingPoint):
             label = point.label_above if sign > 0.0 else point.label_below
-            for relative in AFTER:
-                node = self.taken_up(point, sign * relative, point.state_zero, point.period)
+            for value in self.values_beyond(point, sign, AFTER):
+                node = self.taken_up(value, point.state_zero, point.period)
                 if node is not None and node.label == label:
                     return node
             return None
-        for relative in DOUBLED:
-            node = self.doubled(point, sign * relative)
+        for value in self.values_beyond(point, sign, DOUBLED):
+            node = self.doubled(point, value)
             if node is not None:
                 return node
         return None
 
-    def taken_up(self, point: Point, relative: float, state: Array, period: int) -> Node | None:
-        """The stable orbit of a period (mesh cycles) beside a point, near a state."""
-        value = point.value + relative * max(abs(point.value), 1e-3)
+    def values_beyond(self, point: Point, sign: float, relatives: tuple[float, ...]) -> Iterator[float]:
+        """Values just beyond a point, but not beyond the end of the walk."""
+        for relative in relatives:
+            value = point.value + sign * relative * max(abs(point.value), 1e-3)
+            if sign * (self.to - value) >= 0.0:
+                yield value
+        if abs(self.to - point.value) <= max(relatives) * max(abs(point.value), 1e-3):
+            yield self.to
+
+    def taken_up(self, value: float, state: Array, period: int) -> Node | None:
+        """The stable orbit of a period (mesh cycles) at a value, near a state."""
         try:
             props = self.line.family.system(self.line.at(value))
             orbit = self.line.orbit(value, state, period // props.cycles)
@@ -182,46 +222,24 @@ class _Walk:
         node = Node(value, orbit)
         return node if node.apart(state) <= NEAR else None
 
-    def doubled(self, point: BifurcationPoint, relative: float) -> Node | None:
+    def doubled(self, point: BifurcationPoint, value: float) -> Node | None:
         """The stable orbit of twice the period beside a doubling, with twice its contacts."""
-        value = point.value + relative * max(abs(point.value), 1e-3)
         try:
             cycles = self.line.family.system(self.line.at(value)).cycles
             single = self.line.orbit(value, point.state, point.period // cycles)
         except UNBUILT:
             return None
-        if single is None:
+        if single is None or 2 * single.shot.period > self.longest:
             return None
         values, vectors = np.linalg.eig(single.shot.monodromy)
         direction = np.real(vectors[:, np.argmin(np.abs(values + 1.0))])
         ranges = Node(value, single).ranges
         direction = direction / (np.abs(direction) / ranges).max()
         for size in DIRECTIONS:
-            node = self.taken_up(point, relative, single.state + size * direction, 2 * point.period)
+            node = self.taken_up(value, single.state + size * direction, 2 * point.period)
             if node is not None and node.label == str(single.signature.twice):
                 return node
         return None
-
-    def halved(self, node: Node, short: Node) -> Met | None:
-        """A doubling met from the side of the doubled orbit: the ``short`` orbit beyond has the multiplier
-        -1 on the way."""
-        if 2 * short.orbit.shot.period != node.orbit.shot.period or not short.orbit.stable:
-            return None
-        if node.label != str(short.orbit.signature.twice):
-            return None
-        line = self.line
-        try:
-            point = locate_multiplier(line.family, line.at(short.value), line.name, short.orbit, -1)
-        except UNBUILT:
-            return None
-        inside = min(node.value, short.value) <= point.value <= max(node.value, short.value)
-        return Met(point, node, short) if point.status.ok and inside else None
-
-
-def _end_at(met: Met) -> Outcome:
-    if isinstance(met.point, GrazingPoint):
-        return Outcome.TOUCH
-    return Outcome.FOLD if met.point.multiplier > 0 else Outcome.DOUBLING
 
 
 def _outcome(step: Step, last: Node) -> Outcome:
@@ -230,6 +248,9 @@ def _outcome(step: Step, last: Node) -> Outcome:
         return Outcome.UNBUILT
     if step.refusal is Refusal.UNSTABLE:
         return Outcome.UNSTABLE
-    leading = last.orbit.leading
-    fold = step.refusal in (Refusal.NEWTON, Refusal.FAR) and leading.imag == 0.0 and leading.real > AT_ONE
-    return Outcome.FOLD if fold else Outcome.LOST
+    orbit = last.orbit
+    alone = step.refusal in (Refusal.NEWTON, Refusal.FAR)
+    at_one = orbit.leading.imag == 0.0 and orbit.leading.real > AT_ONE
+    if alone and at_one and not born_by_doubling(orbit.propagators, orbit.state, orbit.shot.period):
+        return Outcome.FOLD
+    return Outcome.LOST

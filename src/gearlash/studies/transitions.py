@@ -1,31 +1,39 @@
-"""What happens between two neighbouring points of a sweep: every change of label, located.
+"""What happens between two neighbouring points of a sweep: every change of the motion, located.
 
-Where the period is kept and one count changes by one, the grazing point is solved for; where the period
-doubles or halves, the doubling. Where neither explains the change the interval is halved by following the
-attractor, until it does, or until the interval is as small as `NARROW` asks, and the change is then called a
-fold or a jump."""
+Points are compared as motions, not by their labels. The orbit of one is followed to the value of the other
+(`branches.walk`): the touches, doublings and folds on the way are the changes, each solved for. Where it
+arrives at another orbit than the sweep's, the sweep changed to a coexisting one; where it ends, the other
+orbit is followed back to there; and where that does not come so far either, the motion between is looked
+for, until the interval is as small as `NARROW` asks."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import ClassVar, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches import BifurcationPoint, GrazingPoint, locate_grazing, locate_multiplier
-from gearlash.orbits import Orbit, Settings, Signature, attractor, grazing_checks, shoot
-from gearlash.system import Family, GearlashError, Record, Status, given
+from gearlash.branches import BifurcationPoint, End, GrazingPoint, Node, Outcome, walk
+from gearlash.orbits import Orbit, Settings, Unresolved, attractor, shoot
+from gearlash.orbits.shooting import TOLERANCE
+from gearlash.system import Family, GearlashError
+
+from .smooth import plainly_one
+from .zone import BASIN
 
 GRAZING, DOUBLING, FOLD, JUMP, APERIODIC = "grazing", "doubling", "fold", "jump", "onset of aperiodic motion"
+UNDECIDED = "not decided"
+"""The orbits of two neighbouring points could not be followed to each other, and no motion between them was
+found: they may be one branch, or there may be a jump."""
 NARROW = 1e-6  # relative width at which halving ends
 DEEPEST = 14  # halvings of one interval
-TRIES = 4  # extrema tried for one grazing
-STEEP = 100.0  # how far an extremum may move, in units of the change of the parameter, and at least SETTLED
-SETTLED = 1e-3
+SAME = 1e-6  # of an orbit's ranges: within it two states are one
+FAILURES = (GearlashError, np.linalg.LinAlgError)
+"""What a member that cannot be built or solved raises."""
 SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)
 
 
@@ -42,13 +50,15 @@ class Sampled(Protocol):
     def state(self) -> NDArray[np.float64]: ...
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Transition(Record):
-    """A change of label between parameter values ``lower`` < ``upper``: its kind, the labels on both sides,
-    and the point solved for (None where only the interval is known). ``value`` is the point's, or the middle
-    of the interval."""
+@dataclass(frozen=True, eq=False)
+class Transition:
+    """A change of the motion between parameter values ``lower`` < ``upper``: its kind, the labels on both
+    sides (one label twice, where a fold or a jump leads from one orbit to another of the same), and the point
+    solved for (None where only the interval is known). ``value`` is the point's, or the middle of the
+    interval.
 
-    _told: ClassVar = ("name", "kind", "value", "label_below", "label_above")
+    A ``change of basin`` is no end of a motion: the orbit of one side exists at the other too, where the
+    sweep found another one, so all that is known is that it changed over between the two points."""
 
     name: str
     kind: str
@@ -64,38 +74,55 @@ class Transition(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class _Node:
-    """An attractor at one parameter value, reduced to a start."""
+class _Motion:
+    """A motion at one parameter value: an orbit, or a label only."""
 
     value: float
     label: str
-    period: int
     state: NDArray[np.float64]
+    orbit: Orbit | None = None
+
+    @staticmethod
+    def of(node: Node) -> _Motion:
+        return _Motion(node.value, node.label, node.state, node.orbit)
+
+    def is_at(self, other: _Motion) -> bool:
+        """Whether two orbits at one value are the same, at whichever base period they begin."""
+        one, two = self.orbit, other.orbit
+        if one is None or two is None or one.shot.period != two.shot.period:
+            return False
+        node = Node(self.value, one)
+        return min(node.apart(state) for state in two.strobes) <= SAME
+
+
+@dataclass(frozen=True, eq=False)
+class _Way:
+    """An orbit followed: the changes on the way, in the order in which they were met, where it was last, and,
+    if it did not arrive, the point it ends at (None: not solved for) and the nearest value beyond its end."""
+
+    changes: tuple[Transition, ...]
+    last: _Motion
+    outcome: Outcome
+    beyond: float
+    point: GrazingPoint | BifurcationPoint | None = None
+
+    @property
+    def arrived(self) -> bool:
+        return self.outcome is Outcome.ARRIVED
 
 
 def transitions(
     family: Family, fixed: Mapping[str, float], name: str, points: Sequence[Sampled], rising: bool = True
 ) -> tuple[Transition, ...]:
-    """All changes of label along ``points`` (ascending in ``name``). ``rising`` says from which side the
-    attractor is followed when an interval is halved. Intervals with an end that is not periodic are reported
-    without a point."""
-    given.instance("family", family, Family, "a Family, as from case.family()[0]")
-    given.known("parameter", name, family.defaults)
-    finder = _Finder(family, family.complete(fixed), name, given.truth("rising", rising))
-    nodes = [_node(point) for point in given.items("points", points, "the points of a sweep, ascending")]
-    if not all(one.value < two.value for one, two in pairwise(nodes)):
-        raise GearlashError("points: expected values that ascend, each once")
+    """All changes of the motion along ``points`` (ascending in ``name``), jumps between orbits of one label
+    among them. ``rising`` says from which side an orbit is followed first. Intervals with an end that is not
+    periodic are reported without a point."""
+    finder = _Finder(family, family.complete(fixed), name, rising)
     found: list[Transition] = []
-    for below, above in pairwise(nodes):
-        if below.label != above.label:
-            found.extend(finder.between(below, above, 0))
+    for i, (below, above) in enumerate(pairwise(points)):
+        if not plainly_one(points, i):
+            found.extend(finder.between(below, above))
     return tuple(found)
-
-
-def _node(point: Sampled) -> _Node:
-    if not all(hasattr(point, name) for name in ("value", "label", "period", "state")):
-        raise GearlashError(f"points: expected the points of a sweep, not {given.kind_of(point)}")
-    return _Node(point.value, point.label, point.period, point.state)
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,120 +132,132 @@ class _Finder:
     name: str
     rising: bool
 
-    def between(self, below: _Node, above: _Node, depth: int) -> Iterator[Transition]:
-        if below.label == above.label:
-            return
+    def between(self, below: Sampled, above: Sampled) -> list[Transition]:
+        """The changes in the order of the parameter."""
         if not (below.period and above.period):
-            yield self.transition(APERIODIC if below.period or above.period else JUMP, below, above, None)
-            return
-        direct = self.solve(below, above)
-        if direct is not None:
-            yield direct
-            return
-        width = (above.value - below.value) / max(abs(below.value), 1e-12)
-        if depth >= DEEPEST or width <= NARROW:
-            yield self.jump(below, above)
-            return
-        middle = self.follow(below, above)
-        if middle is None:  # too slow to be proved anything: the change is near
-            yield self.jump(below, above)
-            return
-        yield from self.between(below, middle, depth + 1)
-        yield from self.between(middle, above, depth + 1)
+            kind = APERIODIC if below.period or above.period else JUMP
+            different = below.label != above.label
+            return [self.interval(kind, below, above)] if different else []
+        near, far = (self.motion(p) for p in ((below, above) if self.rising else (above, below)))
+        if near is None or far is None:
+            return [self.interval(JUMP if below.label != above.label else UNDECIDED, below, above)]
+        found = list(self.followed(near, far, 0))
+        return found if self.rising else found[::-1]
 
-    def solve(self, below: _Node, above: _Node) -> Transition | None:
-        one, two = Signature.parse(below.label), Signature.parse(above.label)
-        changed = one.one_impact_from(two)
-        if changed is not None:
-            return self.grazing(below, above, *changed)
-        if max(one.period, two.period) == 2 * min(one.period, two.period):
-            return self.doubling(below, above)
-        return None
-
-    def grazing(self, below: _Node, above: _Node, clearance: int, boundary: int) -> Transition | None:
-        for node in (below, above):
-            orbit = self.orbit(node)
-            if orbit is None:
-                continue
-            near = max(SETTLED, STEEP * (above.value - below.value))
-            found = grazing_checks(orbit, within=near, clearance=clearance)
-            checks = [check for check in found if check.boundary == boundary][:TRIES]
-            for check in checks:
-                try:
-                    point = locate_grazing(self.family, self.at(node.value), self.name, orbit, check)
-                except (GearlashError, np.linalg.LinAlgError):
-                    continue
-                labels = (point.label_below, point.label_above)
-                if (
-                    point.status is Status.OK
-                    and labels == (below.label, above.label)
-                    and self.inside(point, below, above)
-                ):
-                    return self.transition(GRAZING, below, above, point)
-        return None
-
-    def doubling(self, below: _Node, above: _Node) -> Transition | None:
-        """The doubling between two orbits, if the impacts double with the period (no grazing lies between
-        too)."""
-        short, long = sorted((below, above), key=lambda node: node.period)
-        if Signature.parse(long.label) != Signature.parse(short.label).twice:
-            return None
-        orbit = self.orbit(short)
-        if orbit is None:
-            return None
+    def motion(self, point: Sampled) -> _Motion | None:
+        """The orbit of a point of the sweep, solved for again."""
         try:
-            point = locate_multiplier(self.family, self.at(short.value), self.name, orbit, -1)
-        except (GearlashError, np.linalg.LinAlgError):
+            props = flow.propagators(self.family.system(self.at(point.value)))
+            shot = shoot(props, point.state, max(1, point.period // props.system.cycles))
+        except FAILURES:
             return None
-        if point.status is Status.OK and self.inside(point, below, above):
-            return self.transition(DOUBLING, below, above, point)
-        return None
+        if shot.residual > TOLERANCE:
+            return None
+        orbit = Orbit(props, shot, 0, shot.status, "")
+        return _Motion(point.value, orbit.label, orbit.state, orbit)
 
-    def jump(self, below: _Node, above: _Node) -> Transition:
-        """The end of a branch: a fold of the orbit that is left, or a doubling at which it loses its
-        stability to something else than its double, if one solves there.
-        """
-        node = below if self.rising else above
-        orbit = self.orbit(node)
-        near = 100 * max(above.value - below.value, NARROW * abs(below.value))
-        solved = []
-        for kind, multiplier in ((FOLD, 1), (DOUBLING, -1)):
-            if orbit is None:
-                break
-            try:
-                point = locate_multiplier(self.family, self.at(node.value), self.name, orbit, multiplier)
-            except (GearlashError, np.linalg.LinAlgError):
-                continue
-            if point.status is Status.OK and abs(point.value - node.value) <= near:
-                solved.append((abs(point.value - node.value), kind, point))
-        if not solved:
-            return self.transition(JUMP, below, above, None)
-        _, kind, point = min(solved, key=lambda one: one[0])  # what the followed orbit comes to first
-        return self.transition(kind, below, above, point)
+    def followed(self, near: _Motion, far: _Motion, depth: int) -> Iterator[Transition]:
+        """The changes in the order in which they are met from ``near``."""
+        longest = 2 * max(motion.orbit.shot.period for motion in (near, far) if motion.orbit)
+        there = self.way(near, far.value, longest)
+        if there.arrived and there.last.is_at(far):
+            yield from there.changes
+            return
+        back = self.way(far, near.value if there.arrived else there.last.value, longest)
+        if there.arrived and not back.arrived:  # only the other orbit ends on the way
+            yield self.end(back, near)
+        else:
+            yield from there.changes
+            if there.arrived:
+                yield self.interval(BASIN, near, far, there.last.label)
+                return
+            if not back.arrived:
+                yield from self.unknown(there, back, depth)
+            elif not back.last.is_at(there.last):
+                yield self.end(there, back.last)
+        yield from back.changes[::-1]
 
-    def follow(self, below: _Node, above: _Node) -> _Node | None:
-        """The attractor half way, reached from the side that the sweep comes from."""
-        start = below if self.rising else above
-        value = 0.5 * (below.value + above.value)
-        system = self.family.system(self.at(value))
-        found = attractor(
-            system, start.state, SETTINGS, trial=(start.state, max(1, start.period // system.cycles))
+    def unknown(self, there: _Way, back: _Way, depth: int) -> Iterator[Transition]:
+        """Between the ends of two orbits, neither of which goes as far as the other."""
+        near, far = there.last, back.last
+        wide = abs(far.value - near.value) > NARROW * max(abs(near.value), abs(far.value))
+        middle = self.middle(there, far) if wide and depth < DEEPEST else None
+        if middle is None:
+            lost = Outcome.LOST in (there.outcome, back.outcome)
+            if near.label == far.label and lost and there.point is None:
+                yield self.interval(UNDECIDED, near, far)
+            else:
+                yield self.end(there, far)
+        elif middle.orbit is None:
+            yield self.end(there, middle)
+            yield self.end(back, middle)
+        else:
+            yield from self.followed(near, middle, depth + 1)
+            yield from self.followed(middle, far, depth + 1)
+
+    def middle(self, there: _Way, far: _Motion) -> _Motion | None:
+        """The motion half way from the end of an orbit to ``far``, reached from that orbit."""
+        value = 0.5 * (there.beyond + far.value)
+        try:
+            found = attractor(self.family.system(self.at(value)), there.last.state, SETTINGS)
+        except FAILURES:
+            return None
+        if isinstance(found, Unresolved):  # too slow to be proved anything: the change is near
+            return None
+        return _Motion(value, found.label, found.final_state, found if isinstance(found, Orbit) else None)
+
+    def way(self, start: _Motion, to: float, longest: int) -> _Way:
+        """An orbit followed to a value, through doublings up to a period of ``longest`` base periods."""
+        assert start.orbit is not None
+        if start.value == to:
+            return _Way((), start, Outcome.ARRIVED, to)
+        changes: list[Transition] = []
+        point = None
+        for step in walk(self.family, self.at(start.value), self.name, start.orbit, to, None, longest):
+            if isinstance(step, End):
+                return _Way(tuple(changes), _Motion.of(step.last), step.outcome, step.beyond, point)
+            if step.after is None:
+                point = step.point
+            else:
+                changes.append(self.change(step.point, step.before, step.after))
+        raise AssertionError("a walk ends with an End")
+
+    def change(self, point: GrazingPoint | BifurcationPoint, before: Node, after: Node) -> Transition:
+        """A point that the orbit passes."""
+        below, above = sorted((before, after), key=lambda node: node.value)
+        lower, upper = min(below.value, point.value), max(above.value, point.value)
+        return Transition(self.name, kind_of(point), lower, upper, below.label, above.label, point)
+
+    def end(self, way: _Way, beyond: _Motion) -> Transition:
+        """Where an orbit ends, and what motion there is beyond."""
+        if way.point is not None:
+            kind = kind_of(way.point)
+        elif beyond.orbit is None:
+            kind = APERIODIC
+        else:
+            kind = FOLD if way.outcome is Outcome.FOLD else JUMP
+        labels = (way.last.label, beyond.label)
+        lower, upper = sorted((way.last.value, way.beyond))
+        below, above = (
+            labels if way.last.value < beyond.value or way.last.value < way.beyond else labels[::-1]
         )
-        if not isinstance(found, Orbit):
-            return None
-        return _Node(value, found.label, found.period, found.state)
+        return Transition(self.name, kind, lower, upper, below, above, way.point)
 
-    def orbit(self, node: _Node) -> Orbit | None:
-        props = flow.propagators(self.family.system(self.at(node.value)))
-        shot = shoot(props, node.state, max(1, node.period // props.system.cycles))
-        return Orbit(props, shot, 0, shot.status, "") if shot.status.ok else None
-
-    def inside(self, point: GrazingPoint | BifurcationPoint, below: _Node, above: _Node) -> bool:
-        slack = 1e-9 * abs(above.value)
-        return below.value - slack <= point.value <= above.value + slack
+    def interval(
+        self, kind: str, one: _Motion | Sampled, two: _Motion | Sampled, label: str | None = None
+    ) -> Transition:
+        """A change of which only the interval is known; ``label`` is that of the first motion, where it has
+        changed since."""
+        ends = [(one.value, one.label if label is None else label), (two.value, two.label)]
+        (lower, below), (upper, above) = sorted(ends, key=lambda end: end[0])
+        return Transition(self.name, kind, lower, upper, below, above, None)
 
     def at(self, value: float) -> dict[str, float]:
         return {**self.values, self.name: value}
 
-    def transition(self, kind: str, below: _Node, above: _Node, point) -> Transition:
-        return Transition(self.name, kind, below.value, above.value, below.label, above.label, point)
+
+def kind_of(point: GrazingPoint | BifurcationPoint) -> str:
+    """What a point is called as a change of the motion."""
+    if isinstance(point, GrazingPoint):
+        return GRAZING
+    return FOLD if point.multiplier > 0 else DOUBLING

@@ -39,7 +39,7 @@ def follow(
     props = flow.propagators(family.system(values))
     shot = shoot(props, start.state, len(start.strobes))
     orbit = Orbit(props, shot, 0, shot.status, "")
-    for step in walk(family, values, name, orbit, to, told):
+    for step in walk(family, values, name, orbit, to, told, settings.max_period):
         if isinstance(step, End):
             ended, decided = _ended(step, family, name)
             return Path(direction, step.last.value, ended, decided, "", tuple(passed)), None
@@ -47,11 +47,7 @@ def follow(
             beyond = _beyond(family, values, name, step, direction)
             ended = f"grazing at {step.value:.10g}"
             return Path(direction, step.value, ended, True, beyond, tuple(passed)), step.point
-        after = step.after.orbit if step.after else None
         passed.append(_passed(step.point, step, direction))
-        if after is not None and after.shot.period > settings.max_period:
-            ended = f"beyond the doubling at {step.value:.10g} the period is larger than --max-period"
-            return Path(direction, step.value, ended, False, "", tuple(passed)), None
     raise AssertionError("a walk ends with an End")
 
 
@@ -68,6 +64,8 @@ def _ended(end: End, family: Family, name: str) -> tuple[str, bool]:
         parameter = next(p for p in family.parameters if p.name == name)
         at_limit = end.last.value in (parameter.lower, parameter.upper)
         return ("end of the range of the parameter" if at_limit else "end of the search"), True
+    if end.outcome is Outcome.PERIOD:
+        return f"at {end.beyond:.10g} {end.outcome} (--max-period)", False
     if end.outcome in (Outcome.UNBUILT, Outcome.LOST):
         return f"{end.outcome}: {end.reason}", False
     return f"at {end.beyond:.10g} {end.outcome}", True
