@@ -64,9 +64,10 @@ def test_a_touch_in_either_gap_is_solved_for(rule, gap, ends):
     family = two_gaps(rule)
     found = sweep(family, Axis.even("omega", ends, 5), direction="up")
     changes = transitions(family, {}, "omega", found.points)
-    at = next(t.point for t in changes if isinstance(t.point, GrazingPoint))
+    grazes = [t.point for t in changes if isinstance(t.point, GrazingPoint)]
+    at = next(point for point in grazes if point.clearance == gap)
     assert at.status.ok
-    assert (at.clearance, at.clearance_name) == (gap, ("stop", "link")[gap])
+    assert at.clearance_name == ("stop", "link")[gap]
     below, above = Signature.parse(at.label_below), Signature.parse(at.label_above)
     assert below.one_impact_from(above) == (gap, at.boundary)
     system = family.system(at.values)

@@ -5,10 +5,12 @@ from .bifurcation import BifurcationPoint, locate_multiplier
 from .grazing import GrazingPoint, locate_grazing
 from .kinds import CODIMENSION_TWO, SMOOTH, STANDARD, table2_type
 from .node import Node
+from .sides import NONE
 from .walk import End, Met, Outcome, walk
 
 __all__ = [
     "CODIMENSION_TWO",
+    "NONE",
     "SMOOTH",
     "STANDARD",
     "BifurcationPoint",

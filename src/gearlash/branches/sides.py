@@ -20,6 +20,7 @@ from .steps import UNBUILT, member
 BESIDE = (1e-6, 1e-8, 1e-10)  # relative distances at which the labels are read, until both are
 NEAR = 1e-2  # of the state's size: an orbit that lies farther away is another one
 NONE = "none"
+"""The label of a side on which no orbit was found."""
 
 
 @dataclass(frozen=True, eq=False)

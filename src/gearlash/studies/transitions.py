@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches import BifurcationPoint, End, GrazingPoint, Node, Outcome, walk
+from gearlash.branches import NONE, BifurcationPoint, End, GrazingPoint, Node, Outcome, walk
 from gearlash.orbits import Orbit, Settings, Unresolved, attractor, shoot
 from gearlash.orbits.shooting import TOLERANCE
 from gearlash.system import Family, GearlashError
@@ -165,7 +165,7 @@ class _Finder:
             return
         back = self.way(far, near.value if there.arrived else there.last.value, longest)
         if there.arrived and not back.arrived:  # only the other orbit ends on the way
-            yield self.end(back, near)
+            yield from reversed(list(self.end(back, near)))
         else:
             yield from there.changes
             if there.arrived:
@@ -174,7 +174,7 @@ class _Finder:
             if not back.arrived:
                 yield from self.unknown(there, back, depth)
             elif not back.last.is_at(there.last):
-                yield self.end(there, back.last)
+                yield from self.end(there, back.last)
         yield from back.changes[::-1]
 
     def unknown(self, there: _Way, back: _Way, depth: int) -> Iterator[Transition]:
@@ -183,14 +183,14 @@ class _Finder:
         wide = abs(far.value - near.value) > NARROW * max(abs(near.value), abs(far.value))
         middle = self.middle(there, far) if wide and depth < DEEPEST else None
         if middle is None:
-            lost = Outcome.LOST in (there.outcome, back.outcome)
+            lost = {there.outcome, back.outcome} & {Outcome.LOST, Outcome.UNBUILT}
             if near.label == far.label and lost and there.point is None:
                 yield self.interval(UNDECIDED, near, far)
             else:
-                yield self.end(there, far)
+                yield from self.end(there, far)
         elif middle.orbit is None:
-            yield self.end(there, middle)
-            yield self.end(back, middle)
+            yield from self.end(there, middle)
+            yield from reversed(list(self.end(back, middle)))
         else:
             yield from self.followed(near, middle, depth + 1)
             yield from self.followed(middle, far, depth + 1)
@@ -228,29 +228,39 @@ class _Finder:
         lower, upper = min(below.value, point.value), max(above.value, point.value)
         return Transition(self.name, kind_of(point), lower, upper, below.label, above.label, point)
 
-    def end(self, way: _Way, beyond: _Motion) -> Transition:
-        """Where an orbit ends, and what motion there is beyond."""
-        if way.point is not None:
-            kind = kind_of(way.point)
-        elif beyond.orbit is None:
-            kind = APERIODIC
-        else:
-            kind = FOLD if way.outcome is Outcome.FOLD else JUMP
-        labels = (way.last.label, beyond.label)
-        lower, upper = sorted((way.last.value, way.beyond))
-        below, above = (
-            labels if way.last.value < beyond.value or way.last.value < way.beyond else labels[::-1]
-        )
-        return Transition(self.name, kind, lower, upper, below, above, way.point)
+    def end(self, way: _Way, beyond: _Motion) -> Iterator[Transition]:
+        """Where an orbit ends, and what motion there is beyond. A touch after which the orbit is not stable
+        is told as the touch of this orbit, and then the jump from it."""
+        last, point = (way.last.value, way.last.label), way.point
+        end = beyond.value if beyond.value != way.last.value else way.beyond
+        jump = APERIODIC if beyond.orbit is None else JUMP
+        if isinstance(point, GrazingPoint):
+            label = point.label_above if end > last[0] else point.label_below
+            if label != NONE:
+                yield self.joining(GRAZING, last, (point.value, label), point)
+                yield self.joining(jump, (point.value, label), (end, beyond.label))
+                return
+        kind = kind_of(point) if point else FOLD if way.outcome is Outcome.FOLD and beyond.orbit else jump
+        yield self.joining(kind, last, (end, beyond.label), point)
+
+    def joining(
+        self,
+        kind: str,
+        one: tuple[float, str],
+        two: tuple[float, str],
+        point: GrazingPoint | BifurcationPoint | None = None,
+    ) -> Transition:
+        """A change between two values with their labels."""
+        (lower, below), (upper, above) = sorted((one, two), key=lambda end: end[0])
+        return Transition(self.name, kind, lower, upper, below, above, point)
 
     def interval(
         self, kind: str, one: _Motion | Sampled, two: _Motion | Sampled, label: str | None = None
     ) -> Transition:
         """A change of which only the interval is known; ``label`` is that of the first motion, where it has
         changed since."""
-        ends = [(one.value, one.label if label is None else label), (two.value, two.label)]
-        (lower, below), (upper, above) = sorted(ends, key=lambda end: end[0])
-        return Transition(self.name, kind, lower, upper, below, above, None)
+        first = one.value, one.label if label is None else label
+        return self.joining(kind, first, (two.value, two.label))
 
     def at(self, value: float) -> dict[str, float]:
         return {**self.values, self.name: value}

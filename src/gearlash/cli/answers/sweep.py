@@ -31,7 +31,8 @@ class AxisUsed:
 
 @dataclass(frozen=True)
 class Regime:
-    """A maximal stretch of neighbouring points with one label."""
+    """A maximal stretch of neighbouring points with one label; they need not be one orbit: it may jump to
+    another of the same label in between (`gearlash.transitions` looks for that)."""
 
     label: str
     first: Annotated[float, "value of its first point"]

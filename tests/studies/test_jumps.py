@@ -1,0 +1,143 @@
+"""Jumps between orbits of one label, and smooth branches that are none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from branches.shaken import linear, shaken
+from gearlash import flow
+from gearlash.branches import BifurcationPoint
+from gearlash.studies import Axis, point, sweep
+from gearlash.studies.smooth import plainly_one
+from gearlash.studies.transitions import FOLD, GRAZING, UNDECIDED, Transition, transitions
+from gearlash.studies.zone import BASIN
+from gearlash.system import ContactRule, Family, GearlashError
+from orbits.contacts import two_gaps
+from orbits.members import article, built, one_dof
+
+FOLD_AT, TOUCH_AT, RETURN_AT = 0.82846398, 0.82063109, 0.70803160
+"""Of the pair below: 1-1-0 ends upwards, is born in a touch of 1-0-0, and the other 1-1-0 ends downwards."""
+
+
+def pair() -> Family:
+    return one_dof(load=0.1, error=0.05)
+
+
+def kinds(found: Sequence[Transition]) -> list[tuple[str, str, str]]:
+    return [(t.kind, t.label_below, t.label_above) for t in found]
+
+
+@dataclass(frozen=True)
+class Bare:
+    """The least that a sampled point must have."""
+
+    value: float
+    label: str
+    period: int
+    state: np.ndarray
+
+
+@pytest.mark.parametrize("count", [2, 3, 5, 41, 161])
+def test_upwards_it_falls_off_a_fold_on_any_grid(count):
+    """1-1-0 on both sides of the fold, and nothing else that changes from there on."""
+    done = sweep(pair(), Axis.even("omega", [0.8, 0.84], count), direction="up")
+    found = transitions(pair(), {}, "omega", done.points)
+    assert kinds(found) == [(GRAZING, "1-0-0", "1-1-0"), (FOLD, "1-1-0", "1-1-0")]
+    assert [t.value for t in found] == pytest.approx([TOUCH_AT, FOLD_AT], abs=1e-7)
+    assert isinstance(found[1].point, BifurcationPoint)
+    assert all(t.lower < t.upper for t in found)
+
+
+@pytest.mark.parametrize("count", [3, 41])
+def test_downwards_it_stays_and_returns_elsewhere(count):
+    axis = Axis.even("omega", [0.69, 0.84], count)
+    done = sweep(pair(), axis, direction="down")
+    found = transitions(pair(), {}, "omega", done.points, rising=False)
+    assert kinds(found) == [(FOLD, "1-0-0", "1-1-0")]
+    assert found[0].value == pytest.approx(RETURN_AT, abs=1e-7)
+
+
+def test_the_mirrored_pair_does_the_same():
+    """X → -X with load and error negated: the same values on the back side."""
+    fixed = {"load": -0.1, "error": -0.05}
+    done = sweep(pair(), Axis.even("omega", [0.8, 0.84], 9), direction="up", fixed=fixed)
+    found = transitions(pair(), fixed, "omega", done.points)
+    assert kinds(found) == [(GRAZING, "1-0-0", "1-0-1"), (FOLD, "1-0-1", "1-0-1")]
+    assert [t.value for t in found] == pytest.approx([TOUCH_AT, FOLD_AT], abs=1e-7)
+
+
+@pytest.mark.parametrize("count", [4, 41, 201])
+@pytest.mark.parametrize("damping", [0.3, 0.002])
+def test_a_resonance_is_no_jump(count, damping):
+    """A linear motion has one branch, however sharp its peak is and however coarse the grid."""
+    fixed = {"zeta": damping, "gap": 5e4}
+    points = []
+    for omega in np.linspace(0.5, 1.5, count):
+        found = linear(shaken(), {**shaken().defaults, **fixed, "omega": float(omega)})
+        points.append(Bare(float(omega), found.label, found.period, found.state))
+    assert transitions(shaken(), fixed, "omega", points) == ()
+
+
+def test_a_change_of_basin_between_orbits_of_one_label():
+    """Between touch and fold two 1-1-0 coexist. A row of points that goes from one to the other where both
+    exist: no orbit ends, and only the interval is known."""
+    lower = sweep(pair(), Axis.even("omega", [0.8, 0.824], 7), direction="up").points[-1]
+    upper = sweep(pair(), Axis.even("omega", [0.826, 0.9], 7), direction="down").points[0]
+    assert lower.label == upper.label == "1-1-0"
+    rows = [Bare(0.824, "1-1-0", 1, lower.state), Bare(0.826, "1-1-0", 1, upper.state)]
+    for rising in (True, False):
+        (change,) = transitions(pair(), {}, "omega", rows, rising=rising)
+        assert (change.kind, change.label_below, change.label_above) == (BASIN, "1-1-0", "1-1-0")
+        assert (change.lower, change.upper, change.point) == (0.824, 0.826, None)
+
+
+def test_orbits_begun_at_another_base_period_are_one():
+    """A cold start may lead to any of the states of an orbit at phase zero."""
+    one, two = (point(article(), {"omega": omega}, name="omega") for omega in (1.28, 1.281))
+    assert one.label == two.label == "2-2-0"
+    for state in (two.state, flow.march(built(article(), omega=1.281), two.state, 1).states[-1]):
+        rows = [Bare(p.value, p.label, p.period, s) for p, s in ((one, one.state), (two, state))]
+        assert transitions(article(), {}, "omega", rows) == ()
+
+
+def test_a_window_of_contact_between_two_points_is_seen():
+    """Labels at both ends differ by one touch, but the motion between goes through three more changes."""
+    family = two_gaps(ContactRule.IN_CONTACT)
+    done = sweep(family, Axis.even("omega", [0.9, 1.0], 3), direction="up")
+    found = transitions(family, {}, "omega", done.points)
+    assert [t.kind for t in found] == [GRAZING, GRAZING, FOLD, GRAZING]
+    for one, two in pairwise(found):
+        assert one.value < two.value
+        assert one.label_above == two.label_below
+
+
+def test_what_cannot_be_followed_is_not_decided():
+    """Between two points of one branch no system can be built: nothing is said of a jump."""
+
+    def build(values):
+        if 0.61 < values["omega"] < 0.62:
+            raise GearlashError("not in this range")
+        return pair().build(values)
+
+    family = replace(pair(), build=build)
+    done = sweep(family, Axis.even("omega", [0.6, 0.63], 2), direction="up")
+    (change,) = transitions(family, {}, "omega", done.points)
+    assert change.kind == UNDECIDED
+    assert 0.6 <= change.lower <= 0.61
+    assert 0.62 <= change.upper <= 0.63
+
+
+def test_only_smooth_states_are_taken_as_they_are():
+    """A jump of a tenth of a step among states on a parabola is looked at more closely."""
+    values = np.linspace(1.0, 2.0, 8)
+    smooth = [Bare(v, "1-0-0", 1, np.array([v**2, 1.0 - v])) for v in values]
+    assert [plainly_one(smooth, i) for i in range(7)] == [False, False, True, True, True, False, False]
+    step = smooth[4].state[0] - smooth[3].state[0]
+    jumped = [replace(p, state=p.state + np.array([0.1 * step * (i > 3), 0.0])) for i, p in enumerate(smooth)]
+    assert not plainly_one(jumped, 3)
+    assert not plainly_one([replace(p, label="1-1-0" if p.value > 1.9 else "1-0-0") for p in smooth], 4)
