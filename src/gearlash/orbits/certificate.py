@@ -3,9 +3,9 @@
 An orbit is certified where everything that is said of it holds for every motion within the error of its
 state: it closes, its period is the least, no contact was undecided, no extremum lies within the error of a
 boundary that it could touch (so its signature is right), and its leading multiplier lies on its side of the
-unit circle. The error of the state is that of the shot (residual and rounding, through the inverse of DP - I)
-times the growth of the variational flow, sampled along the orbit, times a margin for what happens between the
-samples and for terms of second order."""
+unit circle. The error of the state is what residual and rounding become through the variational flow and all
+its returns, component by component, at places that the motion names (so it is the same wherever phase zero
+lies), times a margin for what happens between them and for terms of second order."""
 
 from __future__ import annotations
 
@@ -18,20 +18,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash import flow
 from gearlash.system import Clearance, ContactRule, Record, Status
 
 from .grazing import gap_extrema
 from .pressing import least_force
 from .shooting import TOLERANCE
+from .tangents import OWN_ROUNDING, ROUNDING, Tangents, norms, round_orbit
 
 if TYPE_CHECKING:
     from .results import Aperiodic, Orbit
 
 Array = NDArray[Any]
 MARGIN = 10.0  # on the error of the state
-SAMPLES = 8  # of the variational flow, a base period at most and half of one at least apart
-ROUNDING = 1e-14  # of the monodromy, relative to 1 + its norm
 MOVING = (Status.OK, Status.UNCERTAIN)
 
 
@@ -118,36 +116,37 @@ class _Examined:
         yield from self.of_stability()
 
     @cached_property
-    def products(self) -> tuple[Array, Array]:
-        """Norms (samples+1,) of the variational flow from the start to places along the orbit, and from there
-        to its end."""
-        period, system = self.orbit.shot.period, self.orbit.propagators.system
-        parts = max(1, min(2, SAMPLES // period))
-        z, length, factors = self.orbit.state, system.cycles / parts, []
-        for part in range(period * parts):
-            step = flow.variational(self.orbit.propagators, z, length, part % parts * length)
-            assert step.jacobian is not None
-            factors.append(step.jacobian)
-            z = step.state
-        ahead, behind = [np.eye(len(z))], [np.eye(len(z))]
-        for first, last in zip(factors, reversed(factors), strict=True):
-            ahead.append(first @ ahead[-1])
-            behind.append(behind[-1] @ last)
-        return _norms(ahead), _norms(behind[::-1])
+    def tangents(self) -> Tangents:
+        orbit = self.orbit
+        return round_orbit(orbit.propagators, orbit.state, orbit.events.phase, orbit.shot.period)
 
     @cached_property
+    def errors(self) -> Array:
+        """Bounds (m, n) on the error of each component of the state at the places of `tangents`."""
+        try:
+            return MARGIN * self.tangents.errors(self.orbit.trace.end - self.orbit.state)
+        except np.linalg.LinAlgError:
+            return np.full(self.tangents.states.shape, np.inf)
+
+    @cached_property
+    def reach(self) -> Array:
+        """Bound (n,) on the error of each component anywhere along the orbit."""
+        return self.errors.max(axis=0)
+
+    @property
     def error(self) -> float:
-        """Bound on the error of the state (∞-norm) anywhere along the orbit."""
-        return MARGIN * float(self.products[0].max()) * self.orbit.shot.error
+        """The largest of `reach`."""
+        return float(self.reach.max())
 
     def of_period(self) -> Iterator[str]:
         period, strobes = self.orbit.shot.period, self.orbit.strobes
         for divisor in (d for d in range(1, period) if period % d == 0):
-            apart = float(np.abs(strobes[divisor] - strobes[0]).max())
-            if apart <= 2.0 * self.error:
+            apart, allowed = np.abs(strobes[divisor] - strobes[0]), 2.0 * self.reach
+            if np.all(apart <= allowed):
+                i = int(np.argmax(apart))
                 yield (
-                    f"after {divisor} of {period} base periods it returns to {apart:.0e}, within the error "
-                    f"{2.0 * self.error:.0e}"
+                    f"after {divisor} of {period} base periods it returns to {apart[i]:.0e}, within the "
+                    f"error {allowed[i]:.0e}"
                 )
 
     def of_contacts(self) -> Iterator[str]:
@@ -157,7 +156,7 @@ class _Examined:
 
     def of_boundaries(self, index: int, clearance: Clearance) -> Iterator[str]:
         extrema = gap_extrema(self.orbit.trace, index)
-        allowed = float(np.abs(clearance.h).sum()) * self.error
+        allowed = float(np.abs(clearance.h) @ self.reach)
         for boundary, edge in ((1, clearance.gap_plus), (-1, -clearance.gap_minus)):
             if not clearance.stops(boundary):
                 continue
@@ -174,7 +173,7 @@ class _Examined:
         """With the rule `no-tension`: the force where contact could be lost, or come back."""
         if clearance.contact is not ContactRule.NO_TENSION:
             return
-        least, allowed = least_force(self.orbit.trace, index), self.strength(clearance) * self.error
+        least, allowed = least_force(self.orbit.trace, index), float(self.strength(clearance) @ self.reach)
         if least <= allowed:
             yield (
                 f"the force{self.named(clearance)} comes to {least:.0e} of zero, within the error "
@@ -183,7 +182,7 @@ class _Examined:
 
     def of_events(self, index: int, clearance: Clearance) -> Iterator[str]:
         speed = self.speeds(index).min(initial=np.inf)
-        allowed = float(np.abs(clearance.h @ self.orbit.propagators.system.matrix).sum()) * self.error
+        allowed = float(np.abs(clearance.h @ self.orbit.propagators.system.matrix) @ self.reach)
         if speed <= allowed:
             yield (
                 f"a boundary{self.named(clearance)} is crossed with X' = {speed:.0e}, within the error "
@@ -191,56 +190,66 @@ class _Examined:
             )
 
     def of_stability(self) -> Iterator[str]:
-        norm = 1.0 + float(_norms([self.orbit.shot.monodromy])[0])
-        change = ROUNDING * norm + self.shift()
-        # a double multiplier moves with the root of what changes the matrix
-        double, away = 2.0 * float(np.sqrt(norm * change)), abs(abs(self.orbit.leading) - 1.0)
+        """A simple multiplier moves by what the change of the maps does to its own direction, a double one
+        with the root of the change of the matrix; the multipliers are those of every place."""
+        first, away = self.tangents.calmest(), abs(abs(self.orbit.leading) - 1.0)
+        matrix = self.tangents.returns[first]
+        ahead, behind = self.tangents.from_place(first)
+        norm = 1.0 + float(norms(matrix[None])[0])
+        change = sum(
+            late * float(np.abs(behind[k] @ c.g).max()) * float((peak @ np.abs(rows @ ahead[k])).sum())
+            for k, c, late, peak, rows in self.lateness(first)
+        )
+        double = 2.0 * float(np.sqrt(norm * (OWN_ROUNDING * norm + change)))
         if away > double:
             return
-        allowed = min(_condition(self.orbit.shot.monodromy) * change, double)
+        allowed = min(self.of_direction(matrix, ahead, behind, first), double)
         if not away > allowed:
             yield f"leading multiplier is {away:.0e} from modulus 1, within its error {allowed:.0e}"
 
-    def shift(self) -> float:
-        """Change of the monodromy by the error of the state: every contact comes earlier or later, and with
-        it the change of the field that it makes."""
-        ahead, behind = self.products
-        total = 0.0
-        for index, clearance in enumerate(self.orbit.propagators.system.clearances):
-            speeds = self.speeds(index)
-            if len(speeds):
-                late = float(np.abs(clearance.h).sum() * np.sum(1.0 / np.maximum(speeds, 1e-300)))
-                total += float(np.abs(clearance.g).max()) * self.strength(clearance) * late
-        return float((ahead * behind).max()) * total * self.error
+    def of_direction(self, matrix: Array, ahead: Array, behind: Array, first: int) -> float:
+        """Change of the leading multiplier to first order, by its left and right eigenvectors: G. Golub and
+        C. Van Loan, Matrix Computations, 4th ed. (2013), sect. 7.2.2."""
+        values, right = np.linalg.eig(matrix)
+        i = int(np.argmax(np.abs(values)))
+        try:
+            left = np.linalg.inv(right)[i]  # left · right[:, i] = 1
+        except np.linalg.LinAlgError:
+            return np.inf
+        y, x = np.abs(left @ behind), np.abs(ahead @ right[:, i])
+        factors = np.abs(np.roll(self.tangents.factors, -first, axis=0))
+        rounding = ROUNDING * float(np.einsum("ki,kij,kj->", y[1:], factors, x[:-1]) + (y * x).sum())
+        return MARGIN * rounding + sum(
+            late * abs(left @ behind[k] @ c.g) * float(peak @ np.abs(rows @ ahead[k] @ right[:, i]))
+            for k, c, late, peak, rows in self.lateness(first)
+        )
+
+    def lateness(self, first: int) -> Iterator[tuple[int, Clearance, float, Array, Array]]:
+        """Of every contact: the place just after it, counted from ``first``, its clearance, and by how much
+        it comes earlier or later; stiffness and damping (2,), and the rows (2, n) that they act on."""
+        system, events, places = self.orbit.propagators.system, self.orbit.events, self.tangents.places
+        after = np.searchsorted(places, events.phase, side="right")
+        for k, index, velocity in zip(after, events.clearance, events.velocity, strict=True):
+            c = system.clearances[index]
+            k = int(k) % len(places)
+            late = float(np.abs(c.h) @ self.errors[k]) / max(abs(float(velocity)), 1e-300)
+            yield (k - first) % len(places), c, late, _strengths(c), np.array([c.h, c.h @ system.matrix])
 
     def speeds(self, index: int) -> Array:
         """|X'| at the contact events of a clearance."""
         events = self.orbit.events
         return np.abs(events.velocity[events.clearance == index])
 
-    def strength(self, clearance: Clearance) -> float:
-        """Bound on |∂Φ/∂z|: peak stiffness and damping."""
-        peak = max(float(np.abs(s).sum()) for s in (clearance.stiffness_plus, clearance.stiffness_minus))
-        matrix = self.orbit.propagators.system.matrix
-        damping = max(map(abs, clearance.dampings)) * float(np.abs(clearance.h @ matrix).sum())
-        return peak * float(np.abs(clearance.h).sum()) + damping
+    def strength(self, clearance: Clearance) -> Array:
+        """Bound (n,) on |∂Φ/∂z|."""
+        rows = np.array([clearance.h, clearance.h @ self.orbit.propagators.system.matrix])
+        return _strengths(clearance) @ np.abs(rows)
 
     def named(self, clearance: Clearance) -> str:
         return f" ({clearance.name})" if len(self.orbit.propagators.system.clearances) > 1 else ""
 
 
-def _norms(matrices: list[Array]) -> Array:
-    """∞-norms."""
-    return np.abs(np.array(matrices)).sum(axis=2).max(axis=1)
-
-
-def _condition(matrix: Array) -> float:
-    """Condition number 1/|yᴴx| of the eigenvalue of largest modulus: G. Golub and C. Van Loan, Matrix
-    Computations, 4th ed. (2013), sect. 7.2.2."""
-    values, right = np.linalg.eig(matrix)
-    i = int(np.argmax(np.abs(values)))
-    try:
-        left = np.linalg.inv(right)[i]  # right[:, i] has length 1
-    except np.linalg.LinAlgError:
-        return np.inf
-    return float(np.linalg.norm(left))
+def _strengths(clearance: Clearance) -> Array:
+    """Peak stiffness and damping (2,)."""
+    peak = max(float(np.abs(s).sum()) for s in (clearance.stiffness_plus, clearance.stiffness_minus))
+    return np.array([peak, max(map(abs, clearance.dampings))])
