@@ -127,6 +127,14 @@ class System(Record):
         """Duration of the base period in τ."""
         return 2.0 * np.pi * self.cycles / self.omega
 
+    @property
+    def excited(self) -> bool:
+        """Does anything vary with time: the forcing, or stiffness or offset of a clearance that acts? A
+        system without comes to rest, or moves by itself; its period is that of no excitation."""
+        acting = [c for c in self.clearances if c.stops(1) or c.stops(-1) or any(c.dampings)]
+        series = [s for c in acting for s in (c.stiffness_plus, c.stiffness_minus, c.offset)]
+        return any(bool(s[..., 1:].any()) for s in (self.forcing, *series))
+
 
 def _problems(system: System) -> list[str]:
     n = system.matrix.shape[0]

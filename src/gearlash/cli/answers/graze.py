@@ -11,6 +11,7 @@ import numpy as np
 from gearlash.case import Case
 from gearlash.system import Family, Status, System
 
+from .excitation import NOT_EXCITED, nothing_varies
 from .parts import CaseUsed, Multiplier, PhysicalValue, case_used, multiplier_rows, physical_values
 from .sentence import physical_text
 
@@ -89,7 +90,7 @@ class GrazeAnswer:
     """Grazing points next to an attractor (gearlash graze)."""
 
     sentence: str
-    status: Annotated[str, "ok, not-found, or why the attractor could not be followed"]
+    status: Annotated[str, "ok, not-found, not-excited, or why the attractor could not be followed"]
     message: str
     advice: str
     case: CaseUsed
@@ -119,8 +120,12 @@ def graze_answer(
     touches = tuple(_touch(case, family, p) for p in sorted(found, key=lambda p: abs(p.value - near)))
     asked = _asked(case, over, named, near, start)
     status, advice = _outcome(start, bool(touches))
+    said = _sentence(over, named, near, touches, paths, _several(family, parameters))
+    if not touches and not family.system(parameters).excited:
+        idle = nothing_varies(case)
+        said, status, advice = f"{idle.cause}; {idle.advice}", NOT_EXCITED, idle.advice
     return GrazeAnswer(
-        sentence=f"{asked}: {_sentence(over, named, near, touches, paths, _several(family, parameters))}",
+        sentence=f"{asked}: {said}",
         status=status,
         message=_message(start, paths),
         advice=advice,

@@ -10,6 +10,7 @@ import numpy as np
 
 from gearlash.case import Case
 
+from .excitation import Unexcited, idle_study
 from .outcome import PIXELS, study_status, troubles
 from .parts import CaseUsed, case_used
 from .sweep import AxisUsed, axis_used
@@ -68,9 +69,10 @@ def map_answer(
     """The record of a map."""
     statuses = plane.statuses
     x, y = plane.x, plane.y
+    idle = idle_study(case, parameters, [x, y])
     return MapAnswer(
-        sentence=_sentence(plane),
-        status=study_status(plane.complete, statuses),
+        sentence=_sentence(plane, idle),
+        status=study_status(plane.complete, statuses, idle),
         message=plane.message,
         case=case_used(case),
         parameters={name: value for name, value in parameters.items() if name not in (x.name, y.name)},
@@ -103,10 +105,12 @@ def _labels(plane: PlaneMap) -> Iterator[MapLabel]:
         )
 
 
-def _sentence(plane: PlaneMap) -> str:
+def _sentence(plane: PlaneMap, idle: Unexcited | None) -> str:
     from gearlash.results import NOT_COMPUTED
 
     ends = (f"{a.name} from {a.values[0]:.6g} to {a.values[-1]:.6g}" for a in (plane.x, plane.y))
+    if idle is not None:
+        return f"{' and '.join(ends)}: {idle.cause}; {idle.advice}"
     rows, columns = plane.shape
     orbits = sum(label not in ("aperiodic", "neutral", "unresolved") for label in plane.labels)
     many = f"{orbits} different signatures" if orbits != 1 else "1 signature"

@@ -6,19 +6,23 @@ from collections.abc import Mapping
 
 from gearlash.system import Status
 
+from .excitation import NOT_EXCITED, Unexcited
+
 OK, INCOMPLETE, FAILED, PARTLY_FAILED = "ok", "incomplete", "failed", "partly-failed"
 NOTHING, NOT_COMPUTED = "failed", "not-computed"  # statuses of a point: no motion, stopped before
 MEANING = (
     "ok; incomplete if it was stopped; failed if no {0} is ok; partly-failed if a {0} has no motion (its "
-    "system could not be built or solved), or most are not ok"
+    "system could not be built or solved), or most are not ok; not-excited if nothing varies with time"
 )
 POINTS, PIXELS = MEANING.format("point"), MEANING.format("pixel")
 
 
-def study_status(complete: bool, statuses: Mapping[str, int]) -> str:
-    """Of a study with so many points of each status."""
+def study_status(complete: bool, statuses: Mapping[str, int], idle: Unexcited | None = None) -> str:
+    """Of a study with so many points of each status; ``idle`` says why it answers nothing, if so."""
     if not complete:
         return INCOMPLETE
+    if idle is not None:
+        return NOT_EXCITED
     good, every = statuses.get(Status.OK, 0), sum(statuses.values())
     if not good:
         return FAILED

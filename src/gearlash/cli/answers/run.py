@@ -10,6 +10,7 @@ from gearlash.case import Case
 from gearlash.system import Status
 
 from .beside import Beside
+from .excitation import NOT_EXCITED, unexcited
 from .impact_free import ImpactFree
 from .motion import MotionNumbers, motion_numbers
 from .parts import (
@@ -36,7 +37,7 @@ class RunAnswer:
     """One attractor (gearlash run)."""
 
     sentence: Annotated[str, "the answer in plain words"]
-    status: Annotated[str, "ok, or why the result is not to be relied on"]
+    status: Annotated[str, "ok, or why the result is not to be relied on, or not-excited"]
     message: Annotated[str, "how the motion was found, or why not"]
     advice: Annotated[str, "what to do about the status"]
     case: CaseUsed
@@ -88,19 +89,20 @@ def run_answer(
 
     orbit = attractor if isinstance(attractor, Orbit) else None
     numbers = motion_numbers(attractor) if attractor.status in TRACEABLE else None
+    idle = unexcited(case, attractor)
     names = list(start)
     state = dict(zip(names, map(float, attractor.final_state), strict=True))
     return RunAnswer(
-        sentence=run_sentence(case, parameters, attractor, numbers, impact_free, beside),
-        status=str(attractor.status),
-        message=message_of(attractor),
-        advice=attractor.status.advice,
+        sentence=run_sentence(case, parameters, attractor, numbers, impact_free, beside, idle),
+        status=str(attractor.status) if idle is None else NOT_EXCITED,
+        message=message_of(attractor) if idle is None else idle.cause,
+        advice=attractor.status.advice if idle is None else idle.advice,
         case=case_used(case),
         parameters=dict(parameters),
         start=dict(start),
         motion=_motion(attractor),
         label=attractor.label,
-        certificate=_certificate(attractor),
+        certificate=_certificate(attractor) if idle is None else CertificateUsed("uncertain", (idle.reason,)),
         signature=_counts(orbit) if orbit else None,
         stable=orbit.stable if orbit else None,
         state=state,

@@ -9,6 +9,7 @@ from gearlash.case import Case
 from gearlash.case.edges import shown_edge
 
 from .beside import Beside, BesideMotion
+from .excitation import Unexcited, at_rest
 from .impact_free import ImpactFree
 from .motion import MotionNumbers, OtherClearance
 from .parts import PhysicalValue, rests_on
@@ -27,6 +28,7 @@ def run_sentence(
     numbers: MotionNumbers | None,
     impact_free: ImpactFree | None,
     beside: Beside | None,
+    idle: Unexcited | None,
 ) -> str:
     """Such as ``3600 rpm: 1-1, teeth separate once per mesh cycle; nearest impact-free motion found at 3715
     rpm; 5 other starts lead to the same motion``."""
@@ -34,16 +36,33 @@ def run_sentence(
 
     speed = _Speed(case, numbers, parameters["omega"])
     here = speed.here
+    if idle is not None:
+        return f"{here}: {_idle(case, attractor, numbers, idle)}"
     if isinstance(attractor, Unresolved | Neutral) or numbers is None:
         return f"{here}: {attractor.label}, {message_of(attractor)}"
     label = attractor.signature.short if isinstance(attractor, Orbit) else "aperiodic"
-    own = case.structure.get("clearance")  # of a system that need not have teeth
-    doing = met(own[0]["name"], numbers, numbers.cycles) if own else contacts(numbers)
-    parts = [f"{here}: {label}, {doing}"]
+    parts = [f"{here}: {label}, {_doing(case, numbers)}"]
     if impact_free is not None:
         parts += _quiet(impact_free, speed, free_now=not numbers.events)
     parts[1:1] = [met(other.name, other, numbers.cycles) for other in numbers.others]
     return "; ".join([*parts, coexisting(beside, attractor.label)])
+
+
+def _doing(case: Case, numbers: MotionNumbers) -> str:
+    """What happens in the first clearance, which need not be between teeth."""
+    own = case.structure.get("clearance")
+    return met(own[0]["name"], numbers, numbers.cycles) if own else contacts(numbers)
+
+
+def _idle(case: Case, attractor: Attractor, numbers: MotionNumbers | None, idle: Unexcited) -> str:
+    """That nothing was asked, and what is there all the same."""
+    if numbers is None:
+        there = message_of(attractor)
+    elif at_rest(attractor):
+        there = f"it rests, {_doing(case, numbers)}"
+    else:
+        there = f"from this start it moves by itself, {attractor.label}"
+    return f"{idle.cause}; {there}; {idle.advice}"
 
 
 def coexisting(beside: Beside | None, own: str) -> str:

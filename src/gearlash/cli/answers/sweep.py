@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
 
+from .excitation import Unexcited, idle_study
 from .outcome import POINTS, study_status, troubles
 from .parts import CaseUsed, PhysicalValue, case_used, physical_values
 
@@ -99,10 +100,11 @@ def sweep_answer(
     axis = sweeps[0].axis
     statuses = Counter(point.status for sweep in sweeps for point in sweep.points)
     complete = all(sweep.complete for sweep in sweeps)
+    idle = idle_study(case, parameters, [axis])
     beside = _intervals(axis, map(bool, coexisting(sweeps))) if len(sweeps) > 1 else ()
     return SweepAnswer(
-        sentence=_sentence(axis, sweeps, statuses, beside),
-        status=study_status(complete, statuses),
+        sentence=_sentence(axis, sweeps, statuses, beside, idle),
+        status=study_status(complete, statuses, idle),
         case=case_used(case),
         parameters={name: value for name, value in parameters.items() if name != axis.name},
         axis=axis_used(case, axis, named),
@@ -174,14 +176,21 @@ def first_failure(sweeps: Sequence[Sweep]) -> str:
 
 
 def _sentence(
-    axis: Axis, sweeps: Sequence[Sweep], statuses: Mapping[str, int], beside: Sequence[tuple[float, float]]
+    axis: Axis,
+    sweeps: Sequence[Sweep],
+    statuses: Mapping[str, int],
+    beside: Sequence[tuple[float, float]],
+    idle: Unexcited | None,
 ) -> str:
     from gearlash.results import NOT_COMPUTED
 
     ends = f"{axis.name} from {axis.values[0]:.6g} to {axis.values[-1]:.6g}"
     ways = ", ".join(str(sweep.direction) for sweep in sweeps)
+    if idle is not None:
+        return f"{ends}: {idle.cause}; {idle.advice}"
     labels = {point.label for sweep in sweeps for point in sweep.points if point.periodic}
-    text = f"{ends}, {len(axis)} values, {ways}: {len(labels)} different signatures"
+    many = f"{len(labels)} different signatures" if len(labels) != 1 else "1 signature"
+    text = f"{ends}, {len(axis)} values, {ways}: {many}"
     if any(point.label == "aperiodic" for sweep in sweeps for point in sweep.points):
         text += " and aperiodic motion"
     if beside:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from gearlash.case import Case
 
 from .asked import Asked
+from .excitation import idle_study
 from .outcome import POINTS, study_status, troubles
 from .parts import CaseUsed, case_used, physical_values
 from .sweep import AxisUsed, axis_used, first_failure
@@ -66,10 +67,11 @@ def zones_answer(
     message = "; ".join(dict.fromkeys(zones.message for zones in found if zones.message))
     statuses = dict(Counter(point.status for sweep in found[0].sweeps for point in sweep.points))
     ends = float(axis.values[0]), float(axis.values[-1])
+    idle = idle_study(case, parameters, [axis])
     said = (headline(asked, ends, here, listed), troubles(statuses, first_failure(found[0].sweeps)))
     return ZonesAnswer(
-        sentence="; ".join(filter(None, said)),
-        status=study_status(all(zones.complete for zones in found), statuses),
+        sentence="; ".join(filter(None, said)) if idle is None else f"{idle.cause}; {idle.advice}",
+        status=study_status(all(zones.complete for zones in found), statuses, idle),
         message=message,
         case=case_used(case),
         parameters=dict(parameters),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearlash.cli.exits import ExitCode, command, delivery
+from gearlash.cli.exits import ExitCode, code_of, command, delivery
 from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
 
 
@@ -37,6 +37,7 @@ def run(
 
     load_engine()
 
+    from gearlash.cli.answers.excitation import unexcited
     from gearlash.cli.answers.run import run_answer
     from gearlash.cli.late import late_bar
     from gearlash.cli.search.beside import motions_beside
@@ -46,10 +47,11 @@ def run(
 
     search = search_settings(family, periods, max_period, case)
     found = attractor(family.system(parameters), list(start.values()), search)
+    asked = unexcited(chosen, found) is None
     with late_bar("other starts") as tell:
-        beside = motions_beside(found, start, family.start(parameters), search, tell)
+        beside = motions_beside(found, start, family.start(parameters), search, tell) if asked else None
     with late_bar("speeds free of impacts") as tell:
-        quiet = impact_free_speeds(family, parameters, tell)
+        quiet = impact_free_speeds(family, parameters, tell) if asked else None
     answer = run_answer(chosen, parameters, start, found, quiet, beside)
     with delivery():
         try:
@@ -66,4 +68,4 @@ def run(
                 from gearlash.cli.show.run import run_view
 
                 show(run_view, answer)
-    return ExitCode.OK if found.status.ok else ExitCode.NOT_OK
+    return code_of(answer.status)
