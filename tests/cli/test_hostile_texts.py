@@ -114,7 +114,7 @@ def test_every_control_character_is_shown_as_a_sign(sign: str):
 def test_a_folder_holds_the_names_of_the_program_and_no_other(gearlash: Gearlash, tmp_path: Path):
     name = HOSTILE[3] + HOSTILE[6] + HOSTILE[0] + "🦷"
     out = tmp_path / "deep" / "out"
-    over = ("--over", "omega=0.5:0.52:3", "--cold", "--set", "load=0.1")
+    over = ("--over", "omega=0.5:0.52:3", "--cold", "--set", "load=0.1", "--set", "error=0.05")
     ran = gearlash("sweep", written(tmp_path, name), *over, "--out", str(out), "--json")
     assert ran.code == 0
     assert sorted(path.name for path in out.iterdir()) == [
