@@ -9,6 +9,7 @@ import json
 import os
 import subprocess
 import sys
+import threading
 from collections.abc import Iterable, Iterator
 from importlib import import_module
 
@@ -19,7 +20,7 @@ from .declare import KERNELS, Kernel
 
 PROGRAM = """
 import json, sys
-order = json.load(sys.stdin)
+order = json.loads(sys.stdin.readline())
 sys.path[:] = order["path"]
 from importlib import import_module
 import_module(order["workshop"]).work(order["kernels"])
@@ -62,20 +63,30 @@ def _started(kernels: list[Kernel]) -> Iterator[subprocess.Popen[str]]:
     )
     try:
         assert process.stdin is not None
-        with contextlib.suppress(BrokenPipeError), process.stdin:
-            json.dump(order, process.stdin)
-        yield process
+        with contextlib.suppress(BrokenPipeError):
+            process.stdin.write(json.dumps(order) + "\n")
+            process.stdin.flush()
+        yield process  # its input stays open: it ends with that, however this process ends
     finally:
         process.kill()
         process.wait()
+        if process.stdin is not None:
+            with contextlib.suppress(BrokenPipeError):
+                process.stdin.close()
 
 
 def work(order: list[tuple[str, str]]) -> None:
     """What such a process does."""
     gc.disable()  # a tenth of the time, and the process ends soon
+    threading.Thread(target=_end_with_input, daemon=True).start()
     from .compiling import compile_kernel
 
     for module, name in order:
         import_module(module)
         code, _ = compile_kernel(KERNELS[name])
         cache.write(name, code)
+
+
+def _end_with_input() -> None:
+    sys.stdin.read()
+    os._exit(1)

@@ -9,6 +9,10 @@ def main() -> None:
 
     current_folder.leave_out()
 
+    from .interrupt import end_early
+
+    end_early()
+
     from .terminal import prepare_streams
 
     prepare_streams()

@@ -11,7 +11,7 @@ from typing import Any
 
 import typer
 
-from .interrupt import first_ctrl_c_counts
+from .interrupt import keeping, signalled, signals_answered
 from .terminal import complain, discard, tell
 
 
@@ -23,7 +23,10 @@ class ExitCode(IntEnum):
     INPUT = 2
     NOT_OK = 3
     UNWRITTEN = 4
+    STOPPED = 5
+    HUNG_UP = 129
     INTERRUPTED = 130
+    TERMINATED = 143
 
 
 MEANINGS = {
@@ -33,14 +36,18 @@ MEANINGS = {
     ExitCode.NOT_OK: "the result is there, but its status is not ok; the output says which and what to do",
     ExitCode.UNWRITTEN: "the result was computed, but standard output or --out could not be written (a full "
     "disk, say); standard error says why",
-    ExitCode.INTERRUPTED: "stopped by Ctrl-C; what was computed is kept in --out and marked incomplete, "
-    "also if Ctrl-C comes twice; a third time gives it up",
+    ExitCode.STOPPED: "a worker process died (killed, or out of memory); what was computed without it is "
+    "kept in --out and marked incomplete",
+    ExitCode.HUNG_UP: "as 130, by SIGHUP: the terminal was closed",
+    ExitCode.INTERRUPTED: "stopped by Ctrl-C; what was computed is kept in --out and marked incomplete. "
+    "Ctrl-C once more gives it up: every file is there whole or not at all",
+    ExitCode.TERMINATED: "as 130, by SIGTERM: `kill`, a batch system, `timeout`",
 }
 
 
 def code_of(status: str) -> ExitCode:
     """The exit code of a study by its status."""
-    return {"ok": ExitCode.OK, "incomplete": ExitCode.INTERRUPTED}.get(status, ExitCode.NOT_OK)
+    return {"ok": ExitCode.OK, "incomplete": ExitCode.STOPPED}.get(status, ExitCode.NOT_OK)
 
 
 class NotWrittenError(Exception):
@@ -55,7 +62,8 @@ class NotWrittenError(Exception):
 def delivery() -> Iterator[None]:
     """Around the writing of results: what the system refuses there is no bug of gearlash."""
     try:
-        yield
+        with keeping():
+            yield
     except OSError as error:
         raise NotWrittenError(error) from error
 
@@ -68,7 +76,7 @@ def command(function: Callable[..., ExitCode]) -> Callable[..., None]:
         from gearlash.system import GearlashError  # late: numpy is not needed to print --help
 
         try:
-            with first_ctrl_c_counts():
+            with signals_answered():
                 code = function(*args, **kwargs)
         except GearlashError as error:
             report(error, as_json=bool(kwargs.get("as_json")))
@@ -80,6 +88,8 @@ def command(function: Callable[..., ExitCode]) -> Callable[..., None]:
             code = not_written(error.cause)
         except BrokenPipeError as error:
             code = not_written(error)
+        if signalled() and code not in (ExitCode.INPUT, ExitCode.UNWRITTEN):
+            code = ExitCode(128 + signalled())
         raise typer.Exit(int(code))
 
     return framed

@@ -31,7 +31,8 @@ class Interrupted(KeyboardInterrupt):
         super().__init__(part)
 
 
-_flag: Cancel = _Never()
+NEVER: Cancel = _Never()
+_flag: Cancel = NEVER
 _inside = 0
 
 

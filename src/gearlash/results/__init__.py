@@ -10,7 +10,7 @@ from .dataset import sweep_dataset
 from .digest import content_hash
 from .plane import CERTIFICATES, NO_LABEL, STATUSES, PlaneMap
 from .plane_dataset import plane_dataset
-from .point import FAILED, NOT_COMPUTED, Point, blank
+from .point import FAILED, NOT_COMPUTED, Point, blank, not_computed
 from .provenance import provenance
 from .store import load, save
 from .sweep import Direction, Sweep
@@ -31,6 +31,7 @@ __all__ = [
     "coexisting",
     "content_hash",
     "load",
+    "not_computed",
     "plane_dataset",
     "provenance",
     "same_motion",

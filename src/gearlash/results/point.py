@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
@@ -121,3 +122,13 @@ def blank(value: float, status: str, message: str) -> Point:
         float(value), status, message,
         certificate=FAILED if failed else "", certificate_reason=message if failed else "",
     )  # fmt: skip
+
+
+def not_computed(values: Iterable[float], reason: str) -> Iterator[Point]:
+    """Blank points of what was stopped before. They share all but the value: there may be a hundred thousand,
+    and whoever stopped a study waits for them."""
+    pattern = blank(0.0, NOT_COMPUTED, reason)
+    for value in values:
+        point = object.__new__(Point)
+        point.__dict__.update(pattern.__dict__, value=float(value))
+        yield point

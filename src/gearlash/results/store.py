@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 FORMAT = "gearlash_format"
+UNFINISHED: set[str] = set()
+"""Files that are being written beside their places, for a command that ends at once."""
 
 
 def save(dataset: xr.Dataset, path: str | Path) -> Path:
@@ -44,6 +46,7 @@ def write_whole(path: Path, content: bytes | memoryview) -> None:
     """A file with this content; where that cannot be written (`OSError`), none, and an older one is kept."""
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
     part = Path(name)
+    UNFINISHED.add(name)
     try:
         with open(handle, "wb") as file:  # noqa: PTH123
             file.write(content)
@@ -55,6 +58,7 @@ def write_whole(path: Path, content: bytes | memoryview) -> None:
         raise OSError(error.errno, error.strerror, str(path)) from None
     finally:
         part.unlink(missing_ok=True)
+        UNFINISHED.discard(name)
 
 
 def load(path: str | Path) -> xr.Dataset:

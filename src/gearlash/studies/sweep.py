@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from gearlash.jobs import Cancel, Chain, Inline, Outcome, ProgressCallback, run
 from gearlash.orbits import Settings
-from gearlash.results import NOT_COMPUTED, Axis, Direction, Sweep, blank
+from gearlash.results import Axis, Direction, Sweep, not_computed
 from gearlash.system import given
 
 from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
@@ -122,9 +122,7 @@ def _gathered(way: Direction, axis: Axis, fixed: dict[str, float], outcome: Outc
         if name == way or (isinstance(name, tuple) and name[0] == way):
             found |= {point.value: point for point in points}
     reason = outcome.reason or "stopped"
-    points = tuple(
-        found[value] if value in found else blank(value, NOT_COMPUTED, reason)
-        for value in map(float, axis.values)
-    )
     complete = len(found) == len(axis)
+    found |= {p.value: p for p in not_computed((v for v in axis.values.tolist() if v not in found), reason)}
+    points = tuple(found[value] for value in axis.values.tolist())
     return Sweep(axis, way, points, complete, "" if complete else reason, fixed)

@@ -110,8 +110,10 @@ def _check(ways: Sequence[Sweep], axis: Axis, fixed: Mapping[str, float] | None)
 
 def _zone(model: Model, ways: Sequence[Sweep], quiet: Quiet, interval: Interval, every: bool) -> Zone:
     name = ways[0].axis.name
-    ends = Axis(name, np.array([interval.lower.value, interval.upper.value]))
-    physical = tuple(Physical(n, float(v[0]), float(v[1]), unit) for n, v, unit in physical_axis(model, ends))
+    ends = Axis(name, np.unique([interval.lower.value, interval.upper.value]))  # one value if it has no width
+    physical = tuple(
+        Physical(n, float(v[0]), float(v[-1]), unit) for n, v, unit in physical_axis(model, ends)
+    )
     return Zone(interval.lower, interval.upper, name, quiet, every, _tenants(ways, quiet, interval), physical)
 
 

@@ -70,7 +70,7 @@ class SweepWay:
     complete: bool
     message: Annotated[str, "why it is not complete"]
     regimes: tuple[Regime, ...]
-    points: Annotated[tuple[SweepPoint, ...], "in ascending order of the value, whatever the direction"]
+    points: Annotated[tuple[SweepPoint, ...], "those computed, in ascending order of the value"]
 
 
 @dataclass(frozen=True)
@@ -130,9 +130,11 @@ def axis_used(case: Case, axis: Axis, named: str) -> AxisUsed:
 
 
 def _way(sweep: Sweep) -> SweepWay:
+    from gearlash.results import NOT_COMPUTED
+
     values = sweep.axis.values
     regimes = (Regime(label, float(values[i]), float(values[j]), j - i + 1) for i, j, label in sweep.runs())
-    points = tuple(_point(point) for point in sweep.points)
+    points = tuple(_point(point) for point in sweep.points if point.status != NOT_COMPUTED)
     return SweepWay(sweep.direction.value, sweep.complete, sweep.message, tuple(regimes), points)
 
 

@@ -46,6 +46,7 @@ def map(
     """
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_plane, read_start
+    from gearlash.cli.interrupt import expect_results
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
@@ -56,6 +57,7 @@ def map(
     start = read_start(family, family.complete(), initial) if initial else None
     folder = claim_if(out, ["map.nc", "map.json", "map.svg", "map.pdf"])
     load_engine()
+    expect_results()
 
     from gearlash.cli.answers.map import map_answer
     from gearlash.cli.progress import progress_bar

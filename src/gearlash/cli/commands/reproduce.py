@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gearlash.cli.exits import ExitCode, code_of, command, delivery
+from gearlash.cli.interrupt import expect_results, nothing_more
 from gearlash.cli.options import AsJson, Settings, Workers
+
+if TYPE_CHECKING:
+    from gearlash.case import Case
+    from gearlash.cli.folder import OutFolder
+    from gearlash.results import Sweep
 
 
 @command
@@ -43,8 +50,9 @@ def reproduce(
 ) -> ExitCode:
     """What of the article holds? Its whole study, reported values beside computed ones, as one report.
 
-    Writes report.html (one file that works offline), report.json (every number) and figures/ (SVG and PDF).
-    Takes a few minutes.
+    Writes report.html (one file that works offline), report.json (every number), figures/ (SVG and PDF), and
+    the sweeps of both axes as they are done (sweep-omega, sweep-D; .nc and .json), which stay if it is
+    stopped. Takes a few minutes.
     """
     from gearlash.cli.folder import claim
     from gearlash.cli.inputs import read_case
@@ -55,7 +63,8 @@ def reproduce(
 
     chosen = read_case(case, settings)
     check_pair(chosen)
-    folder = claim(out, ["report.html", "report.json", "figures", "reproduce.json"])
+    sweeps = [f"sweep-{name}{ending}" for name in ("omega", "D") for ending in (".nc", ".json")]
+    folder = claim(out, ["report.html", "report.json", "figures", "reproduce.json", *sweeps])
     load_engine()
 
     from gearlash import report
@@ -64,8 +73,11 @@ def reproduce(
     from gearlash.jobs import open_executor
     from gearlash.studies import article
 
+    expect_results()
     with stage_bar() as progress:
-        found = article.reproduce(chosen, _scope(points), workers=workers, progress=progress)
+        found = article.reproduce(
+            chosen, _scope(points), workers=workers, progress=progress, keep=_keeper(chosen, folder)
+        )
         progress("report", None)
         with open_executor(workers) as executor, delivery():
             page = report.render(found, folder.path, executor)
@@ -79,6 +91,24 @@ def reproduce(
 
             show(reproduce_view, answer)
     return code_of(answer.status)
+
+
+def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], None]:
+    """Writes the sweeps of an axis as soon as they are there: what comes after them is soon done again."""
+    from gearlash.cli.answers.sweep import sweep_answer
+    from gearlash.cli.jsonio import write_file
+    from gearlash.results import save, sweep_dataset
+
+    parameters = case.family()[0].complete()
+
+    def keep(name: str, sweeps: Sequence[Sweep]) -> None:
+        with delivery():
+            save(sweep_dataset(case, sweeps), folder.file(f"sweep-{name}.nc"))
+            write_file(sweep_answer(case, parameters, name, sweeps), folder.file(f"sweep-{name}.json"))
+        if name == "D" or not all(sweep.complete for sweep in sweeps):
+            nothing_more()
+
+    return keep
 
 
 def _scope(points: int | None):

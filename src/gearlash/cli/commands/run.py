@@ -24,6 +24,7 @@ def run(
     """
     from gearlash.cli.folder import MOTION_FILES, claim_if
     from gearlash.cli.inputs import read_case, read_start
+    from gearlash.cli.interrupt import expect_results, optional
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.terminal import show
 
@@ -47,11 +48,18 @@ def run(
 
     search = search_settings(family, periods, max_period, case)
     found = attractor(family.system(parameters), list(start.values()), search)
+    expect_results()
+
+    def other_starts():
+        with late_bar("other starts") as tell:
+            return motions_beside(found, start, family.start(parameters), search, tell)
+
+    def quiet_speeds():
+        with late_bar("speeds free of impacts") as tell:
+            return impact_free_speeds(family, parameters, tell)
+
     asked = unexcited(chosen, found) is None
-    with late_bar("other starts") as tell:
-        beside = motions_beside(found, start, family.start(parameters), search, tell) if asked else None
-    with late_bar("speeds free of impacts") as tell:
-        quiet = impact_free_speeds(family, parameters, tell) if asked else None
+    beside, quiet = (optional(other_starts), optional(quiet_speeds)) if asked else (None, None)
     answer = run_answer(chosen, parameters, start, found, quiet, beside)
     with delivery():
         try:

@@ -43,6 +43,7 @@ def sweep(
     """
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_over, read_start
+    from gearlash.cli.interrupt import expect_results
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
@@ -58,6 +59,7 @@ def sweep(
     ]
     folder = claim_if(out, ["sweep.nc", "sweep.json", "sweep.svg", "sweep.pdf"])
     load_engine()
+    expect_results()
 
     from gearlash.cli.answers.sweep import sweep_answer
     from gearlash.cli.progress import progress_bar

@@ -56,6 +56,7 @@ def zones(
     """
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_over, read_start
+    from gearlash.cli.interrupt import expect_results
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
@@ -66,6 +67,7 @@ def zones(
     start = list(read_start(family, family.complete(), initial).values()) if initial else None
     folder = claim_if(out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf"])
     load_engine()
+    expect_results()
 
     from gearlash.cli.answers.zones import zones_answer
     from gearlash.cli.progress import progress_bar

@@ -13,7 +13,7 @@ from gearlash.case import Case
 from gearlash.flow import propagators
 from gearlash.jobs import Progress
 from gearlash.orbits import Orbit, shoot
-from gearlash.results import Axis, Direction, Point, provenance, sweep_dataset
+from gearlash.results import Axis, Direction, Point, Sweep, provenance, sweep_dataset
 from gearlash.studies.model import open_workers
 from gearlash.studies.motion import Motion, motion
 from gearlash.studies.point import point
@@ -68,17 +68,22 @@ def reproduce(
     workers: int | None = None,
     claims: Sequence[Claim] | None = None,
     progress: StageProgress | None = None,
+    keep: Callable[[str, Sequence[Sweep]], None] | None = None,
 ) -> Reproduction:
     """Everything but the article's multibody section. ``claims`` (default: those of the package) are paired
     with what is computed, and centre pictures; no computation reads a claimed value. ``progress`` is told the
-    stage and how far. Raises `CaseError` for a case that is not the article's pair."""
+    stage and how far. ``keep`` gets the sweeps of each axis, by its name, as soon as they are there, also
+    where Ctrl-C ended them: KeyboardInterrupt is raised after it. Raises `CaseError` for a case that is not
+    the article's pair."""
     check_pair(case)
     scope, claims = scope or Scope(), load() if claims is None else tuple(claims)
     tell = progress or (lambda stage, state: None)
     clock = _Clock()
     with open_workers(case, workers) as executor:
         omega, frequency = _axis_rows(case, "omega", scope, executor, tell, clock)
+        _kept("omega", frequency, keep)
         gap, backlash = _axis_rows(case, "D", scope, executor, tell, clock)
+        _kept("D", backlash, keep)
         found = {"omega": distinct(frequency), "D": distinct(backlash)}
         by_axis = {"omega": (omega, frequency), "D": (gap, backlash)}
         tell(STAGES[2], None)
@@ -146,6 +151,14 @@ def _axis_rows(
     done = rows(case, axis, fixed, executor, lambda state: tell(stage, state))
     clock.lap(stage)
     return axis, done
+
+
+def _kept(name: str, done: Sequence[Row], keep: Callable[[str, Sequence[Sweep]], None] | None) -> None:
+    """Hands the sweeps of an axis on; there is no study without all of them."""
+    if keep is not None:
+        keep(name, [row.sweep for row in done])
+    if not all(row.sweep.complete for row in done):
+        raise KeyboardInterrupt
 
 
 def _diagram(
