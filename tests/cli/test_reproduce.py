@@ -120,12 +120,12 @@ def test_case_overrides_points_and_workers_reach_the_study(
     assert scope.omega[:2] == article.Scope().omega[:2]
 
 
-def test_an_interrupted_study_has_exit_code_130(
+def test_a_study_that_lost_its_workers_has_exit_code_5(
     gearlash: Gearlash, study: Callable[[bool], dict[str, object]], tmp_path: Path
 ):
     study(False)
     ran = gearlash("reproduce", "--workers", "1", "--out", str(tmp_path))
-    assert ran.code == 130
+    assert ran.code == 5
     assert "incomplete" in ran.out
 
 
