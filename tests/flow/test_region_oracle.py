@@ -73,11 +73,13 @@ def _by_comparison(system, phase, z):
         x, v = float(gap(system, c, z, phase)), float(gap_velocity(system, c, z, phase))
         plus, minus = c.dampings
         force = c.damping * v if c.contact is ContactRule.ALWAYS else 0.0
-        for over, eta, damping, sign in (
-            (x - c.gap_plus, c.stiffness_plus, plus, 1.0),
-            (-x - c.gap_minus, c.stiffness_minus, minus, -1.0),
+        shared = c.damping_minus is None or c.contact is ContactRule.ALWAYS
+        for over, eta, other, damping, sign in (
+            (x - c.gap_plus, c.stiffness_plus, c.stiffness_minus, plus, 1.0),
+            (-x - c.gap_minus, c.stiffness_minus, c.stiffness_plus, minus, -1.0),
         ):
-            if over > 0 and eta.any():
+            inherited = shared and other.any()  # a side without stiffness acts by a damping of its own
+            if over > 0 and (eta.any() or not inherited):
                 push = float(series_value(eta, at)) * over
                 if c.contact is not ContactRule.ALWAYS:
                     push += damping * sign * v

@@ -39,6 +39,8 @@ def rows(
 ) -> tuple[Row, ...]:
     """Sweeps cold, up and down, and what changes along each, on the executor's workers."""
     done = sweeps(case, axis, fixed=fixed, settings=SETTINGS, executor=executor, progress=progress)
+    if not all(each.complete for each in done):  # was stopped: nobody waits for what changes along it
+        return tuple(Row(each, ()) for each in done)
     found = [executor.submit(locate, case.to_json(), each) for each in done]
     return tuple(Row(each, future.result()) for each, future in zip(done, found, strict=True))
 
