@@ -61,8 +61,9 @@ def test_touches_built_backwards_from_the_extremum(draw):
 
 
 def test_depths_near_rounding_are_decided_rightly_or_not_at_all():
-    """Between 1e-15 and 1e-13 some cannot be decided: their status says so, and no sure answer is wrong. (What
-    judges them gives up on some draws too: this seed has none of those.)"""
+    """Between 1e-15 and 1e-13 some cannot be decided: their status says so, and no sure answer is wrong. What
+    judges them gives up on some draws too; this seed has none of those.
+    """
     uncertain = 0
     for touch in touches(8, 80, depths=(1e-15, 1e-13)):
         props = flow.propagators(touch.system)
