@@ -88,5 +88,6 @@ def work(order: list[tuple[str, str]]) -> None:
 
 
 def _end_with_input() -> None:
-    sys.stdin.read()
+    while os.read(0, 65536):  # not through sys.stdin, whose lock would still be held when the process ends
+        pass
     os._exit(1)
