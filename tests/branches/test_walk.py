@@ -173,6 +173,21 @@ def test_where_no_system_can_be_built():
     assert end.last.value <= 0.65 < end.beyond <= 0.65 + 1e-6
 
 
+@pytest.mark.parametrize("rule", list(ContactRule))
+def test_through_rest(rule):
+    """Where ripple and error cancel, the teeth in contact come to rest; the motion goes on beyond."""
+    family = one_dof_under(rule, back_stiffness=1.0)
+    values = {"omega": 0.62807, "load": 0.25747, "ripple": 0.27312, "error": 0.13495, "mesh_damping": 0.08561}
+    start = orbit(family, **values)
+    met, end = events(family, family.complete(values), "omega", start, 0.9)
+    assert (met, end.outcome, end.last.label) == ([], Outcome.ARRIVED, "1-0-0")
+    swings = [
+        float(np.ptp(orbit(family, **{**values, "omega": omega}).trace.samples(50).displacement))
+        for omega in (0.7, 0.72186, 0.74)
+    ]
+    assert swings[1] < 1e-3 * min(swings[0], swings[2])
+
+
 def test_the_way_is_told():
     values, told = dict(DEFAULTS), []
     found = linear(shaken(), values)

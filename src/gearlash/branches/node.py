@@ -14,7 +14,7 @@ from gearlash.orbits import GrazingCheck, Orbit, grazing_checks
 Array = NDArray[np.float64]
 SAMPLES = 32  # of a mesh cycle: for the range of every state
 ROUNDING = 1e-11  # of the state: an extremum so near a boundary may be on either side
-LEAST = 1e-6  # of the largest range: what a state that hardly moves is measured by
+LEAST = 1e-3  # of the largest state: what a state that hardly moves is measured by
 
 Kind = tuple[int, int, str, int]
 """Clearance, boundary, surface, and sign of the curvature: extrema of one kind."""
@@ -36,12 +36,17 @@ class Node:
         return self.orbit.label
 
     @cached_property
+    def course(self) -> Array:
+        """(m, n): the states at equal phases of the orbit; at one phase alone it may stand still while the
+        parameter moves."""
+        return self.orbit.trace.samples(SAMPLES * self.orbit.period + 1).state
+
+    @cached_property
     def ranges(self) -> Array:
-        """(n,): how far every state moves in the course of the orbit, the unit for what is near."""
-        state = self.orbit.trace.samples(SAMPLES * self.orbit.period + 1).state
-        moved = state.max(axis=0) - state.min(axis=0)
-        largest = max(float(moved.max()), LEAST * max(1.0, float(np.abs(state).max())))
-        return np.maximum(moved, LEAST * largest)
+        """(n,): how far every state moves in the course of the orbit, the unit for what is near; at least
+        `LEAST` of the largest state, as an orbit may shrink to rest and grow again."""
+        moved = self.course.max(axis=0) - self.course.min(axis=0)
+        return np.maximum(moved, LEAST * max(float(np.abs(self.course).max()), LEAST))
 
     @cached_property
     def checks(self) -> tuple[GrazingCheck, ...]:
@@ -57,9 +62,13 @@ class Node:
             found[check.clearance, check.boundary, check.surface, sign].append(check)
         return dict(found)
 
+    def between(self, one: Array, two: Array) -> float:
+        """Largest distance of states (n,) or courses (m, n) of equal phases, in units of `ranges`."""
+        return float((np.abs(one - two) / self.ranges).max())
+
     def apart(self, state: Array) -> float:
         """Distance of a state from this orbit's at phase zero, in units of `ranges`."""
-        return float((np.abs(state - self.state) / self.ranges).max())
+        return self.between(state, self.state)
 
 
 @dataclass(frozen=True, eq=False)

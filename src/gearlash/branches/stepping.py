@@ -6,6 +6,7 @@ no extremum has come to the other side of its boundary."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
@@ -78,19 +79,23 @@ class Line:
 
     def step(self, before: Node, earlier: Earlier, value: float) -> Step:
         """From ``before`` to ``value``; ``earlier`` are the orbits before that one, the last first."""
-        guess = _extrapolated((before, *earlier), value)
+        nodes = (before, *earlier)
+        weights = _weights([node.value for node in nodes], value)
+        guess = np.tensordot(weights, [node.state for node in nodes], 1)
         try:
             orbit = self.orbit(value, guess, before.orbit.shot.period, before.orbit)
         except UNBUILT as error:
             return Step(None, Refusal.UNBUILT, reason=str(error))
         if orbit is None:
             return Step(None, Refusal.NEWTON)
-        node = Node(value, orbit)
-        moved, beside = before.apart(orbit.state), _distance(before, orbit.state, guess)
-        if moved > (LONG if earlier else SHORT):
-            return Step(None, Refusal.FAR)
         if orbit.shot.period != before.orbit.shot.period:
             return Step(None, Refusal.PERIOD)
+        node = Node(value, orbit)
+        moved = before.between(node.course, before.course)
+        if moved > (LONG if earlier else SHORT):
+            return Step(None, Refusal.FAR)
+        ahead = np.tensordot(weights, [node.course for node in nodes], 1)
+        beside = before.between(node.course, ahead)
         if earlier and beside > BEND * moved + ROUNDING:
             return Step(None, Refusal.FAR)
         refusal = self.compared(before, earlier, node)
@@ -122,20 +127,15 @@ def rates(earlier: Earlier, node: Node) -> dict[GrazingCheck, float]:
     return {here: (here.distance - there.distance) / width for there, here in Pair(earlier[0], node).matched}
 
 
-def _extrapolated(nodes: tuple[Node, ...], value: float) -> Array:
-    """The state at a value, on the parabola through the last three orbits (the line through two)."""
-    if len(nodes) == 1:
-        return nodes[0].state
-    slope = _slope(nodes[0], nodes[1])
-    state = nodes[0].state + slope * (value - nodes[0].value)
-    if len(nodes) > 2:
-        bend = (slope - _slope(nodes[1], nodes[2])) / (nodes[0].value - nodes[2].value)
-        state = state + bend * (value - nodes[0].value) * (value - nodes[1].value)
-    return state
-
-
-def _slope(one: Node, two: Node) -> Array:
-    return (one.state - two.state) / (one.value - two.value)
+def _weights(values: list[float], at: float) -> Array:
+    """Of what is known at up to three values, for the parabola (line, constant) through it, at another
+    value."""
+    return np.array(
+        [
+            math.prod((at - other) / (value - other) for j, other in enumerate(values) if j != i)
+            for i, value in enumerate(values)
+        ]
+    )
 
 
 def _may_have_touched(pair: Pair, rate: Mapping[GrazingCheck, float]) -> bool:
@@ -149,8 +149,3 @@ def _may_have_touched(pair: Pair, rate: Mapping[GrazingCheck, float]) -> bool:
             if min(abs(before.distance), abs(after.distance)) < 0.5 * bent:
                 return True
     return False
-
-
-def _distance(node: Node, one: Array, two: Array) -> float:
-    """Of two states, in units of the orbit's ranges."""
-    return float((np.abs(one - two) / node.ranges).max())
