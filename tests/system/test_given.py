@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import copy
 import datetime
+import importlib
 import pickle
+import pkgutil
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -275,6 +277,8 @@ def test_cosines_refuse_in_words():
 def _every_error() -> list[GearlashError]:
     from gearlash.case import CaseError, Problem
     from gearlash.case.piecewise.arrays import NoValueError
+    from gearlash.jobs import NoWorkersError
+    from gearlash.studies.article import UnfinishedError
 
     return [
         GearlashError("text"),
@@ -282,6 +286,8 @@ def _every_error() -> list[GearlashError]:
         BuildError("build failed"),
         CaseError("case", [Problem("mesh.backlash", "'1'", "a length")]),
         NoValueError("matrix", "1/0", "a number"),
+        NoWorkersError("no worker started"),
+        UnfinishedError("a worker died"),
     ]
 
 
@@ -291,6 +297,9 @@ def test_every_error_travels_between_processes():
         assert type(same) is type(error)
         assert str(same) == str(error)
         assert same.__dict__ == error.__dict__
+    for module in pkgutil.walk_packages(gl.__path__, "gearlash."):  # whatever other tests have imported
+        if ".peers." not in module.name and not module.name.startswith("gearlash._kernel"):
+            importlib.import_module(module.name)
     assert {type(e) for e in _every_error()} >= {GearlashError, *_subclasses(GearlashError)}
 
 
