@@ -6,17 +6,21 @@ import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 import xarray
 
 import gearlash.report
 import gearlash.studies.article as article
+import gearlash.studies.article.rows as rows
 from cli.conftest import Gearlash
 from cli.schema_check import problems
 from gearlash.case import Case
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
+from gearlash.jobs import DIED
+from gearlash.results import load as load_dataset
 from gearlash.studies.article.reproduction import Check, ClaimRow, Diagram, Reproduction, Run
 
 NAN = float("nan")
@@ -127,6 +131,22 @@ def test_a_study_that_lost_its_workers_has_exit_code_5(
     ran = gearlash("reproduce", "--workers", "1", "--out", str(tmp_path))
     assert ran.code == 5
     assert "incomplete" in ran.out
+
+
+def test_workers_that_die_are_no_ctrl_c(gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """What was computed without them is kept; the exit code and a sentence say what happened."""
+    whole = rows.sweeps
+
+    def without_the_last(*arguments: Any, **options: Any):
+        *others, last = whole(*arguments, **options)
+        return (*others, replace(last, complete=False, message=DIED))
+
+    monkeypatch.setattr(rows, "sweeps", without_the_last)
+    ran = gearlash("reproduce", "--points", "11", "--workers", "1", "--out", str(tmp_path))
+    assert ran.code == 5
+    assert DIED in " ".join(ran.err.split())
+    assert load_dataset(tmp_path / "sweep-omega.nc").attrs["complete"] == 0
+    assert not (tmp_path / "report.html").exists()
 
 
 def test_a_foreign_report_is_not_overwritten(

@@ -79,3 +79,24 @@ def test_ctrl_c_keeps_what_was_computed(gearlash: Gearlash, tmp_path: Path, monk
     assert dataset.attrs["complete"] == 0
     assert [str(s) for s in dataset["status"].values[0]] == ["ok"] * 4 + ["not-computed"] * 5
     assert not (tmp_path / "sweep.svg").exists()
+
+
+def test_ctrl_c_before_the_first_point_keeps_an_older_result(
+    gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    import gearlash.cli.progress as progress
+
+    whole = ("sweep", *WINDOW, "--cold", "--workers", "1", "--out", str(tmp_path))
+    assert gearlash(*whole).code == 0
+    before = {path.name: path.read_bytes() for path in tmp_path.glob("sweep.*")}
+    assert len(before) == 4
+
+    @contextmanager
+    def interrupting(title: str) -> Iterator[object]:
+        os.kill(os.getpid(), signal.SIGINT)
+        yield None
+
+    monkeypatch.setattr(progress, "progress_bar", interrupting)
+    ran = gearlash(*whole)
+    assert ran.code == 130
+    assert {path.name: path.read_bytes() for path in tmp_path.glob("sweep.*")} == before

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import sys
 from collections.abc import Callable, Iterator
@@ -59,10 +60,11 @@ class NotWrittenError(Exception):
 
 
 @contextmanager
-def delivery() -> Iterator[None]:
-    """Around the writing of results: what the system refuses there is no bug of gearlash."""
+def delivery(breakable: bool = False) -> Iterator[None]:
+    """Around the writing of results: what the system refuses there is no bug of gearlash. A first signal does
+    not end it, unless it is ``breakable``: all that has to be kept is written already."""
     try:
-        with keeping():
+        with contextlib.nullcontext() if breakable else keeping():
             yield
     except OSError as error:
         raise NotWrittenError(error) from error

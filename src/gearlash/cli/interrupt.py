@@ -8,7 +8,9 @@ one does depends on what the command is at:
   a point that takes long is broken off;
 - while results are written (`keeping`) nothing is broken off.
 
-A signal that Python cannot answer, as it is inside a long call of machine code, is answered by a thread.
+A signal that Python cannot answer, as it is inside a long call of machine code, is answered by a thread: it
+says that results will be kept as soon as the call returns, or ends the process where there are none, or where
+a second signal comes.
 """
 
 from __future__ import annotations
@@ -34,6 +36,7 @@ LOST = b"\ninterrupted\n"
 CURSOR = b"\x1b[?25h"  # shows the cursor again that a bar has hidden
 ECHO = 0.25  # s in which a second signal is the first one, sent to the process and to its group
 LATEST = 1.5  # s after which a signal that machine code holds up is answered without it
+SOON = 0.2  # the same of a second one
 
 
 class _Phase(Enum):
@@ -70,7 +73,7 @@ def signals_answered() -> Iterator[None]:
     numbers = _answered() if threading.current_thread() is threading.main_thread() else []
     before = {number: signal.signal(number, _answer) for number in numbers}
     try:
-        with _watched() if numbers else contextlib.nullcontext():
+        with _watched(numbers) if numbers else contextlib.nullcontext():
             yield
     finally:
         for number, handler in before.items():
@@ -94,9 +97,17 @@ def expect_results() -> None:
     _state.phase = _Phase.STUDY
 
 
+def end_if_nothing(computed: bool) -> None:
+    """Ends the command where a signal came before anything was computed: no older result is written over."""
+    if _state.number and not computed:
+        raise KeyboardInterrupt
+
+
 def nothing_more() -> None:
-    """From here on all that there is to keep is kept."""
+    """From here on all that there is to keep is kept. Ends the command where a signal came before."""
     _state.phase = _Phase.NOTHING
+    if _state.number:
+        raise KeyboardInterrupt
 
 
 @contextmanager
@@ -168,19 +179,27 @@ def _end(number: int) -> None:
 
 
 @contextmanager
-def _watched() -> Iterator[None]:
+def _watched(numbers: list[int]) -> Iterator[None]:
     """A thread that answers where the main one does not come to it."""
     heard, told = socket.socketpair()
     told.setblocking(False)
     before = signal.set_wakeup_fd(told.fileno(), warn_on_full_buffer=False)
 
     def listen() -> None:
+        first = 0.0
         while number := int.from_bytes(heard.recv(1), "big"):
-            deadline = time.monotonic() + LATEST
-            while time.monotonic() < deadline and not _state.number:
+            if number not in map(int, numbers):
+                continue
+            again = first > 0.0 and time.monotonic() - first > ECHO
+            first = first or time.monotonic()
+            deadline = time.monotonic() + (SOON if again else LATEST)
+            while time.monotonic() < deadline and (again or not _state.number):
                 time.sleep(0.05)
-            if not _state.number and number in map(int, _answered()):
+            if again or (not _state.number and _state.phase in (_Phase.NOTHING, _Phase.OPTIONAL)):
                 _end(number)
+            if not _state.number:
+                with contextlib.suppress(OSError):
+                    os.write(2, KEPT)
 
     thread = threading.Thread(target=listen, name="gearlash signals", daemon=True)
     thread.start()

@@ -46,7 +46,7 @@ def map(
     """
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_plane, read_start
-    from gearlash.cli.interrupt import expect_results
+    from gearlash.cli.interrupt import end_if_nothing, expect_results
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
@@ -63,7 +63,7 @@ def map(
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.search.settings import search_settings
     from gearlash.cli.workers import executor_for
-    from gearlash.results import Axis
+    from gearlash.results import NOT_COMPUTED, Axis
     from gearlash.studies import map_plane
 
     x, y = (Axis(over.short, over.values) for over in (across, up))
@@ -77,6 +77,7 @@ def map(
             executor=executor,
             progress=progress,
         )
+    end_if_nothing(set(found.statuses) != {NOT_COMPUTED})
     answer = map_answer(chosen, family.complete(), (across.named, up.named), found)
     with delivery():
         try:

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from concurrent.futures import BrokenExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gearlash.cli.exits import ExitCode, code_of, command, delivery
-from gearlash.cli.interrupt import expect_results, nothing_more
+from gearlash.cli.interrupt import end_if_nothing, expect_results, nothing_more
 from gearlash.cli.options import AsJson, Settings, Workers
 
 if TYPE_CHECKING:
     from gearlash.case import Case
     from gearlash.cli.folder import OutFolder
+    from gearlash.cli.progress import StageCallback
+    from gearlash.jobs import Progress
     from gearlash.results import Sweep
 
 
@@ -58,7 +61,7 @@ def reproduce(
     from gearlash.cli.inputs import read_case
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
-    from gearlash.cli.terminal import show
+    from gearlash.cli.terminal import complain, show
     from gearlash.studies.article.pair import check_pair
 
     chosen = read_case(case, settings)
@@ -73,13 +76,20 @@ def reproduce(
     from gearlash.jobs import open_executor
     from gearlash.studies import article
 
-    expect_results()
     with stage_bar() as progress:
-        found = article.reproduce(
-            chosen, _scope(points), workers=workers, progress=progress, keep=_keeper(chosen, folder)
-        )
+        try:
+            found = article.reproduce(
+                chosen,
+                _scope(points),
+                workers=workers,
+                progress=_told(progress),
+                keep=_keeper(chosen, folder),
+            )
+        except (article.UnfinishedError, BrokenExecutor) as error:
+            complain(f"gearlash: {error}")
+            return ExitCode.STOPPED
         progress("report", None)
-        with open_executor(workers) as executor, delivery():
+        with open_executor(workers) as executor, delivery(breakable=True):
             page = report.render(found, folder.path, executor)
     answer = reproduce_answer(found, str(page))
     with delivery():
@@ -94,7 +104,7 @@ def reproduce(
 
 
 def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], None]:
-    """Writes the sweeps of an axis as soon as they are there: what comes after them is soon done again."""
+    """Writes the sweeps of an axis as soon as they are there, if anything of them is."""
     from gearlash.cli.answers.sweep import sweep_answer
     from gearlash.cli.jsonio import write_file
     from gearlash.results import save, sweep_dataset
@@ -102,13 +112,25 @@ def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], N
     parameters = case.family()[0].complete()
 
     def keep(name: str, sweeps: Sequence[Sweep]) -> None:
+        end_if_nothing(any(point.computed for sweep in sweeps for point in sweep.points))
         with delivery():
             save(sweep_dataset(case, sweeps), folder.file(f"sweep-{name}.nc"))
             write_file(sweep_answer(case, parameters, name, sweeps), folder.file(f"sweep-{name}.json"))
-        if name == "D" or not all(sweep.complete for sweep in sweeps):
-            nothing_more()
+        nothing_more()  # what is not swept is soon done again
 
     return keep
+
+
+def _told(progress: StageCallback) -> StageCallback:
+    """The same, and notice of when sweeps begin that are to be kept."""
+    from gearlash.studies.article.reproduce import STAGES
+
+    def tell(stage: str, state: Progress | None) -> None:
+        if state is None and stage in STAGES[:2]:
+            expect_results()
+        progress(stage, state)
+
+    return tell
 
 
 def _scope(points: int | None):

@@ -43,7 +43,7 @@ def sweep(
     """
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_over, read_start
-    from gearlash.cli.interrupt import expect_results
+    from gearlash.cli.interrupt import end_if_nothing, expect_results
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
@@ -79,6 +79,7 @@ def sweep(
             executor=executor,
             progress=progress,
         )
+    end_if_nothing(any(point.computed for each in found for point in each.points))
     answer = sweep_answer(chosen, family.complete(), along.named, found)
     with delivery():
         try:

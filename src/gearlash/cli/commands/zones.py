@@ -56,7 +56,7 @@ def zones(
     """
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_over, read_start
-    from gearlash.cli.interrupt import expect_results
+    from gearlash.cli.interrupt import end_if_nothing, expect_results
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
@@ -82,6 +82,7 @@ def zones(
     with executor_for(chosen, workers, 3 * len(axis)) as executor:
         with progress_bar("sweeps") as progress:
             ways = sweeps(chosen, axis, initial=start, settings=search, executor=executor, progress=progress)
+        end_if_nothing(any(point.computed for each in ways for point in each.points))
         with progress_bar("ends") as progress:
             found = zones_of_kinds(
                 chosen,

@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
+from functools import partial
 
 from gearlash.case import Case
 from gearlash.flow import propagators
@@ -33,6 +34,7 @@ from .zoning import SOME, article_zones
 
 STAGES = ("sweeps over ω", "sweeps over D", "zones", "events", "verdicts", "contact rules")
 StageProgress = Callable[[str, Progress | None], object]
+Keep = Callable[[str, Sequence[Sweep]], None]
 
 
 RULES_BACKLASH = (*(round(0.34 + 0.01 * i, 2) for i in range(17)), 0.6, 0.7, 0.8, 0.9, 1.0)
@@ -68,22 +70,20 @@ def reproduce(
     workers: int | None = None,
     claims: Sequence[Claim] | None = None,
     progress: StageProgress | None = None,
-    keep: Callable[[str, Sequence[Sweep]], None] | None = None,
+    keep: Keep | None = None,
 ) -> Reproduction:
     """Everything but the article's multibody section. ``claims`` (default: those of the package) are paired
     with what is computed, and centre pictures; no computation reads a claimed value. ``progress`` is told the
     stage and how far. ``keep`` gets the sweeps of each axis, by its name, as soon as they are there, also
-    where Ctrl-C ended them: KeyboardInterrupt is raised after it. Raises `CaseError` for a case that is not
-    the article's pair."""
+    where they were ended: KeyboardInterrupt is raised after Ctrl-C, `UnfinishedError` where workers died.
+    Raises `CaseError` for a case that is not the article's pair."""
     check_pair(case)
     scope, claims = scope or Scope(), load() if claims is None else tuple(claims)
     tell = progress or (lambda stage, state: None)
     clock = _Clock()
     with open_workers(case, workers) as executor:
-        omega, frequency = _axis_rows(case, "omega", scope, executor, tell, clock)
-        _kept("omega", frequency, keep)
-        gap, backlash = _axis_rows(case, "D", scope, executor, tell, clock)
-        _kept("D", backlash, keep)
+        omega, frequency = _axis_rows(case, "omega", scope, executor, tell, clock, keep)
+        gap, backlash = _axis_rows(case, "D", scope, executor, tell, clock, keep)
         found = {"omega": distinct(frequency), "D": distinct(backlash)}
         by_axis = {"omega": (omega, frequency), "D": (gap, backlash)}
         tell(STAGES[2], None)
@@ -140,7 +140,13 @@ def reproduce(
 
 
 def _axis_rows(
-    case: Case, name: str, scope: Scope, executor: Executor, tell: StageProgress, clock: _Clock
+    case: Case,
+    name: str,
+    scope: Scope,
+    executor: Executor,
+    tell: StageProgress,
+    clock: _Clock,
+    keep: Keep | None,
 ) -> tuple[Axis, tuple[Row, ...]]:
     omega = name == "omega"
     low, high, count = scope.omega if omega else scope.backlash
@@ -148,17 +154,10 @@ def _axis_rows(
     stage = STAGES[0] if omega else STAGES[1]
     axis = Axis.even(name, [low, high], count)
     tell(stage, None)
-    done = rows(case, axis, fixed, executor, lambda state: tell(stage, state))
+    kept = None if keep is None else partial(keep, name)
+    done = rows(case, axis, fixed, executor, lambda state: tell(stage, state), kept)
     clock.lap(stage)
     return axis, done
-
-
-def _kept(name: str, done: Sequence[Row], keep: Callable[[str, Sequence[Sweep]], None] | None) -> None:
-    """Hands the sweeps of an axis on; there is no study without all of them."""
-    if keep is not None:
-        keep(name, [row.sweep for row in done])
-    if not all(row.sweep.complete for row in done):
-        raise KeyboardInterrupt
 
 
 def _diagram(

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 
 from gearlash.case import Case
-from gearlash.jobs import ProgressCallback
+from gearlash.jobs import INTERRUPTED, ProgressCallback
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, Sweep
 from gearlash.studies.sweep import sweeps
 from gearlash.studies.transitions import Transition, transitions
+from gearlash.system import GearlashError
 
 SETTINGS = Settings(
     budget=9_000, patience=600, exponent_periods=1_000
 )  # base periods of one transient; what needs more is flagged, not guessed
+
+
+class UnfinishedError(GearlashError):
+    """Sweeps that a study rests on were stopped, as by the death of a worker."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,11 +41,18 @@ def rows(
     fixed: Mapping[str, float],
     executor: Executor,
     progress: ProgressCallback | None = None,
+    keep: Callable[[Sequence[Sweep]], None] | None = None,
 ) -> tuple[Row, ...]:
-    """Sweeps cold, up and down, and what changes along each, on the executor's workers."""
+    """Sweeps cold, up and down, and what changes along each, on the executor's workers. ``keep`` gets the
+    sweeps before that is looked for, which takes as long again."""
     done = sweeps(case, axis, fixed=fixed, settings=SETTINGS, executor=executor, progress=progress)
-    if not all(each.complete for each in done):  # was stopped: nobody waits for what changes along it
-        return tuple(Row(each, ()) for each in done)
+    if keep is not None:
+        keep(done)
+    stopped = next((each.message for each in done if not each.complete), "")
+    if stopped == INTERRUPTED:
+        raise KeyboardInterrupt
+    if stopped:
+        raise UnfinishedError(f"the sweeps over {axis.name} are not complete: {stopped}")
     found = [executor.submit(locate, case.to_json(), each) for each in done]
     return tuple(Row(each, future.result()) for each, future in zip(done, found, strict=True))
 
