@@ -12,6 +12,7 @@ import pytest
 
 from gearlash import report
 from gearlash.case import Provenance
+from gearlash.case.edges import shown_edge
 from gearlash.plots.regimes import short
 from gearlash.report.article import document
 from gearlash.report.data import as_json
@@ -112,10 +113,11 @@ def test_zones_stand_in_rpm_and_micrometres(page: Reading) -> None:
         low, high = reading.lower.value, reading.upper.value
         if zone.parameter == "omega":
             rpm = [float(scales.pinion_rpm(v)) for v in (low, high)]
-            assert f"{rpm[0]:.0f} to {rpm[1]:.0f} rpm" in page.text
+            assert f"{shown_edge(rpm[0], 1)} to {shown_edge(rpm[1], -1)} rpm" in page.text
         else:
             um = [float(scales.backlash_um(v)) for v in (low, high)]
-            assert re.search(rf"{um[0]:.1f} to {um[1]:.1f} µm ?†|{um[0]:.0f} to {um[1]:.0f} µm ?†", page.text)
+            ends = f"{shown_edge(um[0], 1)} to {shown_edge(um[1], -1)}"
+            assert re.search(rf"{re.escape(ends)} µm ?†", page.text)
 
 
 def test_contact_rules_are_compared_as_computed(page: Reading) -> None:

@@ -308,3 +308,20 @@ def test_an_end_of_one_row_is_looked_at_in_the_others():
     assert values == pytest.approx([0.4, 0.5, 0.5, 0.6], abs=1e-6)
     assert values[1] < 0.5 < values[2]
     assert search.probes(probed, {(Direction.COLD, 0.4, 0.6): end}) == []
+
+
+def test_one_quiet_point_between_two_that_fail_is_no_interval():
+    axis = Axis("D", np.array([-1.0, 0.5]))
+    found = studies.zones(CLASSICAL, axis, fixed={"omega": 0.5})
+    assert found.zones == found.wider == ()
+    assert found.complete
+
+
+def test_a_search_that_was_stopped_before_any_end_says_so():
+    """Nothing is known beside a single quiet point: no interval, and no error."""
+    axis = Axis.even("omega", (0.79, 1.3), 3)  # quiet, with impacts, quiet
+    cancel = threading.Event()
+    found = studies.zones(CLASSICAL, axis, progress=lambda p: p.done == 9 and cancel.set(), cancel=cancel)
+    assert not found.complete
+    assert found.message == "cancelled"
+    assert all(zone.width > 0.0 for zone in (*found.zones, *found.wider))

@@ -19,6 +19,7 @@ from matplotlib.ticker import MaxNLocator
 
 from gearlash.branches import GrazingPoint, locate_grazing
 from gearlash.case import Case, load
+from gearlash.case.edges import shown_edge
 from gearlash.orbits import Orbit, Settings, attractor, grazing_checks
 from gearlash.results import Axis, sweep_dataset
 from gearlash.studies.motion import Motion, motion, touching
@@ -122,7 +123,10 @@ def _diagram(axes: Axes, scene: Scene, units: Units) -> None:
         axes.axvline(edge, color=style.BOUNDARY, lw=0.9, zorder=0.5)
     _names(axes, rows, scene.ends)
     axes.legend(handles=directions(rows), loc="upper left")
-    speeds = "" if units.speed is None else "\n{:.0f} to {:.0f} rpm".format(*units.speed(scene.ends))
+    speeds = ""
+    if units.speed is not None:
+        ends = zip(map(float, units.speed(scene.ends)), (1, -1), strict=True)
+        speeds = f"\n{' to '.join(shown_edge(end, inwards) for end, inwards in ends)} rpm"
     axes.text(
         (low + high) / 2,
         0.06,

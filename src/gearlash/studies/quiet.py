@@ -113,7 +113,8 @@ class Search:
                 break
             rows = self.probed(rows, probes, axis.name, step)
             ends = self.located(axis.name, rows, ends)
-        intervals = [[self.interval(row, i, j, ends) for i, j in row.stretches(self.quiet)] for row in rows]
+        every = [[self.interval(row, i, j, ends) for i, j in row.stretches(self.quiet)] for row in rows]
+        intervals = [[one for one in some if one.width > 0.0] for some in every]  # one point is no interval
         widest = max(row.widest(self.quiet) for row in rows)
         return intervals, next(iter(self.reasons), ""), widest
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gearlash.case import Case
+from gearlash.case.edges import shown_edge
 from gearlash.plots import Units
 from gearlash.plots.units import SYMBOLS, Twin
 from gearlash.report.blocks import Inline, Marked
@@ -24,7 +25,8 @@ class Quantities:
         return Quantities(Units.of(case))
 
     def physical(self, parameter: str, *values: float) -> Inline | None:
-        """``3715 rpm``, ``44.8 µm``, or an interval of them; None where the case has no such scale."""
+        """``3714.9 rpm``, ``44.8 µm``, or an interval of them, its ends rounded into it as everywhere; None
+        where the case has no such scale."""
         twin = self.units.of_parameter(parameter)
         return None if twin is None else _said(twin, values)
 
@@ -37,7 +39,7 @@ class Quantities:
         return None if self.units.length is None else _said(self.units.length, (displacement,))
 
     def place(self, parameter: str, value: float, digits: int = 6) -> tuple[Inline, ...]:
-        """``ω = 0.972484 (3715 rpm)``."""
+        """``ω = 0.972484 (3714.9 rpm)``."""
         words = f"{symbol(parameter)} = {number(value, digits)}"
         physical = self.physical(parameter, value)
         return (words,) if physical is None else (f"{words} (", physical, ")")
@@ -56,6 +58,11 @@ def fixed_words(fixed: object) -> str:
 
 def _said(twin: Twin, values: tuple[float, ...]) -> Inline:
     scaled = [float(twin(value)) for value in values]
-    places = 0 if twin.unit == "rpm" else max(0, 2 - len(str(int(max(abs(v) for v in scaled)))) + 1)
-    text = " to ".join(f"{value:.{places}f}" for value in scaled) + f" {twin.unit}"
+    if len(scaled) > 1:
+        inwards = [1, *[0] * (len(scaled) - 2), -1]
+        said = [shown_edge(value, way) for value, way in zip(scaled, inwards, strict=True)]
+    else:
+        places = 1 if twin.unit == "rpm" else max(0, 2 - len(str(int(abs(scaled[0])))) + 1)
+        said = [f"{scaled[0]:.{places}f}"]
+    text = f"{' to '.join(said)} {twin.unit}"
     return Marked(text) if twin.assumed else text
