@@ -47,7 +47,7 @@ def test_in_words(gearlash: Gearlash):
     ran = gearlash("map", *PLANE)
     assert (ran.code, ran.err) == (0, "")
     words = " ".join(ran.out.split())
-    assert words.startswith("omega from 0.6 to 0.9 and D from 0.5 to 1.5, 4 × 3 pixels: ")
+    assert words.startswith("omega from 0.6 to 0.9 and D from 0.5 to 1.5, 4 × 3 pixels, one start each: ")
     assert "12 ok" in words
     assert "1-1-0" in words
 

@@ -114,7 +114,7 @@ def _sentence(plane: PlaneMap, idle: Unexcited | None) -> str:
     rows, columns = plane.shape
     orbits = sum(label not in ("aperiodic", "neutral", "unresolved") for label in plane.labels)
     many = f"{orbits} different signatures" if orbits != 1 else "1 signature"
-    parts = [f"{' and '.join(ends)}, {columns} × {rows} pixels: {many}"]
+    parts = [f"{' and '.join(ends)}, {columns} × {rows} pixels, one start each: {many}"]
     if plane.computed:
         free, restless = int(plane.impact_free.sum()), plane.shares.get("aperiodic", 0)
         parts.append(
