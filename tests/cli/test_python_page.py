@@ -38,6 +38,15 @@ def test_a_map(ran: dict[str, Any], tmp_path: Path):
 
 
 @pytest.mark.parametrize("ran", [2], indirect=True)
+def test_tables_and_files(ran: dict[str, Any]):
+    assert ran["table"]["label"].tolist() == [point.label for sweep in ran["found"] for point in sweep.points]
+    assert ran["same"]["label"].tolist() == ran["table"]["label"].tolist()
+    assert len(ran["forces"]) == sum(
+        len(point.drive_force) for sweep in ran["found"] for point in sweep.points
+    )
+
+
+@pytest.mark.parametrize("ran", [3], indirect=True)
 def test_many_motions(ran: dict[str, Any], capsys: pytest.CaptureFixture[str]):
     labels = sorted(gl.attractor(ran["props"], end).label for end in ran["reached"])
     assert labels == ["1-0-0", "1-1-0"]

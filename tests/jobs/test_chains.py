@@ -146,5 +146,5 @@ def test_who_does_the_work():
     with open_executor(3) as pool:
         assert isinstance(pool, Pool)
         assert pool.workers == 3
-    with pytest.raises(GearlashError, match="0 or more"):
+    with pytest.raises(GearlashError, match="expected a whole number, 0 to"):
         open_executor(-1)

@@ -11,6 +11,7 @@ from PIL import Image
 from gearlash.report import look
 from gearlash.report.article import document
 from gearlash.report.page import html
+from gearlash.system import GearlashError
 from report.study import small
 
 DRAWING = b'<svg width="510pt" height="9pt" viewBox="0 0 510 9" xmlns="http://www.w3.org/2000/svg"></svg>'
@@ -84,5 +85,5 @@ def test_a_report_falls_into_its_sections() -> None:
 
 def test_the_size_of_a_drawing_is_that_of_its_view_box() -> None:
     assert look.size('<svg viewBox="0 0 510.24 -9" height="1">'.replace("-9", "300.5")) == (510.24, 300.5)
-    with pytest.raises(ValueError, match="view box"):
+    with pytest.raises(GearlashError, match="view box"):
         look.size("<svg>")

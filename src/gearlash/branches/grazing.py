@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.flow import Hold, Propagators
 from gearlash.orbits import GrazingCheck, Orbit
-from gearlash.orbits.floquet import ordered
+from gearlash.orbits.floquet import ordered, rate
 from gearlash.orbits.grazing import KINDS, Surface, gap_extrema
 from gearlash.orbits.pressing import force_extrema
 from gearlash.system import Family, Record, Status, given
@@ -141,7 +141,7 @@ def locate_grazing(
         state=touch.state,
         state_zero=zero,
         multipliers=multipliers,
-        exponent=float(np.log(abs(multipliers[0])) / duration),
+        exponent=rate(complex(multipliers[0]), duration),
         label_below=sides.below.text if sides else NONE,
         label_above=sides.above.text if sides else NONE,
         residual=residual,

@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.gears import helical, spur
-from gearlash.system import Family, GearlashError, Record, UnknownNameError
+from gearlash.system import Family, GearlashError, Record, UnknownNameError, given
 
 from . import piecewise
 from .checks import contradictions, missing
 from .entries import Entries, Entry, collect, freeze_reference, override, place_for
-from .errors import CaseError, Problem
+from .errors import CaseError, Problem, shown
 from .notes import Note, notes
 from .numbers import Numbers, numbers, to_dimensionless, to_physical
 from .quantities import PIECEWISE, Quantity, quantities, two_way
@@ -76,6 +76,7 @@ class Case(Record):
 
     def with_overrides(self, overrides: Mapping[str, object]) -> Case:
         """The case with values replaced, by path or short name, as text or number. Raises `CaseError`."""
+        overrides = given.mapping("overrides", overrides)
         if self.kind == PIECEWISE:
             return _finished_piecewise(self, *piecewise.override(self.structure, self.entries, overrides))
         return _finished(self, *override(self.kind, dict(self.entries), overrides))
@@ -84,6 +85,7 @@ class Case(Record):
         """Short name and dimensionless value of a parameter given by path or short name: ``("pinion_speed",
         "3600 rpm")`` → ``("omega", 0.942…)``. Raises `CaseError` for a bad value and `UnknownNameError` for
         a name that is no parameter of the family."""
+        name = given.a_text("name of a parameter", name)
         if self.kind == PIECEWISE:
             return piecewise.resolve(self.structure, self.name, name, value)
         place = place_for(self.kind, name, value, self.scales.physical)
@@ -96,7 +98,7 @@ class Case(Record):
         try:
             stated = read_stated(value, place)
         except ValueRefusedError as error:
-            raise CaseError(self.name, [Problem(name, repr(value), error.expected, error.nearest)]) from None
+            raise CaseError(self.name, [Problem(name, shown(value), error.expected, error.nearest)]) from None
         return short, to_dimensionless(self.scales, place.path, float(stated.value))
 
     def named(self, name: str, value: object) -> str:
@@ -199,6 +201,7 @@ def load(path_or_name: str | Path, overrides: Mapping[str, object] | None = None
 
 def loads(text: str, overrides: Mapping[str, object] | None = None, label: str = "case") -> Case:
     """The case in a TOML text; see `load`."""
+    text, label = given.a_text("text of a case", text), given.a_text("label", label)
     return from_tables(parse(label, text), overrides, label)
 
 
@@ -208,13 +211,14 @@ def from_tables(
     """The case in the tables of a parsed file; see `load`."""
     from .fileschema import check, kind_of  # late: a worker that reads case JSON never needs pydantic
 
+    overrides = given.mapping("overrides", overrides)
     if kind_of(raw)[0] == PIECEWISE:
-        return _piecewise_of_tables(raw, overrides or {}, label)
+        return _piecewise_of_tables(raw, overrides, label)
     kind, stated, rest, wrong, problems = check(raw)
     if not kind:
         raise CaseError(label, problems)
     entries, clashes = collect(kind, stated)
-    entries, wrong_overrides = override(kind, freeze_reference(entries), overrides or {})
+    entries, wrong_overrides = override(kind, freeze_reference(entries), overrides)
     draft = _draft(kind, rest, label, entries)
     return _finished(draft, entries, [*problems, *clashes, *wrong_overrides], wrong, label)
 

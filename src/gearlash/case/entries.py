@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from .errors import Problem, nearest_name
+from .errors import Problem, nearest_name, shown
 from .quantities import BEARINGS, REFERENCE, choices, quantities, two_way
 from .quantity import Choice, Quantity
 from .stated import Provenance, Stated, ValueRefusedError, read_stated
@@ -99,19 +99,19 @@ def place_for(kind: str, name: str, raw: object, physical: bool) -> Quantity | C
         return place
     if not physical:
         expected = f"{place.expected}, as this case is given in dimensionless numbers only"
-        return Problem(name, repr(raw), expected)
+        return Problem(name, shown(raw), expected)
     fitting = [path for path in ways if takes(quantities(kind)[path].dimension, found)]
     if fitting == ["mesh.backlash"]:
         expected = (
             "a number without unit, as D is half the backlash over D_c; with a unit the whole of it is "
             f"stated: mesh.backlash={raw} if that is the whole, twice as much if it is one of two sides"
         )
-        return Problem(name, repr(raw), expected)
+        return Problem(name, shown(raw), expected)
     if len(fitting) > 1 or (fitting and name == "omega" and not _of_one_rotation(raw, found)):
         both = " or ".join(quantity for quantity in ways)
-        return Problem(name, repr(raw), f"{both} by its name, as this unit may mean either")
+        return Problem(name, shown(raw), f"{both} by its name, as this unit may mean either")
     if not fitting or name.startswith("dimensionless."):
-        return Problem(name, repr(raw), f"{place.expected}, or {_with_units(kind, ways)}")
+        return Problem(name, shown(raw), f"{place.expected}, or {_with_units(kind, ways)}")
     return quantities(kind)[fitting[0]]
 
 
@@ -151,18 +151,18 @@ def override(kind: str, entries: Entries, overrides: Mapping[str, object]) -> tu
         if isinstance(place, Problem):
             problems.append(place)
         elif place.path == REFERENCE:
-            problems.append(Problem(name, repr(raw), "no override: D_c is settled when the file is loaded"))
+            problems.append(Problem(name, shown(raw), "no override: D_c is settled when the file is loaded"))
         elif place.path in stated:
             first = next(
                 n for n, v in overrides.items() if n != name and _path_of(kind, n, v, physical) == place.path
             )
-            both = f"{first} = {overrides[first]!r} and {name} = {raw!r}"
-            problems.append(Problem(name, repr(raw), f"one of two that name the same quantity: {both}"))
+            both = f"{first} = {shown(overrides[first])} and {name} = {shown(raw)}"
+            problems.append(Problem(name, shown(raw), f"one of two that name the same quantity: {both}"))
         else:
             try:
                 value = read_stated(raw, place)
             except ValueRefusedError as error:
-                problems.append(Problem(name, repr(raw), error.expected, error.nearest))
+                problems.append(Problem(name, shown(raw), error.expected, error.nearest))
             else:
                 stated[place.path] = overridden(value)
     replaced, clashes = collect(kind, stated)

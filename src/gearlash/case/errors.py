@@ -56,9 +56,9 @@ class CaseError(GearlashError):
         super().__init__("\n  ".join(lines))
 
 
-def nearest_name(name: str, valid: Iterable[str]) -> str | None:
+def nearest_name(name: object, valid: Iterable[str]) -> str | None:
     """The valid name that looks most like this one, large letters or small, if any does."""
-    if len(name) > LONGEST_NAME:
+    if not isinstance(name, str) or len(name) > LONGEST_NAME:
         return None
     by_look = {each.casefold(): each for each in valid}
     look = name.casefold()

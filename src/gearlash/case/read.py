@@ -86,7 +86,9 @@ def _path(label: str, path_or_name: object) -> Path:
     try:
         return given.path("case", path_or_name)
     except GearlashError:
-        expected = "the path of a file, or the name of a bundled case"
+        expected = (
+            f"a case file that can be read (no such path) or one of the bundled: {', '.join(bundled())}"
+        )
         raise CaseError(label, [Problem("file", shown(path_or_name), expected)]) from None
 
 

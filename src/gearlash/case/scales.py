@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import GearlashError, Record
+from gearlash.system import GearlashError, Record, given
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -41,11 +41,11 @@ class Scales(Record):
 
     def pinion_speed(self, omega: ArrayLike) -> Values:
         """Pinion speed in rad/s of a dimensionless mesh frequency."""
-        return np.asarray(omega, float) * self._speed_unit
+        return given.reals("omega", omega) * self._speed_unit
 
     def omega_from_pinion_speed(self, speed: ArrayLike) -> Values:
         """Dimensionless mesh frequency of a pinion speed in rad/s."""
-        return np.asarray(speed, float) / self._speed_unit
+        return given.reals("speed", speed) / self._speed_unit
 
     def pinion_rpm(self, omega: ArrayLike) -> Values:
         """Pinion speed in rpm."""
@@ -53,31 +53,31 @@ class Scales(Record):
 
     def omega_from_rpm(self, rpm: ArrayLike) -> Values:
         """Dimensionless mesh frequency of a pinion speed in rpm."""
-        return self.omega_from_pinion_speed(np.asarray(rpm, float) / (30.0 / pi))
+        return self.omega_from_pinion_speed(given.reals("rpm", rpm) / (30.0 / pi))
 
     def mesh_hz(self, omega: ArrayLike) -> Values:
         """Mesh cycles per second."""
-        return np.asarray(omega, float) * (self._known("omega_n") / (2.0 * pi))
+        return given.reals("omega", omega) * (self._known("omega_n") / (2.0 * pi))
 
     def omega_from_hz(self, hz: ArrayLike) -> Values:
         """Dimensionless mesh frequency of mesh cycles per second."""
-        return np.asarray(hz, float) / (self._known("omega_n") / (2.0 * pi))
+        return given.reals("hz", hz) / (self._known("omega_n") / (2.0 * pi))
 
     def time_s(self, tau: ArrayLike) -> Values:
         """Time in s."""
-        return np.asarray(tau, float) / self._known("omega_n")
+        return given.reals("tau", tau) / self._known("omega_n")
 
     def tau_from_s(self, seconds: ArrayLike) -> Values:
         """Dimensionless time of a time in s."""
-        return np.asarray(seconds, float) * self._known("omega_n")
+        return given.reals("seconds", seconds) * self._known("omega_n")
 
     def length_m(self, displacement: ArrayLike) -> Values:
         """Any displacement or error amplitude in m."""
-        return np.asarray(displacement, float) * self._known("length")
+        return given.reals("displacement", displacement) * self._known("length")
 
     def displacement_from_m(self, metres: ArrayLike) -> Values:
         """Dimensionless displacement of a length in m."""
-        return np.asarray(metres, float) / self._known("length")
+        return given.reals("metres", metres) / self._known("length")
 
     def length_um(self, displacement: ArrayLike) -> Values:
         """Any displacement or error amplitude in µm."""
@@ -85,7 +85,7 @@ class Scales(Record):
 
     def displacement_from_um(self, micrometres: ArrayLike) -> Values:
         """Dimensionless displacement of a length in µm."""
-        return self.displacement_from_m(np.asarray(micrometres, float) / 1e6)
+        return self.displacement_from_m(given.reals("micrometres", micrometres) / 1e6)
 
     def backlash_m(self, half_backlash: ArrayLike) -> Values:
         """Whole backlash b in m of D: both sides of the gap, D + D⁻."""
@@ -93,7 +93,7 @@ class Scales(Record):
 
     def half_backlash_from_m(self, backlash: ArrayLike) -> Values:
         """D of a whole backlash b in m."""
-        return self.displacement_from_m(np.asarray(backlash, float) / (1.0 + self.back_gap))
+        return self.displacement_from_m(given.reals("backlash", backlash) / (1.0 + self.back_gap))
 
     def backlash_um(self, half_backlash: ArrayLike) -> Values:
         """Whole backlash b in µm of D."""
@@ -101,31 +101,33 @@ class Scales(Record):
 
     def half_backlash_from_um(self, backlash: ArrayLike) -> Values:
         """D of a whole backlash b in µm."""
-        return self.half_backlash_from_m(np.asarray(backlash, float) / 1e6)
+        return self.half_backlash_from_m(given.reals("backlash", backlash) / 1e6)
 
     def velocity(self, velocity: ArrayLike) -> Values:
         """Velocity in m/s of X′, Y′ or Z′."""
-        return np.asarray(velocity, float) * (self._known("length") * self._known("omega_n"))
+        return given.reals("velocity", velocity) * (self._known("length") * self._known("omega_n"))
 
     def acceleration(self, acceleration: ArrayLike) -> Values:
         """Acceleration in m/s² of X″, Y″ or Z″."""
-        return np.asarray(acceleration, float) * (self._known("length") * self._known("omega_n") ** 2)
+        return given.reals("acceleration", acceleration) * (
+            self._known("length") * self._known("omega_n") ** 2
+        )
 
     def force_N(self, contact_force: ArrayLike) -> Values:
         """Normal contact force F_n = k_m D_c Φ in N, positive in compression of the drive side."""
-        return np.asarray(contact_force, float) * self._force_unit
+        return given.reals("contact_force", contact_force) * self._force_unit
 
     def contact_force_from_N(self, newtons: ArrayLike) -> Values:
         """Φ of a normal contact force in N."""
-        return np.asarray(newtons, float) / self._force_unit
+        return given.reals("newtons", newtons) / self._force_unit
 
     def torque(self, load: ArrayLike) -> Values:
         """Pinion torque T_p = W R_p in N·m of f_m = c_t W/(k_m D_c)."""
-        return np.asarray(load, float) * self._torque_unit
+        return given.reals("load", load) * self._torque_unit
 
     def load_from_torque(self, torque: ArrayLike) -> Values:
         """f_m of a pinion torque in N·m."""
-        return np.asarray(torque, float) / self._torque_unit
+        return given.reals("torque", torque) / self._torque_unit
 
     @property
     def _speed_unit(self) -> float:

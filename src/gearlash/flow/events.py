@@ -54,9 +54,14 @@ class Events(Record):
 
     def where(self, mask: Array) -> Events:
         """The events selected by a boolean mask (m,), or by their indices."""
-        mask = np.asarray(mask)
+        try:
+            mask = np.asarray(mask)
+        except (TypeError, ValueError):
+            mask = np.asarray("")
         if mask.dtype.kind not in "biu" or (mask.dtype.kind == "b" and mask.shape != self.phase.shape):
             raise GearlashError(f"mask of events: expected {len(self)} truth values, or indices")
+        if mask.dtype.kind != "b" and mask.size and not -len(self) <= mask.min() <= mask.max() < len(self):
+            raise GearlashError(f"mask of events: expected indices from 0 to {len(self) - 1}")
         parts = (
             self.phase, self.state, self.velocity, self.force, self.clearance, self.boundary, self.engaging
         )  # fmt: skip

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearlash.system import Record, Status
+from gearlash.system import Record, Status, given
 
-from .march import STATUS, block_of, columns_of, run_all, start_state
+from .march import LONGEST, STATUS, block_of, columns_of, run_all, start_state
 from .propagators import Propagators
 
 Array = NDArray[np.float64]
@@ -38,7 +38,8 @@ def growth(props: Propagators, z: ArrayLike, tangent: ArrayLike, periods: int, s
     left. Ends early, with its status, where the motion could not be carried on. In a period of very many
     cells the tangent is given its length again several times, so that it neither vanishes nor overflows."""
     state = start_state(props, z)
-    frame = np.array(tangent, dtype=np.float64)[None]
+    frame = given.numbers("tangent", tangent, (len(state),))[None]
+    periods, stretch = given.whole("periods", periods, 0, LONGEST), given.whole("stretch", stretch)
     states, sums = np.empty((periods + 1, len(state))), np.zeros(periods)
     states[0] = state
     counts = np.zeros((periods, columns_of(props)), dtype=np.int64)

@@ -76,7 +76,7 @@ def start_state(props: Propagators, z: ArrayLike) -> Array:
     """A fresh float64 copy of a state. Raises `GearlashError` for a wrong shape or a number that is not
     finite."""
     size = known(props).system.size
-    if isinstance(z, np.ndarray) and z.dtype == np.float64 and z.shape == (size,):  # asked for very often
+    if type(z) is np.ndarray and z.dtype == np.float64 and z.shape == (size,):  # asked for very often
         state = z.copy()
         if all(map(isfinite, state.tolist())):
             return state
@@ -126,7 +126,7 @@ def carry(
     """Carries a state from ``phase`` over ``cycles`` mesh cycles; the Jacobian is exact where no contact is
     touched."""
     state = start_state(props, z)
-    tangents = np.eye(state.size) if jacobian else None
+    tangents = np.eye(state.size) if given.truth("jacobian", jacobian) else None
     base, start, length = positions(props, phase, cycles)
     status, _, counts = _run(props, state, start, length, 1, tangents=tangents, hold=hold, base=base)
     flow, undecided = None if tangents is None else np.ascontiguousarray(tangents.T), int(counts[0, -1])
@@ -337,6 +337,8 @@ def _snapped(position: float) -> float:
 def _hold(props: Propagators, hold: Hold | None, base: float) -> Array:
     if hold is None:
         return NO_HOLD
+    given.instance("hold", hold, Hold, "a Hold: boundary, start, stop, clearance")
+    given.whole("clearance of the hold", hold.clearance, 0, len(props.rules) - 1)
     window = (np.array([hold.start, hold.stop]) - base) * props.cells_per_cycle
     return np.array([float(hold.clearance), float(hold.boundary), *window])
 

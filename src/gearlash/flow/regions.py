@@ -20,6 +20,7 @@ FEW = 3  # clearances up to which every region is asked for its fastest rate
 ALIKE = 3.0  # condition number of the directions h/|h| above which no centres are used
 KEPT = 64  # answers about systems, by the system itself: building its propagators asks for each several times
 STEP = 1.85  # (spectral radius + highest harmonic) × cell duration aimed at: degree 23 then suffices
+BEYOND = 10**9  # cells: more than any grid has
 
 
 def code_of(sides: Sides) -> int:
@@ -152,7 +153,7 @@ def first_guess(system: System) -> int:
     forced = max(_highest(s) for s in (system.forcing, *(c.offset for c in system.clearances)))
     # a modulated stiffness moves the motion's rates by its harmonics: the two add up; a forcing does not
     turn = max(system.period * fastest + 2 * pi * moved, 2 * pi * forced)
-    return max(4, ceil(turn / STEP))
+    return max(4, ceil(turn / STEP)) if turn / STEP < BEYOND else BEYOND  # also where it is no number
 
 
 def _at_extreme(system: System, sides: Sides, swing: float) -> Array:

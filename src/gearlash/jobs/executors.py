@@ -9,9 +9,11 @@ from collections.abc import Callable
 from concurrent.futures import Executor, Future
 from typing import Any
 
-from gearlash.system import GearlashError
+from gearlash.system import given
 
 from .pool import Pool
+
+MOST_WORKERS = 1024
 
 
 class Inline(Executor):
@@ -34,10 +36,7 @@ def open_executor(
     """An executor for ``workers`` processes: 0 or 1 is this process itself, None one per processor core that
     may be used. ``prepare`` is for the workers of a pool. To be used in a ``with`` statement.
     """
-    if workers is None:
-        workers = available_cores()
-    if workers < 0:
-        raise GearlashError(f"workers = {workers}: expected 0 or more")
+    workers = available_cores() if workers is None else given.whole("workers", workers, 0, MOST_WORKERS)
     return Pool(workers, prepare, arguments) if workers > 1 else Inline()
 
 

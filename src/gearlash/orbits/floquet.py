@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil
+from math import ceil, inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.flow.march import LONGEST, start_state
-from gearlash.system import ContactRule, Status, given
+from gearlash.system import ContactRule, GearlashError, Status, given
 
 from .subspaces import by_subspaces, ordered
 
@@ -104,6 +104,11 @@ def mean_trace(props: Propagators, z: NDArray[np.float64], periods: int) -> floa
     return mean
 
 
+def rate(multiplier: complex, duration: float) -> float:
+    """ln|μ| per unit of τ: -inf of a multiplier that is zero within double precision."""
+    return float(np.log(abs(multiplier)) / duration) if multiplier != 0.0 else -inf
+
+
 def fastest_shrinking(props: Propagators) -> float:
     """A bound on |trace| of the field in any region; where contact damping comes and goes, with all of it."""
     if props.trace is not None:
@@ -120,6 +125,8 @@ def _factors(props: Propagators, state: NDArray[np.float64], period: int, parts:
     for part in range(period * parts):
         step = flow.variational(props, z, cycles / parts, part % parts * cycles / parts)
         assert step.jacobian is not None
+        if not np.isfinite(step.jacobian).all():
+            raise GearlashError("the motion runs beyond every number: it has no multipliers")
         factors.append(step.jacobian)
         z = step.state
     return factors

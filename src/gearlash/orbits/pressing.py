@@ -52,7 +52,7 @@ def force_series(
     series = [c.stiffness_plus, c.stiffness_minus]
     eta = np.where(plus, *(evaluate(s, theta) for s in series))
     eta1 = rate * np.where(plus, *(evaluate(derivative(s), theta) for s in series))
-    eta2 = rate**2 * np.where(plus, *(evaluate(derivative(derivative(s)), theta) for s in series))
+    eta2 = rate * rate * np.where(plus, *(evaluate(derivative(derivative(s)), theta) for s in series))
     damping = np.where(plus, *c.dampings)
     return (
         eta * beyond + damping * x1,

@@ -55,6 +55,7 @@ def shoot(
     z: NDArray[np.float64] = start_state(props, guess)
     period = given.whole("period", period, 1, LONGEST)
     iterations = given.whole("iterations", iterations)
+    reach = None if reach is None else given.number("reach", reach)
     cycles, unit = float(period * props.system.cycles), np.eye(len(z))
     best: tuple[NDArray[np.float64], float, flow.Carried, int] | None = None
     residuals: list[float] = []

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import Record
+from gearlash.system import GearlashError, Record
 
 from .grazing import gap_extrema, motion_of
 from .results import Attractor
@@ -54,6 +54,8 @@ def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatist
     extremes of the force are those of the parabolas through the extreme ones of 96 points a piece."""
     trace = motion_of(attractor).trace
     clearance = trace.which(clearance)
+    if not len(trace.lengths):
+        raise GearlashError("the motion runs away at once: there is nothing to take statistics of")
     weight = (trace.lengths[:, None] * WEIGHTS[None, :] / 2.0).ravel()
     samples = trace.at(_phases(trace, (NODES + 1.0) / 2.0), clearance)
     weight = weight / weight.sum()
@@ -63,7 +65,7 @@ def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatist
     least, most = -max(map(top, -rows)), max(map(top, rows))
     force = ForceStatistics(
         least, most, mean, float(np.sqrt(square)),
-        float(np.sqrt(max(square - mean**2, 0.0))),
+        float(np.sqrt(max(square - mean * mean, 0.0))),
     )  # fmt: skip
     x = samples.displacement
     average = float(weight @ x)
@@ -81,7 +83,7 @@ def top(values: NDArray[np.float64]) -> float:
         return float(values[i])
     before, best, after = (float(v) for v in values[i - 1 : i + 2])
     bend, slope = before - 2.0 * best + after, after - before
-    return best - slope**2 / (8.0 * bend) if bend < 0.0 else best
+    return best - slope * slope / (8.0 * bend) if bend < 0.0 else best
 
 
 def _phases(trace, local: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -41,10 +41,12 @@ def by_subspaces(factors: list[Matrix]) -> tuple[Complex, NDArray[np.float64]]:
         for triangle in triangles:
             block = triangle[np.ix_(group, group)] @ block
             size = float(np.abs(block).max())
+            if size == 0.0:  # below every float already in one factor
+                break
             block, logarithm = block / size, logarithm + np.log(size)
         inner = np.linalg.eigvals(turned[np.ix_(group, group)] @ block)
-        logarithms.append(np.log(np.abs(inner)) + logarithm)
-        with np.errstate(over="ignore", under="ignore"):
+        with np.errstate(over="ignore", under="ignore", divide="ignore"):
+            logarithms.append(np.log(np.abs(inner)) + logarithm)
             values.append(inner * np.exp(logarithm))
     found: Complex = np.concatenate(values).astype(np.complex128)
     size = np.concatenate(logarithms)

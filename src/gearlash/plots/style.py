@@ -23,6 +23,7 @@ from matplotlib.ticker import AutoLocator, AutoMinorLocator, FixedLocator, MaxNL
 from matplotlib.transforms import ScaledTranslation
 
 from gearlash.results.store import write_whole
+from gearlash.system import arguments
 
 P = ParamSpec("P")
 
@@ -91,6 +92,8 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
 
     The layout is settled once, here: it costs as much as drawing, and every format is to have the same.
     """
+
+    draw = arguments(draw)
 
     @wraps(draw)
     def under_style(*args: P.args, **kwargs: P.kwargs) -> Figure:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash.case import Case
 from gearlash.case.units import pretty
+from gearlash.system import given
 
 Array = NDArray[np.float64]
 
@@ -84,6 +85,7 @@ class Units:
     @staticmethod
     def of(case: Case) -> Units:
         """All that the case's scales give; a scale that rests on an assumed value carries †."""
+        given.instance("case", case, Case, "a case, as from gearlash.load_case")
         scales = case.scales
         if not scales.physical:
             return Units()

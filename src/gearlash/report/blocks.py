@@ -11,6 +11,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
+from gearlash.system import GearlashError
+
 
 @dataclass(frozen=True)
 class Badge:
@@ -158,7 +160,7 @@ def _numbered(sections: tuple[Section, ...]) -> dict[str, str]:
 
     def add(identifier: str, name: str) -> None:
         if identifier in names:
-            raise ValueError(f"two parts of a report have the id {identifier!r}")
+            raise GearlashError(f"two parts of a report have the id {identifier!r}")
         names[identifier] = name
 
     for i, top in enumerate(sections, start=1):

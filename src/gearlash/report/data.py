@@ -13,6 +13,7 @@ import xarray as xr
 
 from gearlash.case import Case
 from gearlash.studies.motion import Motion
+from gearlash.system import GearlashError
 
 FORMAT = 1
 MOST_SAMPLES = 400  # of a curve; the whole of it is in the figures
@@ -21,7 +22,7 @@ PADDED = ("strobe", "drive_hit", "back_hit", "back_release")
 
 
 def as_json(result: Any) -> str:
-    """A result as JSON text. Raises `TypeError` for what has no meaning there."""
+    """A result as JSON text. Raises `GearlashError` for what has no meaning there."""
     return (
         json.dumps({"format": FORMAT, **plain(result)}, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
     )
@@ -54,7 +55,7 @@ def plain(thing: Any) -> Any:
             return [plain(each) for each in thing]
     if dataclasses.is_dataclass(thing) and not isinstance(thing, type):
         return {f.name: plain(getattr(thing, f.name)) for f in dataclasses.fields(thing)}
-    raise TypeError(f"{type(thing).__name__} has no form in JSON")
+    raise GearlashError(f"{type(thing).__name__} has no form in JSON")
 
 
 def _case(case: Case) -> dict[str, Any]:

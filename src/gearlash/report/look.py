@@ -16,6 +16,8 @@ from pathlib import Path
 
 from PIL import Image, ImageChops
 
+from gearlash.system import GearlashError
+
 REPORT = Path("reproduce") / "report.html"
 TARGET = Path("look")
 BROWSERS = (
@@ -88,7 +90,7 @@ def size(svg: str) -> tuple[float, float]:
     """Width and height of a drawing, from its view box. Raises `ValueError` for one without."""
     found = re.search(r'viewBox="[-0-9.]+ [-0-9.]+ ([0-9.]+) ([0-9.]+)"', svg)
     if found is None:
-        raise ValueError("an SVG file without a view box")
+        raise GearlashError("an SVG file without a view box")
     return float(found[1]), float(found[2])
 
 

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from gearlash.system import GearlashError, arguments
+
 from .point import Point
 from .sweep import Sweep
 
@@ -15,6 +17,7 @@ CLOSE = (
 )
 
 
+@arguments
 def same_motion(one: Point, other: Point) -> bool:
     """The same attractor, as far as labels and σ_t show. Orbits are compared as sets (a shift by base periods
     is no difference); two aperiodic motions count as one. A point without a motion differs from none.
@@ -30,8 +33,11 @@ def same_motion(one: Point, other: Point) -> bool:
     return len(a) == len(b) and bool(np.abs(a - b).max(initial=0.0) <= CLOSE * size)
 
 
+@arguments
 def coexisting(sweeps: Sequence[Sweep]) -> NDArray[np.bool_]:
     """(m,): at which values of the common axis the sweeps found different attractors."""
+    if len({len(sweep.points) for sweep in sweeps}) > 1:
+        raise GearlashError("sweeps of one axis: these have different numbers of points")
     rows = zip(*(sweep.points for sweep in sweeps), strict=True)
     return np.array(
         [any(not same_motion(a, b) for i, a in enumerate(row) for b in row[:i]) for row in rows], dtype=bool

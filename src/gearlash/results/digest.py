@@ -7,10 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from gearlash.system import arguments
+
 if TYPE_CHECKING:
     import xarray as xr
 
 
+@arguments
 def content_hash(dataset: xr.Dataset) -> str:
     """SHA-256 of the decoded arrays: names, dimensions, kinds and values of all variables and coordinates, in
     the order of their names. Attributes, compression and the order in a file do not count; every NaN is the

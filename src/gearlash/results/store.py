@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import tempfile
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from gearlash.system import GearlashError, given
+from gearlash.system.told import cut
 
 from .groups import join, split
 
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
 FORMAT = "gearlash_format"
 UNFINISHED: set[str] = set()
 """Files that are being written beside their places, for a command that ends at once."""
+IMPOSSIBLE = (errno.ENAMETOOLONG, errno.ENOTDIR, errno.EEXIST, errno.EINVAL)
+"""What says that a path cannot be one, whatever disk it is on."""
 
 
 def save(dataset: xr.Dataset, path: str | Path) -> Path:
@@ -30,7 +34,7 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
 
     given.instance("dataset", dataset, xr.Dataset, "a dataset, as from gearlash.sweep_dataset")
     path = given.path("path", path)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    _make_folder(path)
     # Made in memory: a disk that fills up while HDF5 writes to it can bring the whole process down.
     groups = split(dataset)
     encoding = {name: _encoding(group) for name, group in groups.items()}
@@ -40,6 +44,18 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
     assert isinstance(content, memoryview)
     write_whole(path, content)
     return path
+
+
+def _make_folder(path: Path) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        folder = path.is_dir()
+    except OSError as error:
+        if error.errno not in IMPOSSIBLE:
+            raise
+        raise GearlashError(f"{cut(str(path), 200)}: no path of a file ({error.strerror})") from None
+    if folder:
+        raise GearlashError(f"{path}: a folder, expected the path of a file")
 
 
 def write_whole(path: Path, content: bytes | memoryview) -> None:
@@ -68,15 +84,15 @@ def load(path: str | Path) -> xr.Dataset:
     import xarray as xr
 
     path = given.path("path", path)
-    if not path.is_file():
-        raise GearlashError(f"{path}: no such file")
     try:
+        if not path.is_file():
+            raise GearlashError(f"{cut(str(path), 200)}: no such file")
         groups = xr.open_groups(path, engine="h5netcdf")
         dataset = join({name: group.load() for name, group in groups.items()})
         for group in groups.values():
             group.close()
     except (OSError, ValueError) as error:
-        raise GearlashError(f"{path}: not a NetCDF file of gearlash ({error})") from None
+        raise GearlashError(f"{cut(str(path), 200)}: not a NetCDF file of gearlash ({error})") from None
     if FORMAT not in dataset.attrs:
         raise GearlashError(f"{path}: a NetCDF file, but not one of gearlash")
     return dataset

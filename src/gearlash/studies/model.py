@@ -10,7 +10,7 @@ from typing import TypeAlias
 from gearlash._kernel import compile_all, load_all
 from gearlash.case import Case
 from gearlash.jobs import Pool, cannot_travel, open_executor
-from gearlash.jobs.executors import available_cores
+from gearlash.jobs.executors import MOST_WORKERS, available_cores
 from gearlash.system import Family, GearlashError, given
 
 Model: TypeAlias = Case | Family
@@ -51,6 +51,7 @@ def open_workers(model: Model, workers: int | None = None) -> Executor:
     that must be compiled are so before, by this process, which says it. Raises `GearlashError` for a family
     of one's own that they cannot get."""
     source = Source.of(model)
+    workers = None if workers is None else given.whole("workers", workers, 0, MOST_WORKERS)
     if (available_cores() if workers is None else workers) > 1:
         if source.own is not None:
             _check_sent(source.own)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,8 @@ from gearlash.branches import GrazingPoint
 from gearlash.flow import Trace
 from gearlash.flow.events import gap_displacement, gap_velocity
 from gearlash.orbits import Attractor, Orbit, shoot
-from gearlash.system import Family, Record
+from gearlash.orbits.grazing import motion_of
+from gearlash.system import Family, GearlashError, Record, arguments, given, shown
 
 Array = NDArray[np.float64]
 
@@ -80,17 +81,21 @@ class Motion(Record):
         return self.period > 0
 
 
+@arguments
 def motion(
     attractor: Attractor,
     *,
     value: float = float("nan"),
-    touch: tuple[float, int] | None = None,
+    touch: Any = None,
     label: str | None = None,
     clearance: int = 0,
 ) -> Motion:
     """The motion of an attractor in one of its gaps; ``touch`` is (phase in mesh cycles, boundary ±1) of a
     grazing in it."""
-    trace = attractor.trace
+    trace = motion_of(attractor).trace
+    clearance = trace.which(clearance)
+    if touch is not None:
+        touch = _pair(touch)
     system, gap = trace.propagators.system, trace.propagators.system.clearances[clearance]
     orbit = attractor if isinstance(attractor, Orbit) else None
     cycles = trace.cycles if orbit else min(trace.cycles, float(MOST_CYCLES))
@@ -124,6 +129,16 @@ def motion(
         value=float(value),
         touch=None if touch is None else _touch(trace, clearance, *touch),
     )
+
+
+def _pair(touch: Any) -> tuple[float, int]:
+    """A phase and a boundary."""
+    parts = given.items("touch", touch, "a phase in mesh cycles and a boundary, 1 or -1")
+    if len(parts) != 2:
+        raise GearlashError(
+            f"touch = {shown(touch)}: expected a phase in mesh cycles and a boundary, 1 or -1"
+        )
+    return given.number("phase of the touch", parts[0]), given.whole("boundary of the touch", parts[1], -1, 1)
 
 
 def touching(family: Family, point: GrazingPoint) -> Motion:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ from gearlash import flow
 from gearlash.branches import NONE, BifurcationPoint, End, GrazingPoint, Node, Outcome, walk
 from gearlash.orbits import Orbit, Settings, Unresolved, attractor, shoot
 from gearlash.orbits.shooting import TOLERANCE
-from gearlash.system import Family, GearlashError
+from gearlash.system import Family, GearlashError, Record, given
 
 from .smooth import plainly_one
 from .zone import BASIN
@@ -50,8 +50,11 @@ class Sampled(Protocol):
     def state(self) -> NDArray[np.float64]: ...
 
 
-@dataclass(frozen=True, eq=False)
-class Transition:
+SAMPLED = "value", "label", "period", "state"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Transition(Record):
     """A change of the motion between parameter values ``lower`` < ``upper``: its kind, the labels on both
     sides (one label twice, where a fold or a jump leads from one orbit to another of the same), and the point
     solved for (None where only the interval is known). ``value`` is the point's, or the middle of the
@@ -59,6 +62,8 @@ class Transition:
 
     A ``change of basin`` is no end of a motion: the orbit of one side exists at the other too, where the
     sweep found another one, so all that is known is that it changed over between the two points."""
+
+    _told: ClassVar = ("name", "kind", "value", "label_below", "label_above")
 
     name: str
     kind: str
@@ -117,12 +122,26 @@ def transitions(
     """All changes of the motion along ``points`` (ascending in ``name``), jumps between orbits of one label
     among them. ``rising`` says from which side an orbit is followed first. Intervals with an end that is not
     periodic are reported without a point."""
-    finder = _Finder(family, family.complete(fixed), name, rising)
+    given.instance("family", family, Family, "a Family, as from case.family()[0]")
+    given.known("parameter", name, family.defaults)
+    finder = _Finder(family, family.complete(fixed), name, given.truth("rising", rising))
+    points = _ascending(points)
     found: list[Transition] = []
     for i, (below, above) in enumerate(pairwise(points)):
         if not plainly_one(points, i):
             found.extend(finder.between(below, above))
     return tuple(found)
+
+
+def _ascending(points: Sequence[Sampled]) -> tuple[Sampled, ...]:
+    """The same points. Raises `GearlashError` for what are none, or do not ascend."""
+    found = given.items("points", points, "the points of a sweep, ascending")
+    wrong = next((p for p in found if not all(hasattr(p, name) for name in SAMPLED)), None)
+    if wrong is not None:
+        raise GearlashError(f"points: expected the points of a sweep, not {given.kind_of(wrong)}")
+    if not all(below.value < above.value for below, above in pairwise(found)):
+        raise GearlashError("points: expected values that ascend, each once")
+    return found
 
 
 @dataclass(frozen=True, eq=False)

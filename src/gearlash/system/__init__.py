@@ -1,6 +1,7 @@
 """Piecewise-linear systems with clearances, families of them, and statuses. Knows nothing else."""
 
 from . import given
+from .annotated import arguments
 from .family import Family, Parameter
 from .harmonics import Fourier, constant, cosines, derivative, evaluate, padded
 from .piecewise import Clearance, ContactRule, System
@@ -21,6 +22,7 @@ __all__ = [
     "Status",
     "System",
     "UnknownNameError",
+    "arguments",
     "constant",
     "cosines",
     "derivative",

@@ -1,23 +1,31 @@
-"""The fields of a record are what their annotations say, or are refused in words.
+"""Fields of records and arguments of functions are what their annotations say, or are refused in words.
 
 Results are made by the program, but anyone may make one: with a text for a number it would go wrong far from
 there. Numbers of results may be NaN or infinite."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import fields
+from functools import wraps
+from inspect import Parameter, signature
 from operator import index
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
+from .given import masked
 from .status import GearlashError, Status, UnknownNameError
 from .told import shown
 
 Check = Callable[[Any], Any]
 ARRAYS = "Array", "Vector", "Fourier", "Complex"  # names that the rooms give to arrays
 _checks: dict[type, tuple[tuple[str, str, Check], ...]] = {}
+
+
+MEANING = {"Attractor": "Orbit | Aperiodic", "Model": "Case | Family"}  # names that stand for several kinds
+Called = TypeVar("Called", bound=Callable[..., Any])
 
 
 class _WrongError(Exception):
@@ -31,22 +39,59 @@ def hold(record: Any) -> None:
         _checks[kind] = tuple((f.name, str(f.type), _check(str(f.type))) for f in fields(kind))
     for name, annotation, check in _checks[kind]:
         value = getattr(record, name)
-        try:
-            found = check(value)
-        except (_WrongError, UnknownNameError, TypeError, ValueError, OverflowError):
-            raise GearlashError(
-                f"{name} of {kind.__name__} = {shown(value)}: expected {annotation}"
-            ) from None
+        found = _held(f"{name} of {kind.__name__}", annotation, check, value)
         if found is not value:
             object.__setattr__(record, name, found)
 
 
+def arguments(function: Called) -> Called:
+    """The function, with its arguments held to their annotations."""
+    known = signature(function)
+    parameters = {
+        name: (str(each.annotation), _check(str(each.annotation)))
+        for name, each in known.parameters.items()
+        if each.annotation is not Parameter.empty
+    }
+
+    @wraps(function)
+    def held(*positional: Any, **named: Any) -> Any:
+        bound = known.bind(*positional, **named)
+        for name, value in bound.arguments.items():
+            if name in parameters:
+                bound.arguments[name] = found = _held(name, *parameters[name], value)
+                empty = isinstance(found, tuple) and not found
+                if empty and known.parameters[name].default is Parameter.empty:
+                    raise GearlashError(f"{name}: expected at least one")
+        return function(*bound.args, **bound.kwargs)
+
+    return held  # pyright: ignore[reportReturnType]
+
+
+def _held(name: str, annotation: str, check: Check, value: Any) -> Any:
+    try:
+        return check(value)
+    except (_WrongError, UnknownNameError, TypeError, ValueError, OverflowError):
+        raise GearlashError(f"{name} = {shown(value)}: expected {annotation}") from None
+
+
 def _check(annotation: str) -> Check:
-    parts = annotation.split(" | ")
+    inside = re.fullmatch(r"Sequence\[(.*)\]", annotation)
+    if inside:
+        return _several(_check(inside[1]))
+    parts = MEANING.get(annotation, annotation).split(" | ")
     checks = [_PLAIN.get(part.partition("[")[0], _of_kind(part)) for part in parts if part != "None"]
     if "None" in parts:
         return lambda value: None if value is None else _first(checks, value)
     return checks[0] if len(checks) == 1 else lambda value: _first(checks, value)
+
+
+def _several(check: Check) -> Check:
+    def all_of(value: Any) -> tuple[Any, ...]:
+        if isinstance(value, (str, bytes, Mapping)):
+            raise _WrongError
+        return tuple(check(each) for each in value)
+
+    return all_of
 
 
 def _first(checks: list[Check], value: Any) -> Any:
@@ -74,9 +119,11 @@ def _of_kind(annotation: str) -> Check:
 def _float(value: Any) -> Any:
     if type(value) is float:
         return value
-    if isinstance(value, (str, bytes, bool, np.bool_)) or getattr(value, "shape", ()) != ():
+    if isinstance(value, (str, bytes, bool, np.bool_, complex)) or getattr(value, "shape", ()) != ():
         raise _WrongError
-    return float(value)
+    if masked(value):
+        raise _WrongError
+    return float(value.item() if isinstance(value, np.generic | np.ndarray) else value)
 
 
 def _int(value: Any) -> int:
@@ -127,6 +174,7 @@ _PLAIN: dict[str, Check] = {
     "Status": Status,
     "Surface": lambda value: _kept(value, str),
     "Any": lambda value: value,
+    "ArrayLike": lambda value: value,
     "object": lambda value: value,
     "NDArray": _array,
     **dict.fromkeys(ARRAYS, _array),

@@ -31,6 +31,7 @@ Thing = TypeVar("Thing")
 LARGEST_COUNT = 2**53
 FAR_MOST = 10_000  # beyond it an upper end is told only to those who passed it
 LONGEST_NAME = 200
+BEYOND = 1e150
 _KINDS = {"b": "truth values", "c": "complex numbers", "U": "text", "S": "text", "T": "text", "V": "records"}
 _KINDS |= {"m": "times", "M": "dates"}
 
@@ -89,6 +90,19 @@ def numbers(name: str, value: Any, shape: tuple[int | str, ...]) -> Array:
         raise GearlashError(f"{name} has shape {found.shape}, expected {expected}")
     if not np.isfinite(found).all():
         raise GearlashError(f"{name} holds NaN or infinity")
+    return found
+
+
+def reals(name: str, value: Any) -> Array:
+    """Real numbers of any shape, NaN and infinity among them, but none so large that a unit makes it
+    infinite."""
+    if type(value) is float or (type(value) is np.ndarray and value.dtype == np.float64):
+        found = np.asarray(value)
+    else:
+        plain = _real(value)
+        found = np.array(plain) if isinstance(plain, float) else _converted(name, value, "any")
+    if (np.abs(found[np.isfinite(found)]) > BEYOND).any():
+        raise GearlashError(f"{name}: expected numbers up to {BEYOND:g}")
     return found
 
 
@@ -202,7 +216,7 @@ def function(name: str, value: Any, expected: str) -> Any:
 
 def path(name: str, value: Any) -> Path:
     """A path; `~` and `~user` at its beginning are homes."""
-    if not isinstance(value, (str, PathLike)):
+    if not isinstance(value, (str, PathLike)) or "\0" in str(value):
         raise GearlashError(f"{name} = {shown(value)}: expected the path of a file")
     try:
         return Path(value).expanduser()
@@ -222,6 +236,8 @@ def _real(value: Any) -> float | str:
     """The number, or what it is instead."""
     if type(value) is float or type(value) is int:
         return _float(value)
+    if masked(value):
+        return "masked"
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
     if isinstance(value, (str, bytes)):
@@ -248,7 +264,7 @@ def _float(value: Any) -> float | str:
 
 def _converted(name: str, value: Any, expected: str) -> Array:
     """Float64 of whatever can be read as numbers."""
-    if _masked(value):
+    if masked(value):
         raise GearlashError(f"{name}: expected numbers of shape {expected}, without masked places")
     if _measured(value):
         raise GearlashError(f"{name}: expected plain numbers of shape {expected}, not {kind_of(value)}")
@@ -268,10 +284,10 @@ def _converted(name: str, value: Any, expected: str) -> Array:
         return np.array(raw, dtype=np.float64, order="C", subok=False)
 
 
-def _masked(value: Any) -> bool:
+def masked(value: Any) -> bool:
     """An array with masked places; asking for `numpy.ma` itself would load it."""
-    masked = sys.modules.get("numpy.ma")
-    return masked is not None and isinstance(value, masked.MaskedArray) and bool(np.any(value.mask))
+    numpy_ma = sys.modules.get("numpy.ma")
+    return numpy_ma is not None and isinstance(value, numpy_ma.MaskedArray) and bool(np.any(value.mask))
 
 
 def _measured(value: Any) -> bool:

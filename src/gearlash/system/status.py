@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Callable, Iterable
-from enum import StrEnum
-from typing import Any
+from enum import EnumType, StrEnum
+from typing import TYPE_CHECKING, Any
 
 from .told import shown
 
@@ -49,12 +49,19 @@ def nearest(name: str, valid: Iterable[str], cutoff: float = 0.4) -> str | None:
     return by_look[found[0]] if found else None
 
 
-class Named(StrEnum):
-    """A choice out of a few names; another one is refused in words."""
+class _ByName(EnumType):
+    def __call__(cls, value: object, *more: Any, **others: Any) -> Any:
+        if not isinstance(value, str) or value not in cls._value2member_map_:
+            raise UnknownNameError(cls.__name__, value, [str(each) for each in cls._value2member_map_])
+        return super().__call__(value, *more, **others)
 
-    @classmethod
-    def _missing_(cls, value: object) -> None:
-        raise UnknownNameError(cls.__name__, value, map(str, cls))
+
+if TYPE_CHECKING:  # which know the values of a plain StrEnum only
+    from enum import StrEnum as Named
+else:
+
+    class Named(StrEnum, metaclass=_ByName):
+        """A choice out of a few names; another one is refused in words."""
 
 
 class Status(Named):

@@ -21,7 +21,7 @@ class _Short(reprlib.Repr):
         self.maxstring = self.maxother = self.maxlong = LONGEST
 
     def repr_int(self, x: int, level: int) -> str:
-        if x.bit_length() > 4 * LONGEST:  # Python itself refuses to print 5000 digits
+        if x.bit_length() > 13_000:  # Python itself refuses to print 5000 digits
             return f"a whole number of about {int(x.bit_length() * 0.30103) + 1} digits"
         return repr(x)
 

@@ -7,7 +7,7 @@ from math import inf
 from typing import Any
 
 from gearlash.case.entries import Entries, Entry, overridden
-from gearlash.case.errors import CaseError, Problem, nearest_name
+from gearlash.case.errors import CaseError, Problem, nearest_name, shown
 from gearlash.case.quantities import LARGEST
 from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.stated import ValueRefusedError, read_stated
@@ -62,14 +62,14 @@ def override(
             problems.append(Problem(name, None, expected, nearest_name(name, valid)))
             continue
         if place.path in first:
-            both = f"{first[place.path]} = {overrides[first[place.path]]!r} and {name} = {raw!r}"
-            problems.append(Problem(name, repr(raw), f"one of two that name the same quantity: {both}"))
+            both = f"{first[place.path]} = {shown(overrides[first[place.path]])} and {name} = {shown(raw)}"
+            problems.append(Problem(name, shown(raw), f"one of two that name the same quantity: {both}"))
             continue
         first[place.path] = name
         try:
             stated = overridden(read_stated(raw, place))
         except ValueRefusedError as error:
-            problems.append(Problem(name, repr(raw), error.expected, error.nearest))
+            problems.append(Problem(name, shown(raw), error.expected, error.nearest))
             continue
         key = place.key if isinstance(place, Quantity) else place.path
         replaced[key] = Entry(key, place.path, stated.value, stated.text, stated.provenance, stated.reason)
@@ -85,4 +85,4 @@ def resolve(structure: Mapping[str, Any], label: str, name: str, value: object) 
     try:
         return place.key, float(read_stated(value, place).value)
     except ValueRefusedError as error:
-        raise CaseError(label, [Problem(name, repr(value), error.expected, error.nearest)]) from None
+        raise CaseError(label, [Problem(name, shown(value), error.expected, error.nearest)]) from None

@@ -14,7 +14,7 @@ from gearlash.orbits import Orbit, Settings, attractor, shoot
 from gearlash.results import Direction
 from gearlash.studies.motion import Motion, motion, touching
 from gearlash.studies.transitions import Transition
-from gearlash.system import Family
+from gearlash.system import Family, GearlashError
 
 from .claims import Claim
 from .doubled import Beside, Found
@@ -173,7 +173,7 @@ class Scene:
             if found.label == wanted:
                 return motion(found, value=place)
             distance /= 2.0
-        raise ValueError(f"no motion {wanted} beside {name} = {value}")
+        raise GearlashError(f"no motion {wanted} beside {name} = {value}")
 
     def gradient(self, point: GrazingPoint) -> float:
         """|∂H/∂X| of the boundary: the length of what reads the gap from the state."""
@@ -190,7 +190,7 @@ class Scene:
                 break
             distance /= 2.0
         else:
-            raise ValueError(f"no orbit {wanted} beside {claim.parameter} = {point.value}")
+            raise GearlashError(f"no orbit {wanted} beside {claim.parameter} = {point.value}")
         return motion(orbit, value=value)
 
     def orbit_at(self, name: str, value: float, state, period: int) -> Orbit | None:

@@ -19,6 +19,7 @@ from gearlash.studies.model import open_workers
 from gearlash.studies.motion import Motion, motion
 from gearlash.studies.point import point
 from gearlash.studies.transitions import Transition
+from gearlash.system import given
 
 from .bearing import bearing_modes
 from .claims import Claim, load
@@ -77,7 +78,7 @@ def reproduce(
     stage and how far. ``keep`` gets the sweeps of each axis, by its name, as soon as they are there, also
     where they were ended: KeyboardInterrupt is raised after Ctrl-C, `UnfinishedError` where workers died.
     Raises `CaseError` for a case that is not the article's pair."""
-    check_pair(case)
+    check_pair(given.instance("case", case, Case, "a case, as from gearlash.load_case"))
     scope, claims = scope or Scope(), load() if claims is None else tuple(claims)
     tell = progress or (lambda stage, state: None)
     clock = _Clock()
