@@ -7,7 +7,7 @@ import pytest
 
 from gearlash.branches import locate_grazing
 from gearlash.case import load
-from gearlash.cli.search.closed import _change, closed_margin, impact_free_speeds
+from gearlash.cli.search.closed import REACH, _change, closed_margin, impact_free_speeds
 from gearlash.gears import spur
 from gearlash.orbits import Orbit, attractor, grazing_checks
 
@@ -79,8 +79,8 @@ def test_a_loss_of_contact_between_two_steps_is_found(centre: float, factor: flo
     def margin(omega: float) -> float:
         return 1.0 - 1.5 / (1.0 + ((omega - centre) / 5e-3) ** 2)
 
-    start = 1.0 if factor > 1.0 else 1.7
-    found = _change(margin, start, margin(start), factor, 0.69)
+    start, last = (1.0, 1.7) if factor > 1.0 else (1.7, 1.0)
+    found, _ = _change(margin, start, margin(start), factor, last)
     assert found is not None
     edge = 5e-3 * np.sqrt(0.5)
     assert found[0] == pytest.approx(centre - edge if factor > 1.0 else centre + edge, rel=1e-8)
@@ -106,3 +106,35 @@ def test_the_interval_says_how_finely_it_was_looked_at():
     assert found is not None
     assert found.step == pytest.approx(0.01)
     assert (found.lower_ending, found.upper_ending) == ("contact", "contact")
+
+
+def test_where_the_motion_cannot_be_solved_for_it_is_not_called_unstable():
+    def margin(omega: float) -> float:
+        return 1.0 if omega < 1.25 else np.nan
+
+    found, reached = _change(margin, 1.0, 1.0, 1.01, 2.0)
+    assert found is not None
+    assert found[0] == pytest.approx(1.25, rel=1e-8)
+    assert found[1] == "unsolved"
+    assert 1.25 <= reached < 1.27
+
+
+def test_no_speed_is_looked_at_beyond_what_is_said():
+    asked: list[float] = []
+
+    def margin(omega: float) -> float:
+        asked.append(omega)
+        return -1.0
+
+    assert _change(margin, 1.0, -1.0, 1.01, 2.0) == (None, 2.0)
+    assert _change(margin, 1.0, -1.0, 1.0 / 1.01, 0.5) == (None, 0.5)
+    assert (min(asked), max(asked)) == (0.5, 2.0)
+
+
+def test_what_lies_farther_off_than_the_nearest_was_not_searched():
+    found = impact_free_speeds(FAMILY, FAMILY.complete({"omega": 0.942}))
+    assert found is not None
+    assert found.nearest is not None
+    assert found.searched_to <= 1.01 * found.nearest
+    assert found.searched_from == pytest.approx(0.942 - (found.nearest - 0.942))
+    assert found.searched_from > 0.942 / REACH

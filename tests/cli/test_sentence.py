@@ -9,17 +9,21 @@ from gearlash.cli.answers.beside import Beside, BesideMotion
 from gearlash.cli.answers.sentence import coexisting, rate
 
 RATES = {
-    (1, 1): "once per mesh cycle",
-    (2, 1): "twice per mesh cycle",
-    (6, 6): "once per mesh cycle",
-    (1, 6): "once in 6 mesh cycles",
-    (3, 2): "3 times in 2 mesh cycles",
-    (150, 200): "0.75 times per mesh cycle on average",
+    ((0.3,), 1): "once per mesh cycle",
+    ((0.3, 0.7), 1): "twice per mesh cycle",
+    (tuple(n + 0.1 * (n % 2) for n in range(6)), 6): "once per mesh cycle",
+    ((0.95, 1.05), 2): "twice in 2 mesh cycles",
+    ((0.0, 0.1, 0.2, 0.3), 2): "4 times in 2 mesh cycles",
+    ((0.999, 1.0, 2.999, 3.0), 4): "4 times in 4 mesh cycles",
+    ((0.3,), 6): "once in 6 mesh cycles",
+    ((0.1, 0.2, 1.3), 2): "3 times in 2 mesh cycles",
+    (tuple(n + 0.5 for n in range(150)), 200): "0.75 times per mesh cycle on average",
+    (tuple(n + 0.5 for n in range(200)), 200): "1 times per mesh cycle on average",
 }
 
 
 @pytest.mark.parametrize(("counts", "words"), RATES.items())
-def test_rates(counts: tuple[int, int], words: str):
+def test_rates(counts: tuple[tuple[float, ...], int], words: str):
     assert rate(*counts) == words
 
 

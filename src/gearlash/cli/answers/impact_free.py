@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
-Ending = Literal["contact", "stability"]
+Ending = Literal["contact", "stability", "unsolved"]
 
 
 @dataclass(frozen=True)
@@ -19,12 +19,13 @@ class ImpactFree:
     upper: Annotated[float | None, "its upper end"]
     lower_ending: Annotated[
         Ending | None,
-        "what ends there: contact (a grazing), or stability: it is unstable beyond, or no longer solved for",
+        "what ends there: contact (a grazing), stability (it is unstable beyond), or unsolved (it could "
+        "not be solved for beyond)",
     ]
     upper_ending: Annotated[Ending | None, "the same of the upper end"]
     nearest: Annotated[float | None, "nearest speed found at which it exists, where it does not exist here"]
-    searched_from: Annotated[float, "no speed below was looked at"]
-    searched_to: Annotated[float, "no speed above was looked at"]
+    searched_from: Annotated[float, "the least speed that was looked at"]
+    searched_to: Annotated[float, "the largest speed that was looked at"]
     step: Annotated[
         float,
         "distance between two speeds that were looked at, over the speed, at the most: what is narrower may "

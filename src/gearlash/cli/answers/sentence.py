@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from math import floor
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case
@@ -18,7 +21,11 @@ if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.orbits import Attractor
 
 MARK = "†"  # behind a physical number that rests on an assumed value
+MANY = 64  # cycles beyond which only an average is told: mostly a stretch of a motion that does not repeat
+ROUNDING = 1e-9  # of a phase
 TIMES = {1: "once", 2: "twice"}
+LOST = {"stability": "unstable", "unsolved": "not solved for"}
+"""How a motion without impacts ends where it does not touch."""
 
 
 def run_sentence(
@@ -100,28 +107,29 @@ def message_of(attractor: Attractor) -> str:
 
 def contacts(numbers: MotionNumbers) -> str:
     """What teeth do, in words."""
-    drive = sum(e.event == "engagement" and e.side == "drive" for e in numbers.events)
-    back = sum(e.event == "engagement" and e.side == "back" for e in numbers.events)
-    cycles = round(numbers.cycles)
+    drive, back = impacts(numbers, "drive"), impacts(numbers, "back")
     if not drive and not back:
         if numbers.share_without_contact == 1.0:
             return "teeth never touch"
         side = " on the back side" if numbers.distances.back.maximum <= 0.0 else ""
         return f"teeth stay in contact{side}"
     if not back:
-        return f"teeth separate {rate(drive, cycles)}"
+        return f"teeth separate {rate(drive, numbers.cycles)}"
     if not drive:
-        return f"teeth separate on the back side {rate(back, cycles)}"
-    return f"teeth hit the drive side {rate(drive, cycles)} and the back side {rate(back, cycles)}"
+        return f"teeth separate on the back side {rate(back, numbers.cycles)}"
+    on_drive, on_back = rate(drive, numbers.cycles), rate(back, numbers.cycles)
+    return f"teeth hit the drive side {on_drive} and the back side {on_back}"
+
+
+def impacts(gap: MotionNumbers | OtherClearance, side: str) -> list[float]:
+    """Phases of the impacts on a side."""
+    return [e.phase for e in gap.events if e.event == "engagement" and e.side == side]
 
 
 def met(name: str, gap: MotionNumbers | OtherClearance, cycles: float) -> str:
     """What happens in a clearance, between teeth or not: ``bearing met on side + once per cycle``."""
-    counts = [
-        (sum(e.event == "engagement" and e.side == side for e in gap.events), sign)
-        for side, sign in (("drive", "+"), ("back", "-"))
-    ]
-    each = [f"on side {sign} {rate(n, round(cycles))}" for n, sign in counts if n]
+    found = [(impacts(gap, side), sign) for side, sign in (("drive", "+"), ("back", "-"))]
+    each = [f"on side {sign} {rate(phases, cycles)}" for phases, sign in found if phases]
     if each:
         return f"{name} met {' and '.join(each)}".replace("mesh cycle", "cycle")
     if gap.share_without_contact == 1.0:
@@ -129,13 +137,23 @@ def met(name: str, gap: MotionNumbers | OtherClearance, cycles: float) -> str:
     return f"{name} always in contact on side {'-' if gap.distances.back.maximum <= 0.0 else '+'}"
 
 
-def rate(count: int, cycles: int) -> str:
+def rate(phases: Sequence[float], cycles: float) -> str:
     """``once per mesh cycle``, ``3 times in 6 mesh cycles``, ``1.4 times per mesh cycle on average``."""
-    if count % cycles == 0:
-        return f"{_times(count // cycles)} per mesh cycle"
-    if cycles > 64:  # a stretch of a motion that does not repeat
+    count, cycles = len(phases), round(cycles)
+    if cycles > MANY:
         return f"{count / cycles:.2g} times per mesh cycle on average"
+    if count % cycles == 0 and _evenly(phases, cycles):
+        return f"{_times(count // cycles)} per mesh cycle"
     return f"{_times(count)} in {cycles} mesh cycles"
+
+
+def _evenly(phases: Sequence[float], cycles: int) -> bool:
+    """Are there as many in one cycle as in any other? Cycles are counted from where impacts are rarest."""
+    within = sorted(phase % 1.0 for phase in phases)
+    arcs = [later - earlier for earlier, later in pairwise([within[-1] - 1.0, *within])]
+    first = within[arcs.index(max(arcs))]
+    counts = Counter(floor((phase - first) % cycles + ROUNDING) % cycles for phase in phases)
+    return len(counts) == cycles and len(set(counts.values())) == 1
 
 
 def _times(count: int) -> str:
@@ -155,7 +173,7 @@ def _quiet(found: ImpactFree, speed: _Speed, free_now: bool) -> list[str]:
             return ["how far this motion stays impact-free was not found"]
         if found.nearest is None:
             reach = f"from {speed.text(found.searched_from)} to {speed.text(found.searched_to)}"
-            return [f"no impact-free motion was found {reach}"]
+            return [f"no impact-free motion was found {reach}, looked at in steps of {_steps(found)}"]
         inwards = 1 if found.nearest > speed.omega else -1
         return [f"nearest impact-free motion found at {speed.text(found.nearest, inwards)}"]
     if not free_now:
@@ -173,12 +191,16 @@ def _quiet(found: ImpactFree, speed: _Speed, free_now: bool) -> list[str]:
     else:
         ends = [f"from {speed.text(found.searched_from)} to {speed.text(found.searched_to)} at least"]
     lost = [
-        end
+        f"{LOST[why]} beyond {end}"
         for end, why in ((low, found.lower_ending), (high, found.upper_ending))
-        if end and why == "stability"
+        if end and why in LOST
     ]
-    unstable = f" (unstable beyond {' and '.join(lost)})" if lost else ""
-    return [f"this motion is impact-free {ends[0]}{unstable}, looked at in steps of {100.0 * found.step:g} %"]
+    beyond = f" ({', '.join(lost)})" if lost else ""
+    return [f"this motion is impact-free {ends[0]}{beyond}, looked at in steps of {_steps(found)}"]
+
+
+def _steps(found: ImpactFree) -> str:
+    return f"{100.0 * found.step:.3g} %"
 
 
 class _Speed:

@@ -38,6 +38,7 @@ def run(
 
     load_engine()
 
+    from gearlash.case.quantities import PIECEWISE
     from gearlash.cli.answers.excitation import unexcited
     from gearlash.cli.answers.run import run_answer
     from gearlash.cli.late import late_bar
@@ -59,7 +60,8 @@ def run(
             return impact_free_speeds(family, parameters, tell)
 
     asked = unexcited(chosen, found) is None
-    beside, quiet = (optional(other_starts), optional(quiet_speeds)) if asked else (None, None)
+    beside = optional(other_starts) if asked else None
+    quiet = optional(quiet_speeds) if asked and chosen.kind != PIECEWISE else None
     answer = run_answer(chosen, parameters, start, found, quiet, beside)
     with delivery():
         try:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import count
-from math import ceil, inf, log
+from math import ceil, inf, isnan, log, nan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,7 @@ from gearlash.orbits import shoot
 from gearlash.orbits.dips import Sample, dip
 from gearlash.orbits.pressing import force_extrema
 from gearlash.orbits.results import Orbit
-from gearlash.system import ContactRule, Family, GearlashError, Status, System
+from gearlash.system import ContactRule, Family, GearlashError, Parameter, Status, System
 
 STEP = 1.01  # factor from one speed of the search to the next
 REACH = 2.0  # factor to which it goes, up and down
@@ -36,9 +36,9 @@ End = tuple[float, Ending]  # a value on the impact-free side, what ends there
 def impact_free_speeds(
     family: Family, parameters: Mapping[str, float], tell: Callable[[int, int], object] | None = None
 ) -> ImpactFree | None:
-    """Looks from the present speed up and down to `REACH` times it. None without load, as no side carries it,
-    and for systems of another kind than a mesh under a load. ``tell`` hears how many speeds were tried, out
-    of how many.
+    """Looks from the present speed up and down to `REACH` times it, within the range of the parameter. None
+    without load, as no side carries it. ``family`` is that of a gear pair: of other systems a parameter of
+    the name `load` says nothing about contact. ``tell`` hears how many speeds were tried, out of how many.
 
     Speeds of the search are one per cent apart, with closer looks where the margin is lowest. What comes and
     goes within one per cent elsewhere may be missed.
@@ -46,6 +46,7 @@ def impact_free_speeds(
     if parameters.get("load", 0.0) == 0.0 or len(family.system(parameters).clearances) != 1:
         return None
     omega, tried = parameters["omega"], count(1)
+    lowest, highest = _reach(next(p for p in family.parameters if p.name == "omega"), omega)
 
     def margin(at: float) -> float:
         if tell is not None:
@@ -56,11 +57,10 @@ def impact_free_speeds(
 
     known = margin(omega)
     here = known > 0.0
-    up = _change(margin, omega, known, STEP, omega * (REACH - 1.0))
-    farthest = omega * (1.0 - 1.0 / REACH)
+    up, searched_to = _change(margin, omega, known, STEP, highest)
     if not here and up is not None:  # what lies farther off than this one is not the nearest
-        farthest = min(farthest, up[0] - omega)
-    down = _change(margin, omega, known, 1.0 / STEP, farthest)
+        lowest = max(lowest, 2.0 * omega - up[0])
+    down, searched_from = _change(margin, omega, known, 1.0 / STEP, lowest)
     ends = [end[0] for end in (down, up) if end is not None]
     return ImpactFree(
         here=here,
@@ -69,19 +69,26 @@ def impact_free_speeds(
         lower_ending=down[1] if here and down else None,
         upper_ending=up[1] if here and up else None,
         nearest=None if here else min(ends, key=lambda end: abs(end - omega), default=None),
-        searched_from=omega / REACH,
-        searched_to=omega * REACH,
+        searched_from=searched_from,
+        searched_to=searched_to,
         step=STEP - 1.0,
     )
 
 
+def _reach(parameter: Parameter, omega: float) -> tuple[float, float]:
+    """The least and the largest speed of the search."""
+    return max(omega / REACH, parameter.lower), min(omega * REACH, parameter.upper)
+
+
 def closed_margin(system: System, side: int) -> float:
     """Least compression (in X) of the periodic motion with the mesh closed on one side (+1 drive, -1 back);
-    -inf where that motion is unstable or was not found. With the rule `no-tension` contact ends with its
-    force: the least force instead.
+    -inf where that motion is unstable, NaN where it was not solved for. With the rule `no-tension` contact
+    ends with its force: the least force instead.
     """
     orbit = _orbit(_closed(system, side))
-    if orbit is None or not orbit.stable:
+    if orbit is None:
+        return nan
+    if not orbit.stable:
         return -inf
     if system.clearances[0].contact is ContactRule.NO_TENSION:
         return float((side * force_extrema(orbit.trace, 0).force).min(initial=inf))
@@ -128,31 +135,37 @@ def _closed(system: System, side: int) -> System:
     return replace(system, clearances=(closed,))
 
 
-def _change(margin: Margin, start: float, known: float, factor: float, farthest: float) -> End | None:
-    """The first change of sign of the margin from ``start`` on, as a value on its positive side."""
+def _change(
+    margin: Margin, start: float, known: float, factor: float, last: float
+) -> tuple[End | None, float]:
+    """The first change of sign of the margin from ``start`` to ``last``, as a value on its positive side, and
+    the value farthest away that was looked at."""
     path = [(start, known)]
-    while abs(path[-1][0] - start) < farthest:
-        there = path[-1][0] * factor
+    farther = min if factor > 1.0 else max
+    while path[-1][0] != last:
+        there = farther(path[-1][0] * factor, last)
         path.append((there, margin(there)))
         hidden = _hidden(margin, path[-3:])
         if hidden is not None:
-            return hidden
+            return hidden, there
         if (path[-1][1] > 0.0) != (known > 0.0):
-            return _narrowed(margin, path[-2], path[-1])
-    return None
+            return _narrowed(margin, path[-2], path[-1]), there
+    return None, last
 
 
 def _hidden(margin: Margin, path: list[Sample]) -> End | None:
     """A loss of the margin beside the middle one of three speeds, where it is lowest of the three and a
     closer look finds it gone."""
-    if len(path) < 3 or not 0.0 < path[1][1] <= min(path[0][1], path[2][1]) < inf:
+    if len(path) < 3 or not path[2][1] > -inf:
+        return None
+    if not 0.0 < path[1][1] <= min(path[0][1], path[2][1]) < inf:
         return None
     lowest = dip(margin, *path)
     return _narrowed(margin, path[0], lowest) if lowest[1] <= 0.0 else None
 
 
 def _narrowed(margin: Margin, here: Sample, there: Sample) -> End:
-    """Illinois method between two samples of different sign, halving where one is infinite: M. Dowell and
+    """Illinois method between two samples of different sign, halving where one is no number: M. Dowell and
     P. Jarratt, BIT 11 (1971) 168-174."""
     inside, outside = (here, there) if here[1] > 0.0 else (there, here)
     last = 0
@@ -166,4 +179,6 @@ def _narrowed(margin: Margin, here: Sample, there: Sample) -> End:
         else:
             outside, inside = (at, found), (inside[0], inside[1] / 2.0 if last < 0 else inside[1])
             last = -1
+    if isnan(outside[1]):
+        return inside[0], "unsolved"
     return inside[0], "contact" if outside[1] > -inf else "stability"
