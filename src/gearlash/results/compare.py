@@ -22,6 +22,11 @@ def same_motion(one: Point, other: Point) -> bool:
     """The same attractor, as far as labels and σ_t show. Orbits are compared as sets (a shift by base periods
     is no difference); two aperiodic motions count as one. A point without a motion differs from none.
     """
+    return _same(one, other)
+
+
+def _same(one: Point, other: Point) -> bool:
+    """The same without a look at the arguments, which for a hundred thousand points takes seconds."""
     if not (one.computed and other.computed):
         return True
     if one.label != other.label:
@@ -40,5 +45,5 @@ def coexisting(sweeps: Sequence[Sweep]) -> NDArray[np.bool_]:
         raise GearlashError("sweeps of one axis: these have different numbers of points")
     rows = zip(*(sweep.points for sweep in sweeps), strict=True)
     return np.array(
-        [any(not same_motion(a, b) for i, a in enumerate(row) for b in row[:i]) for row in rows], dtype=bool
+        [any(not _same(a, b) for i, a in enumerate(row) for b in row[:i]) for row in rows], dtype=bool
     )

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gearlash.case import Case
 from gearlash.system import Family, GearlashError, given
 
 from .compare import coexisting
 from .physical import physical_axis, physical_unit
-from .point import Point
+from .point import NOT_COMPUTED, Point
 from .provenance import provenance
 from .sweep import Sweep
 from .variables import PADDED, SCALARS, Variable, dimension
@@ -41,7 +43,7 @@ def sweep_dataset(model: Case | Family, sweeps: Sequence[Sweep]) -> xr.Dataset:
     sweeps = given.instances("sweeps", sweeps, Sweep, "sweeps, as from gearlash.sweeps")
     axis = _common_axis(sweeps)
     given.known("parameter", axis.name, family.defaults)
-    rows = [sweep.points for sweep in sweeps]
+    rows = [_Row.of(sweep.points) for sweep in sweeps]
     dims = ("direction", dimension(axis.name))
     data: dict[str, Any] = {}
     for variable in SCALARS:
@@ -75,19 +77,44 @@ def _common_axis(sweeps: Sequence[Sweep]):
     return first.axis
 
 
-def _table(rows: list[tuple[Point, ...]], read: Callable[[Point], Any], dtype: str) -> np.ndarray:
-    return np.array([[read(point) for point in row] for row in rows], dtype=dtype)
+@dataclass(frozen=True, eq=False)
+class _Row:
+    """The points of a sweep, those that were not computed for one reason only once, as nothing but that is
+    known of them: there may be a hundred thousand, and whoever stopped a study waits for its file. ``places``
+    (m,): which of them is at each value."""
+
+    points: list[Point]
+    places: NDArray[np.int64]
+
+    @staticmethod
+    def of(points: Sequence[Point]) -> _Row:
+        found, blanks, places = [], {}, []
+        for point in points:
+            place = len(found)
+            if point.status == NOT_COMPUTED:
+                place = blanks.setdefault(point.message, place)
+            if place == len(found):
+                found.append(point)
+            places.append(place)
+        return _Row(found, np.array(places, dtype=np.int64))
 
 
-def _padded(rows: list[tuple[Point, ...]], read: Callable[[Point], np.ndarray], least: int) -> np.ndarray:
+def _table(rows: list[_Row], read: Callable[[Point], Any], dtype: str) -> np.ndarray:
+    parts = [np.array([read(point) for point in row.points], dtype=dtype)[row.places] for row in rows]
+    return np.array(parts)
+
+
+def _padded(rows: list[_Row], read: Callable[[Point], np.ndarray], least: int) -> np.ndarray:
     """(directions, m, longest, at least so many): short ones are filled up with NaN."""
-    parts = [[read(point) for point in row] for row in rows]
-    longest = max(least, *(len(part) for row in parts for part in row))
-    out = np.full((len(rows), len(rows[0]), longest), np.nan)
-    for i, row in enumerate(parts):
-        for j, part in enumerate(row):
-            out[i, j, : len(part)] = part
-    return out
+    parts = [[read(point) for point in row.points] for row in rows]
+    longest = max(least, *(len(part) for some in parts for part in some))
+    out = []
+    for some, row in zip(parts, rows, strict=True):
+        wide = np.full((len(some), longest), np.nan)
+        for j, part in enumerate(some):
+            wide[j, : len(part)] = part
+        out.append(wide[row.places])
+    return np.array(out)
 
 
 def _array(model: Case | Family, variable: Variable, dims: tuple[str, ...], values: np.ndarray):
