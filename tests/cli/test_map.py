@@ -94,14 +94,14 @@ def test_ctrl_c_keeps_what_was_computed(
 
         yield callback
 
-    def save_late(*arguments: Any) -> None:
+    def written_late(*arguments: Any) -> memoryview:
         os.kill(os.getpid(), signal.SIGINT)
-        save(*arguments)
+        return written(*arguments)
 
     monkeypatch.setattr(progress, "progress_bar", interrupting)
     if again:
-        save = files.save
-        monkeypatch.setattr(files, "save", save_late)
+        written = files.netcdf
+        monkeypatch.setattr(files, "netcdf", written_late)
     ran = gearlash("map", *PLANE, "--workers", "1", "--out", str(tmp_path))
     assert ran.code == 130
     assert "incomplete, 6 pixels missing" in ran.out

@@ -7,7 +7,7 @@ import signal
 import sys
 import time
 
-from gearlash.jobs import Part, handing_on, stopping
+from gearlash.jobs import Chain, Part, handing_on, run, stopping
 
 
 def running_sum(task, carry) -> Part:
@@ -69,6 +69,12 @@ def deaf(task, carry) -> Part:
             except KeyboardInterrupt:
                 continue
     return Part(tuple(task))
+
+
+def nested(task, carry) -> Part:
+    """Work that rests on a study of its own, which takes a minute."""
+    within = run(stubborn, [Chain("within", (tuple(range(4)),), (4,))])
+    return Part(tuple(len(within.results["within"]) for _ in task))
 
 
 def talkative(task, carry) -> Part:

@@ -20,6 +20,7 @@ from jobs.tasks import (
     die,
     fail,
     hand_on,
+    nested,
     running_sum,
     slow,
     stubborn,
@@ -106,6 +107,17 @@ def test_points_before_one_that_takes_long_are_kept():
         threading.Timer(0.2, cancel.set).start()
         outcome = run(stubborn, [chain("a", (0, 1, 2))], executor, cancel=cancel)
     assert outcome.results == {"a": (0, 1)}
+    assert outcome.reason == "cancelled"
+
+
+def test_a_study_within_a_task_hands_a_stop_on():
+    """What rests on an incomplete one would be wrong: the task has nothing."""
+    cancel = threading.Event()
+    with open_executor(2) as executor:
+        run(running_sum, [chain("warm", (1,))], executor)
+        threading.Timer(0.2, cancel.set).start()
+        outcome = run(nested, [chain("a", (0,))], executor, cancel=cancel)
+    assert outcome.results == {"a": ()}
     assert outcome.reason == "cancelled"
 
 

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from gearlash import case, studies
 from gearlash.branches import GrazingPoint
+from gearlash.jobs import Progress
 from gearlash.studies import Axis, Direction, End, Interval, Quiet
 from gearlash.studies.model import Source
 from gearlash.studies.quiet import Row, Search
@@ -325,3 +326,18 @@ def test_a_search_that_was_stopped_before_any_end_says_so():
     assert not found.complete
     assert found.message == "cancelled"
     assert all(zone.width > 0.0 for zone in (*found.zones, *found.wider))
+
+
+def test_ctrl_c_while_zones_are_swept_begins_nothing_more():
+    told = []
+
+    def interrupt(progress: Progress) -> None:
+        told.append(progress.total)
+        if progress.done == 40:
+            raise KeyboardInterrupt
+
+    found = studies.zones(CLASSICAL, SPEEDS, progress=interrupt)
+    assert set(told) == {3 * len(SPEEDS)}  # no end was looked for
+    assert (found.complete, found.message) == (False, "interrupted")
+    assert sum(sweep.computed for sweep in found.sweeps) == 40
+    assert all(UNKNOWN in (z.lower.kind, z.upper.kind) for z in (*found.zones, *found.wider))

@@ -18,6 +18,15 @@ IMPORT, RUN, FRESH, STUDY = (
     "gearlash run article, kernels not yet compiled",
     "gearlash reproduce",
 )
+TIED = """
+import _thread, os
+def end_with_input():
+    os.read(0, 1)
+    os._exit(1)
+_thread.start_new_thread(end_with_input, ())
+"""
+"""What such a process does first. Only the one that started it holds the other end of its input: however that
+ends, killed included, this one ends with it."""
 
 
 def start_rows(repeats: int) -> list[Row]:
@@ -44,10 +53,14 @@ def _command(*arguments: str) -> str:
 
 
 def _process(code: str, more: dict[str, str] | None = None) -> None:
-    subprocess.run(
-        [sys.executable, "-P", "-c", code],
-        check=True,
+    process = subprocess.Popen(
+        [sys.executable, "-P", "-c", TIED + code],
         env={**os.environ, **(more or {})},
+        stdin=subprocess.PIPE,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
+    with process:
+        ended = process.wait()  # its input stays open until then
+    if ended:
+        raise subprocess.CalledProcessError(ended, process.args)

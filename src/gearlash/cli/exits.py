@@ -12,7 +12,7 @@ from typing import Any
 
 import typer
 
-from .interrupt import keeping, signalled, signals_answered
+from .interrupt import all_is_kept, keeping, signalled, signals_answered
 from .terminal import complain, discard, tell
 
 
@@ -75,26 +75,48 @@ def command(function: Callable[..., ExitCode]) -> Callable[..., None]:
 
     @functools.wraps(function)
     def framed(*args: Any, **kwargs: Any) -> None:
-        from gearlash.system import GearlashError  # late: numpy is not needed to print --help
-
-        try:
-            with signals_answered():
-                code = function(*args, **kwargs)
-        except GearlashError as error:
-            report(error, as_json=bool(kwargs.get("as_json")))
-            code = ExitCode.INPUT
-        except KeyboardInterrupt:
-            tell("interrupted")
-            code = ExitCode.INTERRUPTED
-        except NotWrittenError as error:
-            code = not_written(error.cause)
-        except BrokenPipeError as error:
-            code = not_written(error)
+        with signals_answered():
+            code = _code(functools.partial(function, *args, **kwargs), bool(kwargs.get("as_json")))
         if signalled() and code not in (ExitCode.INPUT, ExitCode.UNWRITTEN):
             code = ExitCode(128 + signalled())
         raise typer.Exit(int(code))
 
     return framed
+
+
+def _code(work: Callable[[], ExitCode], as_json: bool) -> ExitCode:
+    """The exit code of a command, with what it raises told."""
+    from gearlash.system import GearlashError  # late: numpy is not needed to print --help
+
+    try:
+        with all_is_kept():
+            return work()
+    except _deaths() as error:
+        report(error, as_json)
+        return ExitCode.STOPPED
+    except GearlashError as error:
+        report(error, as_json)
+        return ExitCode.INPUT
+    except KeyboardInterrupt:
+        tell("interrupted")
+        return ExitCode.INTERRUPTED
+    except NotWrittenError as error:
+        return not_written(error.cause)
+    except BrokenPipeError as error:
+        return not_written(error)
+
+
+def _deaths() -> tuple[type[Exception], ...]:
+    """What says that worker processes died."""
+    if "gearlash.jobs" not in sys.modules:  # then there are none
+        return ()
+    from concurrent.futures import BrokenExecutor
+
+    from gearlash.jobs import NoWorkersError
+
+    article = sys.modules.get("gearlash.studies.article")
+    unfinished = () if article is None else (article.UnfinishedError,)
+    return BrokenExecutor, NoWorkersError, *unfinished
 
 
 def not_written(error: OSError) -> ExitCode:

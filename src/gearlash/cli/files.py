@@ -7,50 +7,71 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from gearlash.case import Case
-from gearlash.results import PlaneMap, Sweep, plane_dataset, save, sweep_dataset
+from gearlash.results import PlaneMap, Sweep, plane_dataset, sweep_dataset
+from gearlash.results.store import netcdf, write_together
 
-from .folder import OutFolder
+from .folder import MOTION_FILES, OutFolder
 from .interrupt import optional
+from .jsonio import text
 
 if TYPE_CHECKING:
+    import xarray as xr
     from matplotlib.figure import Figure
 
     from gearlash.orbits import Attractor
     from gearlash.studies import Zones
 
+    from .answers.run import RunAnswer
+    from .answers.zones import ZonesAnswer
+
 
 logging.getLogger("fontTools").setLevel(logging.ERROR)  # it remarks on figures without a date
 
 
-def write_sweep(folder: OutFolder, case: Case, sweeps: Sequence[Sweep]) -> None:
-    """The dataset as NetCDF and, of a complete sweep, the bifurcation diagram as SVG and PDF."""
+def write_data(
+    folder: OutFolder, name: str, dataset: xr.Dataset, answer: Any, figures: Sequence[str] = ()
+) -> None:
+    """Data and answer of one study, both or none, in place of earlier ones with their ``figures``."""
+    contents = {
+        folder.file(f"{name}.nc"): netcdf(dataset),
+        folder.file(f"{name}.json"): text(answer).encode("utf-8"),
+    }
+    write_together(contents, instead_of=[folder.file(figure) for figure in figures])
+
+
+def write_sweep(folder: OutFolder, case: Case, sweeps: Sequence[Sweep], answer: Any) -> None:
+    """Data (NetCDF) and answer (JSON) and, of a complete sweep, the bifurcation diagram as SVG and PDF."""
     dataset = sweep_dataset(case, sweeps)
-    save(dataset, folder.file("sweep.nc"))
+    write_data(folder, "sweep", dataset, answer, ("sweep.svg", "sweep.pdf"))
     complete = all(sweep.complete for sweep in sweeps)
     _draw(folder, "sweep", complete, lambda plots: plots.diagram(dataset, units=plots.Units.of(case)))
 
 
-def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], present: float) -> None:
-    """The sweeps as NetCDF and, where all was computed, the zones over them as SVG and PDF; ``present`` is
-    the case's own value."""
+def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: ZonesAnswer) -> None:
+    """The sweeps (NetCDF) and the answer (JSON) and, where all was computed, the zones over the sweeps as SVG
+    and PDF."""
     dataset = sweep_dataset(case, found[0].sweeps)
-    save(dataset, folder.file("zones.nc"))
+    write_data(folder, "zones", dataset, answer, ("zones.svg", "zones.pdf"))
     title, complete = f"Zones of {case.name}", all(zones.complete for zones in found)
     _draw(
         folder, "zones", complete,
-        lambda plots: plots.zone_bands(dataset, found, title, present, plots.Units.of(case)),
+        lambda plots: plots.zone_bands(dataset, found, title, answer.present, plots.Units.of(case)),
     )  # fmt: skip
 
 
-def write_map(folder: OutFolder, case: Case, plane: PlaneMap) -> None:
-    """The dataset as NetCDF and, of a complete map, the figure as SVG and PDF."""
+def write_map(folder: OutFolder, case: Case, plane: PlaneMap, answer: Any) -> None:
+    """Data (NetCDF) and answer (JSON) and, of a complete map, the figure as SVG and PDF."""
     dataset = plane_dataset(case, plane)
-    save(dataset, folder.file("map.nc"))
+    write_data(folder, "map", dataset, answer, ("map.svg", "map.pdf"))
     _draw(folder, "map", plane.complete, lambda plots: plots.plane(dataset, units=plots.Units.of(case)))
 
 
-def write_motion(folder: OutFolder, case: Case, attractor: Attractor) -> None:
-    """Phase portrait and history of one motion as SVG and PDF."""
+def write_motion(folder: OutFolder, case: Case, attractor: Attractor, answer: RunAnswer) -> None:
+    """The answer (JSON) and, where a motion was found, phase portrait and history as SVG and PDF."""
+    older = [folder.file(name) for name in MOTION_FILES]
+    write_together({folder.file("run.json"): text(answer).encode("utf-8")}, instead_of=older)
+    if answer.numbers is None:
+        return
     from gearlash.studies.motion import motion
 
     found = motion(attractor)
@@ -59,15 +80,12 @@ def write_motion(folder: OutFolder, case: Case, attractor: Attractor) -> None:
 
 
 def _draw(folder: OutFolder, name: str, complete: bool, figure: Callable[[Any], Figure]) -> None:
-    """The figure of what was computed whole, as SVG and PDF; no older one stays beside what was not, or where
-    a signal came before it was drawn."""
+    """The figure of what was computed whole, as SVG and PDF, unless a signal comes before it is drawn."""
 
-    def drawn() -> bool:
+    def drawn() -> None:
         from gearlash import plots
 
         plots.save(figure(plots), folder.file(name))
-        return True
 
-    if not (complete and optional(drawn)):
-        for ending in (".svg", ".pdf"):
-            folder.file(name + ending).unlink(missing_ok=True)
+    if complete:
+        optional(drawn)

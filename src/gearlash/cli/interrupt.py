@@ -3,28 +3,31 @@
 The first one ends the work, and what was computed is kept; one more ends the command at once. What the first
 one does depends on what the command is at:
 
-- before it has anything to keep, and in what it can do without (`optional`), the work ends where it is;
-- while a study runs (`expect_results`) a flag is set, which `gearlash.jobs` looks at between two points, and
+- before it has anything to keep the process ends;
+- while a study runs (`expect_results`) the flag is up that `gearlash.jobs` looks at between two points, and
   a point that takes long is broken off;
-- while results are written (`keeping`) nothing is broken off.
+- what it can do without (`optional`) is broken off;
+- while results are written (`keeping`) nothing is;
+- when they are written and are shown (`showing`), that ends where nobody reads what is shown.
 
-A signal that Python cannot answer, as it is inside a long call of machine code, is answered by a thread: it
-says that results will be kept as soon as the call returns, or ends the process where there are none, or where
-a second signal comes.
+A thread hears them: the main one may be in a long call of machine code, or wait for a pipe that nobody
+reads. Only the thread ends the process, so that files which belong together are not torn apart. The main
+thread has a handler of its own for what can be broken off only there.
 """
 
 from __future__ import annotations
 
 import contextlib
 import os
+import select
 import signal
 import socket
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import Enum
+from time import monotonic
 from types import FrameType
 from typing import TypeVar
 
@@ -35,15 +38,16 @@ KEPT = b"\nstopping, and keeping what was computed (once more gives it up)\n"
 LOST = b"\ninterrupted\n"
 CURSOR = b"\x1b[?25h"  # shows the cursor again that a bar has hidden
 ECHO = 0.25  # s in which a second signal is the first one, sent to the process and to its group
-LATEST = 1.5  # s after which a signal that machine code holds up is answered without it
-SOON = 0.2  # the same of a second one
+LOOK = 0.1  # s between two looks at a command that was told to end
+PATIENCE = 1.0  # s that a reader may take nothing of what is shown, or that ending may take
 
 
 class _Phase(Enum):
-    NOTHING = "nothing to keep"
+    NOTHING = "nothing to keep, or all is kept"
     STUDY = "results will be kept"
     OPTIONAL = "can be done without"
     KEEPING = "being kept"
+    SHOWING = "kept, and being shown"
 
 
 class _State:
@@ -51,9 +55,17 @@ class _State:
 
     def __init__(self) -> None:
         self.number = 0  # of the first signal; 0: none came
-        self.at = 0.0
+        self.heard = 0.0  # when that was
+        self.broken_off = False
         self.phase = _Phase.NOTHING
-        self.flag = threading.Event()
+        self.moved = 0.0  # when the phase began, or a part of what is shown was taken
+
+    def is_set(self) -> bool:
+        """The flag of `gearlash.jobs.stop`."""
+        return self.number != 0
+
+    def enter(self, phase: _Phase) -> None:
+        self.phase, self.moved = phase, monotonic()
 
 
 _state = _State()
@@ -71,9 +83,9 @@ def signals_answered() -> Iterator[None]:
     own for them."""
     _state.__init__()
     numbers = _answered() if threading.current_thread() is threading.main_thread() else []
-    before = {number: signal.signal(number, _answer) for number in numbers}
+    before = {number: signal.signal(number, _break_off) for number in numbers}
     try:
-        with _watched(numbers) if numbers else contextlib.nullcontext():
+        with _listening(numbers) if numbers else contextlib.nullcontext():
             yield
     finally:
         for number, handler in before.items():
@@ -93,8 +105,8 @@ def expect_results() -> None:
     """From here on there is something to keep."""
     from gearlash.jobs.stop import watch
 
-    watch(_state.flag)
-    _state.phase = _Phase.STUDY
+    watch(_state)
+    _state.enter(_Phase.STUDY)
 
 
 def end_if_nothing(computed: bool) -> None:
@@ -105,32 +117,60 @@ def end_if_nothing(computed: bool) -> None:
 
 def nothing_more() -> None:
     """From here on all that there is to keep is kept. Ends the command where a signal came before."""
-    _state.phase = _Phase.NOTHING
+    _state.enter(_Phase.NOTHING)
     if _state.number:
         raise KeyboardInterrupt
 
 
 @contextmanager
-def keeping() -> Iterator[None]:
-    """Around the writing of results: a first signal does not end it."""
-    before, _state.phase = _state.phase, _Phase.KEEPING
+def all_is_kept() -> Iterator[None]:
+    """After the block, however it ends, there is nothing more to keep."""
     try:
         yield
     finally:
-        _state.phase = before
+        _state.enter(_Phase.NOTHING)
+
+
+@contextmanager
+def keeping() -> Iterator[None]:
+    """Around the writing of results: a first signal does not end it."""
+    with _during(_Phase.KEEPING):
+        yield
+
+
+@contextmanager
+def showing() -> Iterator[Callable[[], None]]:
+    """Around what is printed when all is kept. The function is to be called after each part of it: a reader
+    who takes nothing for a while is not waited for once a signal has come."""
+
+    def taken() -> None:
+        _state.moved = monotonic()
+
+    with _during(_Phase.SHOWING if _state.phase is _Phase.KEEPING else _state.phase):
+        yield taken
 
 
 def optional(work: Callable[[], T]) -> T | None:
     """What can be done without: None once a signal has come, also in the middle of it."""
-    if _state.number:
-        return None
-    before, _state.phase = _state.phase, _Phase.OPTIONAL
+    before = _state.phase
     try:
-        return work()
+        if _state.number:
+            return None
+        with _during(_Phase.OPTIONAL):
+            return work()
     except KeyboardInterrupt:
+        _state.enter(before)
         return None
+
+
+@contextmanager
+def _during(phase: _Phase) -> Iterator[None]:
+    before = _state.phase
+    _state.enter(phase)
+    try:
+        yield
     finally:
-        _state.phase = before
+        _state.enter(before)
 
 
 def _answered() -> list[int]:
@@ -144,18 +184,11 @@ def _answered() -> list[int]:
     ]
 
 
-def _answer(number: int, _frame: FrameType | None) -> None:
-    now = time.monotonic()
-    if _state.number:
-        if now - _state.at > ECHO:
-            _end(number)
+def _break_off(number: int, _frame: FrameType | None) -> None:
+    """In the main thread, once: the other one may hear of the signal a little later."""
+    if _state.broken_off:
         return
-    _state.number, _state.at = number, now
-    _state.flag.set()
-    if _state.phase is _Phase.NOTHING:
-        _end(number)
-    with contextlib.suppress(OSError):
-        os.write(2, KEPT)  # unbuffered: the signal may have come in the middle of a print
+    _state.broken_off, _state.number = True, _state.number or number
     if _state.phase is _Phase.OPTIONAL:
         raise KeyboardInterrupt
     if _state.phase is _Phase.STUDY:
@@ -165,41 +198,23 @@ def _answer(number: int, _frame: FrameType | None) -> None:
             raise KeyboardInterrupt
 
 
-def _end(number: int) -> None:
-    """At once. Worker processes end with this one; files that are not whole go."""
-    if "gearlash.results.store" in sys.modules:
-        from gearlash.results.store import UNFINISHED
-
-        for part in list(UNFINISHED):
-            with contextlib.suppress(OSError):
-                os.unlink(part)  # noqa: PTH108
-    with contextlib.suppress(OSError):
-        os.write(2, (CURSOR if os.isatty(2) else b"") + LOST)
-    os._exit(128 + number)
-
-
 @contextmanager
-def _watched(numbers: list[int]) -> Iterator[None]:
-    """A thread that answers where the main one does not come to it."""
+def _listening(numbers: list[int]) -> Iterator[None]:
+    """With the thread that hears signals wherever the main one is."""
     heard, told = socket.socketpair()
     told.setblocking(False)
     before = signal.set_wakeup_fd(told.fileno(), warn_on_full_buffer=False)
 
     def listen() -> None:
-        first = 0.0
-        while number := int.from_bytes(heard.recv(1), "big"):
-            if number not in map(int, numbers):
-                continue
-            again = first > 0.0 and time.monotonic() - first > ECHO
-            first = first or time.monotonic()
-            deadline = time.monotonic() + (SOON if again else LATEST)
-            while time.monotonic() < deadline and (again or not _state.number):
-                time.sleep(0.05)
-            if again or (not _state.number and _state.phase in (_Phase.NOTHING, _Phase.OPTIONAL)):
-                _end(number)
-            if not _state.number:
-                with contextlib.suppress(OSError):
-                    os.write(2, KEPT)
+        while True:
+            if select.select([heard], [], [], LOOK if _state.heard else None)[0]:
+                content = heard.recv(1)
+                if not content:
+                    return
+                if content[0] in map(int, numbers):
+                    _hear(content[0])
+            elif _hangs():
+                _end(_state.number)
 
     thread = threading.Thread(target=listen, name="gearlash signals", daemon=True)
     thread.start()
@@ -210,3 +225,41 @@ def _watched(numbers: list[int]) -> Iterator[None]:
         told.close()  # ends the thread
         thread.join()
         heard.close()
+
+
+def _hear(number: int) -> None:
+    """What the thread does with a signal."""
+    now = monotonic()
+    if _state.heard:
+        if now - _state.heard > ECHO:
+            _end(number)
+        return
+    _state.number, _state.heard = _state.number or number, now
+    if _state.phase is _Phase.NOTHING:
+        _end(number)
+    if _state.phase is not _Phase.SHOWING:
+        _say(KEPT)
+
+
+def _hangs() -> bool:
+    """Whether a command that was told to end, and has nothing to keep any more, comes to no end."""
+    done = _state.phase in (_Phase.NOTHING, _Phase.SHOWING)
+    return done and monotonic() - max(_state.moved, _state.heard) > PATIENCE
+
+
+def _end(number: int) -> None:
+    """At once. Worker processes end with this one; files that are not whole go."""
+    if "gearlash.results.store" in sys.modules:
+        from gearlash.results.store import give_up
+
+        give_up()
+    _say((CURSOR if os.isatty(2) else b"") + LOST)
+    os._exit(128 + number)
+
+
+def _say(text: bytes) -> None:
+    """On standard error, if it is taken there: unbuffered, as the main thread may be in the middle of a
+    print."""
+    with contextlib.suppress(OSError, ValueError):
+        if os.name == "nt" or select.select([], [2], [], 0.0)[1]:
+            os.write(2, text)

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+PART = 65_536  # characters that are written at once
 _UNPRINTABLE = re.compile("[\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
@@ -45,9 +46,15 @@ def text(answer: Any, ascii_only: bool = False) -> str:
 
 def write_stdout(answer: Any) -> None:
     """Standard output holds this and nothing else."""
+    from .interrupt import showing
+
     encoding = (sys.stdout.encoding or "ascii").lower().replace("-", "")
-    sys.stdout.write(text(answer, ascii_only=encoding != "utf8"))
-    sys.stdout.flush()
+    written = text(answer, ascii_only=encoding != "utf8")
+    with showing() as taken:
+        for i in range(0, len(written), PART):
+            sys.stdout.write(written[i : i + PART])
+            sys.stdout.flush()
+            taken()
 
 
 def write_file(answer: Any, path: Path) -> None:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, TextIO, TypeVar
 
+from .interrupt import showing
 from .spelling import spelled
 
 if TYPE_CHECKING:
@@ -85,9 +86,11 @@ def errors() -> Console:
 def show(view: Callable[[T, int], Iterable[Text]], answer: T) -> None:
     """Prints an answer on standard output, as wide as that is."""
     console = output()
-    for line in view(answer, console.width):
-        line.plain = harmless(line.plain)
-        console.print(line, soft_wrap=True)
+    with showing() as taken:
+        for line in view(answer, console.width):
+            line.plain = harmless(line.plain)
+            console.print(line, soft_wrap=True)
+            taken()
 
 
 def tell(message: str) -> None:

@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 from .executors import Inline, available_cores
 from .pool import NoWorkersError, Pool
 from .progress import Load, Progress, ProgressCallback, remaining
-from .stop import Cancel, Interrupted, interruptible, stopping
+from .stop import Cancel, Interrupted, interruptible, may_be_interrupted, stopping
 from .travel import GUARD
 
 Carry: TypeAlias = Any
@@ -78,10 +78,10 @@ def run(
     """Does all tasks of all chains: ``work(task, carry)`` is a function that other processes can import.
 
     A cancel, Ctrl-C or the death of a worker process ends it early; what was done is returned with the
-    reason. Raises `NoWorkersError` where workers died before anything was done, and what ``work`` raises,
-    which is a defect.
+    reason. Within a task of another call, which cannot use what is incomplete, Ctrl-C goes on to that. Raises
+    `NoWorkersError` where workers died before anything was done, and what ``work`` raises, which is a defect.
     """
-    executor = Inline() if executor is None else executor
+    executor, within = Inline() if executor is None else executor, may_be_interrupted()
     if isinstance(executor, Pool):
         executor.resume()
     round_ = _Round(work, chains, executor, progress)
@@ -96,6 +96,8 @@ def run(
         reason, none = DIED, error
     finally:
         round_.end(reason)
+    if reason == INTERRUPTED and within:
+        raise KeyboardInterrupt
     results = round_.results()
     if reason == DIED and not any(results.values()):
         raise none

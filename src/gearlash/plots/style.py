@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, AutoMinorLocator, FixedLocator, MaxNLocator, NullLocator
 from matplotlib.transforms import ScaledTranslation
 
-from gearlash.results.store import write_whole
+from gearlash.results.store import write_together
 from gearlash.system import arguments
 
 P = ParamSpec("P")
@@ -191,9 +191,7 @@ def save(
     made: Figure, stem: str | Path, forms: tuple[str, ...] = ("svg", "pdf"), dpi: float = RASTER_DPI
 ) -> list[Path]:
     """Writes ``stem``.svg, ``stem``.pdf, ...; returns their paths."""
-    written, stem = [], Path(stem)
-    for form in forms:
-        path = stem.with_name(f"{stem.name}.{form}")
-        write_whole(path, to_bytes(made, form, dpi))
-        written.append(path)
-    return written
+    stem = Path(stem)
+    paths = [stem.with_name(f"{stem.name}.{form}") for form in forms]
+    write_together({path: to_bytes(made, form, dpi) for path, form in zip(paths, forms, strict=True)})
+    return paths

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
-import tempfile
+import threading
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,8 +21,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 FORMAT = "gearlash_format"
-UNFINISHED: set[str] = set()
-"""Files that are being written beside their places, for a command that ends at once."""
 IMPOSSIBLE = (errno.ENAMETOOLONG, errno.ENOTDIR, errno.EEXIST, errno.EINVAL)
 """What says that a path cannot be one, whatever disk it is on."""
 
@@ -30,11 +30,18 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
     replaced; `~` is home. The root group of the file has what is one number a point, every further dimension
     a group of its name. Raises `OSError` where that cannot be written.
     """
+    content = netcdf(dataset)
+    path = given.path("path", path)
+    _make_folder(path)
+    write_whole(path, content)
+    return path
+
+
+def netcdf(dataset: xr.Dataset) -> memoryview:
+    """The content of the file of a dataset."""
     import xarray as xr
 
     given.instance("dataset", dataset, xr.Dataset, "a dataset, as from gearlash.sweep_dataset")
-    path = given.path("path", path)
-    _make_folder(path)
     # Made in memory: a disk that fills up while HDF5 writes to it can bring the whole process down.
     groups = split(dataset)
     encoding = {name: _encoding(group) for name, group in groups.items()}
@@ -42,8 +49,7 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
         None, engine="h5netcdf", encoding=encoding, write_inherited_coords=True
     )
     assert isinstance(content, memoryview)
-    write_whole(path, content)
-    return path
+    return content
 
 
 def _make_folder(path: Path) -> None:
@@ -60,21 +66,54 @@ def _make_folder(path: Path) -> None:
 
 def write_whole(path: Path, content: bytes | memoryview) -> None:
     """A file with this content; where that cannot be written (`OSError`), none, and an older one is kept."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
-    part = Path(name)
-    UNFINISHED.add(name)
+    write_together({path: content})
+
+
+def write_together(contents: Mapping[Path, bytes | memoryview], instead_of: Iterable[Path] = ()) -> None:
+    """Files that belong together: all are written beside their places, then moved there one right after the
+    other, and those that they stand ``instead_of`` go. Where one cannot be written (`OSError`), nothing
+    changes; a command that ends at once waits until all are moved (`give_up`)."""
+    parts = {path: path.with_name(f".{path.name}.{os.urandom(6).hex()}.part") for path in contents}
     try:
-        with open(handle, "wb") as file:  # noqa: PTH123
-            file.write(content)
-            file.flush()
-            os.fsync(handle)
-        part.chmod(0o666 & ~_umask())
-        part.replace(path)
+        _unfinished.update(parts.values())
+        for path, part in parts.items():
+            with _told_as(path), part.open("xb") as file:
+                file.write(contents[path])
+                file.flush()
+                os.fsync(file.fileno())
+        with _moving:
+            for path, part in parts.items():
+                with _told_as(path):
+                    part.replace(path)
+            for path in instead_of:
+                path.unlink(missing_ok=True)
+    finally:
+        for part in parts.values():
+            part.unlink(missing_ok=True)
+        _unfinished.difference_update(parts.values())
+
+
+_moving = threading.Lock()
+_unfinished: set[Path] = set()
+MOVED = 1.0  # s that files may take to be moved, before that is not waited for
+
+
+def give_up() -> None:
+    """For a thread that is about to end the process: files that are being moved are waited for, and those
+    that are not whole go."""
+    _moving.acquire(timeout=MOVED)
+    for part in list(_unfinished):
+        with contextlib.suppress(OSError):
+            part.unlink(missing_ok=True)
+
+
+@contextlib.contextmanager
+def _told_as(path: Path) -> Iterator[None]:
+    """What the system refuses is told with the name of the file that was wanted."""
+    try:
+        yield
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from None
-    finally:
-        part.unlink(missing_ok=True)
-        UNFINISHED.discard(name)
 
 
 def load(path: str | Path) -> xr.Dataset:
@@ -103,10 +142,3 @@ def _encoding(dataset: xr.Dataset) -> dict[str, dict[str, object]]:
     packed = {"zlib": True, "complevel": 4, "shuffle": True}
     large = (name for name, array in dataset.data_vars.items() if array.dtype.kind == "f" and array.ndim > 2)
     return {str(name): dict(packed) for name in large if np.prod(dataset[name].shape)}
-
-
-def _umask() -> int:
-    """The mask that new files of this process get; it can only be read by setting it."""
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

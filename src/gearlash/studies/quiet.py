@@ -85,7 +85,8 @@ class Row:
 @dataclass(frozen=True, eq=False)
 class Search:
     """What decides the ends, and how the work is done; see `zones`. ``donors`` are rows whose points between
-    may serve others, with what counted as quiet there."""
+    may serve others, with what counted as quiet there; ``ended``: why the work was ended, if it was: then
+    nothing more is begun."""
 
     source: Source
     fixed: tuple[tuple[str, float], ...]
@@ -96,6 +97,7 @@ class Search:
     progress: ProgressCallback | None
     cancel: Cancel | None
     donors: list[tuple[Quiet, Row]] = field(default_factory=list)
+    ended: list[str] = field(default_factory=list)
     reasons: list[str] = field(default_factory=list)
 
     def rows(self, ways: Sequence[Sweep]) -> tuple[list[list[Interval]], str, float]:
@@ -177,8 +179,15 @@ class Search:
 
     def done(self, work: Work, chains: Sequence[Chain]) -> dict[Hashable, Any]:
         """What each task returned; a reason is kept where not all was done."""
+        if not chains:
+            return {}
+        if self.ended:
+            self.reasons.append(self.ended[0])
+            return {}
         outcome = run(work, chains, self.executor, progress=self.progress, cancel=self.cancel)
-        self.reasons.extend([outcome.reason] if outcome.reason else [])
+        if outcome.reason:
+            self.ended.append(outcome.reason)
+            self.reasons.append(outcome.reason)
         return {name: found[0] for name, found in outcome.results.items() if found}
 
     def probes(self, row: Row, ends: Ends) -> list[tuple[int, End]]:

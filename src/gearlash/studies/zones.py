@@ -75,17 +75,20 @@ def zones_of_kinds(
     if len(axis) < 2:
         raise GearlashError(f"zones along {axis.name}: expected at least two values")
     ways = None if known is None else given.instances("known", known, Sweep, "sweeps made before")
+    ended: list[str] = []
     if ways is None:
         ways = sweeps(
             model, axis, fixed=fixed, initial=initial, settings=settings, executor=executor,
             progress=progress, cancel=cancel,
         )  # fmt: skip
+        ended += [sweep.message for sweep in ways if not sweep.complete]
     _check(ways, axis, fixed)
     found, donors = [], []
     for quiet in wanted:
         search = Search(
-            Source.of(model), tuple(fixed.items()), settings, quiet, start, executor, progress, cancel, donors
-        )
+            Source.of(model), tuple(fixed.items()), settings, quiet, start, executor, progress, cancel,
+            donors, ended,
+        )  # fmt: skip
         found.append(_found(model, ways, axis, search))
     return tuple(found)
 

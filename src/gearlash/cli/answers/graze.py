@@ -12,6 +12,7 @@ from gearlash.case import Case
 from gearlash.system import Family, Status, System
 
 from .excitation import NOT_EXCITED, nothing_varies
+from .outcome import INCOMPLETE, RESUME
 from .parts import CaseUsed, Multiplier, PhysicalValue, case_used, multiplier_rows, physical_values
 from .sentence import physical_text
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.branches import GrazingPoint
     from gearlash.results import Point
 
+INTERRUPTED = "interrupted"  # why a motion was not followed further
 HOLDS = 1e-9  # tolerance of the conditions, in units of D_c
 
 
@@ -90,7 +92,11 @@ class GrazeAnswer:
     """Grazing points next to an attractor (gearlash graze)."""
 
     sentence: str
-    status: Annotated[str, "ok, not-found, not-excited, or why the attractor could not be followed"]
+    status: Annotated[
+        str,
+        "ok, not-found, not-excited, incomplete if it was stopped, or why the attractor could not be "
+        "followed",
+    ]
     message: str
     advice: str
     case: CaseUsed
@@ -120,6 +126,8 @@ def graze_answer(
     touches = tuple(_touch(case, family, p) for p in sorted(found, key=lambda p: abs(p.value - near)))
     asked = _asked(case, over, named, near, start)
     status, advice = _outcome(start, bool(touches))
+    if any(INTERRUPTED in (path.ended, path.beyond) for path in paths):
+        status, advice = INCOMPLETE, RESUME
     said = _sentence(over, named, near, touches, paths, _several(family, parameters))
     if not touches and not family.system(parameters).excited:
         idle = nothing_varies(case)
@@ -237,9 +245,12 @@ def _sentence(
         return "no grazing was found, as none was looked for"
     if not touches:
         low, high = (path.reached for path in paths)
-        lost = [path.direction for path in paths if not path.decided]
+        stopped = [path.direction for path in paths if path.ended == INTERRUPTED]
+        lost = [path.direction for path in paths if not path.decided and path.direction not in stopped]
+        ends = [("interrupted", stopped), ("lost", lost)]
+        said = [f"{end} there on the way {' and '.join(ways)}" for end, ways in ends if ways]
         text = f"no grazing of this motion was found from {over} = {low:.7g} to {high:.7g}"
-        return text + (f" (lost there on the way {' and '.join(lost)})" if lost else "")
+        return text + (f" ({', '.join(said)})" if said else "")
     first = touches[0]
     shown = _named(first.physical, named) or (first.physical[0] if first.physical else None)
     value = f"{over} = {first.value:.10g}" + (f" ({physical_text(shown, 6)})" if shown else "")

@@ -9,6 +9,7 @@ from gearlash.system import Status
 from .excitation import NOT_EXCITED, Unexcited
 
 OK, INCOMPLETE, FAILED, PARTLY_FAILED = "ok", "incomplete", "failed", "partly-failed"
+RESUME = "call it again for the rest"  # what to do about incomplete
 NOTHING, NOT_COMPUTED = "failed", "not-computed"  # statuses of a point: no motion, stopped before
 MEANING = (
     "ok; incomplete if it was stopped; failed if no {0} is ok; partly-failed if a {0} has no motion (its "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -13,6 +13,7 @@ from .beside import Beside
 from .excitation import NOT_EXCITED, unexcited
 from .impact_free import ImpactFree
 from .motion import MotionNumbers, motion_numbers
+from .outcome import INCOMPLETE, RESUME
 from .parts import (
     CaseUsed,
     CertificateUsed,
@@ -37,7 +38,11 @@ class RunAnswer:
     """One attractor (gearlash run)."""
 
     sentence: Annotated[str, "the answer in plain words"]
-    status: Annotated[str, "ok, or why the result is not to be relied on, or not-excited"]
+    status: Annotated[
+        str,
+        "ok; incomplete if it was stopped when the motion was found, but not yet what is beside it; "
+        "not-excited; or why the result is not to be relied on",
+    ]
     message: Annotated[str, "how the motion was found, or why not"]
     advice: Annotated[str, "what to do about the status"]
     case: CaseUsed
@@ -65,7 +70,8 @@ class RunAnswer:
     periods_used: Annotated[int, "base periods that the motion was followed, transient and averages together"]
     numbers: Annotated[MotionNumbers | None, "of the motion, dimensionless; null where it ran away"]
     beside: Annotated[
-        Beside | None, "what a few other starts lead to; null where no motion was found to compare with"
+        Beside | None,
+        "what a few other starts lead to; null where no motion was found to compare with, or not looked for",
     ]
     impact_free: Annotated[
         ImpactFree | None,
@@ -83,20 +89,28 @@ def run_answer(
     attractor: Attractor,
     impact_free: ImpactFree | None,
     beside: Beside | None,
+    missing: Sequence[str] = (),
 ) -> RunAnswer:
-    """The record of an attractor that was reached from ``start`` (by state name)."""
+    """The record of an attractor that was reached from ``start`` (by state name); ``missing``: what
+    was not looked at any more."""
     from gearlash.orbits import Orbit
 
     orbit = attractor if isinstance(attractor, Orbit) else None
     numbers = motion_numbers(attractor) if attractor.status in TRACEABLE else None
     idle = unexcited(case, attractor)
+    status, message, advice = str(attractor.status), message_of(attractor), attractor.status.advice
+    if idle is not None:
+        status, message, advice = NOT_EXCITED, idle.cause, idle.advice
+    elif missing:
+        advice = RESUME if attractor.status.ok else f"{RESUME}; {advice}"
+        status, message = INCOMPLETE, f"{message}; interrupted before {' and '.join(missing)}"
     names = list(start)
     state = dict(zip(names, map(float, attractor.final_state), strict=True))
     return RunAnswer(
         sentence=run_sentence(case, parameters, attractor, numbers, impact_free, beside, idle),
-        status=str(attractor.status) if idle is None else NOT_EXCITED,
-        message=message_of(attractor) if idle is None else idle.cause,
-        advice=attractor.status.advice if idle is None else idle.advice,
+        status=status,
+        message=message,
+        advice=advice,
         case=case_used(case),
         parameters=dict(parameters),
         start=dict(start),

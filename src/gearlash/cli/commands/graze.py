@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, command, delivery
+from gearlash.cli.exits import ExitCode, code_of, command, delivery
 from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
 
 
@@ -35,10 +35,11 @@ def graze(
     The periodic motion at the given parameters is followed down and up, through doublings, until a contact is
     born or dies; the touch is solved for together with the orbit. Motions that coexist with it are not
     looked at. Prints value, kind, labels on both sides, multipliers and the
-    article's four conditions.
+    article's four conditions. Ctrl-C keeps what was found, marked incomplete.
     """
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_near, read_start
+    from gearlash.cli.interrupt import expect_results
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
@@ -59,6 +60,7 @@ def graze(
 
     search = search_settings(family, periods, max_period, case)
     first = point(family, parameters, name=short, start=list(start.values()), settings=search)
+    expect_results()
     with late_bar("following the motion") as tell:
         walks = (
             [follow(family, parameters, short, first, way, search, tell) for way in ("down", "up")]
@@ -80,4 +82,4 @@ def graze(
                 from gearlash.cli.show.graze import graze_view
 
                 show(graze_view, answer)
-    return ExitCode.OK if answer.points else ExitCode.NOT_OK
+    return ExitCode.OK if answer.points else code_of(answer.status)

@@ -47,7 +47,7 @@ def map(
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_plane, read_start
     from gearlash.cli.interrupt import end_if_nothing, expect_results
-    from gearlash.cli.jsonio import write_file, write_stdout
+    from gearlash.cli.jsonio import write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
 
@@ -84,8 +84,7 @@ def map(
             if folder:
                 from gearlash.cli.files import write_map
 
-                write_map(folder, chosen, found)
-                write_file(answer, folder.file("map.json"))
+                write_map(folder, chosen, found, answer)
         finally:  # an answer that took long is shown even if it cannot be kept
             if as_json:
                 write_stdout(answer)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import BrokenExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -61,7 +60,7 @@ def reproduce(
     from gearlash.cli.inputs import read_case
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
-    from gearlash.cli.terminal import complain, show
+    from gearlash.cli.terminal import show
     from gearlash.studies.article.pair import check_pair
 
     chosen = read_case(case, settings)
@@ -77,17 +76,13 @@ def reproduce(
     from gearlash.studies import article
 
     with stage_bar() as progress:
-        try:
-            found = article.reproduce(
-                chosen,
-                _scope(points),
-                workers=workers,
-                progress=_told(progress),
-                keep=_keeper(chosen, folder),
-            )
-        except (article.UnfinishedError, BrokenExecutor) as error:
-            complain(f"gearlash: {error}")
-            return ExitCode.STOPPED
+        found = article.reproduce(
+            chosen,
+            _scope(points),
+            workers=workers,
+            progress=_told(progress),
+            keep=_keeper(chosen, folder),
+        )
         progress("report", None)
         with open_executor(workers) as executor, delivery(breakable=True):
             page = report.render(found, folder.path, executor)
@@ -106,16 +101,16 @@ def reproduce(
 def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], None]:
     """Writes the sweeps of an axis as soon as they are there, if anything of them is."""
     from gearlash.cli.answers.sweep import sweep_answer
-    from gearlash.cli.jsonio import write_file
-    from gearlash.results import save, sweep_dataset
+    from gearlash.cli.files import write_data
+    from gearlash.results import sweep_dataset
 
     parameters = case.family()[0].complete()
 
     def keep(name: str, sweeps: Sequence[Sweep]) -> None:
         end_if_nothing(any(point.computed for sweep in sweeps for point in sweep.points))
         with delivery():
-            save(sweep_dataset(case, sweeps), folder.file(f"sweep-{name}.nc"))
-            write_file(sweep_answer(case, parameters, name, sweeps), folder.file(f"sweep-{name}.json"))
+            answer = sweep_answer(case, parameters, name, sweeps)
+            write_data(folder, f"sweep-{name}", sweep_dataset(case, sweeps), answer)
         nothing_more()  # what is not swept is soon done again
 
     return keep

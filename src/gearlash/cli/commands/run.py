@@ -24,8 +24,8 @@ def run(
     """
     from gearlash.cli.folder import MOTION_FILES, claim_if
     from gearlash.cli.inputs import read_case, read_start
-    from gearlash.cli.interrupt import expect_results, optional
-    from gearlash.cli.jsonio import write_file, write_stdout
+    from gearlash.cli.interrupt import expect_results, optional, signalled
+    from gearlash.cli.jsonio import write_stdout
     from gearlash.cli.terminal import show
 
     chosen = read_case(case, settings)
@@ -61,16 +61,17 @@ def run(
 
     asked = unexcited(chosen, found) is None
     beside = optional(other_starts) if asked else None
-    quiet = optional(quiet_speeds) if asked and chosen.kind != PIECEWISE else None
-    answer = run_answer(chosen, parameters, start, found, quiet, beside)
+    speeds_asked = asked and chosen.kind != PIECEWISE
+    quiet = optional(quiet_speeds) if speeds_asked else None
+    looked = (("other starts", asked, beside), ("speeds free of impacts", speeds_asked, quiet))
+    left_out = [what for what, wanted, got in looked if wanted and got is None and signalled()]
+    answer = run_answer(chosen, parameters, start, found, quiet, beside, left_out)
     with delivery():
         try:
             if folder:
-                write_file(answer, folder.file("run.json"))
-                if answer.numbers:
-                    from gearlash.cli.files import write_motion
+                from gearlash.cli.files import write_motion
 
-                    write_motion(folder, chosen, found)
+                write_motion(folder, chosen, found, answer)
         finally:  # an answer that took long is shown even if it cannot be kept
             if as_json:
                 write_stdout(answer)

@@ -44,7 +44,7 @@ def sweep(
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_over, read_start
     from gearlash.cli.interrupt import end_if_nothing, expect_results
-    from gearlash.cli.jsonio import write_file, write_stdout
+    from gearlash.cli.jsonio import write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
 
@@ -86,8 +86,7 @@ def sweep(
             if folder:
                 from gearlash.cli.files import write_sweep
 
-                write_sweep(folder, chosen, found)
-                write_file(answer, folder.file("sweep.json"))
+                write_sweep(folder, chosen, found, answer)
         finally:  # an answer that took long is shown even if it cannot be kept
             if as_json:
                 write_stdout(answer)

@@ -57,7 +57,7 @@ def zones(
     from gearlash.cli.folder import claim_if
     from gearlash.cli.inputs import read_case, read_over, read_start
     from gearlash.cli.interrupt import end_if_nothing, expect_results
-    from gearlash.cli.jsonio import write_file, write_stdout
+    from gearlash.cli.jsonio import write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
 
@@ -100,8 +100,7 @@ def zones(
             if folder:
                 from gearlash.cli.files import write_zones
 
-                write_zones(folder, chosen, found, answer.present)
-                write_file(answer, folder.file("zones.json"))
+                write_zones(folder, chosen, found, answer)
         finally:  # an answer that took long is shown even if it cannot be kept
             if as_json:
                 write_stdout(answer)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Literal
 
 from gearlash import flow
 from gearlash.branches import BifurcationPoint, End, GrazingPoint, Met, Outcome, walk
-from gearlash.cli.answers.graze import Passed, Path
+from gearlash.cli.answers.graze import INTERRUPTED, Passed, Path
+from gearlash.jobs.stop import interruptible
 from gearlash.orbits import Orbit, Settings, shoot
 from gearlash.results import Point
 from gearlash.system import Family
@@ -28,27 +29,53 @@ def follow(
     tell: Callable[[int, int], object] | None = None,
 ) -> tuple[Path, GrazingPoint | None]:
     """Follows the periodic motion ``start`` in one parameter until a contact is born or dies in a touch.
-    ``tell`` hears how much of the way is done, out of how much."""
-    to = _last(family, name, start.value, direction)
+    ``tell`` hears how much of the way is done, out of how much. Ctrl-C ends it with what it has."""
+    to, reached = _last(family, name, start.value, direction), start.value
     way, passed = abs(to - start.value), []
+    found: Met | None = None
 
     def told(value: float) -> None:
+        nonlocal reached
+        reached = value
         if tell is not None:
             tell(round(PARTS * abs(value - start.value) / way), PARTS)
 
+    beyond = ""
+    try:
+        with interruptible():
+            for step in _steps(family, values, name, start, to, told, settings):
+                if isinstance(step, End):
+                    ended, decided = _ended(step, family, name)
+                    return Path(direction, step.last.value, ended, decided, "", tuple(passed)), None
+                if isinstance(step.point, GrazingPoint):
+                    found = step
+                    beyond = _beyond(family, values, name, step, direction)
+                    break
+                passed.append(_passed(step.point, step, direction))
+    except KeyboardInterrupt:
+        if found is None:
+            return Path(direction, reached, INTERRUPTED, False, "", tuple(passed)), None
+        beyond = INTERRUPTED
+    assert found is not None  # a walk ends with an End
+    assert isinstance(found.point, GrazingPoint)
+    ended = f"grazing at {found.value:.10g}"
+    return Path(direction, found.value, ended, True, beyond, tuple(passed)), found.point
+
+
+def _steps(
+    family: Family,
+    values: Mapping[str, float],
+    name: str,
+    start: Point,
+    to: float,
+    told: Callable[[float], object],
+    settings: Settings,
+) -> Iterator[Met | End]:
+    """The walk from a point of a study."""
     props = flow.propagators(family.system(values))
     shot = shoot(props, start.state, len(start.strobes))
     orbit = Orbit(props, shot, 0, shot.status, "")
-    for step in walk(family, values, name, orbit, to, told, settings.max_period):
-        if isinstance(step, End):
-            ended, decided = _ended(step, family, name)
-            return Path(direction, step.last.value, ended, decided, "", tuple(passed)), None
-        if isinstance(step.point, GrazingPoint):
-            beyond = _beyond(family, values, name, step, direction)
-            ended = f"grazing at {step.value:.10g}"
-            return Path(direction, step.value, ended, True, beyond, tuple(passed)), step.point
-        passed.append(_passed(step.point, step, direction))
-    raise AssertionError("a walk ends with an End")
+    yield from walk(family, values, name, orbit, to, told, settings.max_period)
 
 
 def _last(family: Family, name: str, value: float, direction: str) -> float:
