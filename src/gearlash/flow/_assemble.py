@@ -62,17 +62,18 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, watched):
 
 
 @kernel(
-    void(SHAPE, MUTABLE, int64, MUTABLE, CUBE, ArrayOf(float64, 4), INTS, INTS, boolean),
+    void(SHAPE, MUTABLE, int64, MUTABLE, CUBE, ArrayOf(float64, 4), INTS, INTS, boolean, int64, int64),
     allocates=True,
 )
-def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, all_columns):
+def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, all_columns, first, until):
     """Sums unit responses to the constant columns of the slot at ``at``, and writes for them (or for all
-    columns) the Bernstein coefficients of what is watched, with their bounds.
+    columns) the Bernstein coefficients of what is watched, with their bounds; for the cells from ``first``
+    on and before ``until``.
 
     amplitudes (u)."""
-    n, count, cells = shape.n, shape.clearances, shape.cells
+    n, count = shape.n, shape.clearances
     watched = np.zeros(3 * TERMS)
-    for cell in range(cells):
+    for cell in range(first, until):
         place = at + shape.step + cell * (1 + n) * shape.rows
         for i in range(shape.rows):
             memory[place + i] = 0.0

@@ -161,10 +161,12 @@ def _times_stiffness(shape: Shape, memory, at, cell, c, side):
 
 @allocating
 def _through_cells(
-    shape: Shape, memory, at, equations, filled, reads, sides, active, units, centres, back, ends, gaps
-):
-    """Carries all columns through every cell, forward or ``back`` (the transposed system in reversed
-    time), and keeps them; returns the bounds of `_remainder.majorant`."""
+    shape: Shape, memory, at, equations, filled, reads, sides, active, units, centres, back, ends, gaps,
+    first, until, last, read,
+):  # fmt: skip
+    """Carries all columns through the cells from ``first`` on and before ``until``, forward or ``back`` (the
+    transposed system in reversed time), and keeps them, with the largest of what the remainder is bounded
+    by (`_recurrence`); returns the bounds of `_remainder.majorant` behind the last cell."""
     n, count = shape.n, shape.clearances
     lanes, rows = _padded(n + len(units)), n + count
     duration, width = memory[shape.scalars + 1], memory[shape.scalars + 2]
@@ -174,8 +176,8 @@ def _through_cells(
         highest = max(highest, (units[u, 2] + 1) // 2)
     one = np.zeros(2 * highest + 1)
     z, new, total = np.zeros(rows * lanes), np.zeros(rows * lanes), np.zeros(n * lanes)
-    x, last, read = np.zeros(count * (ORDER + 1) * lanes), np.zeros(n), np.zeros((count, ORDER + 1))
-    for cell in range(shape.cells):
+    x = np.zeros(count * (ORDER + 1) * lanes)
+    for cell in range(first, until):
         for c in range(count):
             place = shape.eta + ((cell * count + c) * 2 + (0 if sides[c] == 0 else 1)) * TERMS
             for j in range(ORDER + 1):
@@ -195,20 +197,28 @@ def _through_cells(
             _keep_backward(shape, memory, at, cell, lanes, x)
         else:
             _keep_forward(shape, memory, at, cell, lanes, total, x, ends, gaps)
+    if until < shape.cells:
+        return 0.0, 0.0
     bounds = eta_bounds(shape, memory, active, sides, width)
     return majorant(equations, reads, last, read, bounds, duration, highest * width)
 
 
 @kernel(
     Several(float64, 2)(
-        SHAPE, MUTABLE, int64, MATRIX, MATRIX, MATRIX, MATRIX, INTS, TABLE, CUBE, ArrayOf(float64, 4)
+        SHAPE, MUTABLE, int64, MATRIX, MATRIX, MATRIX, MATRIX, INTS, TABLE, CUBE, ArrayOf(float64, 4),
+        int64, int64, MATRIX, CUBE,
     ),
     allocates=True,
-)
-def respond(shape: Shape, memory, at, matrix, readers, actors, centres, sides, units, ends, gaps):
-    """Fills the columns of unit starts of `step`, `gap` and `pull` in the slot at ``at``, and the unit
-    responses ends (cells, u, n), gaps (cells, clearances, u, TERMS); returns the Taylor remainders of a unit
-    column (of its states; with every term times its order), or infinity.
+)  # fmt: skip
+def respond(
+    shape: Shape, memory, at, matrix, readers, actors, centres, sides, units, ends, gaps, first, until,
+    last, read,
+):  # fmt: skip
+    """Fills, for the cells from ``first`` on and before ``until``, the columns of unit starts of `step`,
+    `gap` and `pull` in the slot at ``at``, and the unit responses ends (cells, u, n), gaps (cells,
+    clearances, u, TERMS). With the last cell it returns the Taylor remainders of a unit column (of its
+    states; with every term times its order), or infinity; before, zeros. last (2, n) and read (2, clearances,
+    ORDER+1), zeros at first, carry what they are bounded by from call to call, forward and backward.
 
     matrix (n, n) with its damping; readers, actors, centres (clearances, n): h, g, c with h_j·c_k = 1 for
     j = k, else 0; sides (clearances): `PLUS`, `FREE` or `MINUS`; units (u, 3): kind, clearance or state, slot
@@ -220,13 +230,15 @@ def respond(shape: Shape, memory, at, matrix, readers, actors, centres, sides, u
         active[c] = 0 if sides[c] == FREE else 1
     _equations(n, count, matrix, readers, actors, False, equations, filled, reads)
     value, derived = _through_cells(
-        shape, memory, at, equations, filled, reads, sides, active, units, centres, False, ends, gaps
-    )
+        shape, memory, at, equations, filled, reads, sides, active, units, centres, False, ends, gaps,
+        first, until, last[0], read[0],
+    )  # fmt: skip
     _equations(n, count, matrix, readers, actors, True, equations, filled, reads)
     none = np.zeros((0, 3), np.int64)
     back, _ = _through_cells(
-        shape, memory, at, equations, filled, reads, sides, active, none, centres, True, ends, gaps
-    )
+        shape, memory, at, equations, filled, reads, sides, active, none, centres, True, ends, gaps,
+        first, until, last[1], read[1],
+    )  # fmt: skip
     return max(value, back), derived
 
 

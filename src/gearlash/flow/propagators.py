@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import ceil, exp, factorial, hypot, pi
@@ -47,6 +48,7 @@ from .regions import (
 TRUNCATION = 1e-15  # bound on the Taylor remainder of every unit column of every cell map
 LATER = 1e-14  # the same for regions that are met only later, on the grid of the first ones
 MOST_CELLS = 200_000
+ONE_CALL = 4_000_000  # numbers of tables that one call writes: a tenth of a second
 MOST_BYTES = 3_000_000_000  # of the tables of one region
 RULES = {ContactRule.ALWAYS: ALWAYS, ContactRule.IN_CONTACT: IN_CONTACT, ContactRule.NO_TENSION: NO_TENSION}
 
@@ -190,13 +192,13 @@ def _with_regions(props: Propagators, codes: list[int], bound: float) -> Tables 
     system, shape, old = props.system, props.shape, props.tables
     at = len(old.memory)
     (memory,) = aligned(at + len(codes) * shape.slot)
-    memory[:at] = old.memory
+    _copy(old.memory, memory[:at])
     slot_of = old.slot_of.copy()
     for code in codes:
         like = twin(system, code)
         if like != code and slot_of[like] >= 0:
             place = shape.slots + int(slot_of[like]) * shape.slot
-            memory[at : at + shape.slot] = memory[place : place + shape.slot]
+            _copy(memory[place : place + shape.slot], memory[at : at + shape.slot])
             props.responses[code] = props.responses[like]
         else:
             responses = _responses(props, memory, at, sides_of(code, shape.clearances))
@@ -219,10 +221,13 @@ def _responses(props: Propagators, memory: Array, at: int, sides: Sides) -> tupl
     matrix = matrix_of(system, sides).copy()
     readers = np.array([c.h for c in system.clearances], dtype=np.float64)
     actors = np.array([c.g for c in system.clearances], dtype=np.float64)
-    value, derived = respond(
-        shape, memory, at, matrix, readers, actors, props.centres, np.array(sides, dtype=np.int64),
-        props.units, ends, gaps,
-    )  # fmt: skip
+    last, read = np.zeros((2, shape.n)), np.zeros((2, shape.clearances, ORDER + 1))
+    value = derived = 0.0
+    for first, until in _calls(shape):
+        value, derived = respond(
+            shape, memory, at, matrix, readers, actors, props.centres, np.array(sides, dtype=np.int64),
+            props.units, ends, gaps, first, until, last, read,
+        )  # fmt: skip
     _write_region(system, shape, memory, at, matrix)
     return ends, gaps, value, derived
 
@@ -231,7 +236,7 @@ def _with_amplitudes(system: System, reuse: Propagators) -> Propagators:
     """The same homogeneous tables under other loads, errors and gaps."""
     tables, shape = reuse.tables, reuse.shape
     (memory,) = aligned(len(tables.memory))
-    memory[:] = tables.memory
+    _copy(tables.memory, memory)
     _write_system(system, shape, memory)
     found = Propagators(
         system,
@@ -284,11 +289,24 @@ def _assemble(
         memory[at + shape.tail + 4 * c : at + shape.tail + 4 * c + 4] = (
             size * tail, size * tail * total + own, size * derived, size * derived * total + own_derived,
         )  # fmt: skip
-    assemble(
-        shape, memory, at, amplitudes, ends, gaps, np.array(sides, dtype=np.int64), props.rules,
-        everything,
-    )  # fmt: skip
+    for first, until in _calls(shape):
+        assemble(
+            shape, memory, at, amplitudes, ends, gaps, np.array(sides, dtype=np.int64), props.rules,
+            everything, first, until,
+        )  # fmt: skip
     laps(shape, memory, at, np.array(sides, dtype=np.int64))
+
+
+def _calls(shape: Shape) -> Iterator[tuple[int, int]]:
+    """The cells in pieces for one call of a kernel each: first, and first of the next."""
+    piece = max(1, ONE_CALL * shape.cells // shape.slot)
+    return ((i, min(i + piece, shape.cells)) for i in range(0, shape.cells, piece))
+
+
+def _copy(old: Array, new: Array) -> None:
+    """In pieces: gigabytes in new memory take seconds, in which Ctrl-C would not be answered."""
+    for i in range(0, len(old), ONE_CALL):
+        new[i : i + ONE_CALL] = old[i : i + ONE_CALL]
 
 
 def left_out(series: Array, width: float) -> tuple[float, float]:
