@@ -9,8 +9,12 @@ from __future__ import annotations
 from .terminal import tell
 
 
-def load_engine() -> None:
-    """Imports the engine and loads its kernels, or compiles them and says so."""
+def load_engine(data: bool = False) -> None:
+    """Imports the engine and loads its kernels, or compiles them and says so. ``data``: also what writes
+    datasets, as who has stopped a study waits for them to be written."""
+    if data:
+        import h5netcdf  # noqa: F401
+        import xarray  # noqa: F401
     from gearlash import flow  # noqa: F401  (declares the kernels)
     from gearlash._kernel import compile_all, load_all
 

@@ -43,7 +43,9 @@ def coexisting(sweeps: Sequence[Sweep]) -> NDArray[np.bool_]:
     """(m,): at which values of the common axis the sweeps found different attractors."""
     if len({len(sweep.points) for sweep in sweeps}) > 1:
         raise GearlashError("sweeps of one axis: these have different numbers of points")
-    rows = zip(*(sweep.points for sweep in sweeps), strict=True)
-    return np.array(
-        [any(not _same(a, b) for i, a in enumerate(row) for b in row[:i]) for row in rows], dtype=bool
-    )
+    computed = np.array([[point.computed for point in sweep.points] for sweep in sweeps], dtype=bool)
+    found = np.zeros(computed.shape[1], dtype=bool)
+    for at in np.flatnonzero(computed.sum(axis=0) > 1).tolist():
+        row = [sweep.points[at] for sweep in sweeps]
+        found[at] = any(not _same(a, b) for i, a in enumerate(row) for b in row[:i])
+    return found

@@ -129,6 +129,7 @@ def not_computed(values: Iterable[float], reason: str) -> Iterator[Point]:
     and whoever stopped a study waits for them."""
     pattern = blank(0.0, NOT_COMPUTED, reason)
     for value in values:
-        point = object.__new__(Point)
-        point.__dict__.update(pattern.__dict__, value=float(value))
+        point, parts = object.__new__(Point), pattern.__dict__.copy()
+        parts["value"] = float(value)
+        object.__setattr__(point, "__dict__", parts)
         yield point

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from gearlash.jobs import Cancel, Chain, Inline, Outcome, ProgressCallback, run
 from gearlash.orbits import Settings
-from gearlash.results import Axis, Direction, Sweep, not_computed
+from gearlash.results import Axis, Direction, Point, Sweep, not_computed
 from gearlash.system import given
 
 from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
@@ -83,7 +83,8 @@ def sweeps(
     form = Segment(source, tuple(fixed.items()), axis.name, checked_settings(settings), False, ())
     chains = [chain for way in ways for chain in _chains(way, axis, size, form, begin)]
     outcome = run(work, chains, executor, progress=progress, cancel=cancel)
-    return tuple(_gathered(way, axis, fixed, outcome) for way in ways)
+    blanks: dict[float, Point] = {}
+    return tuple(_gathered(way, axis, fixed, outcome, blanks) for way in ways)
 
 
 def _directions(directions: Sequence[Direction | str]) -> list[Direction]:
@@ -115,14 +116,19 @@ def _chains(way: Direction, axis: Axis, size: int, form: Segment, begin: np.ndar
     ]
 
 
-def _gathered(way: Direction, axis: Axis, fixed: dict[str, float], outcome: Outcome) -> Sweep:
-    """The points of one direction in the order of the axis, blanks where there are none."""
-    found = {}
+def _gathered(
+    way: Direction, axis: Axis, fixed: dict[str, float], outcome: Outcome, blanks: dict[float, Point]
+) -> Sweep:
+    """The points of one direction in the order of the axis, blanks where there are none: the same for all
+    directions."""
+    found: dict[float, Point] = {}
     for name, points in outcome.results.items():
         if name == way or (isinstance(name, tuple) and name[0] == way):
             found |= {point.value: point for point in points}
     reason = outcome.reason or "stopped"
     complete = len(found) == len(axis)
-    found |= {p.value: p for p in not_computed((v for v in axis.values.tolist() if v not in found), reason)}
-    points = tuple(found[value] for value in axis.values.tolist())
+    values = axis.values.tolist()
+    new = (value for value in values if value not in found and value not in blanks)
+    blanks |= {point.value: point for point in not_computed(new, reason)}
+    points = tuple(found[value] if value in found else blanks[value] for value in values)
     return Sweep(axis, way, points, complete, "" if complete else reason, fixed)

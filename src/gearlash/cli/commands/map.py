@@ -56,7 +56,7 @@ def map(
     family, _ = chosen.family()
     start = read_start(family, family.complete(), initial) if initial else None
     folder = claim_if(out, ["map.nc", "map.json", "map.svg", "map.pdf"])
-    load_engine()
+    load_engine(data=folder is not None)
     expect_results()
 
     from gearlash.cli.answers.map import map_answer

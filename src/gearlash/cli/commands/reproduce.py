@@ -67,7 +67,7 @@ def reproduce(
     check_pair(chosen)
     sweeps = [f"sweep-{name}{ending}" for name in ("omega", "D") for ending in (".nc", ".json")]
     folder = claim(out, ["report.html", "report.json", "figures", "reproduce.json", *sweeps])
-    load_engine()
+    load_engine(data=True)
 
     from gearlash import report
     from gearlash.cli.answers.reproduce import reproduce_answer

@@ -58,7 +58,7 @@ def sweep(
         "down",
     ]
     folder = claim_if(out, ["sweep.nc", "sweep.json", "sweep.svg", "sweep.pdf"])
-    load_engine()
+    load_engine(data=folder is not None)
     expect_results()
 
     from gearlash.cli.answers.sweep import sweep_answer

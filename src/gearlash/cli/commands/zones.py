@@ -66,7 +66,7 @@ def zones(
     family, _ = chosen.family()
     start = list(read_start(family, family.complete(), initial).values()) if initial else None
     folder = claim_if(out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf"])
-    load_engine()
+    load_engine(data=folder is not None)
     expect_results()
 
     from gearlash.cli.answers.zones import zones_answer
