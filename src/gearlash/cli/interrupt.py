@@ -56,7 +56,7 @@ class _State:
     def __init__(self) -> None:
         self.number = 0  # of the first signal; 0: none came
         self.heard = 0.0  # when that was
-        self.broken_off = False
+        self.met: _Phase | None = None  # what the main thread was at when it came to its handler
         self.phase = _Phase.NOTHING
         self.moved = 0.0  # when the phase began, or a part of what is shown was taken
 
@@ -185,10 +185,10 @@ def _answered() -> list[int]:
 
 
 def _break_off(number: int, _frame: FrameType | None) -> None:
-    """In the main thread, once: the other one may hear of the signal a little later."""
-    if _state.broken_off:
+    """In the main thread, once: the other one may hear of the signal a little earlier or later."""
+    if _state.met is not None:
         return
-    _state.broken_off, _state.number = True, _state.number or number
+    _state.met, _state.number = _state.phase, _state.number or number
     if _state.phase is _Phase.OPTIONAL:
         raise KeyboardInterrupt
     if _state.phase is _Phase.STUDY:
@@ -235,9 +235,10 @@ def _hear(number: int) -> None:
             _end(number)
         return
     _state.number, _state.heard = _state.number or number, now
-    if _state.phase is _Phase.NOTHING:
+    phase = _state.met or _state.phase
+    if phase is _Phase.NOTHING:
         _end(number)
-    if _state.phase is not _Phase.SHOWING:
+    if phase is not _Phase.SHOWING:
         _say(KEPT)
 
 
