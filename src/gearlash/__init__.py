@@ -11,10 +11,11 @@ Everything of `__all__` is imported when it is first used: importing the package
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+TYPE_CHECKING = False  # not that of `typing`, which loads for longer than it takes to press Ctrl-C
 
 if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
+    import typing
+
     from .branches import (
         BifurcationPoint as BifurcationPoint,
     )
@@ -212,11 +213,13 @@ __all__ = ["__version__", *sorted(_WHERE)]  # pyright: ignore[reportUnsupportedD
 __version__: str
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> typing.Any:
     if name == "__version__":
         return _version()
     if name not in _WHERE:
         raise AttributeError(f"module 'gearlash' has no attribute {name!r}")
+    from importlib import import_module
+
     room, own = _WHERE[name]
     value = getattr(import_module(room), own)
     globals()[name] = value

@@ -2,55 +2,44 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import os
 import random
-import re
 import signal
 import subprocess
 import sys
 import time
-from dataclasses import dataclass
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
 import gearlash as gl
+from cli.signalled import (
+    CODES,
+    COMMANDS,
+    KEEPS,
+    MARK,
+    PATIENCE,
+    PROGRAM,
+    Ended,
+    Sent,
+    any_signal,
+    check,
+    signalled,
+    still_running,
+)
 
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="processes are looked for in /proc"),
 ]
 
-ANSWERED = 8.0  # s, on a machine that does other things too; a quiet one takes less than 2
-MARK = "GEARLASH_TEST_MARK"
-OVER = "omega=0.5:1.4:20001"
-COMMANDS = {
-    "run": ("run", "article"),
-    "run-long": ("run", "article", "--set", "omega=0.003"),
-    "check": ("check", "article"),
-    "sweep": ("sweep", "kahraman-singh", "--over", OVER),
-    "map": ("map", "kahraman-singh", "--over", "omega=0.5:1.4:200", "--over", "D=0.2:1.2:100"),
-    "graze": ("graze", "article"),
-    "zones": ("zones", "kahraman-singh", "--over", "omega=0.5:1.4:3001"),
-    "reproduce": ("reproduce", "--points", "1001"),
-    "bench": ("bench", "--quick"),
-    "schema": ("schema",),
-}
-PARALLEL = ("sweep", "map", "zones", "reproduce")
-CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129, signal.SIGKILL: -9}
-
-
-@dataclass
-class Ended:
-    """A command that got a signal: its code, how long the end took, what it said, and where its files are."""
-
-    code: int
-    seconds: float
-    said: str
-    out: Path
-    left: list[str]
-    finished: bool
+SIGNALS = 52  # a seed
+AT_ONCE = max(2, os.cpu_count() or 1)
+LATER = (1.5, 4.0, 10.0, 25.0)  # s: a busy machine takes long to begin
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -60,130 +49,167 @@ def _warm() -> None:
     subprocess.run([sys.executable, "-c", program], check=True, capture_output=True)
 
 
-def _left(mark: str) -> list[str]:
-    """Command lines of processes that carry the mark."""
-    found = []
-    for process in Path("/proc").glob("[0-9]*"):
-        try:
-            if f"{MARK}={mark}".encode() in (process / "environ").read_bytes():
-                found.append((process / "cmdline").read_bytes().replace(b"\0", b" ").decode()[:200])
-        except OSError:
-            continue
-    return found
-
-
-def _signalled(
-    name: str,
-    number: int,
-    delay: float,
-    out: Path,
-    workers: int = 0,
-    again: bool = False,
-    cache: Path | None = None,
-) -> Ended:
-    mark = f"{os.getpid()}-{out.name}"
-    arguments = [*COMMANDS[name]]
-    if name not in ("check", "schema"):
-        arguments += ["--out", str(out)]
-    if workers and name in PARALLEL:
-        arguments += ["--workers", str(workers)]
-    env = {**os.environ, MARK: mark}
-    if cache is not None:
-        env["GEARLASH_CACHE_DIR"] = str(cache)
-    process = subprocess.Popen(
-        [sys.executable, "-c", "from gearlash.cli import main; main()", *arguments],
-        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=env, text=True,
-        start_new_session=True,
-    )  # fmt: skip
-    time.sleep(delay)
-    finished = process.poll() is not None
-    began = time.monotonic()
-    process.send_signal(number)
-    if again:
-        time.sleep(0.4)
-        process.send_signal(number)
-    said, _ = process.communicate(timeout=60)  # the pipe ends, or this fails: nobody else holds it
-    seconds = time.monotonic() - began
-    deadline = time.monotonic() + ANSWERED
-    while (left := _left(mark)) and time.monotonic() < deadline:
-        time.sleep(0.1)
-    return Ended(process.returncode, seconds, said, out, left, finished)
-
-
-def _check(name: str, number: int, ended: Ended, again: bool) -> None:
-    told = f"{name}: code {ended.code} after {ended.seconds:.1f} s: {ended.said[-300:]}"
-    assert ended.left == [], told
-    assert ended.seconds < ANSWERED, told
-    assert "Traceback" not in ended.said, told
-    if not ended.finished:
-        # before Python reads the first line of gearlash, the signal does what it does to any process
-        assert ended.code in (CODES[signal.Signals(number)], -number, 0, 3), told
-    if not ended.out.exists():
-        return
-    assert not list(ended.out.glob("*.part")) or number == signal.SIGKILL, told
-    names = {path.name for path in ended.out.iterdir()}
-    for path in ended.out.glob("*.json"):
-        json.loads(path.read_text(encoding="utf-8"))
-    for path in ended.out.glob("*.nc"):
-        gl.load_dataset(path)
-    if not again and number != signal.SIGKILL:
-        pairs = {stem: {f"{stem}.nc" in names, f"{stem}.json" in names} for stem in ("sweep", "map", "zones")}
-        assert all(len(both) == 1 for both in pairs.values()), (told, names)
-
-
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", [0, 1])
 def test_a_hundred_signals(tmp_path: Path, seed: int):
-    """Over all commands, at any moment from the first import on."""
+    """Over all commands, at any moment from the first import on; those that had ended before do not count."""
     rng = random.Random(seed)
-    for turn in range(26):
-        name = list(COMMANDS)[(turn + 3 * seed) % len(COMMANDS)]
-        number = rng.choice(
-            [signal.SIGINT, signal.SIGTERM, signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL]
-        )
-        again = number in (signal.SIGINT, signal.SIGTERM) and rng.random() < 0.25
-        delay = rng.uniform(0.02, 2.5)
-        ended = _signalled(name, number, delay, tmp_path / f"{name}-{turn}", rng.choice([1, 2]), again)
-        _check(name, number, ended, again)
+    names = itertools.cycle(sorted(COMMANDS, key=lambda _: rng.random()))
+    ended: list[Ended] = []
+    with ThreadPoolExecutor(AT_ONCE) as threads:
+        while (missing := SIGNALS - len(ended)) > 0:
+            sent = [any_signal(rng, next(names)) for _ in range(missing)]
+            places = [tmp_path / f"{one.name}-{len(ended)}-{i}" for i, one in enumerate(sent)]
+            ended += [each for each in threads.map(signalled, sent, places) if not each.finished]
+    for each in ended:
+        check(each)
+    lost = [(each.lost, each.told) for each in ended if each.lost]
+    left = [(each.left, each.told) for each in ended if each.left]
+    assert (len(lost), len(left)) == (0, 0), [*lost, *left]
+    assert {each.sent.name for each in ended} == set(COMMANDS)
 
 
-@pytest.mark.parametrize("workers", [1, 2])
+def _kept(name: str, number: int, workers: int, folder: Path) -> Iterator[Ended]:
+    """The command, stopped later and later until it has something to keep."""
+    for delay in LATER:
+        ended = signalled(Sent(name, number, delay, workers), folder / f"after {delay} s")
+        check(ended)
+        assert (ended.lost, ended.left, ended.finished) == ([], [], False), ended.told
+        if KEEPS in ended.said:
+            yield ended
+
+
+@pytest.mark.parametrize(("number", "workers"), [(signal.SIGINT, 1), (signal.SIGTERM, 2)])
 @pytest.mark.parametrize("name", ["sweep", "map", "zones", "reproduce"])
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
 def test_what_was_computed_is_kept(tmp_path: Path, name: str, workers: int, number: int):
     stem = {"reproduce": "sweep-omega"}.get(name, name)
-    for delay in (2.5, 8.0, 25.0):  # a busy machine takes long to begin
-        out = tmp_path / f"after {delay} s"
-        ended = _signalled(name, number, delay, out, workers)
-        _check(name, number, ended, again=False)
-        assert not ended.finished
-        if not (out / f"{stem}.nc").exists():
+    for ended in _kept(name, number, workers, tmp_path):
+        if not (ended.out / f"{stem}.nc").exists():
             continue
         assert ended.code == CODES[signal.Signals(number)]
-        dataset = gl.load_dataset(out / f"{stem}.nc")
-        assert dataset.attrs["complete"] == 0
+        dataset = gl.load_dataset(ended.out / f"{stem}.nc")
+        answer = json.loads((ended.out / f"{stem}.json").read_text(encoding="utf-8"))
+        assert (dataset.attrs["complete"], answer["status"]) == (0, "incomplete")
         if (dataset["status"].values != dataset["status"].values.ravel()[-1]).any():
-            break
-    else:
-        pytest.fail(f"{name} kept nothing in 25 s")
-    answer = json.loads((ended.out / f"{stem}.json").read_text(encoding="utf-8"))
-    assert answer["status"] == "incomplete"
+            return
+    pytest.fail(f"{name} kept nothing")
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
 def test_while_kernels_are_compiled(tmp_path: Path, number: int):
-    ended = _signalled("run", number, 3.0, tmp_path / "out", cache=tmp_path / "cache")
-    _check("run", number, ended, again=False)
+    ended = signalled(Sent("run", number, 2.5), tmp_path / "out", cache=tmp_path / "cache")
+    check(ended)
+    assert (ended.lost, ended.left) == ([], [])
     assert ended.code in (CODES[signal.Signals(number)], -number)
 
 
 def test_a_signal_to_the_whole_group_counts_once(tmp_path: Path):
     """As `timeout` sends it: to the process, and to its group at once."""
     process = subprocess.Popen(
-        ["timeout", "-s", "TERM", "6", sys.executable, "-c", "from gearlash.cli import main; main()",
-         *COMMANDS["sweep"], "--out", str(tmp_path / "out")],
+        ["timeout", "-s", "TERM", "6", sys.executable, "-c", PROGRAM,
+         *COMMANDS["sweep"], "--workers", "1", "--out", str(tmp_path / "out")],
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
     )  # fmt: skip
     said, _ = process.communicate(timeout=60)
     assert process.returncode == 124, said
-    assert re.search("keeping what was computed", said)
+    assert KEEPS in said
     assert gl.load_dataset(tmp_path / "out" / "sweep.nc").attrs["complete"] == 0
+
+
+def test_nobody_reads_what_is_shown(tmp_path: Path):
+    """The pipe is full: files are there, and the command ends all the same."""
+    out = tmp_path / "out"
+    process = subprocess.Popen(
+        [sys.executable, "-c", PROGRAM, *COMMANDS["sweep"], "--json", "--workers", "1", "--out", str(out)],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    )  # fmt: skip
+    with process:
+        time.sleep(6.0)
+        process.send_signal(signal.SIGINT)
+        assert process.wait(PATIENCE) == 130
+    assert (out / "sweep.json").stat().st_size > 70_000  # more than a pipe holds
+    assert gl.load_dataset(out / "sweep.nc").attrs["complete"] == 0
+
+
+def _workers_of(pid: int) -> list[int]:
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            parent = int((process / "stat").read_text().rpartition(")")[2].split()[1])
+            if parent == pid and b"gearlash.jobs.worker" in (process / "cmdline").read_bytes():
+                found.append(int(process.name))
+        except OSError:
+            continue
+    return found
+
+
+@pytest.mark.parametrize("name", ["sweep", "reproduce"])
+def test_a_killed_worker_is_no_ctrl_c(tmp_path: Path, name: str):
+    """One that is killed while it starts is done without, so there is another one killed after it."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", PROGRAM, *COMMANDS[name], "--workers", "2", "--out", str(tmp_path / "out")],
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+    )  # fmt: skip
+    until = time.monotonic() + 60.0
+    while process.poll() is None and time.monotonic() < until:
+        time.sleep(2.0)
+        for worker in _workers_of(process.pid)[:1]:
+            os.kill(worker, signal.SIGKILL)
+    said, _ = process.communicate(timeout=1.0)
+    assert process.returncode == 5, said
+    assert "Traceback" not in said
+    stem = {"reproduce": "sweep-omega"}.get(name, name)
+    if (tmp_path / "out" / f"{stem}.nc").exists():  # else nothing was computed yet
+        answer = json.loads((tmp_path / "out" / f"{stem}.json").read_text(encoding="utf-8"))
+        assert answer["status"] == "incomplete"
+        assert "died" in answer["sweeps"][0]["message"] + answer["sweeps"][1]["message"]
+
+
+def test_what_is_timed_ends_with_who_times_it(tmp_path: Path):
+    program = "from gearlash.bench.startup import _process; _process('import time; time.sleep(60)')"
+    mark = f"{os.getpid()}-timed"
+    process = subprocess.Popen([sys.executable, "-c", program], env={**os.environ, MARK: mark})
+    until = time.monotonic() + 30.0
+    while len(_children(process.pid)) < 1 and time.monotonic() < until:
+        time.sleep(0.1)
+    assert _children(process.pid)
+    process.kill()
+    process.wait()
+    assert still_running(mark) == []
+
+
+def _children(pid: int) -> list[str]:
+    return (Path("/proc") / str(pid) / "task" / str(pid) / "children").read_text().split()
+
+
+STUDY = """
+import gearlash as gl
+case = gl.load_case("kahraman-singh")
+told = []
+
+def tell(progress):
+    if not told and progress.done > 20:
+        told.append(print("begun", flush=True))
+
+with gl.open_workers(case, {workers}) as executor:
+    found = gl.zones(case, gl.Axis.even("omega", [0.5, 1.4], 2001), executor=executor, progress=tell)
+computed = sum(sweep.computed for sweep in found.sweeps)
+print(found.complete, found.message, 20 < computed < 6003)
+"""
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+@pytest.mark.parametrize("way", ["script without a guard", "standard input"])
+def test_ctrl_c_in_a_script(tmp_path: Path, way: str, workers: int):
+    """To every process of the group, as a terminal sends it: the study ends with what it has."""
+    script = tmp_path / "study.py"
+    script.write_text(STUDY.format(workers=workers), encoding="utf-8")
+    with script.open() as source:
+        process = subprocess.Popen(
+            [sys.executable, "-" if way == "standard input" else str(script)], stdin=source,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
+        )  # fmt: skip
+    assert process.stdout is not None
+    assert process.stdout.readline() == "begun\n"
+    os.killpg(process.pid, signal.SIGINT)
+    said, _ = process.communicate(timeout=PATIENCE)
+    assert (process.returncode, said) == (0, "False interrupted True\n")

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 def main() -> None:
     """Runs the command line of this process. Nothing is imported from the folder it is called in."""
+    _end_without_words()
+
     from gearlash import current_folder
 
     current_folder.leave_out()
@@ -33,3 +35,12 @@ def main() -> None:
         if isinstance(ended.__context__, BrokenPipeError):  # its reader has seen enough, too
             raise SystemExit(int(ExitCode.OK)) from None
         raise
+
+
+def _end_without_words() -> None:
+    """Until signals are answered, Ctrl-C ends this process as if it were no Python: without a traceback. By
+    the part of `signal` that belongs to Python itself, and loads nothing."""
+    import _signal  # pyright: ignore[reportMissingImports]
+
+    if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
+        _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
