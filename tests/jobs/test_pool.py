@@ -8,10 +8,12 @@ import subprocess
 import sys
 import threading
 import time
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
+import gearlash as gl
 from gearlash.jobs import Chain, NoWorkersError, Pool, open_executor, run
 from jobs.tasks import (
     broken_beginning,
@@ -276,3 +278,27 @@ def test_a_stop_is_taken_back_before_new_work():
         run(slow, [chain(i, tuple(range(100))) for i in range(3)], executor, cancel=cancel,
             progress=lambda p: cancel.set())  # fmt: skip
         assert run(slow, [chain("a", (1, 2, 3))], executor).results == {"a": (1, 2, 3)}
+
+
+def test_executors_of_others_are_refused_in_words():
+    """A family that does not pickle for processes of the standard library; executors that were shut down."""
+    family = gl.Family((gl.Parameter("omega", 0.8),), ("x", "v"), lambda p: None, lambda p: None)  # pyright: ignore[reportArgumentType]
+    axis = gl.Axis("omega", [0.8])
+    with ProcessPoolExecutor(1) as executor, pytest.raises(gl.GearlashError, match="cannot be sent"):
+        gl.sweep(family, axis, executor=executor)
+    ended: tuple[Executor, ...] = (ThreadPoolExecutor(1), Pool(2))
+    for executor in ended:
+        executor.shutdown()
+        with pytest.raises(NoWorkersError, match="open another one"):
+            gl.sweep(gl.load_case("kahraman-singh"), axis, executor=executor)
+
+
+def test_workers_take_warnings_as_their_parent_does():
+    script = (
+        "import warnings, sys\nfrom gearlash.jobs import open_executor\n"
+        "with open_executor(2) as workers:\n"
+        "    print(workers.submit(eval, '__debug__').result())\n"
+        "    print(workers.submit(warnings.warn, 'w').exception())"
+    )
+    ran = python("-O", "-W", "error::UserWarning", "-c", script)
+    assert (ran.stdout, ran.stderr) == ("False\nw\n", "")

@@ -265,6 +265,36 @@ def test_a_build_that_fails_for_one_value_fails_that_point():
     assert "omega = 1" in found.points[1].message
 
 
+class WordlessError(Exception):
+    """An error whose text fails."""
+
+    def __str__(self) -> str:
+        raise ValueError("no text")
+
+
+@pytest.mark.parametrize(
+    ("error", "told"),
+    [
+        (MemoryError("too much"), "MemoryError: too much"),
+        (SystemExit(3), "SystemExit: 3"),
+        (ValueError("two\nlines"), "ValueError: two lines"),
+        (WordlessError(), "WordlessError: its text cannot be had"),
+    ],
+)
+def test_whatever_a_build_raises_fails_its_point(error: BaseException, told: str):
+    def build(p):
+        if p["omega"] == 1.0:
+            raise error
+        return system(omega=p["omega"])
+
+    own = family(build=build, parameters=(gl.Parameter("omega", 0.8), gl.Parameter("f", 0.1)))
+    plane = gl.map_plane(own, gl.Axis("omega", [0.5, 1.0]), gl.Axis("f", [0.1]))
+    found = gl.sweep(own, gl.Axis("omega", [0.5, 1.0, 1.5]))
+    assert [point.status == "failed" for point in found.points] == [False, True, False]
+    assert found.points[1].message.endswith(told)
+    assert plane.statuses == {"ok": 1, "failed": 1}
+
+
 def test_cosines_refuse_in_words():
     with pytest.raises(GearlashError, match="2 amplitudes but 1 phases"):
         gl.cosines(1.0, [0.1, 0.2], [0.0])

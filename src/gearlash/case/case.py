@@ -151,6 +151,10 @@ class Case(Record):
         text = json.dumps(content, separators=(",", ":"), sort_keys=True)
         return hashlib.sha256(text.encode()).hexdigest()
 
+    def __hash__(self) -> int:
+        """Equal cases have equal ones, so that a case may be a key."""
+        return hash(self.hash)
+
     def to_json(self) -> str:
         """The case as JSON text for another process; `from_json` gives an equal case with an identical
         family."""

@@ -14,7 +14,7 @@ import numpy as np
 from .errors import nearest_name, shown
 from .quantity import Choice, Quantity
 from .texts import refused
-from .units import NUMBER, SPEED, UnitError, in_si, read, takes
+from .units import FREQUENCY, NUMBER, SPEED, UnitError, in_si, read, takes
 
 
 class Provenance(StrEnum):
@@ -141,7 +141,8 @@ def _from_text(raw: str, place: Quantity) -> float:
     if place.bare and unit.dimension == NUMBER and unit.ratio == 1:
         return _in_si(number, float(number))
     turns = " (1/s and Hz may mean turns or radians: write rev/s, rad/s or rpm)"
-    raise ValueRefusedError(place.expected + (turns if place.dimension == SPEED else ""))
+    unclear = place.dimension == SPEED and unit.dimension in (FREQUENCY, NUMBER)
+    raise ValueRefusedError(place.expected + (turns if unclear else ""))
 
 
 def _in_si(number: Fraction, value: float) -> float:

@@ -9,7 +9,7 @@ from .executors import Inline, open_executor
 from .pool import NoWorkersError, Pool
 from .progress import Progress, ProgressCallback, seconds_as_text
 from .stop import Cancel, handing_on, stopping
-from .travel import cannot_travel
+from .travel import cannot_pickle, cannot_travel
 
 __all__ = [
     "DIED",
@@ -24,6 +24,7 @@ __all__ = [
     "Pool",
     "Progress",
     "ProgressCallback",
+    "cannot_pickle",
     "cannot_travel",
     "handing_on",
     "open_executor",

@@ -146,7 +146,7 @@ class _Round:
         """Done at once where this process does the work: a signal may end that, and only that."""
         arguments = (_timed, self.work, self.chains[index].tasks[step], carry)
         if not self.inline:
-            self.flying[self.executor.submit(*arguments)] = (index, step)
+            self.flying[self.taken(*arguments)] = (index, step)
             return
         try:
             with interruptible():
@@ -155,6 +155,15 @@ class _Round:
             self.parts[index][step] = error.part.results
             raise
         self.flying[future] = (index, step)
+
+    def taken(self, *arguments: Any) -> Future[Any]:
+        """What the executor makes of a task. Raises `NoWorkersError` if it was shut down before."""
+        try:
+            return self.executor.submit(*arguments)
+        except BrokenExecutor:
+            raise
+        except RuntimeError as error:
+            raise NoWorkersError(f"the executor takes no work ({error}): open another one") from None
 
     def collect(self, future: Future[Any], proceed: bool = True) -> None:
         """Keeps the results of a task; the next of its chain goes ahead of chains not yet begun."""

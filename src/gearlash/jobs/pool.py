@@ -277,15 +277,21 @@ class _Member(threading.Thread):
 
 
 def start() -> subprocess.Popen[bytes]:
-    """A worker process. It finds modules where this one does, but in the current folder last of all."""
+    """A worker process. It finds modules where this one does, but in the current folder last of all, and
+    takes assertions and warnings as this one does."""
     here = [os.getcwd()] if "" in sys.path else []  # noqa: PTH109
     return subprocess.Popen(
-        [sys.executable, children.SAFE, "-c", PROGRAM, *path_without_it(), *here],
+        [sys.executable, children.SAFE, *_manner(), "-c", PROGRAM, *path_without_it(), *here],
         env=children.environment(),
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
     )
+
+
+def _manner() -> list[str]:
+    """Options of Python that change what a user's function does: `-O`, `-W`."""
+    return ["-O"] * sys.flags.optimize + [f"-W{each}" for each in sys.warnoptions]
 
 
 def _hold_back_signals() -> None:

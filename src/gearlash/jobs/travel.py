@@ -17,11 +17,24 @@ GUARD = 'a script that starts workers must do so under `if __name__ == "__main__
 
 def cannot_travel(thing: Any) -> str:
     """Why not; empty if it can."""
-    try:
-        content = pickle.dumps(thing)
-    except (pickle.PicklingError, AttributeError, TypeError) as error:
-        return str(error)
+    content = _pickled(thing)
+    if isinstance(content, str):
+        return content
     return _unknown_main() if b"__main__" in content else ""
+
+
+def cannot_pickle(thing: Any) -> str:
+    """Why it does not; empty if it does."""
+    content = _pickled(thing)
+    return content if isinstance(content, str) else ""
+
+
+def _pickled(thing: Any) -> bytes | str:
+    """As bytes, or why not: what a user's object raises when it is asked for them may be anything."""
+    try:
+        return pickle.dumps(thing)
+    except Exception as error:  # noqa: BLE001
+        return " ".join(str(error).split()) or type(error).__name__
 
 
 def main_module() -> tuple[str, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import lru_cache
@@ -9,7 +10,7 @@ from typing import TypeAlias
 
 from gearlash._kernel import compile_all, load_all
 from gearlash.case import Case
-from gearlash.jobs import Pool, cannot_travel, open_executor
+from gearlash.jobs import Pool, cannot_pickle, cannot_travel, open_executor
 from gearlash.jobs.executors import MOST_WORKERS, available_cores
 from gearlash.system import Family, GearlashError, given
 
@@ -54,19 +55,22 @@ def open_workers(model: Model, workers: int | None = None) -> Executor:
     workers = None if workers is None else given.whole("workers", workers, 0, MOST_WORKERS)
     if (available_cores() if workers is None else workers) > 1:
         if source.own is not None:
-            _check_sent(source.own)
+            _check_sent(cannot_travel(source.own))
         compile_all(load_all())
     return open_executor(workers, prepare, (source,))
 
 
 def check_travels(source: Source, executor: Executor | None) -> None:
-    """Raises `GearlashError` where a family of one's own cannot be sent to worker processes."""
+    """Raises `GearlashError` where a family of one's own cannot be sent to worker processes: of this package,
+    or of the standard library, which has ways of its own to find what is defined in ``__main__``."""
+    standard = sys.modules.get("concurrent.futures.process")  # loaded by whoever has such an executor
     if source.own is not None and isinstance(executor, Pool):
-        _check_sent(source.own)
+        _check_sent(cannot_travel(source.own))
+    elif source.own is not None and standard and isinstance(executor, standard.ProcessPoolExecutor):
+        _check_sent(cannot_pickle(source.own))
 
 
-def _check_sent(family: Family) -> None:
-    reason = cannot_travel(family)
+def _check_sent(reason: str) -> None:
     if reason:
         raise GearlashError(
             f"this family cannot be sent to worker processes ({reason}); "

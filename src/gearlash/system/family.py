@@ -98,15 +98,23 @@ class Family(Record):
 
 
 def _called(name: str, function: Callable[[Mapping[str, float]], Any], values: dict[str, float]) -> Any:
-    """What a user's function returns. Anything may go wrong in there, and is no defect of gearlash: the one
-    place where every ordinary exception is caught."""
+    """What a user's function returns. Anything may go wrong in there, too little memory and a call of
+    `sys.exit` among it, and is no defect of gearlash: the one place where everything but Ctrl-C is caught."""
     try:
         return function(values)
-    except (GearlashError, MemoryError):
+    except (GearlashError, KeyboardInterrupt):
         raise
-    except Exception as error:
-        what = cut(f"{type(error).__name__}: {error}".removesuffix(": "), LONGEST_VALUES)
-        raise BuildError(f"{name} failed at {_told(values)}: {what}") from error
+    except BaseException as error:
+        raise BuildError(f"{name} failed at {_told(values)}: {_what(error)}") from error
+
+
+def _what(error: BaseException) -> str:
+    """An exception in one line; its own text may fail, too."""
+    try:
+        text = " ".join(str(error).split())
+    except Exception:  # noqa: BLE001  (whatever a user's class does)
+        text = "its text cannot be had"
+    return cut(f"{type(error).__name__}: {text}".removesuffix(": "), LONGEST_VALUES)
 
 
 def _told(values: Mapping[str, float]) -> str:
