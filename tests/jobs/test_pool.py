@@ -11,6 +11,7 @@ import time
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import gearlash as gl
@@ -283,7 +284,7 @@ def test_a_stop_is_taken_back_before_new_work():
 def test_executors_of_others_are_refused_in_words():
     """A family that does not pickle for processes of the standard library; executors that were shut down."""
     family = gl.Family((gl.Parameter("omega", 0.8),), ("x", "v"), lambda p: None, lambda p: None)  # pyright: ignore[reportArgumentType]
-    axis = gl.Axis("omega", [0.8])
+    axis = gl.Axis("omega", np.array([0.8]))
     with ProcessPoolExecutor(1) as executor, pytest.raises(gl.GearlashError, match="cannot be sent"):
         gl.sweep(family, axis, executor=executor)
     ended: tuple[Executor, ...] = (ThreadPoolExecutor(1), Pool(2))

@@ -288,8 +288,8 @@ def test_whatever_a_build_raises_fails_its_point(error: BaseException, told: str
         return system(omega=p["omega"])
 
     own = family(build=build, parameters=(gl.Parameter("omega", 0.8), gl.Parameter("f", 0.1)))
-    plane = gl.map_plane(own, gl.Axis("omega", [0.5, 1.0]), gl.Axis("f", [0.1]))
-    found = gl.sweep(own, gl.Axis("omega", [0.5, 1.0, 1.5]))
+    plane = gl.map_plane(own, gl.Axis("omega", np.array([0.5, 1.0])), gl.Axis("f", np.array([0.1])))
+    found = gl.sweep(own, gl.Axis("omega", np.array([0.5, 1.0, 1.5])))
     assert [point.status == "failed" for point in found.points] == [False, True, False]
     assert found.points[1].message.endswith(told)
     assert plane.statuses == {"ok": 1, "failed": 1}
