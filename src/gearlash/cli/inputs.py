@@ -156,6 +156,11 @@ def read_near(
     return short, {short: number}
 
 
+def named_near(case: Case, name: str, value: str | None) -> tuple[str, str]:
+    """The quantity that is meant by a name and the value typed with it, and that value's unit."""
+    return (name, "") if value is None else (case.named(name, value), behind_number(value))
+
+
 def _short_name(case: Case, name: str) -> str:
     """Raises `GearlashError` with the nearest valid name."""
     known = case.family()[0].defaults

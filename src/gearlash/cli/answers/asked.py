@@ -30,9 +30,19 @@ class Asked:
     def value(self, dimensionless: float) -> float:
         return self.factor * dimensionless
 
-    def text(self, value: float) -> str:
+    def text(self, value: float, digits: int = 6) -> str:
         """A value as it stands in the case: ``4200 rpm``, ``omega = 0.55``."""
-        return self.with_unit(f"{self.value(value):.6g}")
+        return self.with_unit(f"{self.value(value):.{digits}g}")
+
+    def span(self, low: float, high: float, digits: int = 6) -> str:
+        """Two values with the name: ``pinion speed from 1000 to 3850 rpm``, ``omega from 0.13 to 0.5``."""
+        ends = f"from {self.value(low):.{digits}g} to {self.value(high):.{digits}g}"
+        return f"{self.title} {ends} {pretty(self.unit)}" if self.unit else f"{self.title} {ends}"
+
+    @property
+    def title(self) -> str:
+        """The name as it is written for people."""
+        return self.name.replace("_", " ") if self.unit else self.name
 
     def edge(self, value: float, inwards: int, beside: float) -> str:
         """The end of an interval, rounded into it; only the number."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
@@ -11,10 +11,11 @@ import numpy as np
 from gearlash.case import Case
 from gearlash.system import Family, Status, System
 
+from .asked import Asked
 from .excitation import NOT_EXCITED, nothing_varies
 from .outcome import INCOMPLETE, RESUME
 from .parts import CaseUsed, Multiplier, PhysicalValue, case_used, multiplier_rows, physical_values
-from .sentence import physical_text
+from .sentence import MARK, physical_text
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.branches import GrazingPoint
@@ -105,6 +106,7 @@ class GrazeAnswer:
     ]
     over: Annotated[str, "short name of the parameter that is solved for"]
     near: Annotated[float, "its value at the start"]
+    asked: Annotated[Asked, "the unit that the sentence tells values in"]
     label: Annotated[str, "of the attractor there"]
     points: Annotated[tuple[Touch, ...], "the first that this motion meets below and above, nearest first"]
     paths: Annotated[tuple[Path, ...], "how the motion was followed, downwards and upwards"]
@@ -117,23 +119,26 @@ def graze_answer(
     parameters: Mapping[str, float],
     over: str,
     named: str,
+    unit: str,
     start: Point,
     paths: tuple[Path, ...],
     found: list[GrazingPoint],
 ) -> GrazeAnswer:
-    """The record of what was found on the paths from ``start``; ``named`` is the parameter as typed."""
+    """The record of what was found on the paths from ``start``; ``named`` is the parameter as typed, ``unit``
+    what its value was typed in."""
     near = parameters[over]
     touches = tuple(_touch(case, family, p) for p in sorted(found, key=lambda p: abs(p.value - near)))
-    asked = _asked(case, over, named, near, start)
+    asked = Asked.of(case, over, named, unit)
+    here = f"{asked.text(near, 10 if not asked.unit else 6)}, {start.label or start.status}"
     status, advice = _outcome(start, bool(touches))
     if any(INTERRUPTED in (path.ended, path.beyond) for path in paths):
         status, advice = INCOMPLETE, RESUME
-    said = _sentence(over, named, near, touches, paths, _several(family, parameters))
+    said = _sentence(over, asked, near, touches, paths, _several(family, parameters))
     if not touches and not family.system(parameters).excited:
         idle = nothing_varies(case)
         said, status, advice = f"{idle.cause}; {idle.advice}", NOT_EXCITED, idle.advice
     return GrazeAnswer(
-        sentence=f"{asked}: {said}",
+        sentence=f"{here}: {said}",
         status=status,
         message=_message(start, paths),
         advice=advice,
@@ -141,6 +146,7 @@ def graze_answer(
         parameters=dict(parameters),
         over=over,
         near=near,
+        asked=asked,
         label=start.label,
         points=touches,
         paths=paths,
@@ -230,14 +236,8 @@ def _curvature(point: GrazingPoint) -> str:
     return "> 0 (at Σ2, seen from S2)" if above else "< 0 (at Σ2: the mirror image of the article's)"
 
 
-def _asked(case: Case, over: str, named: str, near: float, start: Point) -> str:
-    asked = _named(physical_values(case, over, near, computed=False), named)
-    here = f"{over} = {near:.10g}" if asked is None else physical_text(replace(asked, rests_on=()), 6)
-    return f"{here}, {start.label or start.status}"
-
-
 def _sentence(
-    over: str, named: str, near: float, touches: tuple[Touch, ...], paths: tuple[Path, ...], several: bool
+    over: str, asked: Asked, near: float, touches: tuple[Touch, ...], paths: tuple[Path, ...], several: bool
 ) -> str:
     """What was found, along this motion; the nearest is called so only if the other way was followed as
     far."""
@@ -249,11 +249,10 @@ def _sentence(
         lost = [path.direction for path in paths if not path.decided and path.direction not in stopped]
         ends = [("interrupted", stopped), ("lost", lost)]
         said = [f"{end} there on the way {' and '.join(ways)}" for end, ways in ends if ways]
-        text = f"no grazing of this motion was found from {over} = {low:.7g} to {high:.7g}"
+        text = f"no grazing of this motion was found from {asked.text(low, 7)} to {asked.text(high, 7)}"
         return text + (f" ({', '.join(said)})" if said else "")
     first = touches[0]
-    shown = _named(first.physical, named) or (first.physical[0] if first.physical else None)
-    value = f"{over} = {first.value:.10g}" + (f" ({physical_text(shown, 6)})" if shown else "")
+    value = f"{over} = {first.value:.10g}{_physically(asked, first)}"
     what = first.kind.partition(" (")[0] + (f" of {first.clearance}" if several else "")
     below, above = (
         _side(first.label_below, first.stable_below),
@@ -263,9 +262,10 @@ def _sentence(
     for path in paths:
         if not path.decided and abs(path.reached - near) < abs(first.value - near):
             way = {"down": "below", "up": "above"}[path.direction]
-            text += f"; whether one lies nearer {way} is not known, followed to {path.reached:.7g} there"
+            far = asked.text(path.reached, 7)
+            text += f"; whether one lies nearer {way} is not known, followed to {far} there"
             return f"a grazing of this motion is {text}"
-    return f"nearest grazing of this motion is {text}"
+    return f"nearest grazing found along this motion is {text}"
 
 
 def _side(label: str, stable: bool | None) -> str:
@@ -279,9 +279,14 @@ def _several(family: Family, parameters: Mapping[str, float]) -> bool:
     return len(family.system(parameters).clearances) > 1
 
 
-def _named(values: tuple[PhysicalValue, ...], named: str) -> PhysicalValue | None:
-    """The one that the parameter was named by."""
-    return next((p for p in values if p.name == named.rpartition(".")[2]), None)
+def _physically(asked: Asked, touch: Touch) -> str:
+    """A value found in the unit that was asked for, else in the first that the case has."""
+    if not touch.physical:
+        return ""
+    if not asked.unit:
+        return f" ({physical_text(touch.physical[0], 6)})"
+    mark = f" {MARK}" if any(p.rests_on for p in touch.physical if p.name == asked.name) else ""
+    return f" ({asked.text(touch.value)}{mark})"
 
 
 def _outcome(start: Point, found: bool) -> tuple[str, str]:

@@ -51,6 +51,9 @@ class MapAnswer:
     parameters: Annotated[dict[str, float], "every parameter but the two of the axes, by short name"]
     x: Annotated[AxisUsed, "horizontal axis"]
     y: Annotated[AxisUsed, "vertical axis"]
+    start: Annotated[
+        dict[str, float] | None, "state that every pixel started from (--initial); null: the cold start"
+    ]
     statuses: Annotated[dict[str, int], "number of pixels by status"]
     certificates: Annotated[dict[str, int], "number of pixels certified, uncertain, failed"]
     impact_free: Annotated[int, "number of pixels with a periodic motion without any impact"]
@@ -64,20 +67,28 @@ class MapAnswer:
 
 
 def map_answer(
-    case: Case, parameters: Mapping[str, float], named: tuple[str, str], plane: PlaneMap
+    case: Case,
+    parameters: Mapping[str, float],
+    named: tuple[str, str],
+    plane: PlaneMap,
+    units: tuple[str, str] = ("", ""),
+    start: Mapping[str, float] | None = None,
 ) -> MapAnswer:
-    """The record of a map."""
+    """The record of a map; ``named`` are the parameters as typed, ``units`` what they were typed in,
+    ``start`` the state that was given to start from, by name."""
     statuses = plane.statuses
     x, y = plane.x, plane.y
+    used_x, used_y = (axis_used(case, a, n, u) for a, n, u in zip((x, y), named, units, strict=True))
     idle = idle_study(case, parameters, [x, y])
     return MapAnswer(
-        sentence=_sentence(plane, idle),
+        sentence=_sentence(plane, (used_x, used_y), idle),
         status=study_status(plane.complete, statuses, idle),
         message=plane.message,
         case=case_used(case),
         parameters={name: value for name, value in parameters.items() if name not in (x.name, y.name)},
-        x=axis_used(case, x, named[0]),
-        y=axis_used(case, y, named[1]),
+        x=used_x,
+        y=used_y,
+        start=None if start is None else dict(start),
         statuses=statuses,
         certificates=plane.certificates,
         impact_free=int(plane.impact_free.sum()),
@@ -105,10 +116,10 @@ def _labels(plane: PlaneMap) -> Iterator[MapLabel]:
         )
 
 
-def _sentence(plane: PlaneMap, idle: Unexcited | None) -> str:
+def _sentence(plane: PlaneMap, axes: tuple[AxisUsed, AxisUsed], idle: Unexcited | None) -> str:
     from gearlash.results import NOT_COMPUTED
 
-    ends = (f"{a.name} from {a.values[0]:.6g} to {a.values[-1]:.6g}" for a in (plane.x, plane.y))
+    ends = (axis.asked.span(axis.lower, axis.upper) for axis in axes)
     if idle is not None:
         return f"{' and '.join(ends)}: {idle.cause}; {idle.advice}"
     rows, columns = plane.shape
@@ -122,7 +133,7 @@ def _sentence(plane: PlaneMap, idle: Unexcited | None) -> str:
             f"aperiodic {_percent(restless / plane.computed)}"
         )
     missing = plane.statuses.get(NOT_COMPUTED, 0)
-    trouble = troubles(plane.statuses, _first_failure(plane), "pixel")
+    trouble = troubles(plane.statuses, _first_failure(plane, axes), "pixel")
     if trouble:
         parts.append(trouble)
     if missing:
@@ -130,10 +141,10 @@ def _sentence(plane: PlaneMap, idle: Unexcited | None) -> str:
     return "; ".join(parts)
 
 
-def _first_failure(plane: PlaneMap) -> str:
+def _first_failure(plane: PlaneMap, axes: tuple[AxisUsed, AxisUsed]) -> str:
     for (row, column), reason in plane.reasons.items():
-        x, y = plane.x.values[column], plane.y.values[row]
-        return f"{plane.x.name} = {x:.6g}, {plane.y.name} = {y:.6g}, {reason}"
+        x, y = axes[0].asked.text(plane.x.values[column]), axes[1].asked.text(plane.y.values[row])
+        return f"{x}, {y}, {reason}"
     return ""
 
 

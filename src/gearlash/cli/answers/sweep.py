@@ -9,12 +9,16 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
 
+from .asked import Asked
 from .excitation import Unexcited, idle_study
 from .outcome import POINTS, study_status, troubles
 from .parts import CaseUsed, PhysicalValue, case_used, physical_values
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.results import Axis, Point, Sweep
+
+
+START = "state that cold points, and the first up and down, started from (--initial); null: the cold start"
 
 
 @dataclass(frozen=True)
@@ -28,6 +32,7 @@ class AxisUsed:
     count: int
     physical_lower: tuple[PhysicalValue, ...]
     physical_upper: tuple[PhysicalValue, ...]
+    asked: Annotated[Asked, "the unit that sentences and tables tell values in"]
 
 
 @dataclass(frozen=True)
@@ -82,6 +87,7 @@ class SweepAnswer:
     case: CaseUsed
     parameters: Annotated[dict[str, float], "every parameter but the swept one, by short name"]
     axis: AxisUsed
+    start: Annotated[dict[str, float] | None, START]
     statuses: Annotated[dict[str, int], "number of points by status, all directions together"]
     certificates: Annotated[dict[str, int], "number of points certified, uncertain, failed"]
     coexisting: Annotated[
@@ -92,22 +98,30 @@ class SweepAnswer:
 
 
 def sweep_answer(
-    case: Case, parameters: Mapping[str, float], named: str, sweeps: Sequence[Sweep]
+    case: Case,
+    parameters: Mapping[str, float],
+    named: str,
+    sweeps: Sequence[Sweep],
+    unit: str = "",
+    start: Mapping[str, float] | None = None,
 ) -> SweepAnswer:
-    """The record of sweeps over one axis."""
+    """The record of sweeps over one axis; ``named`` is the parameter as typed, ``unit`` what it was typed in,
+    ``start`` the state that was given to start from, by name."""
     from gearlash.results import coexisting
 
     axis = sweeps[0].axis
+    used = axis_used(case, axis, named, unit)
     statuses = Counter(point.status for sweep in sweeps for point in sweep.points)
     complete = all(sweep.complete for sweep in sweeps)
     idle = idle_study(case, parameters, [axis])
     beside = _intervals(axis, map(bool, coexisting(sweeps))) if len(sweeps) > 1 else ()
     return SweepAnswer(
-        sentence=_sentence(axis, sweeps, statuses, beside, idle),
+        sentence=_sentence(used, sweeps, statuses, beside, idle),
         status=study_status(complete, statuses, idle),
         case=case_used(case),
         parameters={name: value for name, value in parameters.items() if name != axis.name},
-        axis=axis_used(case, axis, named),
+        axis=used,
+        start=None if start is None else dict(start),
         statuses=dict(statuses),
         certificates=dict(sum((Counter(sweep.certificates) for sweep in sweeps), Counter())),
         coexisting=beside,
@@ -115,7 +129,7 @@ def sweep_answer(
     )
 
 
-def axis_used(case: Case, axis: Axis, named: str) -> AxisUsed:
+def axis_used(case: Case, axis: Axis, named: str, unit: str = "") -> AxisUsed:
     """The axis with what its ends mean physically; what was typed rests on nothing."""
     ends = float(axis.values[0]), float(axis.values[-1])
     typed = named.rpartition(".")[2]
@@ -126,7 +140,8 @@ def axis_used(case: Case, axis: Axis, named: str) -> AxisUsed:
         )
         for end in ends
     ]
-    return AxisUsed(axis.name, named, *ends, len(axis), *physical)
+    asked = Asked.of(case, axis.name, named, unit)
+    return AxisUsed(axis.name, named, ends[0], ends[1], len(axis), physical[0], physical[1], asked)
 
 
 def _way(sweep: Sweep) -> SweepWay:
@@ -169,16 +184,16 @@ def _intervals(axis: Axis, flags: Iterable[bool]) -> tuple[tuple[float, float], 
     return tuple(found)
 
 
-def first_failure(sweeps: Sequence[Sweep]) -> str:
+def first_failure(asked: Asked, sweeps: Sequence[Sweep]) -> str:
     """Where the first point failed, and why."""
     from gearlash.results import FAILED
 
     failed = (point for sweep in sweeps for point in sweep.points if point.status == FAILED)
-    return next((f"{sweeps[0].axis.name} = {point.value:.6g}, {point.message}" for point in failed), "")
+    return next((f"{asked.text(point.value)}, {point.message}" for point in failed), "")
 
 
 def _sentence(
-    axis: Axis,
+    axis: AxisUsed,
     sweeps: Sequence[Sweep],
     statuses: Mapping[str, int],
     beside: Sequence[tuple[float, float]],
@@ -186,19 +201,19 @@ def _sentence(
 ) -> str:
     from gearlash.results import NOT_COMPUTED
 
-    ends = f"{axis.name} from {axis.values[0]:.6g} to {axis.values[-1]:.6g}"
+    ends = axis.asked.span(axis.lower, axis.upper)
     ways = ", ".join(str(sweep.direction) for sweep in sweeps)
     if idle is not None:
         return f"{ends}: {idle.cause}; {idle.advice}"
     labels = {point.label for sweep in sweeps for point in sweep.points if point.periodic}
     many = f"{len(labels)} different signatures" if len(labels) != 1 else "1 signature"
-    text = f"{ends}, {len(axis)} values, {ways}: {many}"
+    text = f"{ends}, {axis.count} values, {ways}: {many}"
     if any(point.label == "aperiodic" for sweep in sweeps for point in sweep.points):
         text += " and aperiodic motion"
     if beside:
         text += f", attractors coexist in {len(beside)} interval{'s' if len(beside) > 1 else ''}"
     missing = statuses.get(NOT_COMPUTED, 0)
-    trouble = troubles(statuses, first_failure(sweeps))
+    trouble = troubles(statuses, first_failure(axis.asked, sweeps))
     if trouble:
         text += f"; {trouble}"
     return f"{text}; incomplete, {missing} points missing" if missing else text

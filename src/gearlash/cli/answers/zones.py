@@ -68,7 +68,7 @@ def zones_answer(
     statuses = dict(Counter(point.status for sweep in found[0].sweeps for point in sweep.points))
     ends = float(axis.values[0]), float(axis.values[-1])
     idle = idle_study(case, parameters, [axis])
-    said = (headline(asked, ends, here, listed), troubles(statuses, first_failure(found[0].sweeps)))
+    said = (headline(asked, ends, here, listed), troubles(statuses, first_failure(asked, found[0].sweeps)))
     return ZonesAnswer(
         sentence="; ".join(filter(None, said)) if idle is None else f"{idle.cause}; {idle.advice}",
         status=study_status(all(zones.complete for zones in found), statuses, idle),
@@ -76,7 +76,7 @@ def zones_answer(
         case=case_used(case),
         parameters=dict(parameters),
         present=here,
-        axis=axis_used(case, axis, named),
+        axis=axis_used(case, axis, named, unit),
         asked=asked,
         statuses=statuses,
         resolution=found[0].resolution,

@@ -34,11 +34,11 @@ def graze(
 
     The periodic motion at the given parameters is followed down and up, through doublings, until a contact is
     born or dies; the touch is solved for together with the orbit. Motions that coexist with it are not
-    looked at. Prints value, kind, labels on both sides, multipliers and the
-    article's four conditions. Ctrl-C keeps what was found, marked incomplete.
+    looked at. Prints value, kind, labels on both sides, multipliers and the article's four conditions. Ctrl-C
+    keeps what was found, marked incomplete.
     """
     from gearlash.cli.folder import claim_if
-    from gearlash.cli.inputs import read_case, read_near, read_start
+    from gearlash.cli.inputs import named_near, read_case, read_near, read_start
     from gearlash.cli.interrupt import expect_results
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
@@ -46,6 +46,7 @@ def graze(
 
     chosen = read_case(case, settings)
     short, changed = read_near(chosen, over, near, settings)
+    named, unit = named_near(chosen, over, near)
     family, _ = chosen.family()
     parameters = family.complete(changed)
     start = read_start(family, parameters, initial)
@@ -69,7 +70,7 @@ def graze(
         )
     found = [touch for _, touch in walks if touch is not None]
     answer = graze_answer(
-        chosen, family, parameters, short, over, first, tuple(path for path, _ in walks), found
+        chosen, family, parameters, short, named, unit, first, tuple(path for path, _ in walks), found
     )
     with delivery():
         try:

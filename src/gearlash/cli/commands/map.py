@@ -40,7 +40,8 @@ def map(
 ) -> ExitCode:
     """Which motion belongs to which pair of values of two parameters?
 
-    One attractor per pixel of the plane of two parameters, each from the cold start. --out writes map.nc
+    One attractor per pixel of the plane of two parameters, each from the cold start, or from the state of
+    --initial. --out writes map.nc
     (everything, NetCDF), map.json, and the map as SVG and PDF. Ctrl-C keeps what was computed, marked
     incomplete.
     """
@@ -78,7 +79,8 @@ def map(
             progress=progress,
         )
     end_if_nothing(set(found.statuses) != {NOT_COMPUTED})
-    answer = map_answer(chosen, family.complete(), (across.named, up.named), found)
+    named, units = (across.named, up.named), (across.unit, up.unit)
+    answer = map_answer(chosen, family.complete(), named, found, units, start)
     with delivery():
         try:
             if folder:

@@ -80,7 +80,7 @@ def sweep(
             progress=progress,
         )
     end_if_nothing(any(point.computed for each in found for point in each.points))
-    answer = sweep_answer(chosen, family.complete(), along.named, found)
+    answer = sweep_answer(chosen, family.complete(), along.named, found, along.unit, start)
     with delivery():
         try:
             if folder:

@@ -12,6 +12,11 @@ from gearlash.cli.answers.graze import GrazeAnswer, Touch
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
 
+EXAMINED = (
+    "This motion was followed, in steps of 1 % at the most: two touches within one step, of which the second "
+    "undoes the first, may have been missed. Motions that coexist with it were not looked at."
+)
+
 
 def graze_view(answer: GrazeAnswer, width: int) -> Iterator[Text]:
     """Sentence, every point found, and how the motion was followed."""
@@ -63,3 +68,4 @@ def _paths(answer: GrazeAnswer, width: int) -> Iterator[Text]:
     yield from table(
         f"Followed from {answer.over} = {answer.near:.7g} ({answer.label})", columns, rows, width
     )
+    yield from note(EXAMINED, width)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from rich.text import Text
 
 from gearlash.case.units import pretty
+from gearlash.cli.answers.asked import Asked
 from gearlash.cli.answers.map import MapAnswer
 from gearlash.cli.answers.sweep import AxisUsed
 from gearlash.system import Status
@@ -22,15 +22,21 @@ def map_view(answer: MapAnswer, width: int) -> Iterator[Text]:
     """Sentence, statuses, and the motions that take most of the plane."""
     yield from headline(answer.sentence, width)
     yield from facts("", list(_facts(answer)), width)
-    shown, x, y = answer.labels[:MOST_LINES], _Shown.of(answer.x), _Shown.of(answer.y)
+    shown, x, y = answer.labels[:MOST_LINES], answer.x.asked, answer.y.asked
     rows = [
         [row.label, str(row.pixels), f"{100.0 * row.share:.1f} %", _span(row.x, x), _span(row.y, y)]
         for row in shown
     ]
-    columns = [("", "left"), ("pixels", "right"), ("share", "right"), (x.words, "right"), (y.words, "right")]
+    columns = [
+        ("", "left"),
+        ("pixels", "right"),
+        ("share", "right"),
+        (_heading(x), "right"),
+        (_heading(y), "right"),
+    ]
     left = len(answer.labels) - len(shown)
-    title = "Motions" + (
-        f", the {len(shown)} most frequent of {len(answer.labels)} (--json has all)" if left else ""
+    title = "Motions, and the least and largest values at which each occurs" + (
+        f"; the {len(shown)} most frequent of {len(answer.labels)} (--json has all)" if left else ""
     )
     yield from table(title if not answer.message else f"{title}; {answer.message}", columns, rows, width)
 
@@ -52,7 +58,7 @@ def _facts(answer: MapAnswer) -> Iterator[tuple[str, str]]:
         first = answer.failed[0]
         yield (
             "first failure",
-            f"{answer.x.name} = {first.x:.6g}, {answer.y.name} = {first.y:.6g}: {first.reason}",
+            f"{answer.x.asked.text(first.x)}, {answer.y.asked.text(first.y)}: {first.reason}",
         )
 
 
@@ -64,22 +70,10 @@ def _physical(axis: AxisUsed) -> Iterator[tuple[str, str]]:
         )
 
 
-@dataclass(frozen=True)
-class _Shown:
-    """How an axis is shown: its heading, and the factor of its dimensionless values. In the unit that it was
-    typed in, if it was in one."""
-
-    words: str
-    factor: float
-
-    @staticmethod
-    def of(axis: AxisUsed) -> _Shown:
-        for end in axis.physical_upper:
-            if axis.named != axis.name and axis.named.rpartition(".")[2] == end.name and axis.upper:
-                return _Shown(f"{end.name.replace('_', ' ')}, {pretty(end.unit)}", end.value / axis.upper)
-        return _Shown(axis.name, 1.0)
+def _heading(asked: Asked) -> str:
+    return f"{asked.title}, {pretty(asked.unit)}" if asked.unit else asked.name
 
 
-def _span(ends: tuple[float, float], shown: _Shown) -> str:
-    low, high = (number(end * shown.factor, 4) for end in ends)
+def _span(ends: tuple[float, float], asked: Asked) -> str:
+    low, high = (number(asked.value(end), 4) for end in ends)
     return f"{low} to {high}" if low != high else low

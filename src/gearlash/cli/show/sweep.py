@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from gearlash.case.units import pretty
+from gearlash.cli.answers.asked import Asked
 from gearlash.cli.answers.sweep import Regime, SweepAnswer, SweepWay
 
 from .layout import facts, headline, table
@@ -37,17 +38,19 @@ def _facts(answer: SweepAnswer) -> Iterator[tuple[str, str]]:
             f"{number(low.value, 6)} to {number(high.value, 6)} {pretty(low.unit)}",
         )
     if answer.coexisting:
-        shown = ", ".join(f"{a:.5g}–{b:.5g}" if a < b else f"{a:.5g}" for a, b in answer.coexisting[:12])
+        shown = ", ".join(_values(answer.axis.asked, *ends) for ends in answer.coexisting[:12])
         more = len(answer.coexisting) - 12
-        yield "coexistence", f"{shown}{f' and {more} more intervals' if more > 0 else ''}"
+        yield (
+            "coexistence",
+            f"{answer.axis.asked.title} {shown}{f' and {more} more intervals' if more > 0 else ''}",
+        )
 
 
 def _regimes(answer: SweepAnswer, way: SweepWay, width: int) -> Iterator[Text]:
-    physical = [p for p in answer.axis.physical_upper if p.value]
-    factor = physical[0].value / answer.axis.upper if physical and answer.axis.upper else None
+    factor, unit = _physical(answer)
     columns = [("", "left"), ("from", "right"), ("to", "right")]
     if factor is not None:
-        columns += [(f"from, {pretty(physical[0].unit)}", "right"), ("to", "right")]
+        columns += [(f"from, {pretty(unit)}", "right"), ("to", "right")]
     columns += [("points", "right")]
     shown = sorted(_longest(way.regimes), key=lambda r: r.first)
     rows = []
@@ -57,13 +60,27 @@ def _regimes(answer: SweepAnswer, way: SweepWay, width: int) -> Iterator[Text]:
             ends += [number(r.first * factor, 5), number(r.last * factor, 5)]
         rows.append([r.label or "–", *ends, str(r.points)])
     left = len(way.regimes) - len(shown)
-    words = {"cold": "From cold starts", "up": "Followed upwards", "down": "Followed downwards"}[
-        way.direction
-    ]
+    cold = "From cold starts" if answer.start is None else "From the state that was given, at every value"
+    words = {"cold": cold, "up": "Followed upwards", "down": "Followed downwards"}[way.direction]
     title = words + (
         f", the {len(shown)} longest of {len(way.regimes)} stretches (--json has all)" if left else ""
     )
     yield from table(title if way.complete else f"{title}; {way.message}", columns, rows, width)
+
+
+def _physical(answer: SweepAnswer) -> tuple[float | None, str]:
+    """What dimensionless values are multiplied with for the physical columns, and their unit: the one that
+    was asked for, else the first that the case has."""
+    if answer.axis.asked.unit:
+        return answer.axis.asked.factor, answer.axis.asked.unit
+    physical = [p for p in answer.axis.physical_upper if p.value]
+    return (physical[0].value / answer.axis.upper, physical[0].unit) if physical else (None, "")
+
+
+def _values(asked: Asked, low: float, high: float) -> str:
+    """The values of an interval in the unit that was asked for, without its name."""
+    shown = f"{asked.value(low):.5g}" + (f"–{asked.value(high):.5g}" if low < high else "")
+    return f"{shown} {pretty(asked.unit)}" if asked.unit else shown
 
 
 def _longest(regimes: tuple[Regime, ...]) -> list[Regime]:
