@@ -207,7 +207,7 @@ def test_nearest_is_not_said_where_the_other_way_was_lost(gearlash: Gearlash, st
     answer = gearlash("graze", stop, *options).answer
     assert answer["points"][0]["value"] == pytest.approx(RETURN, abs=1e-11)
     assert "nearest grazing" not in answer["sentence"]
-    assert "whether one lies nearer above is not known, followed to 1.6" in answer["sentence"]
+    assert "whether one lies nearer above is not known, followed to omega = 1.6" in answer["sentence"]
     up = next(path for path in answer["paths"] if path["direction"] == "up")
     assert not up["decided"]
     assert "no system can be built" in up["ended"]
@@ -218,3 +218,20 @@ def test_a_doubling_beyond_the_largest_period_ends_the_way(gearlash: Gearlash):
     down = gearlash("graze", "article-first-harmonic", *options).answer["paths"][0]
     assert not down["decided"]
     assert "the period is longer than was to be followed (--max-period)" in down["ended"]
+
+
+def test_what_was_not_found_is_told_in_the_unit_that_was_asked_for(gearlash: Gearlash):
+    options = ("--over", "pinion_speed", "--near", "4000 rpm", "--set", "error=0", "--set", "load=5")
+    sentence = gearlash("graze", "article", *options, "--json").answer["sentence"]
+    assert sentence.startswith(
+        "4000 rpm, 1-0-0: no grazing of this motion was found from 1384.129 to 7800 rpm"
+    )
+
+
+def test_the_value_found_is_told_in_the_unit_that_was_asked_for(gearlash: Gearlash):
+    options = ("--over", "mesh_frequency", "--near", "1.87 kHz", "--json")
+    answer = gearlash("graze", "article", *options).answer
+    assert answer["sentence"].startswith("1.87 kHz, 1-0-0: ")
+    kilohertz = answer["asked"]["factor"] * answer["points"][0]["value"]
+    assert f"({kilohertz:.6g} kHz)" in answer["sentence"]
+    assert "found along this motion" in answer["sentence"]

@@ -60,7 +60,12 @@ def test_motions_are_told_in_the_units_that_were_typed(gearlash: Gearlash):
     assert "pinion speed 3600 to 4400 rpm" in words
     assert "share pinion speed, rpm D" in words
     assert "1-0-0 2 33.3 % 4000 0.6 to 1" in words
-    assert gearlash("map", *PLANE).out.split("Motions")[1].split()[:4] == ["pixels", "share", "omega", "D"]
+    assert gearlash("map", *PLANE).out.split("each occurs")[1].split()[:4] == [
+        "pixels",
+        "share",
+        "omega",
+        "D",
+    ]
 
 
 def test_statuses_that_are_not_ok_come_with_advice(gearlash: Gearlash):

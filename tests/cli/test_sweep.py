@@ -74,7 +74,7 @@ def test_ctrl_c_keeps_what_was_computed(gearlash: Gearlash, tmp_path: Path, monk
     monkeypatch.setattr(progress, "progress_bar", interrupting)
     ran = gearlash("sweep", *WINDOW, "--cold", "--workers", "1", "--out", str(tmp_path))
     assert ran.code == 130
-    assert "incomplete, 5 points missing" in ran.out
+    assert "incomplete, 5 points missing" in " ".join(ran.out.split())
     dataset = gl.load_dataset(tmp_path / "sweep.nc")
     assert dataset.attrs["complete"] == 0
     assert [str(s) for s in dataset["status"].values[0]] == ["ok"] * 4 + ["not-computed"] * 5
@@ -100,3 +100,17 @@ def test_ctrl_c_before_the_first_point_keeps_an_older_result(
     ran = gearlash(*whole)
     assert ran.code == 130
     assert {path.name: path.read_bytes() for path in tmp_path.glob("sweep.*")} == before
+
+
+def test_values_are_told_in_the_unit_that_was_asked_for(gearlash: Gearlash):
+    ran = gearlash("sweep", "article", "--over", "mesh_frequency=1.7kHz:1.9kHz:2", "--cold")
+    assert ran.out.startswith("mesh frequency from 1.7 to 1.9 kHz, 2 values, cold: ")
+    assert "from, kHz" in ran.out
+    failed = gearlash("sweep", "article", "--over", "pinion_speed=0.001rpm:4000rpm:2", "--cold")
+    assert "1 of 2 points failed: 0.001 rpm, more than" in " ".join(failed.out.split())
+
+
+def test_a_state_that_was_given_is_not_called_a_cold_start(gearlash: Gearlash):
+    ran = gearlash("sweep", "kahraman-singh", "--over", "omega=0.5:0.6:2", "--cold", "--initial", "X=1.2")
+    assert "cold starts" not in ran.out
+    assert "From the state that was given, at every value" in ran.out

@@ -36,8 +36,15 @@ class Asked:
 
     def span(self, low: float, high: float, digits: int = 6) -> str:
         """Two values with the name: ``pinion speed from 1000 to 3850 rpm``, ``omega from 0.13 to 0.5``."""
-        ends = f"from {self.value(low):.{digits}g} to {self.value(high):.{digits}g}"
-        return f"{self.title} {ends} {pretty(self.unit)}" if self.unit else f"{self.title} {ends}"
+        return f"{self.title} {self._ends(low, high, '', digits)}"
+
+    def reach(self, low: float, high: float, digits: int = 6) -> str:
+        """How far was looked: ``from 1000 to 3850 rpm``, ``from omega = 0.13 to 0.5``."""
+        return self._ends(low, high, "" if self.unit else f"{self.name} = ", digits)
+
+    def _ends(self, low: float, high: float, before: str, digits: int) -> str:
+        ends = f"from {before}{self.value(low):.{digits}g} to {self.value(high):.{digits}g}"
+        return f"{ends} {pretty(self.unit)}" if self.unit else ends
 
     @property
     def title(self) -> str:

@@ -249,7 +249,7 @@ def _sentence(
         lost = [path.direction for path in paths if not path.decided and path.direction not in stopped]
         ends = [("interrupted", stopped), ("lost", lost)]
         said = [f"{end} there on the way {' and '.join(ways)}" for end, ways in ends if ways]
-        text = f"no grazing of this motion was found from {asked.text(low, 7)} to {asked.text(high, 7)}"
+        text = f"no grazing of this motion was found {asked.reach(low, high, 7)}"
         return text + (f" ({', '.join(said)})" if said else "")
     first = touches[0]
     value = f"{over} = {first.value:.10g}{_physically(asked, first)}"
