@@ -18,7 +18,13 @@ import gearlash as gl
 
 PATIENCE = 8.0  # s, on a machine that does other things too; a quiet one takes less than 2
 MARK = "GEARLASH_TEST_MARK"
-PROGRAM = "from gearlash.cli import main; main()"
+PROGRAM = """
+import _signal
+_signal.signal(_signal.SIGINT, _signal.default_int_handler)  # which who started the tests may have ignored
+_signal.signal(_signal.SIGHUP, _signal.SIG_DFL)
+from gearlash.cli import main
+main()
+"""
 OVER = "omega=0.5:1.4:20001"
 COMMANDS = {
     "run": ("run", "article"),

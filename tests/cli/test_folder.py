@@ -56,3 +56,14 @@ def test_refused_before_anything_is_computed(
     ran = gearlash("graze", "article", "--out", str(tmp_path))
     assert ran.code == 2
     assert "graze.json is there" in ran.complaint
+
+
+def test_halves_of_files_that_a_killed_command_left_go(tmp_path: Path):
+    """Its own, of the names that are claimed; nothing else."""
+    claim(tmp_path, ["run.json"])
+    halves = [tmp_path / ".run.json.0123456789ab.part", tmp_path / ".sweep.nc.0123456789ab.part"]
+    for path in (*halves, tmp_path / "run.json.part"):
+        path.write_text("half", encoding="utf-8")
+    claim(tmp_path, ["run.json"])
+    left = sorted(path.name for path in tmp_path.iterdir())
+    assert left == sorted([MARKER, halves[1].name, "run.json.part"])

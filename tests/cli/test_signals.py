@@ -182,7 +182,9 @@ def _children(pid: int) -> list[str]:
 
 
 STUDY = """
+import signal
 import gearlash as gl
+signal.signal(signal.SIGINT, signal.default_int_handler)
 case = gl.load_case("kahraman-singh")
 told = []
 

@@ -44,6 +44,8 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
     *before* anything is computed. Raises `GearlashError` if one of them is there and is not, or is a link, if
     another command writes there, or nothing can be written.
     """
+    from gearlash.results.store import unfinished  # late: checking a case writes nothing
+
     wanted, path = list(names), given.path("--out", path)
     try:
         _make(path)
@@ -56,6 +58,9 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
                 f"--out {path}: {', '.join(foreign)} is there and was not written by gearlash; "
                 "choose another folder, or move it away"
             )
+        for name in wanted:
+            for part in path.glob(unfinished(name)):  # of a command that was killed
+                part.unlink(missing_ok=True)
         content = {"written by": "gearlash", "process": os.getpid(), "files": sorted({*own, *wanted})}
         write_text(json.dumps(content, indent=2) + "\n", path / MARKER)
     except HeldError:

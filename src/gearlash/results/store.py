@@ -64,6 +64,11 @@ def _make_folder(path: Path) -> None:
         raise GearlashError(f"{path}: a folder, expected the path of a file")
 
 
+def unfinished(name: str) -> str:
+    """The pattern of names beside the place of a file of which not all is written."""
+    return f".{name}.{'?' * 12}.part"
+
+
 def write_whole(path: Path, content: bytes | memoryview) -> None:
     """A file with this content; where that cannot be written (`OSError`), none, and an older one is kept."""
     write_together({path: content})
