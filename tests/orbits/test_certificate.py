@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 
 from gearlash.branches import GrazingPoint, locate_grazing, locate_multiplier
-from gearlash.flow import carry, propagators
 from gearlash.orbits import Aperiodic, Orbit, Settings, Verdict, attractor, grazing_checks, shoot
 from gearlash.orbits.certificate import _Examined
 from gearlash.results import FAILED, NOT_COMPUTED, blank
 from gearlash.studies import point
-from gearlash.system import Clearance, ContactRule, Family, System, constant
+from gearlash.system import ContactRule, Family
 from orbits.contacts import one_dof_under, two_gaps
 from orbits.members import article, built, cold, one_dof, orbit
 
@@ -144,41 +143,6 @@ def test_a_larger_error_certifies_less():
     for factor, certified in ((0.5, True), (2.0, False)):
         reasons = list(with_defect(factor * distance / growth).of_boundaries(0, mesh))
         assert (reasons == []) is certified
-
-
-def turned(system: System, angle: float) -> System:
-    """The same system seen from another phase zero."""
-
-    def series(values):
-        out, order = values.copy(), np.arange(1, values.shape[-1] // 2 + 1)
-        c, s = values[..., 1::2], values[..., 2::2]
-        out[..., 1::2] = c * np.cos(order * angle) + s * np.sin(order * angle)
-        out[..., 2::2] = s * np.cos(order * angle) - c * np.sin(order * angle)
-        return out
-
-    names = "stiffness_plus", "stiffness_minus", "offset"
-    clearances = tuple(replace(c, **{n: series(getattr(c, n)) for n in names}) for c in system.clearances)
-    return replace(system, forcing=series(system.forcing), clearances=clearances)
-
-
-@pytest.mark.parametrize("stiffness", [1e4, 1e5])
-@pytest.mark.parametrize("omega", [0.9, 1.7])
-def test_the_verdict_does_not_depend_on_where_phase_zero_lies(stiffness, omega):
-    """A mass that hits a stiff stop without contact damping, seen also from the midst of its contacts."""
-    h, forcing = np.array([1.0, 0.0]), np.array([[0.0, 0.0, 0.0], [0.1, 1.0, 0.0]])
-    stop = Clearance(h, np.array([0.0, -1.0]), 0.5, 0.0, constant(stiffness), constant(0.0))
-    system = System(omega, np.array([[0.0, 1.0], [-1.0, -0.04]]), forcing, (stop,))
-    first = attractor(system, np.zeros(2))
-    assert isinstance(first, Orbit)
-    contacts = first.events.phase
-    assert len(contacts) >= 2
-    midst = 0.5 * (contacts[1:] + contacts[:-1])
-    for phase in [*(midst % 1.0), *((0.9 * contacts[:-1] + 0.1 * contacts[1:]) % 1.0), *np.arange(8) / 8]:
-        props = propagators(turned(system, 2.0 * np.pi * phase))
-        start = carry(first.propagators, first.state, float(phase)).state
-        shot = shoot(props, start, first.shot.period)
-        found = Orbit(props, shot, 0, shot.status, "")
-        assert found.certificate.certified, f"{phase}: {found.certificate}"
 
 
 def test_of_motion_that_does_not_repeat():

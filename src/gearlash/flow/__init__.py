@@ -3,6 +3,7 @@
 from ._tables import ROUGH, TERMS
 from .events import Events, Extrema, Samples, Trace
 from .growth import Growth, growth
+from .laps import Lap, chain, lap
 from .many import ManyStrobes, march_many
 from .march import (
     Carried,
@@ -24,13 +25,16 @@ __all__ = [
     "Extrema",
     "Growth",
     "Hold",
+    "Lap",
     "ManyStrobes",
     "Propagators",
     "Samples",
     "Strobes",
     "Trace",
     "carry",
+    "chain",
     "growth",
+    "lap",
     "march",
     "march_many",
     "orthonormal_growth",

@@ -256,10 +256,8 @@ def _base_phase(system: System, phase: ArrayLike) -> Array:
 
 def _values(polynomials: Array, local: Array) -> Array:
     """Polynomials (m, degree+1, n) at local times (m,) → (m, n)."""
-    out = polynomials[:, -1].copy()
-    for j in range(polynomials.shape[1] - 2, -1, -1):
-        out = out * local[:, None] + polynomials[:, j]
-    return out
+    powers = local[:, None] ** np.arange(polynomials.shape[1])
+    return np.einsum("mj,mjn->mn", powers, polynomials)
 
 
 def _local_series(props: Propagators, series: Array, positions: Array, lengths: Array) -> Array:

@@ -103,7 +103,7 @@ def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) ->
         rows, happened = states[None, done : end + 1], counts[None, done:end]
         outcome, done = int(run_all(props, state[None], 0.0, length, rows, happened)[0]), end
     undecided = int(counts[:, -1].sum())
-    status = _with_doubt(STATUS[outcome], undecided)
+    status = with_doubt(STATUS[outcome], undecided)
     return Strobes(states[: done + 1], counts[:done, :-1], undecided, status)
 
 
@@ -128,9 +128,9 @@ def carry(
     state = start_state(props, z)
     tangents = np.eye(state.size) if given.truth("jacobian", jacobian) else None
     base, start, length = positions(props, phase, cycles)
-    status, _, counts = _run(props, state, start, length, 1, tangents=tangents, hold=hold, base=base)
+    status, _, counts = run_one(props, state, start, length, 1, tangents=tangents, hold=hold, base=base)
     flow, undecided = None if tangents is None else np.ascontiguousarray(tangents.T), int(counts[0, -1])
-    return Carried(state, flow, counts[0, :-1], undecided, _with_doubt(status, undecided))
+    return Carried(state, flow, counts[0, :-1], undecided, with_doubt(status, undecided))
 
 
 def variational(props: Propagators, z: ArrayLike, cycles: float, phase: float = 0.0) -> Carried:
@@ -155,7 +155,7 @@ def trace(
             np.empty((capacity, 4)),
             np.empty((capacity, n)),
         )
-        status, _, counts = _run(props, state, start, length, 1, hold=hold, base=base, record=record)
+        status, _, counts = run_one(props, state, start, length, 1, hold=hold, base=base, record=record)
         if status is not Status.TOO_MANY_EVENTS or capacity > MOST_PIECES:
             break
         capacity *= 4
@@ -177,7 +177,7 @@ def trace(
         events=found,
         end=state,
         undecided=int(counts[0, -1]),
-        status=_with_doubt(status, int(counts[0, -1])),
+        status=with_doubt(status, int(counts[0, -1])),
     )
 
 
@@ -192,13 +192,13 @@ def orthonormal_growth(
     while left:
         block = min(left, most)
         sums = np.zeros((block * parts, len(frame)))
-        status, _, counts = _run(props, z, 0.0, length, block * parts, tangents=frame, sums=sums)
+        status, _, counts = run_one(props, z, 0.0, length, block * parts, tangents=frame, sums=sums)
         total += sums.sum(axis=0)
         undecided += int(counts[:, -1].sum())
         left -= block
         if not status.ok:
             return status, total
-    return _with_doubt(Status.OK, undecided), total
+    return with_doubt(Status.OK, undecided), total
 
 
 def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float, float]:
@@ -216,7 +216,7 @@ def columns_of(props: Propagators) -> int:
     return 4 * props.shape.clearances + 1
 
 
-def _run(
+def run_one(
     props: Propagators,
     state: Array,
     start: float,
@@ -343,5 +343,5 @@ def _hold(props: Propagators, hold: Hold | None, base: float) -> Array:
     return np.array([float(hold.clearance), float(hold.boundary), *window])
 
 
-def _with_doubt(status: Status, undecided: int) -> Status:
+def with_doubt(status: Status, undecided: int) -> Status:
     return Status.UNCERTAIN if status.ok and undecided else status

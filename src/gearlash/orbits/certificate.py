@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,13 +23,14 @@ from gearlash.system import Clearance, ContactRule, Record, Status
 from .grazing import gap_extrema
 from .pressing import least_force
 from .shooting import TOLERANCE
-from .tangents import OWN_ROUNDING, ROUNDING, Tangents, norms, round_orbit
+from .tangents import Tangents, norms, round_orbit
 
 if TYPE_CHECKING:
     from .results import Aperiodic, Orbit
 
 Array = NDArray[Any]
 MARGIN = 10.0  # on the error of the state
+OWN_ROUNDING = 1e-14  # of a whole period's map, relative to 1 + its norm
 MOVING = (Status.OK, Status.UNCERTAIN)
 
 
@@ -97,6 +98,15 @@ def _doubts_of_motion(motion: Aperiodic) -> Iterator[str]:
         yield f"largest exponent {value:.1e} is zero within its error {error:.0e}"
 
 
+class Late(NamedTuple):
+    """Of every contact event: the place just after it; column (m, n) and rows (m, 2, n), in units of the size
+    of each component, of the change of the field that acts for the error of its time."""
+
+    after: NDArray[np.int64]
+    columns: Array
+    rows: Array
+
+
 @dataclass(frozen=True, eq=False)
 class _Examined:
     """A closed orbit under examination: each method yields reasons against it."""
@@ -117,20 +127,19 @@ class _Examined:
 
     @cached_property
     def tangents(self) -> Tangents:
-        orbit = self.orbit
-        return round_orbit(orbit.propagators, orbit.state, orbit.events.phase, orbit.shot.period)
+        return round_orbit(self.orbit.trace, self.orbit.state)
 
     @cached_property
     def errors(self) -> Array:
-        """Bounds (m, n) on the error of each component of the state at the places of `tangents`."""
+        """Error (m, n) of each component of the state at the places of `tangents`."""
         try:
-            return MARGIN * self.tangents.errors(self.orbit.trace.end - self.orbit.state)
+            return MARGIN * self.tangents.deviations * self.tangents.size
         except np.linalg.LinAlgError:
-            return np.full(self.tangents.states.shape, np.inf)
+            return np.full((len(self.tangents.places), len(self.orbit.state)), np.inf)
 
     @cached_property
     def reach(self) -> Array:
-        """Bound (n,) on the error of each component anywhere along the orbit."""
+        """Error (n,) of each component anywhere along the orbit."""
         return self.errors.max(axis=0)
 
     @property
@@ -141,7 +150,10 @@ class _Examined:
     def of_period(self) -> Iterator[str]:
         period, strobes = self.orbit.shot.period, self.orbit.strobes
         for divisor in (d for d in range(1, period) if period % d == 0):
-            apart, allowed = np.abs(strobes[divisor] - strobes[0]), 2.0 * self.reach
+            apart, allowed = (
+                np.abs(np.roll(strobes, -divisor, axis=0) - strobes).max(axis=0),
+                2.0 * self.reach,
+            )
             if np.all(apart <= allowed):
                 i = int(np.argmax(apart))
                 yield (
@@ -181,25 +193,29 @@ class _Examined:
             )
 
     def of_events(self, index: int, clearance: Clearance) -> Iterator[str]:
-        speed = self.speeds(index).min(initial=np.inf)
-        allowed = float(np.abs(clearance.h @ self.orbit.propagators.system.matrix) @ self.reach)
-        if speed <= allowed:
+        chosen = self.orbit.events.clearance == index
+        if not chosen.any():
+            return
+        speeds = np.abs(self.orbit.events.velocity[chosen])
+        moving = np.abs(clearance.h @ self.orbit.propagators.system.matrix)
+        allowed = self.errors[self.late.after[chosen]] @ moving
+        i = int(np.argmin(speeds - allowed))
+        if speeds[i] <= allowed[i]:
             yield (
-                f"a boundary{self.named(clearance)} is crossed with X' = {speed:.0e}, within the error "
-                f"{allowed:.0e}"
+                f"a boundary{self.named(clearance)} is crossed with X' = {speeds[i]:.0e}, within the error "
+                f"{allowed[i]:.0e}"
             )
 
     def of_stability(self) -> Iterator[str]:
         """A simple multiplier moves by what the change of the maps does to its own direction, a double one
         with the root of the change of the matrix; the multipliers are those of every place."""
-        first, away = self.tangents.calmest(), abs(abs(self.orbit.leading) - 1.0)
-        matrix = self.tangents.returns[first]
+        first, away = self.tangents.calmest, abs(abs(self.orbit.leading) - 1.0)
+        matrix, late = self.tangents.returns[first], self.late
         ahead, behind = self.tangents.from_place(first)
+        k = (late.after - first) % len(self.tangents.places)
         norm = 1.0 + float(norms(matrix[None])[0])
-        change = sum(
-            late * float(np.abs(behind[k] @ c.g).max()) * float((peak @ np.abs(rows @ ahead[k])).sum())
-            for k, c, late, peak, rows in self.lateness(first)
-        )
+        columns = np.abs(behind[k] @ late.columns[:, :, None]).max(axis=(1, 2))
+        change = float(columns @ np.abs(late.rows @ ahead[k]).sum(axis=(1, 2)))
         double = 2.0 * float(np.sqrt(norm * (OWN_ROUNDING * norm + change)))
         if away > double:
             return
@@ -216,29 +232,29 @@ class _Examined:
             left = np.linalg.inv(right)[i]  # left · right[:, i] = 1
         except np.linalg.LinAlgError:
             return np.inf
-        y, x = np.abs(left @ behind), np.abs(ahead @ right[:, i])
+        x, y, late = ahead @ right[:, i], left @ behind, self.late
+        k = (late.after - first) % len(self.tangents.places)
         factors = np.abs(np.roll(self.tangents.factors, -first, axis=0))
-        rounding = ROUNDING * float(np.einsum("ki,kij,kj->", y[1:], factors, x[:-1]) + (y * x).sum())
-        return MARGIN * rounding + sum(
-            late * abs(left @ behind[k] @ c.g) * float(peak @ np.abs(rows @ ahead[k] @ right[:, i]))
-            for k, c, late, peak, rows in self.lateness(first)
+        size = np.einsum("ki,kij,kj->k", np.abs(y[1:]), factors, np.abs(x[:-1]))
+        size += (np.abs(y[1:]) * np.abs(x[1:])).sum(axis=1)
+        shifts = np.abs((y[k] * late.columns).sum(axis=1)) * np.abs(late.rows @ x[k][:, :, None]).sum(
+            axis=(1, 2)
         )
+        return MARGIN * float(np.roll(self.tangents.rounding, -first) @ size) + float(shifts.sum())
 
-    def lateness(self, first: int) -> Iterator[tuple[int, Clearance, float, Array, Array]]:
-        """Of every contact: the place just after it, counted from ``first``, its clearance, and by how much
-        it comes earlier or later; stiffness and damping (2,), and the rows (2, n) that they act on."""
-        system, events, places = self.orbit.propagators.system, self.orbit.events, self.tangents.places
-        after = np.searchsorted(places, events.phase, side="right")
-        for k, index, velocity in zip(after, events.clearance, events.velocity, strict=True):
-            c = system.clearances[index]
-            k = int(k) % len(places)
-            late = float(np.abs(c.h) @ self.errors[k]) / max(abs(float(velocity)), 1e-300)
-            yield (k - first) % len(places), c, late, _strengths(c), np.array([c.h, c.h @ system.matrix])
-
-    def speeds(self, index: int) -> Array:
-        """|X'| at the contact events of a clearance."""
-        events = self.orbit.events
-        return np.abs(events.velocity[events.clearance == index])
+    @cached_property
+    def late(self) -> Late:
+        """Of every contact (m,), by how much it comes earlier or later within the error."""
+        orbit, events, size = self.orbit, self.orbit.events, self.tangents.size
+        places, clearances = self.tangents.places, orbit.propagators.system.clearances
+        after = np.searchsorted(places, events.phase % orbit.period, side="right") % len(places)
+        rows = np.array(
+            [_strengths(c)[:, None] * [c.h, c.h @ orbit.propagators.system.matrix] for c in clearances]
+        )
+        time = np.array([np.abs(c.h) for c in clearances])[events.clearance] * self.errors[after]
+        late = time.sum(axis=1) / np.maximum(np.abs(events.velocity), 1e-300)
+        columns = np.array([c.g for c in clearances])[events.clearance] * late[:, None]
+        return Late(after, columns / size, rows[events.clearance] * size)
 
     def strength(self, clearance: Clearance) -> Array:
         """Bound (n,) on |∂Φ/∂z|."""

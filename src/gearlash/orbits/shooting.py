@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import isfinite
 from typing import ClassVar
 
@@ -10,22 +11,35 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
-from gearlash.flow import Propagators
+from gearlash.flow import Lap, Propagators
 from gearlash.flow.march import LONGEST, start_state
 from gearlash.system import Record, Status, given
 
-TOLERANCE = 1e-11  # of the residual, relative to max(1, |z|); above it a status is not ok
+TOLERANCE = 1e-11  # of the residual; above it a status is not ok
 GOAL = 2e-14  # Newton goes on to here, or until rounding stops it
 ITERATIONS = 25
+ROUNDING = 2.5e-15  # of a return, times the root of its cells, relative to the sizes that its map works on
+LEAST = 1e-4  # of the largest: the least size of a component, where few states tell
+MOST = 1e6  # times its size: more than so is no rounding of a component, whatever the map does to it
+PLACES = 4  # of a lap, at least: the states there tell the sizes
+MANY = 10_000  # base periods of a lap beyond which its two ends do
+MOVING = (Status.OK, Status.UNCERTAIN)
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Shot(Record):
-    """A solution of P^period(z) = z: state (n,), period in base periods, residual (∞-norm of the return
-    relative to max(1, |z|)), monodromy (n, n), and ``error``: an estimate, to first order, of the largest
-    error of a component of the state, from residual and rounding. ``contacts`` (4·clearances,) as in
-    `flow.Strobes`, over the whole period, where they were counted; ``strobes`` (period, n) the states at
-    phase zero, where they were marched.
+    """A solution of P^period(z) = z: state (n,), period in base periods, residual, monodromy (n, n), and
+    ``error``: an estimate, to first order, of the largest error of a component of the state, from what the
+    return misses and its rounding; ``errors`` (n,) the same of every component. What grows and dies out again
+    within the period is not in it: the certificate sees that.
+
+    The residual is the largest component of P^period(z) - z, each relative to what rounding acts on there:
+    |DP^period| s + s, with s the size of every component along the orbit. So it depends neither on the units
+    of the components nor on where phase zero lies, however stiff a contact it falls into.
+
+    ``contacts`` (4·clearances,) as in `flow.Strobes`, over the whole period, where they were counted;
+    ``strobes`` (period, n) the states at phase zero, where they were marched.
     """
 
     _told: ClassVar = ("status", "period", "residual", "error", "iterations", "state")
@@ -39,6 +53,52 @@ class Shot(Record):
     status: Status
     contacts: NDArray[np.int64] | None = None
     strobes: NDArray[np.float64] | None = None
+    errors: NDArray[np.float64] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class _Tried:
+    """A state (n,) that was carried through a return, with the units (n,) of its rounding."""
+
+    z: Array
+    lap: Lap
+    iteration: int
+
+    @cached_property
+    def size(self) -> Array:
+        return size_of(self.lap.states)
+
+    @cached_property
+    def missed(self) -> Array:
+        return self.lap.end - self.z
+
+    @cached_property
+    def gap(self) -> float:
+        """What tells whether Newton's method comes nearer: whether it is near enough, `residual` does."""
+        return float(np.abs(self.missed).max())
+
+    @cached_property
+    def unit(self) -> Array:
+        with np.errstate(over="ignore"):
+            return np.abs(self.lap.jacobian) @ self.size + self.size
+
+    @cached_property
+    def residual(self) -> float:
+        return float((np.abs(self.missed) / np.fmin(self.unit, MOST * self.size)).max())
+
+    def shot(self, period: int, cells: int) -> Shot:
+        """With the error |(J - I)⁻¹| · (what the return misses + its rounding), to first order."""
+        try:
+            gain = np.abs(np.linalg.inv(self.lap.jacobian - np.eye(len(self.z))))
+            errors = gain @ (np.abs(self.missed) + ROUNDING * np.sqrt(cells * period) * self.unit)
+        except np.linalg.LinAlgError:
+            errors = np.full(len(self.z), np.inf)
+        status = self.lap.status if self.residual <= TOLERANCE else Status.NOT_CONVERGED
+        strobes = self.lap.states[: -1 : _parts(period)] if period <= MANY else None
+        return Shot(
+            self.z, period, self.residual, self.lap.jacobian, float(errors.max()), self.iteration, status,
+            self.lap.contacts, strobes, errors,
+        )  # fmt: skip
 
 
 def shoot(
@@ -52,28 +112,30 @@ def shoot(
     residual grow tenfold end the search with status `not-converged`. With ``reach`` a guess is expected to be
     near: the search ends too where the first step is longer, or does not make the residual smaller, and where
     two steps have not halved it."""
-    z: NDArray[np.float64] = start_state(props, guess)
-    period = given.whole("period", period, 1, LONGEST)
+    z: Array = start_state(props, guess)
+    period = given.whole("period", period, 1, LONGEST // props.system.cycles)
     iterations = given.whole("iterations", iterations)
     reach = None if reach is None else given.number("reach", reach)
-    cycles, unit = float(period * props.system.cycles), np.eye(len(z))
-    best: tuple[NDArray[np.float64], float, flow.Carried, int] | None = None
-    residuals: list[float] = []
+    stretches = (period * _parts(period), 1.0 / _parts(period)) if period <= MANY else (1, float(period))
+    unit = np.eye(len(z))
+    best: _Tried | None = None
+    gaps: list[float] = []
     for iteration in range(iterations):
-        end = flow.variational(props, z, cycles)
-        if end.jacobian is None or end.status not in (Status.OK, Status.UNCERTAIN):
-            return _failed(z, period, iteration, end.status) if best is None else _shot(period, *best)
-        defect = end.state - z
-        residual = float(np.abs(defect).max()) / max(1.0, float(np.abs(z).max()))
-        if best is None or residual < best[1]:
-            best = z, residual, end, iteration
-        elif residual > 10.0 * best[1] or best[1] <= TOLERANCE:
+        lap = flow.lap(props, z, *stretches)
+        if lap.status not in MOVING:
+            return (
+                _failed(z, period, iteration, lap.status) if best is None else best.shot(period, props.cells)
+            )
+        tried = _Tried(z, lap, iteration)
+        if best is None or tried.gap < best.gap:
+            best = tried
+        elif tried.gap > 10.0 * best.gap or best.residual <= TOLERANCE:
             break
-        residuals.append(residual)
-        if residual <= GOAL or (reach is not None and _hopeless(residuals)):
+        gaps.append(tried.gap)
+        if tried.residual <= GOAL or (reach is not None and _hopeless(gaps)):
             break
         try:
-            step = np.linalg.solve(end.jacobian - unit, defect)
+            step = np.linalg.solve(lap.jacobian - unit, tried.missed)
         except np.linalg.LinAlgError:
             break
         length = float(np.abs(step).max())
@@ -81,26 +143,25 @@ def shoot(
             break
         z = z - step
     assert best is not None
-    return _shot(period, *best)
+    return best.shot(period, props.cells)
 
 
-def _hopeless(residuals: list[float]) -> bool:
-    if len(residuals) == 2:
-        return residuals[1] > residuals[0]
-    return len(residuals) > 2 and residuals[-1] > 0.5 * residuals[-3]
+def size_of(states: Array, least: float = LEAST) -> Array:
+    """Size (n,) of every component of a motion with these states (m, n): its largest value, but no less than
+    that part of the largest component's."""
+    size = np.abs(states).max(axis=0)
+    return np.maximum(size, max(least * float(size.max()), 1e-300))
 
 
-def _shot(period: int, z: NDArray[np.float64], residual: float, end: flow.Carried, iteration: int) -> Shot:
-    """A shot with its error |(J - I)^-1| · (residual + rounding of the return): to first order."""
-    assert end.jacobian is not None
-    rounding = 1e-15 * (1.0 + np.abs(end.jacobian).sum(axis=1).max())
-    try:
-        gain = float(np.abs(np.linalg.inv(end.jacobian - np.eye(len(z)))).sum(axis=1).max())
-    except np.linalg.LinAlgError:
-        gain = np.inf
-    error = gain * (residual + rounding) * max(1.0, float(np.abs(z).max()))
-    converged = end.status if residual <= TOLERANCE else Status.NOT_CONVERGED
-    return Shot(z, period, residual, end.jacobian, error, iteration, converged, end.contacts)
+def _parts(period: int) -> int:
+    """In which a base period is cut."""
+    return max(1, PLACES // period)
+
+
+def _hopeless(gaps: list[float]) -> bool:
+    if len(gaps) == 2:
+        return gaps[1] > gaps[0]
+    return len(gaps) > 2 and gaps[-1] > 0.5 * gaps[-3]
 
 
 def _failed(z, period, iteration, status: Status) -> Shot:
@@ -114,17 +175,19 @@ def minimal(props: Propagators, shot: Shot) -> Shot:
     the error, the status becomes `uncertain`."""
     if shot.period == 1 or not np.isfinite(shot.error):
         return shot
-    strobes = flow.march(props, shot.state, shot.period).states
-    shot = replace(shot, strobes=strobes[:-1])
-    scale = max(1.0, float(np.abs(strobes).max()))
+    if shot.strobes is None:
+        shot = replace(shot, strobes=flow.march(props, shot.state, shot.period).states[:-1])
+    assert shot.strobes is not None
+    error = np.full(len(shot.state), shot.error) if shot.errors is None else shot.errors
+    size = size_of(shot.strobes)
     for divisor in (d for d in range(1, shot.period) if shot.period % d == 0):
-        distance = float(np.abs(strobes[divisor] - strobes[0]).max())
-        if distance > max(1e3 * shot.error, 1e-9 * scale):
+        apart = np.abs(shot.strobes[divisor] - shot.strobes[0])
+        if (apart > np.maximum(1e3 * error, 1e-9 * size)).any():
             continue
         smaller = shoot(props, shot.state, divisor)
-        near = np.abs(smaller.state - shot.state).max() <= max(1e4 * shot.error, 1e-8 * scale)
-        if smaller.residual <= TOLERANCE and near:
+        near = np.abs(smaller.state - shot.state) <= np.maximum(1e4 * error, 1e-8 * size)
+        if smaller.residual <= TOLERANCE and near.all():
             return smaller
-        if distance <= 10.0 * shot.error:
+        if (apart <= 10.0 * error).all():
             return replace(shot, status=Status.UNCERTAIN)
     return shot

@@ -47,7 +47,7 @@ SCALARS = (
         "leading_imag", "multiplier of largest modulus, imaginary part", lambda point: point.leading.imag
     ),
     Variable("leading_modulus", "multiplier of largest modulus, modulus", lambda point: abs(point.leading)),
-    _plain("residual", "of the closed orbit, relative to max(1, |z|)"),
+    _plain("residual", "of the closed orbit, of each state relative to what rounding acts on"),
     _plain("periods_used", "base periods marched", "i4", "base periods"),
     _plain("minimum", "least X", quantity="length"),
     _plain("maximum", "largest X", quantity="length"),

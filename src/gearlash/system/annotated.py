@@ -21,7 +21,7 @@ from .told import shown
 
 Check = Callable[[Any], Any]
 ARRAYS = "Array", "Vector", "Fourier", "Complex"  # names that the rooms give to arrays
-_checks: dict[type, tuple[tuple[str, str, Check], ...]] = {}
+_checks: dict[type, tuple[tuple[str, str, str, Check], ...]] = {}
 
 
 MEANING = {"Attractor": "Orbit | Aperiodic", "Model": "Case | Family"}  # names that stand for several kinds
@@ -36,10 +36,12 @@ def hold(record: Any) -> None:
     """Makes the fields of a frozen dataclass what their annotations say. Raises `GearlashError`."""
     kind = type(record)
     if kind not in _checks:
-        _checks[kind] = tuple((f.name, str(f.type), _check(str(f.type))) for f in fields(kind))
-    for name, annotation, check in _checks[kind]:
+        _checks[kind] = tuple(
+            (f.name, f"{f.name} of {kind.__name__}", str(f.type), _check(str(f.type))) for f in fields(kind)
+        )
+    for name, told, annotation, check in _checks[kind]:
         value = getattr(record, name)
-        found = _held(f"{name} of {kind.__name__}", annotation, check, value)
+        found = _held(told, annotation, check, value)
         if found is not value:
             object.__setattr__(record, name, found)
 

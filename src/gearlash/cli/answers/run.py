@@ -57,7 +57,9 @@ class RunAnswer:
         Mapping[str, float | None],
         "state at phase zero by name; of an orbit, one point of it (null: it ran away beyond every number)",
     ]
-    residual: Annotated[float | None, "largest component of P(z) - z over max(1, |z|)"]
+    residual: Annotated[
+        float | None, "largest component of P(z) - z, each over |DP| s + s with the sizes s of the states"
+    ]
     multipliers: Annotated[
         tuple[Multiplier, ...], "all Floquet multipliers, by modulus, descending; of an orbit only"
     ]
