@@ -73,6 +73,22 @@ def test_run_keeps_the_motion(
     assert not (tmp_path / "portrait.svg").exists()  # of the motion of before
 
 
+def test_run_keeps_a_motion_without_its_numbers(
+    gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    """Of a slow system they take longer than anybody waits after Ctrl-C."""
+
+    def interrupted(attractor: object) -> None:
+        os.kill(os.getpid(), signal.SIGINT)
+
+    monkeypatch.setattr("gearlash.cli.answers.run.motion_numbers", interrupted)
+    ran = gearlash("run", "article", "--json", "--out", str(tmp_path))
+    assert (ran.code, ran.answer["status"], ran.answer["label"]) == (130, "incomplete", "1-0-0")
+    assert (ran.answer["numbers"], ran.answer["beside"]) == (None, None)
+    assert "before its numbers and other starts and speeds free of impacts" in ran.answer["message"]
+    assert sorted(path.name for path in tmp_path.glob("*.*") if path.name[0] != ".") == ["run.json"]
+
+
 def test_files_that_belong_together_are_there_together_or_as_before(tmp_path: Path):
     one, other, figure = tmp_path / "a.nc", tmp_path / "a.json", tmp_path / "a.svg"
     store.write_together({one: b"1", other: b"1"})

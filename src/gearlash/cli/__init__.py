@@ -11,7 +11,7 @@ def main() -> None:
 
     current_folder.leave_out()
 
-    from .interrupt import end_early
+    from .interrupt import end_early, ignore_late
 
     end_early()
 
@@ -35,6 +35,8 @@ def main() -> None:
         if isinstance(ended.__context__, BrokenPipeError):  # its reader has seen enough, too
             raise SystemExit(int(ExitCode.OK)) from None
         raise
+    finally:
+        ignore_late()
 
 
 def _end_without_words() -> None:

@@ -70,11 +70,11 @@ def write_motion(folder: OutFolder, case: Case, attractor: Attractor, answer: Ru
     """The answer (JSON) and, where a motion was found, phase portrait and history as SVG and PDF."""
     older = [folder.file(name) for name in MOTION_FILES]
     write_together({folder.file("run.json"): text(answer).encode("utf-8")}, instead_of=older)
-    if answer.numbers is None:
-        return
     from gearlash.studies.motion import motion
 
-    found = motion(attractor)
+    found = None if answer.numbers is None else optional(lambda: motion(attractor))
+    if found is None:
+        return
     _draw(folder, "portrait", True, lambda plots: plots.portrait(found, units=plots.Units.of(case)))
     _draw(folder, "history", True, lambda plots: plots.history(found, units=plots.Units.of(case)))
 

@@ -77,6 +77,13 @@ def end_early() -> None:
         signal.signal(number, lambda number, _frame: _end(number))
 
 
+def ignore_late() -> None:
+    """From now on a signal changes nothing: while Python itself ends, it would take the place of the exit
+    code of what is done."""
+    for number in _answered():
+        signal.signal(number, signal.SIG_IGN)
+
+
 @contextmanager
 def signals_answered() -> Iterator[None]:
     """Around a command. Signals that are ignored stay so (`nohup`), and so do those of who has a use of his

@@ -70,7 +70,9 @@ class RunAnswer:
     ]
     exponent_error: Annotated[float | None, "half-width of its 95 % interval; 0 on an orbit"]
     periods_used: Annotated[int, "base periods that the motion was followed, transient and averages together"]
-    numbers: Annotated[MotionNumbers | None, "of the motion, dimensionless; null where it ran away"]
+    numbers: Annotated[
+        MotionNumbers | None, "of the motion, dimensionless; null where it ran away, or not looked at"
+    ]
     beside: Annotated[
         Beside | None,
         "what a few other starts lead to; null where no motion was found to compare with, or not looked for",
@@ -84,27 +86,32 @@ class RunAnswer:
     result: Literal["run"] = "run"
 
 
+def numbers_of(attractor: Attractor) -> MotionNumbers | None:
+    """The numbers of the motion; None where it ran away."""
+    return motion_numbers(attractor) if attractor.status in TRACEABLE else None
+
+
 def run_answer(
     case: Case,
     parameters: Mapping[str, float],
     start: Mapping[str, float],
     attractor: Attractor,
+    numbers: MotionNumbers | None,
     impact_free: ImpactFree | None,
     beside: Beside | None,
     missing: Sequence[str] = (),
 ) -> RunAnswer:
-    """The record of an attractor that was reached from ``start`` (by state name); ``missing``: what
-    was not looked at any more."""
+    """The record of an attractor that was reached from ``start`` (by state name), with its numbers;
+    ``missing``: what was not looked at any more."""
     from gearlash.orbits import Orbit
 
     orbit = attractor if isinstance(attractor, Orbit) else None
-    numbers = motion_numbers(attractor) if attractor.status in TRACEABLE else None
     idle = unexcited(case, attractor)
     status, message, advice = str(attractor.status), message_of(attractor), attractor.status.advice
     if idle is not None:
         status, message, advice = NOT_EXCITED, idle.cause, idle.advice
-    elif missing:
-        advice = RESUME if attractor.status.ok else f"{RESUME}; {advice}"
+    if missing:
+        advice = RESUME if status == Status.OK else f"{RESUME}; {advice}"
         status, message = INCOMPLETE, f"{message}; interrupted before {' and '.join(missing)}"
     names = list(start)
     state = dict(zip(names, map(float, attractor.final_state), strict=True))

@@ -2,8 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from gearlash.cli.exits import ExitCode, code_of, command, delivery
 from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
+
+if TYPE_CHECKING:
+    from gearlash.case import Case
+    from gearlash.cli.answers.run import RunAnswer
+    from gearlash.orbits import Attractor
+    from gearlash.orbits import Settings as SearchSettings
+    from gearlash.system import Family
 
 
 @command
@@ -24,7 +33,7 @@ def run(
     """
     from gearlash.cli.folder import MOTION_FILES, claim_if
     from gearlash.cli.inputs import read_case, read_start
-    from gearlash.cli.interrupt import expect_results, optional, signalled
+    from gearlash.cli.interrupt import expect_results
     from gearlash.cli.jsonio import write_stdout
     from gearlash.cli.terminal import show
 
@@ -38,34 +47,13 @@ def run(
 
     load_engine()
 
-    from gearlash.case.quantities import PIECEWISE
-    from gearlash.cli.answers.excitation import unexcited
-    from gearlash.cli.answers.run import run_answer
-    from gearlash.cli.late import late_bar
-    from gearlash.cli.search.beside import motions_beside
-    from gearlash.cli.search.closed import impact_free_speeds
     from gearlash.cli.search.settings import search_settings
     from gearlash.orbits import attractor
 
     search = search_settings(family, periods, max_period, case)
     found = attractor(family.system(parameters), list(start.values()), search)
     expect_results()
-
-    def other_starts():
-        with late_bar("other starts") as tell:
-            return motions_beside(found, start, family.start(parameters), search, tell)
-
-    def quiet_speeds():
-        with late_bar("speeds free of impacts") as tell:
-            return impact_free_speeds(family, parameters, tell)
-
-    asked = unexcited(chosen, found) is None
-    beside = optional(other_starts) if asked else None
-    speeds_asked = asked and chosen.kind != PIECEWISE
-    quiet = optional(quiet_speeds) if speeds_asked else None
-    looked = (("other starts", asked, beside), ("speeds free of impacts", speeds_asked, quiet))
-    left_out = [what for what, wanted, got in looked if wanted and got is None and signalled()]
-    answer = run_answer(chosen, parameters, start, found, quiet, beside, left_out)
+    answer = _answer(chosen, family, parameters, start, found, search)
     with delivery():
         try:
             if folder:
@@ -80,3 +68,42 @@ def run(
 
                 show(run_view, answer)
     return code_of(answer.status)
+
+
+def _answer(
+    case: Case,
+    family: Family,
+    parameters: dict[str, float],
+    start: dict[str, float],
+    found: Attractor,
+    search: SearchSettings,
+) -> RunAnswer:
+    """What is to be said of a motion, as far as a signal leaves time to look."""
+    from gearlash.case.quantities import PIECEWISE
+    from gearlash.cli.answers.excitation import unexcited
+    from gearlash.cli.answers.run import numbers_of, run_answer
+    from gearlash.cli.interrupt import optional, signalled
+    from gearlash.cli.late import late_bar
+    from gearlash.cli.search.beside import motions_beside
+    from gearlash.cli.search.closed import impact_free_speeds
+
+    def other_starts():
+        with late_bar("other starts") as tell:
+            return motions_beside(found, start, family.start(parameters), search, tell)
+
+    def quiet_speeds():
+        with late_bar("speeds free of impacts") as tell:
+            return impact_free_speeds(family, parameters, tell)
+
+    asked = unexcited(case, found) is None
+    speeds_asked = asked and case.kind != PIECEWISE
+    numbers = optional(lambda: numbers_of(found))
+    beside = optional(other_starts) if asked else None
+    quiet = optional(quiet_speeds) if speeds_asked else None
+    looked = (
+        ("its numbers", True, numbers),
+        ("other starts", asked, beside),
+        ("speeds free of impacts", speeds_asked, quiet),
+    )
+    left_out = [what for what, wanted, got in looked if wanted and got is None and signalled()]
+    return run_answer(case, parameters, start, found, numbers, quiet, beside, left_out)
