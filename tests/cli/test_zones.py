@@ -15,6 +15,7 @@ from gearlash.cli.answers.zones_parts import ZoneEnd, ZoneFound
 from gearlash.cli.answers.zones_words import headline
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
+from gearlash.cli.show.numbers import at_least
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
 DRIVE = str(CASES / "drive.toml")
@@ -53,7 +54,7 @@ def test_zones_in_words(gearlash: Gearlash):
     assert "grazing, 1-0-0 inside, 1-1-0 outside" in out
     flat = " ".join(out.split())
     assert "a zone narrower than 0.01, or a motion that lives between two of the values only" in flat
-    assert "quiet motion was followed in steps of 0.000833 at the most" in flat
+    assert "quiet motion was followed in steps of 0.000834 at the most" in flat
 
 
 @pytest.mark.parametrize("count", [5, 15, 41])
@@ -152,16 +153,16 @@ def zone(low: float, high: float, every: bool = True, kind: str = "impact-free")
         (
             4.0,
             [zone(3.0, 5.0, every=False)],
-            "4000 rpm lies in a zone free of impacts for some of the attractors found, but not for all: 3000 "
-            "to 5000 rpm; 1000 rpm from its lower end (grazing); no interval was found in which every "
-            "attractor found is free of impacts",
+            "4000 rpm lies in a zone free of impacts for at least one attractor found, but not everywhere "
+            "for all: 3000 to 5000 rpm; 1000 rpm from its lower end (grazing); no interval was found in "
+            "which every attractor found is free of impacts",
         ),
         (
             4.0,
             [zone(3.0, 5.0, every=False), zone(1.0, 9.0, kind="drive-side-only")],
-            "4000 rpm lies in a zone free of impacts for some of the attractors found, but not for all: 3000 "
-            "to 5000 rpm; 1000 rpm from its lower end (grazing); no interval was found in which every "
-            "attractor found is free of impacts",
+            "4000 rpm lies in a zone free of impacts for at least one attractor found, but not everywhere "
+            "for all: 3000 to 5000 rpm; 1000 rpm from its lower end (grazing); no interval was found in "
+            "which every attractor found is free of impacts",
         ),
         (
             4.0,
@@ -185,3 +186,34 @@ def zone(low: float, high: float, every: bool = True, kind: str = "impact-free")
 )
 def test_headlines(here: float, zones: list[ZoneFound], words: str):
     assert headline(RPM, (1.0, 9.0), here, zones) == words
+
+
+def test_an_end_that_was_halved_is_shown_where_motion_was_last_seen_to_be_quiet():
+    low, high = (ZoneEnd(v, 0.01, (), "jump", False, "1-0-0", "1-1-0", "up") for v in (1.0, 3.0))
+    one = ZoneFound("impact-free", True, low, high, None, None, ())
+    assert "1010 to 2990 rpm; 990 rpm from its" in headline(RPM, (0.5, 9.0), 2.0, [one])
+    assert "lies in no zone" in headline(RPM, (0.5, 9.0), 2.995, [one])
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"), [(357.142, "358"), (1750.0, "1750"), (0.05, "0.05"), (0.0090909, "0.0091")]
+)
+def test_what_may_have_been_missed_is_rounded_up(value: float, shown: str):
+    assert at_least(value, 3) == shown
+
+
+STOP = ("--over", "gap=2:3:2")
+
+
+def test_a_system_without_a_back_side_is_not_asked_for_it(gearlash: Gearlash):
+    """Every motion is free of impacts on a side that is not there: that says nothing."""
+    answer = gearlash("zones", "shaw-holmes", *STOP, "--json").answer
+    assert {zone["kind"] for zone in answer["zones"]} == {"impact-free"}
+    ran = gearlash("zones", "shaw-holmes", *STOP, "--kind", "drive-side-only")
+    assert ran.code == 2
+    assert "no clearance of this system has a back side that acts" in ran.complaint
+
+
+def test_the_state_that_was_given_is_no_cold_start(gearlash: Gearlash):
+    ran = gearlash("zones", "shaw-holmes", *STOP, "--initial", "x=0.1")
+    assert "From the state that was given at every value, up and down sweeps" in " ".join(ran.out.split())

@@ -14,7 +14,17 @@ from gearlash import flow
 from gearlash.branches import BifurcationPoint
 from gearlash.studies import Axis, point, sweep
 from gearlash.studies.smooth import plainly_one
-from gearlash.studies.transitions import FOLD, GRAZING, UNDECIDED, Transition, transitions
+from gearlash.studies.transitions import (
+    APERIODIC,
+    FOLD,
+    GRAZING,
+    JUMP,
+    UNDECIDED,
+    UNPROVED,
+    Transition,
+    transitions,
+    unlocated,
+)
 from gearlash.studies.zone import BASIN
 from gearlash.system import ContactRule, Family, GearlashError
 from orbits.contacts import two_gaps
@@ -141,3 +151,21 @@ def test_only_smooth_states_are_taken_as_they_are():
     jumped = [replace(p, state=p.state + np.array([0.1 * step * (i > 3), 0.0])) for i, p in enumerate(smooth)]
     assert not plainly_one(jumped, 3)
     assert not plainly_one([replace(p, label="1-1-0" if p.value > 1.9 else "1-0-0") for p in smooth], 4)
+
+
+@pytest.mark.parametrize(
+    ("below", "above", "kind"),
+    [
+        (("1-0-0", 1), ("1-1-0", 1), JUMP),
+        (("1-0-0", 1), ("aperiodic", 0), APERIODIC),
+        (("unresolved", 0), ("1-0-0", 1), UNPROVED),
+        (("neutral", 0), ("1-0-0", 1), UNPROVED),
+        (("aperiodic", 0), ("unresolved", 0), UNPROVED),
+    ],
+)
+def test_what_was_not_proved_aperiodic_is_not_called_so(
+    below: tuple[str, int], above: tuple[str, int], kind: str
+):
+    one, two = (Bare(0.0, label, period, np.zeros(2)) for label, period in (below, above))
+    assert unlocated(one, two) == kind
+    assert unlocated(two, one) == kind

@@ -21,7 +21,7 @@ from gearlash.system import Family, GearlashError, Status
 
 from .model import Source
 from .row import Trail, onward, step
-from .transitions import APERIODIC, FOLD, GRAZING, JUMP
+from .transitions import FOLD, GRAZING, unlocated
 from .zone import BASIN, End, Quiet
 
 NARROW = 1e-6  # of the value: width at which halving ends
@@ -150,7 +150,7 @@ class _Search:
             followed = self.step(outside.value, onward(Trail(None, None), inside))
             if self.quiet(followed):
                 return BASIN
-        return JUMP if outside.periodic else APERIODIC
+        return unlocated(inside, outside)
 
     def orbit(self, point: Point) -> Orbit | None:
         """The orbit of a periodic point, to solve from."""

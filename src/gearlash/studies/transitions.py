@@ -26,6 +26,8 @@ from .smooth import plainly_one
 from .zone import BASIN
 
 GRAZING, DOUBLING, FOLD, JUMP, APERIODIC = "grazing", "doubling", "fold", "jump", "onset of aperiodic motion"
+UNPROVED = "no periodic motion proved beyond"
+"""One side is neither a proved orbit nor aperiodic: unresolved, neutral or not computed."""
 UNDECIDED = "not decided"
 """The orbits of two neighbouring points could not be followed to each other, and no motion between them was
 found: they may be one branch, or there may be a jump."""
@@ -154,9 +156,8 @@ class _Finder:
     def between(self, below: Sampled, above: Sampled) -> list[Transition]:
         """The changes in the order of the parameter."""
         if not (below.period and above.period):
-            kind = APERIODIC if below.period or above.period else JUMP
             different = below.label != above.label
-            return [self.interval(kind, below, above)] if different else []
+            return [self.interval(unlocated(below, above), below, above)] if different else []
         near, far = (self.motion(p) for p in ((below, above) if self.rising else (above, below)))
         if near is None or far is None:
             return [self.interval(JUMP if below.label != above.label else UNDECIDED, below, above)]
@@ -252,7 +253,7 @@ class _Finder:
         is told as the touch of this orbit, and then the jump from it."""
         last, point = (way.last.value, way.last.label), way.point
         end = beyond.value if beyond.value != way.last.value else way.beyond
-        jump = APERIODIC if beyond.orbit is None else JUMP
+        jump = JUMP if beyond.orbit is not None else APERIODIC if beyond.label == "aperiodic" else UNPROVED
         if isinstance(point, GrazingPoint):
             label = point.label_above if end > last[0] else point.label_below
             if label != NONE:
@@ -283,6 +284,14 @@ class _Finder:
 
     def at(self, value: float) -> dict[str, float]:
         return {**self.values, self.name: value}
+
+
+def unlocated(one: Sampled, two: Sampled) -> str:
+    """What to call a change between two motions of a sweep that no point was solved for."""
+    if one.period and two.period:
+        return JUMP
+    other = two if one.period else one
+    return APERIODIC if (one.period or two.period) and other.label == "aperiodic" else UNPROVED
 
 
 def kind_of(point: GrazingPoint | BifurcationPoint) -> str:

@@ -45,9 +45,10 @@ class Quiet(Named):
 class End(Record):
     """One end of an interval: dimensionless value, known within ± ``uncertainty``, and what happens there.
 
-    ``kind`` is grazing, doubling, fold, jump, onset of aperiodic motion (see `transitions`), change of
-    basin, the end of the range, or that nothing was computed beyond. ``inside`` and ``outside`` are the
-    labels; ``direction`` the sweep whose attractor changes; ``point`` what was solved for, where it was.
+    ``kind`` is grazing, fold, jump, onset of aperiodic motion, no periodic motion proved beyond (see
+    `transitions`), change of basin, the end of the range, or that nothing was computed beyond.
+    ``inside`` and ``outside`` are the labels; ``direction`` the sweep whose attractor changes; ``point``
+    what was solved for, where it was.
     """
 
     value: float
@@ -111,7 +112,7 @@ class Interval(Record):
 @dataclass(frozen=True, eq=False, repr=False)
 class Zone(Interval):
     """An interval of ``name`` in which motion is quiet: for every attractor that was found (``every``), or
-    for some only.
+    at every value for at least one of them.
 
     ``tenants`` are all motions that were seen in it; where two were seen at one value, attractors coexist.
     """
@@ -145,7 +146,7 @@ class Zone(Interval):
         return min(below, above)
 
     def __str__(self) -> str:
-        who = "every attractor found" if self.every else "only some of the attractors found"
+        who = "every attractor found" if self.every else "at least one attractor found"
         shown = f"{self.quiet} for {who}: {self.name} from {self.lower.value:.6g} ({self.lower})"
         shown += f" to {self.upper.value:.6g} ({self.upper})"
         for p in self.physical:

@@ -15,7 +15,7 @@ from .asked import Asked
 from .excitation import idle_study
 from .outcome import POINTS, study_status, troubles
 from .parts import CaseUsed, case_used, physical_values
-from .sweep import AxisUsed, axis_used, first_failure
+from .sweep import START, AxisUsed, axis_used, first_failure
 from .zones_parts import Resident, ZoneEnd, ZoneFound
 from .zones_words import headline
 
@@ -41,6 +41,7 @@ class ZonesAnswer:
     present: Annotated[float, "the case's own value of the varied parameter"]
     axis: AxisUsed
     asked: Annotated[Asked, "the unit that the sentence and the table tell values in"]
+    start: Annotated[dict[str, float] | None, START]
     statuses: Annotated[dict[str, int], "number of points of the three sweeps by status"]
     resolution: Annotated[
         float,
@@ -52,15 +53,22 @@ class ZonesAnswer:
         "inside the zones quiet motion was followed in steps of this at the most: an interruption narrower "
         "than that may have been missed",
     ]
-    zones: Annotated[tuple[ZoneFound, ...], "where every attractor found is quiet, then where only some are"]
+    zones: Annotated[
+        tuple[ZoneFound, ...], "where every attractor found is quiet, then where at least one is"
+    ]
     result: Literal["zones"] = "zones"
 
 
 def zones_answer(
-    case: Case, parameters: Mapping[str, float], named: str, unit: str, found: Sequence[Zones]
+    case: Case,
+    parameters: Mapping[str, float],
+    named: str,
+    unit: str,
+    found: Sequence[Zones],
+    start: Mapping[str, float] | None = None,
 ) -> ZonesAnswer:
     """The record of zones of one or both kinds, from the same sweeps; ``named`` is the parameter as typed,
-    ``unit`` what it was typed in."""
+    ``unit`` what it was typed in, ``start`` the state that was given to start from, by name."""
     axis, here = found[0].axis, parameters[found[0].axis.name]
     asked = Asked.of(case, axis.name, named, unit)
     listed = tuple(_zone(case, z, here, asked) for zones in found for z in (*zones.zones, *zones.wider))
@@ -78,6 +86,7 @@ def zones_answer(
         present=here,
         axis=axis_used(case, axis, named, unit),
         asked=asked,
+        start=None if start is None else dict(start),
         statuses=statuses,
         resolution=found[0].resolution,
         step=max(zones.step for zones in found),

@@ -16,12 +16,19 @@ class ZoneEnd:
     uncertainty: Annotated[float, "the value is known within plus or minus this"]
     physical: tuple[PhysicalValue, ...]
     kind: Annotated[
-        str, "grazing, doubling, fold, jump, onset of aperiodic motion, change of basin, end of the range"
+        str,
+        "grazing, fold, jump, onset of aperiodic motion, no periodic motion proved beyond, change of basin, "
+        "end of the range, not computed beyond",
     ]
     solved: Annotated[bool, "solved for together with the orbit; else found by halving"]
     inside: Annotated[str, "label just inside"]
     outside: Annotated[str, "label just outside"]
     direction: Annotated[str, "sweep whose attractor changes here"]
+
+    def inner(self, inwards: int) -> float:
+        """The value that is shown: where it was halved, the last that was seen to be inside; ``inwards`` is
+        +1 for a lower end, -1 for an upper."""
+        return self.value if self.solved else self.value + inwards * self.uncertainty
 
 
 @dataclass(frozen=True)
@@ -41,7 +48,9 @@ class ZoneFound:
     """One interval."""
 
     kind: Annotated[Literal["impact-free", "drive-side-only"], "no impact at all, or none on the back side"]
-    every: Annotated[bool, "every attractor that the sweeps found is quiet; false: only some are"]
+    every: Annotated[
+        bool, "every attractor that the sweeps found is quiet; false: at every value at least one is"
+    ]
     lower: ZoneEnd
     upper: ZoneEnd
     margin: Annotated[

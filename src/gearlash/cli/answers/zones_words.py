@@ -8,7 +8,7 @@ from .asked import Asked
 from .zones_parts import ZoneEnd, ZoneFound
 
 QUIET = {"impact-free": "free of impacts", "drive-side-only": "free of impacts on the back side"}
-WHO = {True: "every attractor found", False: "some of the attractors found, but not for all"}
+WHO = {True: "every attractor found", False: "at least one attractor found, but not everywhere for all"}
 MARK = "†"  # behind a physical number that rests on an assumed value
 MOST = 4  # further zones that are named
 NO_END = ("end of the range", "not computed beyond")
@@ -17,7 +17,7 @@ NO_END = ("end of the range", "not computed beyond")
 def headline(asked: Asked, ends: tuple[float, float], here: float, zones: Sequence[ZoneFound]) -> str:
     """``ends`` of the range that was examined and the present value ``here``, all dimensionless."""
     at = asked.text(here)
-    holding = [zone for zone in zones if zone.lower.value <= here <= zone.upper.value]
+    holding = [zone for zone in zones if zone.lower.inner(1) <= here <= zone.upper.inner(-1)]
     own = min(holding, key=_rank, default=None)
     if not ends[0] <= here <= ends[1]:
         reach = asked.between(*(f"{asked.value(end):.6g}" for end in ends))
@@ -46,7 +46,7 @@ def _first_kind(zones: Sequence[ZoneFound]) -> str:
 
 
 def _span(asked: Asked, zone: ZoneFound, here: float) -> str:
-    low, high = asked.edge(zone.lower.value, 1, here), asked.edge(zone.upper.value, -1, here)
+    low, high = asked.edge(zone.lower.inner(1), 1, here), asked.edge(zone.upper.inner(-1), -1, here)
     return asked.between(low, high) + (f" {MARK}" if _marked(asked, zone) else "")
 
 
@@ -66,8 +66,12 @@ def _margin(asked: Asked, zone: ZoneFound, here: float) -> str:
     if not ends:
         return "no end of it was met within the range"
     _, which, end = min(ends, key=lambda one: one[0])
-    apart = asked.distance(here, end.value, 1 if which == "lower" else -1)
+    apart = _apart(asked, here, end, 1 if which == "lower" else -1)
     return f"{apart} from its {which} end ({end.kind})"
+
+
+def _apart(asked: Asked, here: float, end: ZoneEnd, inwards: int) -> str:
+    return asked.distance(here, end.inner(inwards), inwards)
 
 
 def _further(asked: Asked, zones: Sequence[ZoneFound], kind: str, here: float, own: ZoneFound | None) -> str:
@@ -81,7 +85,7 @@ def _further(asked: Asked, zones: Sequence[ZoneFound], kind: str, here: float, o
         at = zones.index(near)
         above = near.lower.value > here
         end, inwards = (near.lower, 1) if above else (near.upper, -1)
-        apart = f"{asked.distance(here, end.value, inwards)} {'above' if above else 'below'}"
+        apart = f"{_apart(asked, here, end, inwards)} {'above' if above else 'below'}"
         spans = [f"{spans[at]}, {apart}", *spans[:at], *spans[at + 1 :]]
         head, rest = f"nearest zone {QUIET[kind]} for {WHO[True]}: {spans[0]}", spans[1:]
         return f"{head}; others: {_listed(rest)}" if rest else head

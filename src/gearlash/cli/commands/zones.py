@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -19,6 +19,13 @@ from gearlash.cli.options import (
     Settings,
     Workers,
 )
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from gearlash.system import Family
+
+LOOKED_AT = 400  # values at which a back side is looked for, about
 
 
 class Kind(StrEnum):
@@ -36,7 +43,8 @@ def zones(
         Kind | None,
         typer.Option(
             metavar="KIND",
-            help="impact-free: no impact at all; drive-side-only: none on the back side. [default: both]",
+            help="impact-free: no impact at all; drive-side-only: none on the back side. [default: both, "
+            "where there is a back side]",
         ),
     ] = None,
     settings: Settings = None,
@@ -49,9 +57,9 @@ def zones(
 ) -> ExitCode:
     """Which intervals are free of impacts, or of impacts on the back side?
 
-    Cold, up and down sweeps, then every end located: solved for where it is a grazing or doubling, else
-    halved. Between quiet points motion is followed in small steps. Says where the present value lies, where
-    every attractor found is quiet, where only some are, and what coexists. --out writes zones.json, the
+    Cold, up and down sweeps, then every end located: solved for where it is a grazing or fold, else halved.
+    Between quiet points motion is followed in small steps. Says where the present value lies, where every
+    attractor found is quiet, where at least one is, and what coexists. --out writes zones.json, the
     sweeps as zones.nc, and the zones over them as SVG and PDF.
     """
     from gearlash.cli.folder import claim_if
@@ -64,7 +72,9 @@ def zones(
     chosen = read_case(case, settings)
     along = read_over(chosen, over, settings)
     family, _ = chosen.family()
-    start = list(read_start(family, family.complete(), initial).values()) if initial else None
+    named = read_start(family, family.complete(), initial) if initial else None
+    start = None if named is None else list(named.values())
+    kinds = _kinds(kind, family, along.short, along.values.tolist())
     folder = claim_if(out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf"])
     load_engine(data=folder is not None)
     expect_results()
@@ -78,7 +88,6 @@ def zones(
     from gearlash.studies.zones import zones_of_kinds
 
     axis, search = Axis(along.short, along.values), search_settings(family, periods, max_period, case)
-    kinds = [kind] if kind else list(Kind)
     with executor_for(chosen, workers, 3 * len(axis)) as executor:
         with progress_bar("sweeps") as progress:
             ways = sweeps(chosen, axis, initial=start, settings=search, executor=executor, progress=progress)
@@ -94,7 +103,7 @@ def zones(
                 executor=executor,
                 progress=progress,
             )
-    answer = zones_answer(chosen, family.complete(), along.named, along.unit, found)
+    answer = zones_answer(chosen, family.complete(), along.named, along.unit, found, named)
     with delivery():
         try:
             if folder:
@@ -109,3 +118,24 @@ def zones(
 
                 show(zones_view, answer)
     return code_of(answer.status)
+
+
+def _kinds(kind: Kind | None, family: Family, name: str, values: Sequence[float]) -> list[Kind]:
+    """The kinds to look for: where no back side acts, its impacts are no question. Raises `CaseError` where
+    it is asked all the same."""
+    from gearlash.case import CaseError, Problem
+    from gearlash.system import GearlashError
+
+    def acts(value: float) -> bool:
+        try:
+            gaps = family.system({name: value}).clearances
+        except GearlashError:
+            return False
+        return any(gap.stops(-1) for gap in gaps)
+
+    if any(acts(value) for value in values[:: max(1, len(values) // LOOKED_AT)]):
+        return [kind] if kind else list(Kind)
+    if kind is Kind.DRIVE_SIDE_ONLY:
+        expected = "impact-free: no clearance of this system has a back side that acts"
+        raise CaseError("--kind", [Problem("--kind", repr(str(kind)), expected)])
+    return [Kind.IMPACT_FREE]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from math import atan2, degrees, floor, isfinite, log10
+from math import atan2, ceil, degrees, floor, isfinite, log10
 
 MARK = "†"
 
@@ -24,6 +24,16 @@ def number(value: float | None, digits: int = 5) -> str:
 def known(value: float, uncertainty: float) -> str:
     """As many decimals as the uncertainty leaves."""
     return f"{value:.{max(0, -floor(log10(uncertainty)))}f}"
+
+
+def at_least(value: float, digits: int) -> str:
+    """Significant digits, rounded up and written out: what is shown is never less than it is."""
+    places = digits - 1 - floor(log10(value))
+    scaled = value * 10.0**places
+    near = round(scaled)
+    up = near if abs(scaled - near) <= 1e-9 * scaled else ceil(scaled)
+    text = f"{up / 10.0**places:.{max(0, places)}f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def quantity(value: float | None, unit: str, digits: int = 4) -> str:

@@ -12,7 +12,7 @@ from gearlash.cli.answers.zones import ZonesAnswer
 from gearlash.cli.answers.zones_parts import ZoneEnd, ZoneFound
 
 from .layout import facts, headline, note
-from .numbers import Marks, known, number
+from .numbers import Marks, at_least, known
 
 TITLES = {"impact-free": "Free of impacts", "drive-side-only": "Free of impacts on the back side"}
 
@@ -25,7 +25,7 @@ def zones_view(answer: ZonesAnswer, width: int) -> Iterator[Text]:
         rows = [("status", answer.status), ("message", answer.message)]
         yield from facts("", [row for row in rows if row[1]], width)
     for zone in answer.zones:
-        who = "every attractor found" if zone.every else "some of the attractors found only"
+        who = "every attractor found" if zone.every else "at least one attractor found"
         ends = answer.asked.between(*_edges(answer, zone))
         yield from facts(f"{TITLES[zone.kind]}, {who}: {ends}", list(_facts(answer, zone, marks)), width)
     yield from note(_examined(answer), width)
@@ -40,11 +40,12 @@ def _examined(answer: ZonesAnswer) -> str:
     ends = asked.between(*(f"{asked.value(end):.6g}" for end in (answer.axis.lower, answer.axis.upper)))
 
     def length(step: float) -> str:
-        text = number(abs(asked.value(step)), 3)
+        text = at_least(abs(asked.value(step)), 3)
         return f"{text} {pretty(unit)}" if unit else text
 
+    cold = "cold" if answer.start is None else "the state that was given at every value"
     said = (
-        f"From cold, up and down sweeps of {answer.axis.count} values, {ends}: a zone narrower than "
+        f"From {cold}, up and down sweeps of {answer.axis.count} values, {ends}: a zone narrower than "
         f"{length(answer.resolution)}, or a motion that lives between two of the values only, may have been "
         "missed."
     )
@@ -58,7 +59,7 @@ def _examined(answer: ZonesAnswer) -> str:
 
 def _edges(answer: ZonesAnswer, zone: ZoneFound) -> tuple[str, str]:
     asked, here = answer.asked, answer.present
-    return asked.edge(zone.lower.value, 1, here), asked.edge(zone.upper.value, -1, here)
+    return asked.edge(zone.lower.inner(1), 1, here), asked.edge(zone.upper.inner(-1), -1, here)
 
 
 def _facts(answer: ZonesAnswer, zone: ZoneFound, marks: Marks) -> Iterator[tuple[str, str]]:
@@ -69,7 +70,10 @@ def _facts(answer: ZonesAnswer, zone: ZoneFound, marks: Marks) -> Iterator[tuple
         lower = abs(here - zone.margin - zone.lower.uncertainty - zone.lower.value)
         upper = abs(here + zone.margin + zone.upper.uncertainty - zone.upper.value)
         end, inwards = (zone.lower, 1) if lower < upper else (zone.upper, -1)
-        yield "margin", f"{asked.distance(here, end.value, inwards)}, from the present {asked.text(here)}"
+        yield (
+            "margin",
+            f"{asked.distance(here, end.inner(inwards), inwards)}, from the present {asked.text(here)}",
+        )
     for i, r in enumerate(zone.residents):
         low, high = (asked.value(value) for value in (r.lower, r.upper))
         where = f"{low:.5g}" if r.lower == r.upper else f"{low:.5g} to {high:.5g}"
@@ -85,7 +89,9 @@ def _end(answer: ZonesAnswer, end: ZoneEnd, inwards: int, marks: Marks) -> str:
     shown = [f"{answer.axis.name} {value}"]
     for p in end.physical:
         factor = p.value / end.value if end.value else 0.0
-        text = shown_edge(p.value, inwards if factor >= 0.0 else -inwards, answer.present * factor)
+        text = shown_edge(
+            factor * end.inner(inwards), inwards if factor >= 0.0 else -inwards, answer.present * factor
+        )
         shown.append(marks.of(f"{text} {pretty(p.unit)}", p.rests_on))
     how = end.kind + (
         f", {end.inside} inside, {end.outside} outside ({end.direction})" if end.outside else ""
