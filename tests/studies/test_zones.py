@@ -6,14 +6,15 @@ import math
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gearlash import case, studies
-from gearlash.branches import GrazingPoint
+from gearlash import case, orbits, studies
+from gearlash.branches import GrazingPoint, locate_multiplier
 from gearlash.jobs import Progress
 from gearlash.studies import Axis, Direction, End, Interval, Quiet
 from gearlash.studies.model import Source
@@ -251,6 +252,21 @@ def test_impacts_between_two_quiet_points_end_the_zones(count: int):
     solved = [end for z in intervals for end in (z.lower, z.upper) if end.kind == "grazing"]
     assert any(abs(end.value - low) < 1e-9 for end in solved)
     assert any(abs(end.value - high) < 1e-9 for end in solved)
+
+
+def test_an_end_does_not_depend_on_the_step_of_the_sweep():
+    """The impacting motion of this pair is lost in a step of a 128th of the axis, but goes on to a fold."""
+    drive = case.load(str(Path(__file__).parents[1] / "cases" / "drive.toml"))
+    family, scales = drive.family()
+    values = scales.omega_from_rpm(np.array([1000.0, 3500.0, 6000.0]))
+    down = studies.sweep(family, Axis("omega", np.linspace(0.503, 0.517, 15)), direction="down")
+    assert down.points[0].label == "1-1-0"
+    orbit = orbits.attractor(family.system({"omega": 0.503}), down.points[0].state)
+    assert isinstance(orbit, orbits.Orbit)
+    fold = locate_multiplier(family, {"omega": 0.503}, "omega", orbit, 1)
+    end = studies.zones(drive, Axis("omega", values)).zones[0].upper
+    assert (end.kind, end.inside, end.outside) == ("fold", "1-0-0", "1-1-0")
+    assert end.value == pytest.approx(fold.value, rel=1e-9)
 
 
 @pytest.mark.parametrize("range_", [(0.5, 1.5), (0.4, 1.31), (0.73, 1.9)])

@@ -27,6 +27,7 @@ from .zone import BASIN, End, Quiet
 NARROW = 1e-6  # of the value: width at which halving ends
 ROUGH = 1e-4  # the same where one side is not periodic: no label is sharp there, and each costs much
 HALVINGS = 40
+ROUNDS = 4  # of searching on, where the motion that is followed was lost too early
 STEEP = 100.0  # how far an extremum may move, in units of the change of the parameter, and at least SETTLED
 SETTLED = 1e-3
 BESIDE = 3.0  # bracket widths: how near to a bracket a fold must be to be what happens in it
@@ -70,8 +71,20 @@ class _Search:
     def halved(self) -> tuple[Point, Point, list[Point]]:
         """A bracket of relative width `NARROW` (or `ROUGH`), and the periodic points nearest to it on
         either side: just beyond a fold motion is slow and seems aperiodic for long.
+
+        A motion that is followed may be lost in a step that is long for it. So the last steps, which are
+        short, are tried once more from what was found last; where it goes on after all, so does the search.
         """
-        below, above = self.bracket.below, self.bracket.above
+        below, above, last = self.narrowed(self.bracket.below, self.bracket.above)
+        for _ in range(0 if self.bracket.cold else ROUNDS):
+            farther = self.farther(below, above)
+            if farther is None:
+                break
+            below, above, last = self.narrowed(*farther)
+        return below, above, last
+
+    def narrowed(self, below: Point, above: Point) -> tuple[Point, Point, list[Point]]:
+        """The bracket halved by the sweep's own way."""
         last = {False: below, True: above}
         for _ in range(HALVINGS):
             sharp = NARROW if below.periodic and above.periodic else ROUGH
@@ -85,6 +98,27 @@ class _Search:
             if middle.periodic:
                 last[middle is above] = middle
         return below, above, [point for point in last.values() if point.periodic]
+
+    def farther(self, below: Point, above: Point) -> tuple[Point, Point] | None:
+        """A bracket beyond a narrow one, if the motion that is followed goes on through it; it is followed in
+        steps that grow, as far again as the bracket of the sweep is wide. None where it ends in the narrow
+        one, or not so soon."""
+        falling, wide = (
+            self.bracket.direction is Direction.DOWN,
+            self.bracket.above.value - self.bracket.below.value,
+        )
+        lead, other, sign = (above, below, -1.0) if falling else (below, above, 1.0)
+        limit = (self.bracket.below if falling else self.bracket.above).value + sign * wide
+        value, width = other.value, above.value - below.value
+        while lead.periodic and sign * (limit - value) >= 0.0:
+            point = self.step(value, onward(Trail(self.bracket.start, None), lead))
+            if not point.computed or (value == other.value and self.quiet(point) == self.quiet(other)):
+                return None
+            if self.quiet(point) == self.quiet(other):
+                return (point, lead) if falling else (lead, point)
+            lead, width = point, 2.0 * width
+            value = lead.value + sign * width
+        return None
 
     def found(self, value: float, below: Point, above: Point) -> Point:
         """What a sweep of this direction finds between two points, coming from its side."""
