@@ -6,24 +6,33 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from time import monotonic
 
-PATIENCE = 1.0  # seconds
+from .terminal import tell as announce
+
+PATIENCE, LONG = 1.0, 5.0  # seconds
 
 
 @contextmanager
 def late_bar(title: str) -> Iterator[Callable[[int, int], None]]:
-    """A callback for what is done, out of how much."""
+    """A callback for what is done, out of how much. Where no bar can be shown, one line says how long it
+    takes, if that is long."""
     began, shown = monotonic(), []
     with ExitStack() as stack:
 
         def tell(done: int, total: int) -> None:
             if monotonic() - began < PATIENCE:
                 return
-            from gearlash.jobs import Progress  # late too: loading it takes as long as many a search
+            from gearlash.jobs import (
+                Progress,
+                seconds_as_text,
+            )  # late too: loading it takes as long as many a search
 
-            from .progress import stage_bar
+            from .progress import silent, stage_bar
 
             if not shown:
                 shown.append(stack.enter_context(stage_bar()))
+                seconds = (monotonic() - began) * total / max(done, 1)
+                if shown[0] is silent and seconds > LONG:
+                    announce(f"{title}: about {seconds_as_text(seconds)}")
             shown[0](title, Progress(done, total, monotonic() - began, None))
 
         yield tell

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 
 MOST_SAMPLES = 10_000_000
+AT_ONCE = 400_000  # coefficients of polynomials that are gathered at once: 3 MB
 SLACK = 1e-9  # mesh cycles beyond its ends at which a trace is still read
 
 
@@ -172,7 +173,7 @@ class Trace(Record):
         index = found[:, 3].astype(int)
         local = (found[:, 0] - self.positions[index]) / self.lengths[index]
         duration = self.lengths[index] * props.cell_duration
-        state = _values(self.polynomials[index], local)
+        state = _values(self.polynomials, index, local)
         phase = self.base + found[:, 0] / props.cells_per_cycle
         return Extrema(phase, found[:, 1], found[:, 2] / duration**2, state, regions[index])
 
@@ -190,7 +191,7 @@ class Trace(Record):
         cell = (phase - self.base) * self.propagators.cells_per_cycle
         index = np.clip(np.searchsorted(self.positions, cell, side="right") - 1, 0, len(self.positions) - 1)
         local = (cell - self.positions[index]) / self.lengths[index]
-        state, region = _values(self.polynomials[index], local), self.regions_of(clearance)[index]
+        state, region = _values(self.polynomials, index, local), self.regions_of(clearance)[index]
         x = gap_displacement(system, phase, state, clearance)
         velocity = gap_velocity(system, phase, state, clearance)
         force = contact_force(system, phase, x, velocity, region, clearance)
@@ -254,10 +255,15 @@ def _base_phase(system: System, phase: ArrayLike) -> Array:
     return 2.0 * np.pi / system.cycles * np.asarray(phase, dtype=np.float64)
 
 
-def _values(polynomials: Array, local: Array) -> Array:
-    """Polynomials (m, degree+1, n) at local times (m,) → (m, n)."""
-    powers = local[:, None] ** np.arange(polynomials.shape[1])
-    return np.einsum("mj,mjn->mn", powers, polynomials)
+def _values(polynomials: Array, index: Array, local: Array) -> Array:
+    """Polynomials (pieces, degree+1, n), those of ``index`` (m,), at local times (m,) → (m, n)."""
+    terms, n = polynomials.shape[1:]
+    found, block = np.empty((len(index), n)), max(1, AT_ONCE // (terms * n))
+    for first in range(0, len(index), block):
+        rows = slice(first, first + block)
+        powers = local[rows, None] ** np.arange(terms)
+        found[rows] = np.einsum("mj,mjn->mn", powers, polynomials[index[rows]])
+    return found
 
 
 def _local_series(props: Propagators, series: Array, positions: Array, lengths: Array) -> Array:

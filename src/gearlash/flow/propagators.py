@@ -25,11 +25,18 @@ from ._tables import (
     ORDER,
     TERMS,
     Array,
-    Plan,
     Shape,
     aligned,
     constants,
-    lay_out,
+)
+from .budget import (
+    allowed,
+    check_cells,
+    check_memory,
+    of_region,
+    regions_likely,
+    regions_possible,
+    shape_of,
 )
 from .regions import (
     Sides,
@@ -39,6 +46,7 @@ from .regions import (
     extreme_regions,
     first_guess,
     forcing_of,
+    has_width,
     matrix_of,
     sides_of,
     twin,
@@ -46,19 +54,37 @@ from .regions import (
 )
 
 TRUNCATION = 1e-15  # bound on the Taylor remainder of every unit column of every cell map
+FINER, NEAR = 1.1, 10  # factor to the next grid, for so many tries
+FAR_FINER = 1.5  # the same after them
 LATER = 1e-14  # the same for regions that are met only later, on the grid of the first ones
-MOST_CELLS = 200_000
 ONE_CALL = 4_000_000  # numbers of tables that one call writes: a tenth of a second
-MOST_BYTES = 3_000_000_000  # of the tables of one region
 RULES = {ContactRule.ALWAYS: ALWAYS, ContactRule.IN_CONTACT: IN_CONTACT, ContactRule.NO_TENSION: NO_TENSION}
 
 
 @dataclass
 class Tables:
-    """What kernels read: replaced as a whole when a region is added, never changed."""
+    """What kernels read: replaced as a whole when a region is added. What was there is never changed; a new
+    region is written behind it. There is room for as many as the budget allows (pages of it that nobody has
+    written to take no memory); where more was allowed later, everything is copied."""
 
-    memory: Array
+    room: Array
+    used: int
     slot_of: Array  # (3^clearances) int: slot of each region, or -1
+
+    @cached_property
+    def memory(self) -> Array:
+        """The room, to be read."""
+        memory = self.room.view()
+        memory.setflags(write=False)
+        return memory
+
+    def with_space(self, more: int) -> Array:
+        """The room, or a larger one with the same content, with space for so many numbers behind it."""
+        if self.used + more <= len(self.room):
+            return self.room
+        (room,) = aligned(self.used + 2 * more)
+        _copy(self.room[: self.used], room[: self.used])
+        return room
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -119,7 +145,13 @@ class Propagators(Record):
         with self.lock:
             if self.tables.slot_of[code] >= 0:
                 return
-            tables = _with_regions(self, [code], LATER)
+            check_memory(self.system, self.shape, 1 + len(self.responses), len(self.units))
+            tables, old = None, self.tables
+            try:
+                tables = _with_regions(self, [code], LATER)
+            finally:
+                if tables is None:  # as it was: another region may come here
+                    old.room[old.used : old.used + self.shape.slot] = 0.0
             if tables is None:
                 raise GearlashError(
                     f"the Taylor remainder of a region is above {LATER:.0e}: the sides of the clearances are "
@@ -145,42 +177,30 @@ def propagators(system: System, reuse: Propagators | None = None) -> Propagators
     key = _key(system, units)
     if reuse is not None and reuse.key == key:
         return _with_amplitudes(system, reuse)
-    cells = first_guess(system)
-    while cells <= MOST_CELLS:
-        found = _on_grid(system, units, key, cells)
+    cells, tried = first_guess(system), 0
+    while True:
+        check_cells(system, cells)
+        found = _on_grid(system, units, key, int(cells))
         if found is not None:
             return found
-        cells = ceil(1.1 * cells)
-    raise GearlashError(
-        f"more than {MOST_CELLS} cells a period would be needed: the frequency {system.omega:g} is too far "
-        "below the fastest natural frequency"
-    )
+        cells, tried = ceil((FINER if tried < NEAR else FAR_FINER) * cells), tried + 1
 
 
 def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagators | None:
     """Propagators with this many cells, or None where the remainder is above `TRUNCATION`."""
-    count = max(
-        harmonics(s)
-        for s in (
-            system.forcing,
-            *(s for c in system.clearances for s in (c.offset, c.stiffness_plus, c.stiffness_minus)),
-        )
-    )
-    shape = lay_out(Plan(system.size, len(system.clearances), cells, count))
-    if 8 * shape.slot > MOST_BYTES:
-        raise GearlashError(
-            f"{cells} cells of {system.size} states would need {8 * shape.slot / 1e9:.1f} GB: the frequency "
-            f"{system.omega:g} is too far below the fastest natural frequency"
-        )
-    (memory,) = aligned(shape.slots)
-    constants(shape, memory)
-    _write_system(system, shape, memory)
-    stiffness_series(shape, memory)
-    memory.setflags(write=False)
+    shape = shape_of(system, cells)
+    first = [code_of(sides) for sides in extreme_regions(system) if has_width(system, sides)]
+    regions = max(len(first), regions_likely(system))
+    check_memory(system, shape, regions, len(units))
+    fitting = (allowed() - 8.0 * shape.slots) / of_region(shape, len(units))
+    (room,) = aligned(shape.slots + regions_possible(system, fitting) * shape.slot)
+    constants(shape, room)
+    _write_system(system, shape, room)
+    stiffness_series(shape, room)
     rules = np.array([RULES[c.contact] for c in system.clearances], dtype=np.int64)
-    nothing = Tables(memory, np.full(3 ** len(rules), -1, dtype=np.int64))
+    nothing = Tables(room, shape.slots, np.full(3 ** len(rules), -1, dtype=np.int64))
     found = Propagators(system, shape, rules, units, centres_of(system), key, {"now": nothing}, {})
-    tables = _with_regions(found, [code_of(sides) for sides in extreme_regions(system)], TRUNCATION)
+    tables = _with_regions(found, first, TRUNCATION)
     if tables is None:
         return None
     found.store["now"] = tables
@@ -190,10 +210,8 @@ def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagator
 def _with_regions(props: Propagators, codes: list[int], bound: float) -> Tables | None:
     """The tables with more regions; None where the Taylor remainder of one is above the bound."""
     system, shape, old = props.system, props.shape, props.tables
-    at = len(old.memory)
-    (memory,) = aligned(at + len(codes) * shape.slot)
-    _copy(old.memory, memory[:at])
-    slot_of = old.slot_of.copy()
+    at, slot_of = old.used, old.slot_of.copy()
+    memory = old.with_space(len(codes) * shape.slot)
     for code in codes:
         like = twin(system, code)
         if like != code and slot_of[like] >= 0:
@@ -208,8 +226,7 @@ def _with_regions(props: Propagators, codes: list[int], bound: float) -> Tables 
         _assemble(system, shape, props, memory, at, code, everything=True)
         slot_of[code] = (at - shape.slots) // shape.slot
         at += shape.slot
-    memory.setflags(write=False)
-    return Tables(memory, slot_of)
+    return Tables(memory, at, slot_of)
 
 
 def _responses(props: Propagators, memory: Array, at: int, sides: Sides) -> tuple[Array, Array, float, float]:
@@ -235,8 +252,8 @@ def _responses(props: Propagators, memory: Array, at: int, sides: Sides) -> tupl
 def _with_amplitudes(system: System, reuse: Propagators) -> Propagators:
     """The same homogeneous tables under other loads, errors and gaps."""
     tables, shape = reuse.tables, reuse.shape
-    (memory,) = aligned(len(tables.memory))
-    _copy(tables.memory, memory)
+    (memory,) = aligned(len(tables.room))
+    _copy(tables.room[: tables.used], memory[: tables.used])
     _write_system(system, shape, memory)
     found = Propagators(
         system,
@@ -251,8 +268,7 @@ def _with_amplitudes(system: System, reuse: Propagators) -> Propagators:
     for code in map(int, np.flatnonzero(tables.slot_of >= 0)):
         at = shape.slots + int(tables.slot_of[code]) * shape.slot
         _assemble(system, shape, found, memory, at, code, everything=False)
-    memory.setflags(write=False)
-    found.store["now"] = Tables(memory, tables.slot_of)
+    found.store["now"] = Tables(memory, tables.used, tables.slot_of)
     return found
 
 

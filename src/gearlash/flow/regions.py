@@ -4,8 +4,9 @@ A region is told by the side of every clearance: `PLUS`, `FREE` or `MINUS`."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import lru_cache
-from math import ceil, pi
+from math import inf, isfinite, pi
 
 import numpy as np
 
@@ -20,7 +21,6 @@ FEW = 3  # clearances up to which every region is asked for its fastest rate
 ALIKE = 3.0  # condition number of the directions h/|h| above which no centres are used
 KEPT = 64  # answers about systems, by the system itself: building its propagators asks for each several times
 STEP = 1.85  # (spectral radius + highest harmonic) × cell duration aimed at: degree 23 then suffices
-BEYOND = 10**9  # cells: more than any grid has
 
 
 def code_of(sides: Sides) -> int:
@@ -58,6 +58,14 @@ def extreme_regions(system: System) -> tuple[Sides, ...]:
         if side != MINUS or twin(system, code_of(sides)) == code_of(sides):
             found.append(sides)
     return tuple(dict.fromkeys(found))
+
+
+def has_width(system: System, sides: Sides) -> bool:
+    """Whether a motion can stay in a region: not between two sides that lie at one place."""
+    return not all(
+        side == FREE and c.stops(1) and c.stops(-1) and c.gap_plus + c.gap_minus == 0.0
+        for side, c in zip(sides, system.clearances, strict=True)
+    )
 
 
 def units_of(system: System) -> Array:
@@ -140,20 +148,35 @@ def edges_of(system: System, sides: Sides) -> Array:
     )
 
 
-def first_guess(system: System) -> int:
-    """Cells from the fastest rate that occurs in any region (of many clearances: with all contacts closed,
-    or open), stiffness at its extremes."""
+def first_guess(system: System) -> float:
+    """Cells from the fastest rate that occurs in any region; infinite where that is beyond numbers."""
+    # a modulated stiffness moves the motion's rates by its harmonics: the two add up; a forcing does not
+    own = system.period * fastest_of(system) + 2 * pi * highest_moved(system)
+    cells = max(own, 2 * pi * highest_turn(system)) / STEP
+    return max(4.0, np.ceil(cells)) if isfinite(cells) else inf
+
+
+def fastest_of(system: System, regions: Iterable[Sides] = ()) -> float:
+    """The fastest rate that occurs in any of these regions (else in all that matter: of many clearances with
+    all contacts closed, or open), stiffness at its extremes."""
     fastest, count = 0.0, len(system.clearances)
-    regions = [sides_of(code, count) for code in range(3**count)] if 1 < count <= FEW else []
-    for sides in regions or extreme_regions(system):
+    every = [sides_of(code, count) for code in range(3**count)] if 1 < count <= FEW else []
+    for sides in regions or every or extreme_regions(system):
         closed = any(side != FREE for side in sides)
         for swing in (-1.0, 1.0) if closed else (0.0,):
-            fastest = max(fastest, spectral_radius(_at_extreme(system, sides, swing), 6))
-    moved = max(_highest(s) for c in system.clearances for s in (c.stiffness_plus, c.stiffness_minus))
-    forced = max(_highest(s) for s in (system.forcing, *(c.offset for c in system.clearances)))
-    # a modulated stiffness moves the motion's rates by its harmonics: the two add up; a forcing does not
-    turn = max(system.period * fastest + 2 * pi * moved, 2 * pi * forced)
-    return max(4, ceil(turn / STEP)) if turn / STEP < BEYOND else BEYOND  # also where it is no number
+            rate = spectral_radius(_at_extreme(system, sides, swing), 6)
+            fastest = max(fastest, rate if isfinite(rate) else inf)
+    return fastest
+
+
+def highest_moved(system: System) -> int:
+    """The highest harmonic of a stiffness."""
+    return max(_highest(s) for c in system.clearances for s in (c.stiffness_plus, c.stiffness_minus))
+
+
+def highest_turn(system: System) -> int:
+    """The highest harmonic of a forcing or an offset."""
+    return max(_highest(s) for s in (system.forcing, *(c.offset for c in system.clearances)))
 
 
 def _at_extreme(system: System, sides: Sides, swing: float) -> Array:

@@ -7,12 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearlash.flow import Trace
 from gearlash.system import GearlashError, Record
 
 from .grazing import gap_extrema, motion_of
 from .results import Attractor
 
 FREE = 1  # region of a trace
+PIECES = 500  # of a trace, read at once
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 
@@ -60,9 +62,7 @@ def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatist
     samples = trace.at(_phases(trace, (NODES + 1.0) / 2.0), clearance)
     weight = weight / weight.sum()
     mean, square = float(weight @ samples.force), float(weight @ samples.force**2)
-    dense = trace.at(_phases(trace, np.linspace(1e-12, 1.0 - 1e-12, 96)), clearance)
-    rows = dense.force.reshape(len(trace.lengths), -1)
-    least, most = -max(map(top, -rows)), max(map(top, rows))
+    least, most = _force_extremes(trace, clearance)
     force = ForceStatistics(
         least, most, mean, float(np.sqrt(square)),
         float(np.sqrt(max(square - mean * mean, 0.0))),
@@ -86,6 +86,16 @@ def top(values: NDArray[np.float64]) -> float:
     return best - slope * slope / (8.0 * bend) if bend < 0.0 else best
 
 
-def _phases(trace, local: NDArray[np.float64]) -> NDArray[np.float64]:
-    cells = trace.positions[:, None] + trace.lengths[:, None] * local[None, :]
+def _force_extremes(trace: Trace, clearance: int) -> tuple[float, float]:
+    """Least and largest force; so many pieces at once that a period of very many takes little memory."""
+    least, most = np.inf, -np.inf
+    for first in range(0, len(trace.lengths), PIECES):
+        phases = _phases(trace, np.linspace(1e-12, 1.0 - 1e-12, 96), slice(first, first + PIECES))
+        rows = trace.at(phases, clearance).force.reshape(-1, 96)
+        least, most = min(least, -max(map(top, -rows))), max(most, *map(top, rows))
+    return least, most
+
+
+def _phases(trace: Trace, local: NDArray[np.float64], pieces: slice = slice(None)) -> NDArray[np.float64]:
+    cells = trace.positions[pieces, None] + trace.lengths[pieces, None] * local[None, :]
     return trace.base + cells.ravel() / trace.propagators.cells_per_cycle

@@ -42,6 +42,7 @@ def graze(
     from gearlash.cli.interrupt import expect_results
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
+    from gearlash.cli.slow import tell_if_slow
     from gearlash.cli.terminal import show
 
     chosen = read_case(case, settings)
@@ -52,6 +53,7 @@ def graze(
     start = read_start(family, parameters, initial)
     folder = claim_if(out, ["graze.json"])
     load_engine()
+    tell_if_slow(family, parameters)
 
     from gearlash.cli.answers.graze import graze_answer
     from gearlash.cli.late import late_bar

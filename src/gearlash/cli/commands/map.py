@@ -50,6 +50,7 @@ def map(
     from gearlash.cli.interrupt import end_if_nothing, expect_results
     from gearlash.cli.jsonio import write_stdout
     from gearlash.cli.notice import load_engine
+    from gearlash.cli.slow import ends, tell_if_slow
     from gearlash.cli.terminal import show
 
     chosen = read_case(case, settings)
@@ -58,6 +59,7 @@ def map(
     start = read_start(family, family.complete(), initial) if initial else None
     folder = claim_if(out, ["map.nc", "map.json", "map.svg", "map.pdf"])
     load_engine(data=folder is not None)
+    tell_if_slow(family, *ends(across, up))
     expect_results()
 
     from gearlash.cli.answers.map import map_answer

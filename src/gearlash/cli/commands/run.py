@@ -35,6 +35,7 @@ def run(
     from gearlash.cli.inputs import read_case, read_start
     from gearlash.cli.interrupt import expect_results
     from gearlash.cli.jsonio import write_stdout
+    from gearlash.cli.slow import tell_if_slow
     from gearlash.cli.terminal import show
 
     chosen = read_case(case, settings)
@@ -46,6 +47,7 @@ def run(
     from gearlash.cli.notice import load_engine
 
     load_engine()
+    tell_if_slow(family, parameters)
 
     from gearlash.cli.search.settings import search_settings
     from gearlash.orbits import attractor

@@ -46,6 +46,7 @@ def sweep(
     from gearlash.cli.interrupt import end_if_nothing, expect_results
     from gearlash.cli.jsonio import write_stdout
     from gearlash.cli.notice import load_engine
+    from gearlash.cli.slow import ends, tell_if_slow
     from gearlash.cli.terminal import show
 
     chosen = read_case(case, settings)
@@ -59,6 +60,7 @@ def sweep(
     ]
     folder = claim_if(out, ["sweep.nc", "sweep.json", "sweep.svg", "sweep.pdf"])
     load_engine(data=folder is not None)
+    tell_if_slow(family, *ends(along))
     expect_results()
 
     from gearlash.cli.answers.sweep import sweep_answer

@@ -67,6 +67,7 @@ def zones(
     from gearlash.cli.interrupt import end_if_nothing, expect_results
     from gearlash.cli.jsonio import write_stdout
     from gearlash.cli.notice import load_engine
+    from gearlash.cli.slow import ends, tell_if_slow
     from gearlash.cli.terminal import show
 
     chosen = read_case(case, settings)
@@ -77,6 +78,7 @@ def zones(
     kinds = _kinds(kind, family, along.short, along.values.tolist())
     folder = claim_if(out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf"])
     load_engine(data=folder is not None)
+    tell_if_slow(family, *ends(along))
     expect_results()
 
     from gearlash.cli.answers.zones import zones_answer

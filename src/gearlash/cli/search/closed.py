@@ -45,15 +45,17 @@ def impact_free_speeds(
     """
     if parameters.get("load", 0.0) == 0.0 or len(family.system(parameters).clearances) != 1:
         return None
-    omega, tried = parameters["omega"], count(1)
+    omega, tried, side = parameters["omega"], count(1), 1 if parameters["load"] > 0.0 else -1
     lowest, highest = _reach(next(p for p in family.parameters if p.name == "omega"), omega)
+    beside: list[NDArray[np.float64] | None] = [None]
 
     def margin(at: float) -> float:
         if tell is not None:
             tell(min(next(tried), SPEEDS), SPEEDS)
-        return closed_margin(
-            family.system({**parameters, "omega": at}), 1 if parameters["load"] > 0.0 else -1
-        )
+        system = family.system({**parameters, "omega": at})
+        orbit = _orbit(_closed(system, side), beside[0])
+        beside[0] = None if orbit is None else orbit.state
+        return _margin(system, side, orbit)
 
     known = margin(omega)
     here = known > 0.0
@@ -85,7 +87,10 @@ def closed_margin(system: System, side: int) -> float:
     -inf where that motion is unstable, NaN where it was not solved for. With the rule `no-tension` contact
     ends with its force: the least force instead.
     """
-    orbit = _orbit(_closed(system, side))
+    return _margin(system, side, _orbit(_closed(system, side)))
+
+
+def _margin(system: System, side: int, orbit: Orbit | None) -> float:
     if orbit is None:
         return nan
     if not orbit.stable:
@@ -106,14 +111,16 @@ def linear_states(system: System) -> Iterator[NDArray[np.float64]]:
     for linear in (_closed(system, 1), _closed(system, -1), replace(system, clearances=(never,))):
         orbit = _orbit(linear)
         if orbit is not None:
-            yield orbit.state
+            state, orbit = orbit.state, None  # whose tables are not held while others are built
+            yield state
 
 
-def _orbit(system: System) -> Orbit | None:
-    """The periodic motion of a linear system, if it has one."""
+def _orbit(system: System, beside: NDArray[np.float64] | None = None) -> Orbit | None:
+    """The periodic motion of a linear system, if it has one. From ``beside``, that of a system like it,
+    Newton does not leave the contact, and what lies beyond needs no tables."""
     try:
         props = flow.propagators(system)
-        shot = shoot(props, [0.0] * system.size, 1)
+        shot = shoot(props, [0.0] * system.size if beside is None else beside, 1)
     except GearlashError:
         return None
     if shot.status not in (Status.OK, Status.UNCERTAIN):
