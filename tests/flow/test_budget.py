@@ -220,15 +220,15 @@ def stiff_family() -> Family:
 def test_a_point_that_would_take_too_much_fails_alone(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setenv(VARIABLE, "50MB")
     family = stiff_family()
-    axis = gl.Axis("k", [8.0, 1e8, 1e9, 9.0e9])
+    axis = gl.Axis("k", np.array([8.0, 1e8, 1e9, 9.0e9]))
     found = gl.sweep(family, axis)
     assert [bool(point.label) for point in found.points] == [True, False, False, False]
     assert "more than the 50 MB allowed" in found.points[1].message
-    plane = gl.map_plane(family, axis, gl.Axis("omega", [0.7, 0.8]))
+    plane = gl.map_plane(family, axis, gl.Axis("omega", np.array([0.7, 0.8])))
     assert set(plane.reasons) == {(i, j) for i in (0, 1) for j in (1, 2, 3)}
     assert all("allowed" in why or "more than 200,000" in why for why in plane.reasons.values())
     assert gl.point(family, {"k": 1e8}).status == "failed"
-    zoned = gl.zones(family, gl.Axis("k", [4.0, 8.0, 1e8]))
+    zoned = gl.zones(family, gl.Axis("k", np.array([4.0, 8.0, 1e8])))
     for points in (swept.points for swept in zoned.sweeps):
         assert {point.value: point.status for point in points} == {4.0: "ok", 8.0: "ok", 1e8: "failed"}
 
