@@ -175,12 +175,12 @@ def _labelled(table: np.ndarray) -> tuple[tuple[str, ...], np.ndarray]:
     """The table of labels, orbits by period and counts, then the rest; and the code of every pixel."""
     counts = table["counts"].reshape(table.size, -1)
     rows = np.column_stack([table["kind"].ravel(), table["period"].ravel(), counts])
-    kinds, codes = np.unique(rows, axis=0, return_inverse=True)
-    labels = tuple(_label(*map(int, row)) for row in kinds if row[0] != NOTHING)
-    codes = codes.reshape(table.shape)  # what is nothing comes last
-    codes = np.where(codes < len(labels), codes, NO_LABEL)
-    small = np.int16 if len(labels) <= np.iinfo(np.int16).max else np.int32
-    return labels, np.array(codes, small, order="C")
+    there = rows[:, 0] != NOTHING  # all others, of a map that was stopped: whoever did so waits for this
+    kinds, found = np.unique(rows[there], axis=0, return_inverse=True)
+    labels = tuple(_label(*map(int, row)) for row in kinds)
+    codes = np.full(table.size, NO_LABEL, np.int16 if len(labels) <= np.iinfo(np.int16).max else np.int32)
+    codes[there] = found.ravel()
+    return labels, codes.reshape(table.shape)
 
 
 def _label(kind: int, period: int, *counts: int) -> str:

@@ -18,7 +18,7 @@ from gearlash.branches import GrazingPoint
 from gearlash.jobs import Cancel, Chain, ProgressCallback, run
 from gearlash.jobs.chains import Work
 from gearlash.orbits import Settings
-from gearlash.results import Direction, Point, Sweep, same_motion
+from gearlash.results import NOT_COMPUTED, Direction, Point, Sweep, same_motion
 
 from .between import Stretch, look_between
 from .ends import NARROW, Bracket, find_end
@@ -106,7 +106,11 @@ class Search:
         self.reasons.extend(sweep.message for sweep in ways if not sweep.complete)
         axis = ways[0].axis
         step = float(axis.values[-1] - axis.values[0]) / STEPS
-        rows = [Row(s.direction, s.points, frozenset(p.value for p in s.points)) for s in ways]
+        told = [_with_neighbours(sweep.points) for sweep in ways]
+        rows = [
+            Row(s.direction, points, frozenset(p.value for p in points))
+            for s, points in zip(ways, told, strict=True)
+        ]
         rows = self.followed(rows, axis.name, step)
         ends = self.located(axis.name, rows, {})
         for _ in range(PASSES):
@@ -258,3 +262,11 @@ class Search:
             return ends.get((row.direction, below, above), unknown)
 
         return Interval(end(first, first - 1), end(last, last + 1))
+
+
+def _with_neighbours(points: tuple[Point, ...]) -> tuple[Point, ...]:
+    """Those that a study came to, and what is next to them: of a sweep that was stopped the others, of which
+    there may be a hundred thousand, tell nothing."""
+    came = np.array([False, *(point.status != NOT_COMPUTED for point in points), False])
+    near = came[:-2] | came[1:-1] | came[2:]
+    return points if near.all() else tuple(point for point, told in zip(points, near, strict=True) if told)
