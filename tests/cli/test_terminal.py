@@ -77,7 +77,7 @@ def test_compiling_is_told_once_and_only_if_it_happens(
     load_engine()
     told = capfd.readouterr()
     assert told.out == ""
-    assert told.err.count("compiling kernels, about 15 s, once") == 1
+    assert told.err.count("compiling kernels, about 15 s on two free cores, once") == 1
     assert "compiled in" in told.err
     load_engine()
     assert capfd.readouterr().err == ""

@@ -167,7 +167,9 @@ def test_the_first_call_on_a_machine_says_that_it_compiles(tmp_path: Path):
     folder = write(tmp_path)
     first = process(folder, folder / "cache", GEARLASH_QUIET="")
     one, two = first.stderr.splitlines()
-    assert one == f"gearlash: compiling kernels, about 15 s, once (kept in {folder / 'cache'})"
+    assert (
+        one == f"gearlash: compiling kernels, about 15 s on two free cores, once (kept in {folder / 'cache'})"
+    )
     assert two.startswith("gearlash: compiled in ")
     assert process(folder, folder / "cache", GEARLASH_QUIET="").stderr == ""
     assert process(folder, folder / "other").stderr == ""  # GEARLASH_QUIET=1

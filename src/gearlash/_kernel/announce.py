@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 
 from . import cache
 
-EXPECTED = 15  # seconds, all kernels on two slow cores
+EXPECTED = "15 s on two free cores"  # 30 s of their time
 Say = Callable[[str], object]
 _said: list[str] = []
 
@@ -49,9 +49,9 @@ def first_words() -> str:
     folder = cache.cache_folder()
     trouble = cache.trouble(folder)
     if not trouble:
-        return f"compiling kernels, about {EXPECTED} s, once (kept in {folder})"
+        return f"compiling kernels, about {EXPECTED}, once (kept in {folder})"
     return (
-        f"compiling kernels, about {EXPECTED} s; {folder} {trouble}, so every run will: "
+        f"compiling kernels, about {EXPECTED}; {folder} {trouble}, so every run will: "
         "name another folder in GEARLASH_CACHE_DIR"
     )
 

@@ -30,17 +30,18 @@ ENVIRONMENT = """\
 
 | | |
 |---|---|
-| `GEARLASH_CACHE_DIR` | Folder of compiled kernels, absolute. [default: `gearlash` in that of the user] |
+| `GEARLASH_CACHE_DIR` | Folder of compiled kernels, absolute. [default: `gearlash` in \
+`XDG_CACHE_HOME`, else in `LOCALAPPDATA`, else in `~/.cache`] |
 | `GEARLASH_QUIET=1` | From Python: no word while kernels are being compiled. |
 | `GEARLASH_MEMORY=4GB` | Most memory for the tables of one system (KB to TB, or KiB to TiB). [default: 1GB] |
 | `COLUMNS` | Width of what is printed. [default: that of the terminal; 120 for a file or a pipe] |
 | `NO_COLOR`, `TERM=dumb` | Print without colours. |
 
 - No folder for compiled kernels, or one that cannot be written (read-only home, full disk): every run
-  compiles, about 15 s, and says so. So it does where that folder, or the one of a version in it, belongs to
-  another user or may be written by others: what lies there is not loaded. A cached kernel that is missing or
-  damaged is compiled again. Kernels of other versions go when those of a new one are stored and nothing has
-  used them for 30 days.
+  compiles, about 15 s on two free cores, and says so. So it does where that folder, or the one of a version
+  in it, belongs to another user or may be written by others: what lies there is not loaded. A cached kernel
+  that is missing or damaged is compiled again. Kernels of other versions go when those of a new one
+  are stored and nothing has used them for 30 days.
 - A motion is computed from tables of its system, whose size is known before they are built. What would take
   more than `GEARLASH_MEMORY` is refused, and the refusal names what makes it so; a point of a sweep or pixel
   of a map that is refused fails alone. It is a bound for the tables of one system: `run`, `sweep`, `map` and

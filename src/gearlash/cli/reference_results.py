@@ -40,7 +40,8 @@ FOLDER = """\
 | map | `map.json`, `map.nc`, and of a complete map `map.svg`, `map.pdf` |
 | graze | `graze.json` |
 | zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf` |
-| reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/` |
+| reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/`, \
+`sweep-omega.nc`, `sweep-omega.json`, `sweep-D.nc`, `sweep-D.json` |
 | bench | `bench.json`, `benchmarks.md`, `images/` |
 
 `.gearlash.json` lists the names that gearlash wrote or was about to write there. Before anything is
