@@ -18,6 +18,7 @@ from .arguments import checked_fixed, checked_settings, checked_start, checked_w
 from .model import Model, Source, check_travels
 from .row import Segment, Trail, work
 
+SHOWN = 5_000  # points of which, done by one process, each is a task, so that progress shows it
 CHUNK = 8  # points a task: some ten milliseconds of work for a fraction of one of talk
 
 
@@ -79,7 +80,7 @@ def sweeps(
     checked_ways(executor, progress, cancel)
     check_travels(source, executor)
     ways = _directions(directions)
-    size = _chunk(chunk, executor)
+    size = _chunk(chunk, executor, len(axis))
     form = Segment(source, tuple(fixed.items()), axis.name, checked_settings(settings), False, ())
     chains = [chain for way in ways for chain in _chains(way, axis, size, form, begin)]
     outcome = run(work, chains, executor, progress=progress, cancel=cancel)
@@ -96,9 +97,10 @@ def _directions(directions: Sequence[Direction | str]) -> list[Direction]:
     return ways
 
 
-def _chunk(chunk: int | None, executor: Executor | None) -> int:
+def _chunk(chunk: int | None, executor: Executor | None, points: int) -> int:
     if chunk is None:
-        return 1 if executor is None or isinstance(executor, Inline) else CHUNK
+        alone = executor is None or isinstance(executor, Inline)
+        return 1 if alone and points <= SHOWN else CHUNK
     return given.whole("chunk", chunk)
 
 
