@@ -76,3 +76,7 @@ def motion(label: str, starts: int, impacts: bool = True) -> BesideMotion:
 )
 def test_what_coexists_is_told_or_said_not_to_be_known(beside: Beside | None, words: str):
     assert coexisting(beside, "3-3-0") == words
+
+
+def test_two_aperiodic_motions_are_not_said_to_be_one():
+    assert coexisting(Beside(6, 6, 0, ()), "aperiodic") == "6 other starts lead to aperiodic motion, too"

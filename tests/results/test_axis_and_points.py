@@ -73,6 +73,13 @@ def test_what_was_not_computed_differs_from_nothing():
     assert coexisting(rows[:2]).tolist() == [False]
 
 
+@pytest.mark.parametrize("label", ["unresolved", "neutral"])
+def test_what_is_no_attractor_coexists_with_none(label: str):
+    axis, other = Axis("D", np.array([1.0])), Point(1.0, label, "", label, 0)
+    rows = [Sweep(axis, Direction.COLD, (other,)), Sweep(axis, Direction.UP, (orbit("1-1-0", [0.1]),))]
+    assert coexisting(rows).tolist() == [False]
+
+
 def test_runs_of_one_label():
     axis = Axis("D", np.arange(5.0))
     points = (

@@ -40,14 +40,19 @@ def _same(one: Point, other: Point) -> bool:
     return len(a) == len(b) and bool(np.abs(np.sort(a) - np.sort(b)).max(initial=0.0) <= CLOSE * size)
 
 
+def _settled(point: Point) -> bool:
+    return point.periodic or point.label == "aperiodic"
+
+
 @arguments
 def coexisting(sweeps: Sequence[Sweep]) -> NDArray[np.bool_]:
-    """(m,): at which values of the common axis the sweeps found different attractors."""
+    """(m,): at which values of the common axis the sweeps found different attractors. What is unresolved may
+    be on its way to any of them, and neutral motion is no attractor: neither counts."""
     if len({len(sweep.points) for sweep in sweeps}) > 1:
         raise GearlashError("sweeps of one axis: these have different numbers of points")
-    computed = np.array([[point.computed for point in sweep.points] for sweep in sweeps], dtype=bool)
-    found = np.zeros(computed.shape[1], dtype=bool)
-    for at in np.flatnonzero(computed.sum(axis=0) > 1).tolist():
-        row = [sweep.points[at] for sweep in sweeps]
+    settled = np.array([[_settled(point) for point in sweep.points] for sweep in sweeps], dtype=bool)
+    found = np.zeros(settled.shape[1], dtype=bool)
+    for at in np.flatnonzero(settled.sum(axis=0) > 1).tolist():
+        row = [sweep.points[at] for sweep, here in zip(sweeps, settled[:, at], strict=True) if here]
         found[at] = any(not _same(a, b) for i, a in enumerate(row) for b in row[:i])
     return found

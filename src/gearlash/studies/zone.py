@@ -127,13 +127,13 @@ class Zone(Interval):
 
     @property
     def coexisting(self) -> tuple[Tenant, ...]:
-        """Motions that were seen beside another one at the same value."""
+        """Motions that were seen beside another one at the same value; what is unresolved may be on its
+        way to any of them."""
+        known = [one for one in self.tenants if one.label != "unresolved"]
         return tuple(
             one
-            for one in self.tenants
-            if any(
-                one is not two and one.lower <= two.upper and two.lower <= one.upper for two in self.tenants
-            )
+            for one in known
+            if any(one is not two and one.lower <= two.upper and two.lower <= one.upper for two in known)
         )
 
     def margin(self, value: float) -> float:

@@ -25,6 +25,8 @@ class Beside:
     made. What these do not find may exist all the same."""
 
     starts: Annotated[int, "other starts that were followed"]
-    same: Annotated[int, "how many of them lead back to the motion that was found"]
+    same: Annotated[
+        int, "how many of them lead back to the motion that was found; two aperiodic motions count as one"
+    ]
     undecided: Annotated[int, "how many of them led to nothing that could be named in the time they had"]
     others: Annotated[tuple[BesideMotion, ...], "different motions, those of the most starts first"]

@@ -81,7 +81,8 @@ def coexisting(beside: Beside | None, own: str) -> str:
     starts = f"{tried} other start{'s' if tried > 1 else ''}"
     lead = "leads" if tried == 1 else "lead"
     if beside.same == tried:
-        return f"{starts} {lead} to the same motion"
+        same = "aperiodic motion, too" if own == "aperiodic" else "the same motion"
+        return f"{starts} {lead} to {same}"
     said = []
     if elsewhere:
         names = ", ".join(_named(motion, own) for motion in beside.others)

@@ -70,13 +70,14 @@ def _facts(answer: RunAnswer, marks: Marks) -> Iterator[tuple[str, str]]:
         ": ".join(filter(None, (answer.certificate.verdict, "; ".join(answer.certificate.reasons)))),
     )
     if answer.beside:
-        yield "other starts", ", ".join(_beside(answer.beside))
+        yield "other starts", ", ".join(_beside(answer.beside, answer.label))
     if answer.numbers:
         yield "no contact", f"{100.0 * answer.numbers.share_without_contact:.3g} % of the time"
 
 
-def _beside(beside: Beside) -> Iterator[str]:
-    yield f"{beside.same} of {beside.starts} to the same motion"
+def _beside(beside: Beside, own: str) -> Iterator[str]:
+    same = "aperiodic motion, too" if own == "aperiodic" else "the same motion"
+    yield f"{beside.same} of {beside.starts} to {same}"
     for motion in beside.others:
         status = "" if motion.status == "ok" else f" ({motion.status})"
         yield f"{motion.starts} to {motion.label}{status}"
