@@ -43,8 +43,9 @@ def write_sweep(folder: OutFolder, case: Case, sweeps: Sequence[Sweep], answer: 
     """Data (NetCDF) and answer (JSON) and, of a complete sweep, the bifurcation diagram as SVG and PDF."""
     dataset = sweep_dataset(case, sweeps)
     write_data(folder, "sweep", dataset, answer, ("sweep.svg", "sweep.pdf"))
-    complete = all(sweep.complete for sweep in sweeps)
-    _draw(folder, "sweep", complete, lambda plots: plots.diagram(dataset, units=plots.Units.of(case)))
+    _draw(
+        folder, "sweep", _drawable(sweeps), lambda plots: plots.diagram(dataset, units=plots.Units.of(case))
+    )
 
 
 def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: ZonesAnswer) -> None:
@@ -52,11 +53,16 @@ def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: Z
     and PDF."""
     dataset = sweep_dataset(case, found[0].sweeps)
     write_data(folder, "zones", dataset, answer, ("zones.svg", "zones.pdf"))
-    title, complete = f"Zones of {case.name}", all(zones.complete for zones in found)
+    title = f"Zones of {case.name}"
     _draw(
-        folder, "zones", complete,
+        folder, "zones", all(zones.complete for zones in found) and _drawable(found[0].sweeps),
         lambda plots: plots.zone_bands(dataset, found, title, answer.present, plots.Units.of(case)),
     )  # fmt: skip
+
+
+def _drawable(sweeps: Sequence[Sweep]) -> bool:
+    """Whether all was computed, and there is a motion to draw in each."""
+    return all(sweep.complete and any(point.computed for point in sweep.points) for sweep in sweeps)
 
 
 def write_map(folder: OutFolder, case: Case, plane: PlaneMap, answer: Any) -> None:
