@@ -18,7 +18,7 @@ RATES = {
     ((0.3,), 6): "once in 6 mesh cycles",
     ((0.1, 0.2, 1.3), 2): "3 times in 2 mesh cycles",
     (tuple(n + 0.5 for n in range(150)), 200): "0.75 times per mesh cycle on average",
-    (tuple(n + 0.5 for n in range(200)), 200): "1 times per mesh cycle on average",
+    (tuple(n + 0.5 for n in range(200)), 200): "about once per mesh cycle on average",
 }
 
 

@@ -85,7 +85,7 @@ def _points(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]], arr
         panel.text(
             0.5,
             0.45,
-            f"{label}:  no impact in any of these sweeps",
+            f"{label}:  no impact was found in these sweeps",
             transform=panel.transAxes,
             ha="center",
             va="center_baseline",

@@ -142,7 +142,8 @@ def rate(phases: Sequence[float], cycles: float) -> str:
     """``once per mesh cycle``, ``3 times in 6 mesh cycles``, ``1.4 times per mesh cycle on average``."""
     count, cycles = len(phases), round(cycles)
     if cycles > MANY:
-        return f"{count / cycles:.2g} times per mesh cycle on average"
+        average = f"{count / cycles:.2g}"
+        return f"{'about once' if average == '1' else f'{average} times'} per mesh cycle on average"
     if count % cycles == 0 and _evenly(phases, cycles):
         return f"{_times(count // cycles)} per mesh cycle"
     return f"{_times(count)} in {cycles} mesh cycles"
