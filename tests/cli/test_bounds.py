@@ -237,3 +237,22 @@ def test_of_many_problems_the_first_are_told_and_the_rest_counted(gearlash: Gear
     assert "4,000 problems" in ran.complaint
     assert "and 3,980 more" in ran.complaint
     assert len(ran.answer["problems"]) == 20
+
+
+@pytest.mark.parametrize("direction", ["h = { x = 5e-324", "h = { x = 1e120", "g = { v = -1e-310"])
+@pytest.mark.parametrize(
+    "command",
+    [("check",), ("run",), ("graze",), *((name, "--over", "a=0.5:0.9:3") for name in ("sweep", "zones"))],
+    ids=lambda command: command[0],
+)
+def test_a_direction_whose_square_is_no_number(
+    direction: str, command: tuple[str, ...], gearlash: Gearlash, tmp_path: Path
+):
+    text = (Path(__file__).parents[1] / "cases" / "soft-stop.toml").read_text(encoding="utf-8")
+    name = direction[0]
+    right = {"h": "h = { x = 1", "g": "g = { v = -1"}[name]
+    assert right in text
+    path = tmp_path / "case.toml"
+    path.write_text(text.replace(right, direction), encoding="utf-8")
+    ran = refused(gearlash, command[0], str(path), *command[1:])
+    assert f"clearance.stop.{name}: expected a direction of a usual size" in ran.complaint

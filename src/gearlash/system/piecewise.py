@@ -19,6 +19,7 @@ from .record import Record
 from .status import GearlashError, Named
 
 Vector = NDArray[np.float64]
+SMALLEST = 1e-100  # of the largest number of h and of g
 MOST_CLEARANCES = 8
 """Of a system: 3^8 regions are numbered."""
 SERIES = "stiffness_plus", "stiffness_minus", "offset"
@@ -167,6 +168,14 @@ def _couplings(clearances: tuple[Clearance, ...]) -> list[str]:
     return found
 
 
+def size_problem(direction: Vector) -> str:
+    """What is wrong with the size of h or g, whose square must be a number."""
+    largest = float(np.abs(direction).max(initial=0.0))
+    if largest == 0.0 or SMALLEST <= largest <= 1.0 / SMALLEST:
+        return ""
+    return f"has {largest:g} as its largest number, expected one from {SMALLEST:g} to {1.0 / SMALLEST:g}"
+
+
 def _clearance_problems(clearance: Clearance, n: int) -> list[str]:
     found = []
     if clearance.h.shape != (n,) or clearance.g.shape != (n,):
@@ -176,6 +185,7 @@ def _clearance_problems(clearance: Clearance, n: int) -> list[str]:
         found.append(f"gap has width {width}, expected 0 or more")
     if not clearance.h.any():
         found.append("h is zero: the gap coordinate reads no state")
+    found += [f"{name} {text}" for name in ("h", "g") if (text := size_problem(getattr(clearance, name)))]
     if clearance.contact is ContactRule.ALWAYS and len(set(clearance.dampings)) > 1:
         found.append("damping_minus differs from damping, which the rule 'always' does not allow")
     return found

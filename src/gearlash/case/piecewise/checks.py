@@ -9,6 +9,7 @@ import numpy as np
 from gearlash.case.entries import Entry
 from gearlash.case.errors import Problem
 from gearlash.system import Clearance, ContactRule, GearlashError
+from gearlash.system.piecewise import size_problem
 
 from .arrays import NoValueError, Scalar
 from .file import Structure
@@ -69,6 +70,10 @@ def _of_clearance(gap: Gap, clearance: Clearance) -> Iterator[Problem]:
         yield Problem(f"{path}.h", None, "a number other than 0: the gap coordinate reads no state")
     if not clearance.g.any():
         yield Problem(f"{path}.g", None, "a number other than 0: the contact force acts on no state")
+    for name in ("h", "g"):
+        problem = size_problem(getattr(clearance, name))
+        if problem:
+            yield Problem(f"{path}.{name}", None, f"a direction of a usual size (it {problem})")
     if clearance.contact is ContactRule.ALWAYS and len(set(clearance.dampings)) > 1:
         expected = "no other damping than side + has: contact = 'always' lets it act in the gap too"
         yield Problem(f"{path}.damping_minus", repr(clearance.damping_minus), expected)
