@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -169,3 +170,21 @@ def test_what_was_not_proved_aperiodic_is_not_called_so(
     one, two = (Bare(0.0, label, period, np.zeros(2)) for label, period in (below, above))
     assert unlocated(one, two) == kind
     assert unlocated(two, one) == kind
+
+
+@pytest.mark.parametrize("rising", [True, False])
+def test_on_a_smooth_branch_one_step_joins_neighbours(rising, monkeypatch):
+    """Only where no point lies behind it is an orbit followed in small steps."""
+    begun: list[float] = []
+    module = sys.modules["gearlash.studies.transitions"]
+    original = module.walk
+
+    def counted(family, values, name, *rest):
+        begun.append(values[name])
+        return original(family, values, name, *rest)
+
+    monkeypatch.setattr(module, "walk", counted)
+    points = sweep(pair(), Axis.even("omega", [0.9, 0.92], 5)).points
+    assert len({p.label for p in points}) == 1
+    assert transitions(pair(), {}, "omega", points, rising=rising) == ()
+    assert begun == [points[0 if rising else -1].value]

@@ -6,7 +6,7 @@ from .grazing import GrazingPoint, locate_grazing
 from .kinds import CODIMENSION_TWO, SMOOTH, STANDARD, table2_type
 from .node import Node
 from .sides import NONE
-from .walk import End, Met, Outcome, walk
+from .walk import End, Met, Outcome, joins, walk
 
 __all__ = [
     "CODIMENSION_TWO",
@@ -19,6 +19,7 @@ __all__ = [
     "Met",
     "Node",
     "Outcome",
+    "joins",
     "locate_grazing",
     "locate_multiplier",
     "table2_type",

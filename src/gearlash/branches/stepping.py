@@ -88,13 +88,18 @@ class Line:
             return Step(None, Refusal.UNBUILT, reason=str(error))
         if orbit is None:
             return Step(None, Refusal.NEWTON)
-        if orbit.shot.period != before.orbit.shot.period:
+        return self.judged(before, earlier, Node(value, orbit))
+
+    def judged(self, before: Node, earlier: Earlier, node: Node) -> Step:
+        """The step from ``before`` to an orbit that was found."""
+        if node.orbit.shot.period != before.orbit.shot.period:
             return Step(None, Refusal.PERIOD)
-        node = Node(value, orbit)
+        nodes = (before, *earlier)
+        weights = _weights([each.value for each in nodes], node.value)
         moved = before.between(node.course, before.course)
         if moved > (LONG if earlier else SHORT):
             return Step(None, Refusal.FAR)
-        ahead = np.tensordot(weights, [node.course for node in nodes], 1)
+        ahead = np.tensordot(weights, [each.course for each in nodes], 1)
         beside = before.between(node.course, ahead)
         if earlier and beside > BEND * moved + ROUNDING:
             return Step(None, Refusal.FAR)

@@ -98,6 +98,17 @@ def walk(
     yield from _Walk(Line(family, values, name, scale), to, tell, longest).run(Node(start, orbit))
 
 
+def joins(
+    family: Family, values: Mapping[str, float], name: str, before: Node, earlier: Earlier, after: Node
+) -> bool:
+    """Whether ``after`` is the continuation of ``before``, as a walk would find in one step, and not too long
+    a one; ``earlier``: orbits of the branch before that, the last first, one at least."""
+    width, scale = abs(after.value - before.value), max(abs(before.value), abs(after.value))
+    if not earlier or width > LONGEST * scale:
+        return False
+    return Line(family, values, name, scale).judged(before, earlier, after).refusal is None
+
+
 class _Walk:
     def __init__(self, line: Line, to: float, tell: Callable[[float], object] | None, longest: int):
         self.line, self.to, self.tell, self.longest = line, to, tell, longest

@@ -1,6 +1,7 @@
 """What happens between two neighbouring points of a sweep: every change of the motion, located.
 
-Points are compared as motions, not by their labels. The orbit of one is followed to the value of the other
+Points are compared as motions, not by their labels. Where one step of a walk along the branch leads from one
+to the next, nothing changes between them. Elsewhere the orbit of one is followed to the value of the other
 (`branches.walk`): the touches, doublings and folds on the way are the changes, each solved for. Where it
 arrives at another orbit than the sweep's, the sweep changed to a coexisting one; where it ends, the other
 orbit is followed back to there; and where that does not come so far either, the motion between is looked
@@ -9,7 +10,8 @@ for, until the interval is as small as `NARROW` asks."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import pairwise
 from typing import ClassVar, Protocol
 
@@ -17,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches import NONE, BifurcationPoint, End, GrazingPoint, Node, Outcome, walk
+from gearlash.branches import NONE, BifurcationPoint, End, GrazingPoint, Node, Outcome, joins, walk
 from gearlash.orbits import Orbit, Settings, Unresolved, attractor, shoot
 from gearlash.orbits.shooting import TOLERANCE
 from gearlash.system import Family, GearlashError, Record, given
@@ -33,6 +35,7 @@ UNDECIDED = "not decided"
 found: they may be one branch, or there may be a jump."""
 NARROW = 1e-6  # relative width at which halving ends
 DEEPEST = 14  # halvings of one interval
+KEPT = 4  # motions: those of an interval, and two behind
 SAME = 1e-6  # of an orbit's ranges: within it two states are one
 FAILURES = (GearlashError, np.linalg.LinAlgError)
 """What a member that cannot be built or solved raises."""
@@ -93,6 +96,10 @@ class _Motion:
     def of(node: Node) -> _Motion:
         return _Motion(node.value, node.label, node.state, node.orbit)
 
+    @cached_property
+    def node(self) -> Node | None:
+        return None if self.orbit is None else Node(self.value, self.orbit)
+
     def is_at(self, other: _Motion) -> bool:
         """Whether two orbits at one value are the same, at whichever base period they begin."""
         one, two = self.orbit, other.orbit
@@ -128,11 +135,14 @@ def transitions(
     given.known("parameter", name, family.defaults)
     finder = _Finder(family, family.complete(fixed), name, given.truth("rising", rising))
     points = _ascending(points)
-    found: list[Transition] = []
-    for i, (below, above) in enumerate(pairwise(points)):
-        if not plainly_one(points, i):
-            found.extend(finder.between(below, above))
-    return tuple(found)
+    found: dict[int, list[Transition]] = {}
+    order = range(len(points) - 1)
+    for i in order if finder.rising else reversed(order):
+        if plainly_one(points, i):
+            finder.passed(points[i] if finder.rising else points[i + 1])
+        else:
+            found[i] = finder.between(points[i], points[i + 1])
+    return tuple(change for i in sorted(found) for change in found[i])
 
 
 def _ascending(points: Sequence[Sampled]) -> tuple[Sampled, ...]:
@@ -152,20 +162,55 @@ class _Finder:
     values: Mapping[str, float]
     name: str
     rising: bool
+    trail: list[Sampled] = field(default_factory=list)
+    """Points of the sweep on one branch with the one where the next interval begins, the last first."""
+    known: dict[float, _Motion | None] = field(default_factory=dict)
+    """Motions of the last few points, by value."""
 
     def between(self, below: Sampled, above: Sampled) -> list[Transition]:
         """The changes in the order of the parameter."""
+        found = self.compared(below, above)
+        near = below if self.rising else above
+        if found or not (below.period and above.period):
+            self.trail.clear()
+        else:
+            self.passed(near)
+        return found
+
+    def passed(self, point: Sampled) -> None:
+        """The next interval begins on one branch with a point."""
+        self.trail[:] = [point, *self.trail[:1]]
+
+    def compared(self, below: Sampled, above: Sampled) -> list[Transition]:
         if not (below.period and above.period):
             different = below.label != above.label
             return [self.interval(unlocated(below, above), below, above)] if different else []
         near, far = (self.motion(p) for p in ((below, above) if self.rising else (above, below)))
         if near is None or far is None:
             return [self.interval(JUMP if below.label != above.label else UNDECIDED, below, above)]
+        if near.label == far.label and self.goes_on(near, far):
+            return []
         found = list(self.followed(near, far, 0))
         return found if self.rising else found[::-1]
 
+    def goes_on(self, near: _Motion, far: _Motion) -> bool:
+        """Whether one step along the branch of the points before leads from one to the other: then it need
+        not be followed."""
+        behind = [motion.node if (motion := self.motion(point)) else None for point in self.trail]
+        earlier = tuple(node for node in behind if node is not None)
+        if len(earlier) < len(behind) or near.node is None or far.node is None:
+            return False
+        return joins(self.family, self.values, self.name, near.node, earlier, far.node)
+
     def motion(self, point: Sampled) -> _Motion | None:
-        """The orbit of a point of the sweep, solved for again."""
+        """The orbit of a point of the sweep, solved for again, once."""
+        if point.value not in self.known:
+            while len(self.known) > KEPT:
+                del self.known[next(iter(self.known))]
+            self.known[point.value] = self.solved(point)
+        return self.known[point.value]
+
+    def solved(self, point: Sampled) -> _Motion | None:
         try:
             props = flow.propagators(self.family.system(self.at(point.value)))
             shot = shoot(props, point.state, max(1, point.period // props.system.cycles))

@@ -17,6 +17,7 @@ from gearlash.system import GearlashError
 SETTINGS = Settings(
     budget=9_000, patience=600, exponent_periods=1_000
 )  # base periods of one transient; what needs more is flagged, not guessed
+PARTS = 4  # of a sweep: so that no worker waits for another to come to its end
 
 
 class UnfinishedError(GearlashError):
@@ -53,17 +54,21 @@ def rows(
         raise KeyboardInterrupt
     if stopped:
         raise UnfinishedError(f"the sweeps over {axis.name} are not complete: {stopped}")
-    found = [executor.submit(locate, case.to_json(), each) for each in done]
-    return tuple(Row(each, future.result()) for each, future in zip(done, found, strict=True))
+    text = case.to_json()
+    found = [[executor.submit(locate, text, each, part) for part in range(PARTS)] for each in done]
+    return tuple(
+        Row(each, tuple(change for part in parts for change in part.result()))
+        for each, parts in zip(done, found, strict=True)
+    )
 
 
-def locate(case_json: str, done: Sweep) -> tuple[Transition, ...]:
-    """The transitions along one sweep (a task for a worker)."""
+def locate(case_json: str, done: Sweep, part: int) -> tuple[Transition, ...]:
+    """The transitions along one part of a sweep (a task for a worker)."""
     family, _ = Case.from_json(case_json).family()
     points = [point for point in done.points if point.computed]
-    return transitions(
-        family, done.fixed, done.axis.name, points, rising=done.direction is not Direction.DOWN
-    )
+    first, last = (place * max(0, len(points) - 1) // PARTS for place in (part, part + 1))
+    rising = done.direction is not Direction.DOWN
+    return transitions(family, done.fixed, done.axis.name, points[first : last + 1], rising=rising)
 
 
 def distinct(rows: tuple[Row, ...]) -> list[tuple[Transition, tuple[Direction, ...]]]:
