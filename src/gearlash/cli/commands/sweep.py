@@ -24,7 +24,9 @@ from gearlash.cli.options import (
 def sweep(
     case: CaseArgument,
     over: Over,
-    cold: Annotated[bool, typer.Option("--cold", help="Every point from the cold start.")] = False,
+    cold: Annotated[
+        bool, typer.Option("--cold", help="Every point from the cold start, or from the state of --initial.")
+    ] = False,
     up: Annotated[bool, typer.Option("--up", help="Follows the attractor with rising values.")] = False,
     down: Annotated[bool, typer.Option("--down", help="Follows the attractor with falling values.")] = False,
     settings: Settings = None,
