@@ -142,7 +142,7 @@ def test_files_of_others_are_refused(tmp_path):
     (tmp_path / "text.nc").write_text("not a dataset")
     xr.Dataset({"a": ("x", [1.0])}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
     for name, text in (
-        ("none.nc", "no such file"),
+        ("none.nc", "No such file"),
         ("text.nc", "not a NetCDF"),
         ("other.nc", "not one of gearlash"),
     ):

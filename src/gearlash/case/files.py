@@ -33,6 +33,16 @@ def read_file(path: Path, largest: int, *, follow: bool = True) -> bytes:
     return data
 
 
+def check_file(path: Path, largest: int) -> None:
+    """Raises `UnreadableError` for what is no regular file of at most ``largest`` bytes."""
+    try:
+        _check(path.stat(), largest)
+    except OSError as error:
+        raise UnreadableError(error.strerror or str(error)) from None
+    except ValueError as error:  # a null character in the name
+        raise UnreadableError(str(error)) from None
+
+
 def _check(status: os.stat_result, largest: int) -> None:
     if stat.S_ISDIR(status.st_mode):
         raise UnreadableError("it is a directory")

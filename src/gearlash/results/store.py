@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from gearlash.case.files import UnreadableError, check_file
 from gearlash.system import GearlashError, given
 from gearlash.system.told import cut
 
@@ -21,6 +22,13 @@ if TYPE_CHECKING:
     import xarray as xr
 
 FORMAT = "gearlash_format"
+LARGEST = 4_000_000_000
+"""Bytes of a file that is read; a map of a million pixels has less than a tenth of it."""
+DAMAGED = (
+    OSError, ValueError, KeyError, IndexError, TypeError, AttributeError, RuntimeError, OverflowError,
+    MemoryError,
+)  # fmt: skip
+"""What readers of NetCDF raise on files that are none, or whose parts contradict each other."""
 IMPOSSIBLE = (errno.ENAMETOOLONG, errno.ENOTDIR, errno.EEXIST, errno.EINVAL)
 """What says that a path cannot be one, whatever disk it is on."""
 
@@ -123,22 +131,31 @@ def _told_as(path: Path) -> Iterator[None]:
 
 def load(path: str | Path) -> xr.Dataset:
     """The dataset of a file, in memory and closed. Raises `GearlashError` for a file that `save` did not
-    write.
+    write, that is no regular one or larger than `LARGEST`, packed or unpacked.
     """
     import xarray as xr
 
     path = given.path("path", path)
+    name = cut(str(path), 200)
     try:
-        if not path.is_file():
-            raise GearlashError(f"{cut(str(path), 200)}: no such file")
-        groups = xr.open_groups(path, engine="h5netcdf")
-        dataset = join({name: group.load() for name, group in groups.items()})
-        for group in groups.values():
-            group.close()
-    except (OSError, ValueError) as error:
-        raise GearlashError(f"{cut(str(path), 200)}: not a NetCDF file of gearlash ({error})") from None
+        check_file(path, LARGEST)
+        groups = xr.open_groups(path, engine="h5netcdf", decode_times=False)
+        try:
+            if (
+                sum(group.nbytes for group in groups.values()) > LARGEST
+            ):  # a small file may unpack to terabytes
+                raise GearlashError(f"{name}: holds more than {LARGEST / 1e9:g} GB of data")
+            dataset = join({where: group.load() for where, group in groups.items()})
+        finally:
+            for group in groups.values():
+                group.close()
+    except UnreadableError as error:
+        raise GearlashError(f"{name}: {error}") from None
+    except DAMAGED as error:
+        told = cut(str(error) or type(error).__name__, 300)
+        raise GearlashError(f"{name}: not a NetCDF file of gearlash ({told})") from None
     if FORMAT not in dataset.attrs:
-        raise GearlashError(f"{path}: a NetCDF file, but not one of gearlash")
+        raise GearlashError(f"{name}: a NetCDF file, but not one of gearlash")
     return dataset
 
 
