@@ -5,6 +5,7 @@ case.mutants` those of another seed."""
 
 from __future__ import annotations
 
+import json
 import os
 import random
 import time
@@ -14,9 +15,11 @@ import pytest
 from typer.testing import CliRunner
 
 from case.mutants import SOON, files, sources, wrong
+from gearlash.case import Case, load
 from gearlash.cli.app import app
 from gearlash.cli.exits import MEANINGS, ExitCode
 from gearlash.flow.budget import VARIABLE
+from gearlash.system import GearlashError
 
 FILES = int(os.environ.get("GEARLASH_MUTANTS", "5000"))
 PARTS = 4
@@ -59,3 +62,35 @@ def test_files_are_made_the_same_each_time():
     assert list(files(50, 3)) == list(files(50, 3))
     assert len(set(files(200, 3))) > 150
     assert len(sources()) > 10
+
+
+JSONS = [
+    "",
+    "[" * 100_000,
+    '{"a":' * 100_000,
+    "[]",
+    "3",
+    '{"format": 1}',
+    '{"entries": 3}',
+    '"' + "x" * 10**6,
+]
+
+
+@pytest.mark.parametrize("text", JSONS, ids=range(len(JSONS)))
+def test_what_is_no_json_of_a_case(text: str):
+    with pytest.raises(GearlashError) as refused:
+        Case.from_json(text)
+    assert len(str(refused.value)) < 500
+
+
+def test_a_json_of_a_case_with_one_part_wrong():
+    right = json.loads(load("kahraman-singh").to_json())
+    for name in right:
+        for value in (None, 3, [], {}, [[]], {"a": 1}, "x"):
+            try:
+                Case.from_json(json.dumps({**right, name: value}))
+            except GearlashError as error:
+                told = str(error)
+            else:
+                told = ""
+            assert len(told) < 500

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from gearlash.gears import helical, spur
 from gearlash.system import Family, GearlashError, Record, UnknownNameError, given
+from gearlash.system.told import cut
 
 from . import piecewise
 from .checks import contradictions, missing
@@ -189,8 +190,8 @@ class Case(Record):
             head = (data["name"], data["kind"], data["description"], data["source"])
             structure = data["structure"] if data["kind"] == PIECEWISE else {}
             return cls(*head, {e.key: e for e in entries}, structure)
-        except (ValueError, KeyError, TypeError) as error:
-            raise GearlashError(f"not the JSON of a case: {error!r}") from None
+        except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError) as error:
+            raise GearlashError(f"not the JSON of a case: {cut(repr(error), 300)}") from None
 
 
 def load(path_or_name: str | Path, overrides: Mapping[str, object] | None = None) -> Case:
