@@ -63,3 +63,14 @@ def test_a_unit_finds_its_quantity_in_every_option(gearlash: Gearlash):
     )
     powers = gearlash("sweep", "article", "--over", "mean_stiffness=1:3.4·10⁸N/m:3")
     assert powers.code == 2
+
+
+@pytest.mark.parametrize("command", ["run", "reproduce"])
+@pytest.mark.parametrize("empty", ["", " "])
+def test_a_folder_without_a_name_is_not_the_current_one(
+    command: str, empty: str, gearlash: Gearlash, home: Path
+):
+    found = gearlash(command, *(["kahraman-singh"] if command == "run" else []), "--out", empty)
+    assert found.code == 2
+    assert "no folder is named" in found.err
+    assert not any(Path.cwd().iterdir())

@@ -7,6 +7,15 @@ from typing import Annotated
 
 import typer
 
+
+def folder(text: str | Path) -> Path:
+    """The path of ``--out``. No name at all is mostly a variable of the shell that was not set: the current
+    folder is written `.`."""
+    if not str(text).strip():
+        raise typer.BadParameter("no folder is named; the current one is written '.'")
+    return Path(text)
+
+
 CaseArgument = Annotated[
     str,
     typer.Argument(
@@ -36,6 +45,7 @@ Periods = Annotated[
     int | None,
     typer.Option(
         min=1,
+        max=1_000_000_000,
         metavar="N",
         help="Mesh cycles that the motion is followed at most, transient and averages together, before the "
         "search ends.",
@@ -57,6 +67,7 @@ Out = Annotated[
     Path | None,
     typer.Option(
         "--out",
+        parser=folder,
         metavar="DIR",
         help="Also writes the results into this folder, made if missing. Files there that gearlash did not "
         "write are never overwritten.",

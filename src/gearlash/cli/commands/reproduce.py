@@ -10,7 +10,7 @@ import typer
 
 from gearlash.cli.exits import ExitCode, code_of, command, delivery
 from gearlash.cli.interrupt import end_if_nothing, expect_results, nothing_more
-from gearlash.cli.options import AsJson, Settings, Workers
+from gearlash.cli.options import AsJson, Settings, Workers, folder
 
 if TYPE_CHECKING:
     from gearlash.case import Case
@@ -44,6 +44,7 @@ def reproduce(
         Path,
         typer.Option(
             "--out",
+            parser=folder,
             metavar="DIR",
             help="Folder of the report, made if missing. Files there that gearlash did not write are never "
             "overwritten.",
