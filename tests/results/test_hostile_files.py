@@ -80,3 +80,11 @@ def test_what_has_no_end(tmp_path: Path):
     os.mkfifo(pipe)
     assert "no regular file" in refusal(pipe)
     assert "no regular file" in refusal(Path("/dev/zero"))
+
+
+def test_a_map_whose_codes_say_nothing():
+    axes = gl.Axis.even("omega", (0.8, 1.2), 2), gl.Axis.even("D", (0.8, 1.2), 2)
+    dataset = gl.plane_dataset(SPUR, gl.map_plane(SPUR, *axes))
+    dataset["status"].attrs["flag_meanings"] = 3
+    with pytest.raises(gl.GearlashError, match="codes that say nothing"):
+        gl.table(dataset)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from gearlash.system import GearlashError, given
+from gearlash.system.told import cut
 
 from .groups import POINTWISE, split
 from .plane_dataset import CODES
@@ -24,8 +25,12 @@ def table(dataset: xr.Dataset) -> pd.DataFrame:
     if POINTWISE not in dataset:
         raise GearlashError("a table is made of a dataset of sweeps or of a map: this one has no labels")
     frame = split(dataset)["/"].to_dataframe()
-    for name, meaning in _codes(dataset).items():
-        frame[name] = [meaning.get(int(code), "") for code in frame[name]]
+    try:
+        for name, meaning in _codes(dataset).items():
+            frame[name] = [meaning.get(int(code), "") for code in frame[name]]
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        told = cut(repr(error), 200)
+        raise GearlashError(f"a dataset with codes that say nothing: not one of gearlash ({told})") from None
     return frame
 
 
