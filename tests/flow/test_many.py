@@ -174,3 +174,11 @@ def test_arguments_of_one_march_that_do_not_fit(arguments: dict, told: str):
     with pytest.raises(GearlashError) as raised:
         flow.march(**(fitting | arguments))
     assert told in str(raised.value)
+
+
+def test_a_gap_of_no_width_has_tables_before_motions_go_side_by_side():
+    """They pass through it, and kernels do not ask whether a region is there."""
+    system = oscillator(omega=0.9, gap=(0.0, 0.0), stiffness=(1.0, 9.0), damping=0.1, force=(0.1, 0.3, 0.0))
+    props = flow.propagators(system)
+    flow.march_many(props, np.zeros((9, 2)), 1)
+    assert (props.tables.slot_of >= 0).all()

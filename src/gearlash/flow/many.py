@@ -14,7 +14,7 @@ from gearlash.system import GearlashError, Record, Status, given
 
 from ._eight import MOST
 from ._motion import OK
-from ._tables import ALWAYS, MINUS, PLUS, Array, Shape
+from ._tables import ALWAYS, FREE, MINUS, PLUS, Array, Shape
 from ._vector import LANES
 from .arguments import empty
 from .march import LONGEST, NO_HOLD, STATUS, block_of, columns_of, known, room_of, run_all
@@ -147,6 +147,7 @@ def _can_be_abreast(props: Propagators) -> bool:
         return False
     (clearance,) = props.system.clearances
     try:
+        props.build(FREE)  # of a gap without width too: motions pass through it
         for side, boundary in ((PLUS, 1), (MINUS, -1)):
             if clearance.stops(boundary):
                 props.build(side)
