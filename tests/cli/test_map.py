@@ -123,7 +123,7 @@ def test_pixels_that_fail_are_named(gearlash: Gearlash):
     assert (ran.code, answer["status"]) == (3, "partly-failed")
     assert answer["statuses"] == {"failed": 2, "ok": 2}
     assert [(pixel["x"], pixel["y"]) for pixel in answer["failed"]] == [(1e-6, 0.5), (1e-6, 1.5)]
-    assert "frequency" in answer["failed"][0]["reason"]
+    assert "cells a period would be needed" in answer["failed"][0]["reason"]
     assert [row[0] for row in answer["codes"]] == [-1, -1]
     words = " ".join(gearlash("map", *typed).out.split())
     assert "2 of 4 pixels failed, the first: omega = 1e-06, D = 0.5, " in words

@@ -124,13 +124,12 @@ def test_what_a_family_raises_fails_the_point_with_its_reason(error: Exception):
     assert raised.value.__cause__ is error
 
 
-@pytest.mark.parametrize("error", [KeyboardInterrupt(), SystemExit(3), MemoryError()])
-def test_what_is_no_error_of_a_family_goes_through(error: BaseException):
+def test_ctrl_c_while_a_family_builds_goes_through():
     def build(values):
-        raise error
+        raise KeyboardInterrupt
 
     family = Family((Parameter("omega", 0.6),), ("X",), build, lambda values: np.zeros(1))
-    with pytest.raises(type(error)):
+    with pytest.raises(KeyboardInterrupt):
         studies.point(family)
 
 
