@@ -16,6 +16,7 @@ TYPE_CHECKING = False  # not that of `typing`, which loads for longer than it ta
 if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     import typing
 
+    from .article import reproduce as reproduce
     from .branches import (
         BifurcationPoint as BifurcationPoint,
     )
@@ -130,7 +131,6 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .studies import sweep as sweep
     from .studies import sweeps as sweeps
     from .studies import zones as zones
-    from .studies.article import reproduce as reproduce
     from .studies.transitions import transitions as transitions
     from .system import (
         Clearance as Clearance,
@@ -199,7 +199,7 @@ _PUBLIC = {
     # many attractors at once, and their datasets
     "gearlash.studies": ("map_plane", "open_workers", "point", "sweep", "sweeps", "zones"),
     "gearlash.studies.transitions": ("transitions",),
-    "gearlash.studies.article": ("reproduce",),
+    "gearlash.article": ("reproduce",),
     "gearlash.results": ("Axis", "PlaneMap", "Point", "Sweep", "plane_dataset", "sweep_dataset", "table"),
 }
 _RENAMED = {

@@ -11,17 +11,17 @@ from typing import Any
 import pytest
 import xarray
 
+import gearlash.article as article
+import gearlash.article.rows as rows
 import gearlash.report
-import gearlash.studies.article as article
-import gearlash.studies.article.rows as rows
 from cli.conftest import Gearlash
 from cli.schema_check import problems
+from gearlash.article.reproduction import Check, ClaimRow, Diagram, Reproduction, Run
 from gearlash.case import Case
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 from gearlash.jobs import DIED
 from gearlash.results import load as load_dataset
-from gearlash.studies.article.reproduction import Check, ClaimRow, Diagram, Reproduction, Run
 
 NAN = float("nan")
 

@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from article.study import small
+from gearlash.article.report import document
 from gearlash.report import look
-from gearlash.report.article import document
 from gearlash.report.page import html
 from gearlash.system import GearlashError
-from report.study import small
 
 DRAWING = b'<svg width="510pt" height="9pt" viewBox="0 0 510 9" xmlns="http://www.w3.org/2000/svg"></svg>'
 

@@ -50,7 +50,7 @@ computed, a command stops with exit code 2 if one of its files is already there 
 `report.json` holds every number of the report: `format` (1), `case`, `frequency` and `backlash` (the two
 sweeps with what was located along them), `events`, `zones`, `window`, `table2`, `claims`, `checks`, `run`,
 `rules` (the small study under each contact rule).
-Its records have the fields of `gearlash.studies.article.reproduction`; curves are thinned, and complex
+Its records have the fields of `gearlash.article.reproduction`; curves are thinned, and complex
 numbers are `{"re", "im"}`.
 """
 NETCDF = """\

@@ -1,6 +1,6 @@
 """Reports: what a study found as one offline page, with its figures and numbers beside it."""
 
 from .data import as_json
-from .render import render
+from .folder import write_report
 
-__all__ = ["as_json", "render"]
+__all__ = ["as_json", "write_report"]

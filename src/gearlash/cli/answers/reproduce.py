@@ -9,7 +9,7 @@ from .outcome import FAILED, PARTLY_FAILED, POINTS, study_status, troubles
 from .parts import CaseUsed, case_used
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.studies import article
+    from gearlash import article
 
 
 @dataclass(frozen=True)

@@ -57,12 +57,13 @@ def reproduce(
     the sweeps of both axes as they are done (sweep-omega, sweep-D; .nc and .json), which stay if it is
     stopped. Takes a few minutes.
     """
+    from gearlash.article.pair import check_pair
     from gearlash.cli.folder import claim
     from gearlash.cli.inputs import read_case
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
-    from gearlash.studies.article.pair import check_pair
+    from gearlash.article.pair import check_pair
 
     chosen = read_case(case, settings)
     check_pair(chosen)
@@ -70,11 +71,11 @@ def reproduce(
     folder = claim(out, ["report.html", "report.json", "figures", "reproduce.json", *sweeps])
     load_engine(data=True)
 
-    from gearlash import report
+    from gearlash import article
+    from gearlash.article import report
     from gearlash.cli.answers.reproduce import reproduce_answer
     from gearlash.cli.progress import stage_bar
     from gearlash.jobs import open_executor
-    from gearlash.studies import article
 
     with stage_bar() as progress:
         found = article.reproduce(
@@ -119,7 +120,7 @@ def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], N
 
 def _told(progress: StageCallback) -> StageCallback:
     """The same, and notice of when sweeps begin that are to be kept."""
-    from gearlash.studies.article.reproduce import STAGES
+    from gearlash.article.reproduce import STAGES
 
     def tell(stage: str, state: Progress | None) -> None:
         if state is None and stage in STAGES[:2]:
@@ -132,7 +133,7 @@ def _told(progress: StageCallback) -> StageCallback:
 def _scope(points: int | None):
     from dataclasses import replace
 
-    from gearlash.studies.article import Scope
+    from gearlash.article import Scope
 
     scope = Scope()
     if points is None:

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from gearlash import flow
+from gearlash.article.reproduction import RuleEffect
+from gearlash.article.rules import effects
 from gearlash.case import load
 from gearlash.flow.events import contact_force
 from gearlash.jobs import Inline
 from gearlash.orbits import shoot
-from gearlash.studies.article.reproduction import RuleEffect
-from gearlash.studies.article.rules import effects
 
 AT = {"omega": 0.78, "D": 1.0}
 

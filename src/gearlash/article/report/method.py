@@ -3,8 +3,8 @@ versions, time."""
 
 from __future__ import annotations
 
+from gearlash.article import Reproduction
 from gearlash.report.blocks import Note, Section, Table, Text
-from gearlash.studies.article import Reproduction
 
 from .words import plural, yes_or_no
 

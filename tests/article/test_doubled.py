@@ -7,12 +7,12 @@ from functools import cache
 import numpy as np
 import pytest
 
+from gearlash.article.doubled import first_touch
+from gearlash.article.reproduction import Coincidence
 from gearlash.branches import BifurcationPoint, locate_multiplier
 from gearlash.case import load
 from gearlash.flow import propagators
 from gearlash.orbits import Orbit, attractor, shoot
-from gearlash.studies.article.doubled import first_touch
-from gearlash.studies.article.reproduction import Coincidence
 
 FAMILY = load("article").family()[0]
 PLACE = {**FAMILY.complete(), "omega": 0.78}

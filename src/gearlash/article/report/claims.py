@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from gearlash.article import NOT_FOUND, REPRODUCED, SHIFTED, ClaimRow, Reproduction
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Cell, Inline, Note, Ref, Section, Strong, Table, Text
 from gearlash.report.numbers import percent
-from gearlash.studies.article import NOT_FOUND, REPRODUCED, SHIFTED, ClaimRow, Reproduction
 
 from .words import verdict
 

@@ -4,12 +4,12 @@ rests on.
 
 from __future__ import annotations
 
+from gearlash.article import NOT_FOUND, REPRODUCED, SHIFTED, Reproduction, Zone
+from gearlash.article.reproduction import Reading
+from gearlash.article.zoning import EVERY, SOME
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Badge, Bullets, Inline, Ref, Section, Strong, Text
 from gearlash.report.numbers import number
-from gearlash.studies.article import NOT_FOUND, REPRODUCED, SHIFTED, Reproduction, Zone
-from gearlash.studies.article.reproduction import Reading
-from gearlash.studies.article.zoning import EVERY, SOME
 
 from .claims import counts
 from .quantities import Quantities, fixed_words, symbol

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
+from gearlash.article import Reproduction, Scope, reproduce
 from gearlash.case import load
-from gearlash.studies.article import Reproduction, Scope, reproduce
 
 
 @cache

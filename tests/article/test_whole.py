@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from gearlash.article import REPRODUCED, SHIFTED, ClaimRow, Reproduction, Scope, reproduce
+from gearlash.article.reproduction import Reading
 from gearlash.case import load
-from gearlash.studies.article import REPRODUCED, SHIFTED, ClaimRow, Reproduction, Scope, reproduce
-from gearlash.studies.article.reproduction import Reading
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[3]

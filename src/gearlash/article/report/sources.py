@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from gearlash.article import Reproduction
 from gearlash.case import Case, Value
 from gearlash.gears import contact_lines
 from gearlash.report.blocks import Block, Cell, Marked, Note, Section, Table, Text
 from gearlash.report.numbers import number
-from gearlash.studies.article import Reproduction
 
 from .words import plural, provenance
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from math import isfinite
 
 from gearlash import plots
+from gearlash.article import Reproduction, Zone
+from gearlash.article.reproduction import BearingMode, Coexisting, End, Reading
+from gearlash.article.zoning import EVERY, SOME
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Cell, Figure, Inline, Note, Ref, Section, Strong, Table, Text
 from gearlash.report.numbers import NOTHING, interval, number, percent, uncertainty
 from gearlash.report.pictures import Picture
-from gearlash.studies.article import Reproduction, Zone
-from gearlash.studies.article.reproduction import BearingMode, Coexisting, End, Reading
-from gearlash.studies.article.zoning import EVERY, SOME
 
 from .quantities import Quantities, fixed_words, symbol
 from .words import plural, verdict

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from gearlash.article import Reproduction
+from gearlash.article.reproduction import Table2Row
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Cell, Section, Strong, Table, Text
 from gearlash.report.numbers import number
-from gearlash.studies.article import Reproduction
-from gearlash.studies.article.reproduction import Table2Row
 
 from .words import verdict
 

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from gearlash.article import Claim, Reproduction, Scope, load, reproduce
 from gearlash.case import load as load_case
 from gearlash.results import content_hash
-from gearlash.studies.article import Claim, Reproduction, Scope, load, reproduce
 
 SCOPE = Scope(omega=(0.96, 1.12, 5), backlash=(0.446, 0.47, 2), rules_backlash=(0.44, 0.5))
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from gearlash.article import Reproduction
 from gearlash.report.blocks import Page
 from gearlash.report.pictures import Picture
-from gearlash.studies.article import Reproduction
 
 from . import claims, events, method, rules, sources, summary, sweeps, table2, zones
 

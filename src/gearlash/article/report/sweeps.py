@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from gearlash import plots
+from gearlash.article import Diagram, Reproduction
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Cell, Figure, Ref, Section, Table, Text
 from gearlash.report.numbers import number
 from gearlash.report.pictures import Picture
-from gearlash.studies.article import Diagram, Reproduction
 
 from .quantities import Quantities, fixed_words, symbol
 from .words import plural

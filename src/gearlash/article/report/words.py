@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from gearlash.article import NOT_FOUND, REPRODUCED, SHIFTED
 from gearlash.report.blocks import Badge
-from gearlash.studies.article import NOT_FOUND, REPRODUCED, SHIFTED
 
 KINDS = {REPRODUCED: "good", SHIFTED: "fair", NOT_FOUND: "bad"}
 PROVENANCE = {"given": "good", "calibrated": "good", "inferred": "fair", "assumed": "doubt"}

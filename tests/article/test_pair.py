@@ -7,9 +7,9 @@ from importlib.resources import files
 
 import pytest
 
+from gearlash.article import reproduce
+from gearlash.article.pair import check_pair, is_bundled
 from gearlash.case import Case, CaseError, bundled, load, loads
-from gearlash.studies.article import reproduce
-from gearlash.studies.article.pair import check_pair, is_bundled
 
 TEXT = (files("gearlash.case") / "data" / "article.toml").read_text(encoding="utf-8")
 

@@ -10,16 +10,15 @@ from pathlib import Path
 
 import pytest
 
-from gearlash import report
+from article.study import small
+from gearlash.article import NOT_FOUND, Reproduction
+from gearlash.article.report import document, render
 from gearlash.case import Provenance
 from gearlash.case.edges import shown_edge
 from gearlash.plots.regimes import short
-from gearlash.report.article import document
 from gearlash.report.data import as_json
 from gearlash.report.page import html
-from gearlash.studies.article import NOT_FOUND, Reproduction
 from report.reading import Reading
-from report.study import small
 
 DRAWING = b'<svg width="510pt" height="9pt" viewBox="0 0 510 9" xmlns="http://www.w3.org/2000/svg"></svg>'
 
@@ -193,7 +192,7 @@ def test_an_incomplete_run_says_so() -> None:
 @pytest.mark.slow
 def test_a_folder_holds_page_numbers_and_figures(tmp_path: Path) -> None:
     done = replace(small(), events=small().events[:1])
-    path = report.render(done, tmp_path / "out")
+    path = render(done, tmp_path / "out")
     text = path.read_text(encoding="utf-8")
     seen = Reading(text)
     assert path == tmp_path / "out" / "report.html"

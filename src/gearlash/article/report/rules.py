@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from gearlash.article import Reproduction
+from gearlash.article.reproduction import RuleEffect, RuleLabel, Touch
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Bullets, Cell, Note, Section, Strong, Table, Text
 from gearlash.report.numbers import number, percent
-from gearlash.studies.article import Reproduction
-from gearlash.studies.article.reproduction import RuleEffect, RuleLabel, Touch
 
 from .quantities import Quantities, fixed_words
 

@@ -1,7 +1,7 @@
 """The picture of the README: the impact-free window of the article's pair, and a motion before, at and
 after grazing.
 
-`python -m gearlash.plots.overview docs/images/overview.png` computes and writes it.
+`python -m gearlash.article.overview docs/images/overview.png` computes and writes it.
 """
 
 from __future__ import annotations
@@ -21,17 +21,16 @@ from gearlash.branches import GrazingPoint, locate_grazing
 from gearlash.case import Case, load
 from gearlash.case.edges import shown_edge
 from gearlash.orbits import Orbit, Settings, attractor, grazing_checks
+from gearlash.plots import portraits, style
+from gearlash.plots.bifurcation import directions, scatter
+from gearlash.plots.branch import Branch, branches, differs
+from gearlash.plots.framing import frame
+from gearlash.plots.regimes import FREE, short
+from gearlash.plots.units import VELOCITY, Units, X, name, second
 from gearlash.results import Axis, sweep_dataset
 from gearlash.studies.motion import Motion, motion, touching
 from gearlash.studies.sweep import sweeps
 from gearlash.system import Family, GearlashError
-
-from . import portraits, style
-from .bifurcation import directions, scatter
-from .branch import Branch, branches, differs
-from .framing import frame
-from .regimes import FREE, short
-from .units import VELOCITY, Units, X, name, second
 
 PIXELS = 1600
 SPAN = (0.90, 1.20)  # of ω around the window
@@ -196,7 +195,7 @@ def _portraits(panels: list[Axes], motions: Sequence[Motion]) -> None:
 def main(arguments: Sequence[str]) -> int:
     """Writes the picture to the path given."""
     if len(arguments) != 1:
-        print("usage: python -m gearlash.plots.overview FILE.png", file=sys.stderr)
+        print("usage: python -m gearlash.article.overview FILE.png", file=sys.stderr)
         return 2
     target = Path(arguments[0])
     target.parent.mkdir(parents=True, exist_ok=True)

@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from gearlash.article import NOT_FOUND, REPRODUCED, SHIFTED, Claim, load
+from gearlash.article.claims import KINDS, _claim
+from gearlash.article.judge import CLOSE, FAR, coincides, deviation, same_label, verdict, worst
 from gearlash.case import load as load_case
 from gearlash.orbits import Signature
-from gearlash.studies.article import NOT_FOUND, REPRODUCED, SHIFTED, Claim, load
-from gearlash.studies.article.claims import KINDS, _claim
-from gearlash.studies.article.judge import CLOSE, FAR, coincides, deviation, same_label, verdict, worst
 from gearlash.system import GearlashError
 
 CLAIMS = load()

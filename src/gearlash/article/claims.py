@@ -47,7 +47,7 @@ class Claim:
 
 def load() -> tuple[Claim, ...]:
     """The claims that come with the package, in the order of the article's events."""
-    text = (files("gearlash.studies.article") / "claims.toml").read_text(encoding="utf-8")
+    text = (files("gearlash.article") / "claims.toml").read_text(encoding="utf-8")
     return tuple(_claim(table) for table in tomllib.loads(text)["claim"])
 
 

@@ -5,12 +5,12 @@ grazing.
 from __future__ import annotations
 
 from gearlash import plots
+from gearlash.article import Event, Reproduction
+from gearlash.article.reproduction import Coincidence, Part
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Cell, Figure, Note, Section, Strong, Table, Text
 from gearlash.report.numbers import complex_number, number, percent, scientific
 from gearlash.report.pictures import Picture
-from gearlash.studies.article import Event, Reproduction
-from gearlash.studies.article.reproduction import Coincidence, Part
 
 from .quantities import Quantities, fixed_words, symbol
 from .words import verdict, yes_or_no
