@@ -70,15 +70,13 @@ format: $(VENV)/.dev
 
 look: $(VENV)/.dev
 	test -d reproduce || $(MAKE) reproduce
-	$(BIN)/python -m gearlash.report.look
+	$(BIN)/python -m tools.look
 
 bench: $(VENV)/.dev
-	$(BIN)/gearlash bench --out bench
-	cp bench/benchmarks.md docs/
-	cp bench/images/benchmark-cost.png docs/images/
+	$(BIN)/python -m benchmarks docs
 
 bench-labels: $(VENV)/.dev
-	$(BIN)/python -m gearlash.bench.labels 2000 docs/benchmark-labels.md
+	$(BIN)/python -m benchmarks.labels 2000 docs/benchmark-labels.md
 
 LOCK := uv pip compile --quiet --upgrade --universal --python-version 3.11 --no-emit-index-url \
 	--annotation-style line --custom-compile-command "make lock" pyproject.toml requirements/build.in

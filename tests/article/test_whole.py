@@ -11,7 +11,7 @@ from gearlash.article.reproduction import Reading
 from gearlash.case import load
 
 pytestmark = pytest.mark.slow
-ROOT = Path(__file__).parents[3]
+ROOT = Path(__file__).parents[2]
 SCOPE = Scope(omega=(0.82, 1.13, 63), backlash=(0.33, 1.0, 135), rules_backlash=(0.44, 0.5))
 NEEDS_A_SCAN = {"window-upper", "exponent-window-upper", "frequency-zone", "backlash-zone"}
 FITTED = {"window-upper", "window-lower", "period-3", "codimension-2", "back-side"}

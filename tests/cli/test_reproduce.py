@@ -12,8 +12,8 @@ import pytest
 import xarray
 
 import gearlash.article as article
+import gearlash.article.report as report
 import gearlash.article.rows as rows
-import gearlash.report
 from cli.conftest import Gearlash
 from cli.schema_check import problems
 from gearlash.article.reproduction import Check, ClaimRow, Diagram, Reproduction, Run
@@ -78,7 +78,7 @@ def study(monkeypatch: pytest.MonkeyPatch) -> Callable[[bool], dict[str, object]
             return folder / "report.html"
 
         monkeypatch.setattr(article, "reproduce", reproduce)
-        monkeypatch.setattr(gearlash.report, "render", render)
+        monkeypatch.setattr(report, "render", render)
         return asked
 
     return install

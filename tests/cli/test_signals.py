@@ -165,7 +165,7 @@ def test_a_killed_worker_is_no_ctrl_c(tmp_path: Path, name: str):
 
 
 def test_what_is_timed_ends_with_who_times_it(tmp_path: Path):
-    program = "from gearlash.bench.startup import _process; _process('import time; time.sleep(60)')"
+    program = "from benchmarks.startup import _process; _process('import time; time.sleep(60)')"
     mark = f"{os.getpid()}-timed"
     process = subprocess.Popen([sys.executable, "-c", program], env={**os.environ, MARK: mark})
     until = time.monotonic() + 30.0

@@ -7,7 +7,6 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from .commands.bench import bench
 from .commands.check import check
 from .commands.graze import graze
 from .commands.map import map as map_
@@ -65,5 +64,5 @@ def gearlash(
     pass
 
 
-for command in (run, check, sweep, map_, graze, zones, reproduce, bench, schema):
+for command in (run, check, sweep, map_, graze, zones, reproduce, schema):
     app.command()(command)

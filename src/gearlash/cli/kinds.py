@@ -12,7 +12,6 @@ KINDS = {
     "graze": "GrazeAnswer",
     "zones": "ZonesAnswer",
     "reproduce": "ReproduceAnswer",
-    "bench": "BenchAnswer",
     "problem": "ProblemAnswer",
 }
 

@@ -5,7 +5,6 @@ Each returns a matplotlib `Figure`; `save` writes it as SVG and PDF.
 """
 
 from .bifurcation import diagram
-from .cost import cost
 from .draw import draw
 from .histories import history
 from .histories import triple as history_triple
@@ -24,7 +23,6 @@ __all__ = [
     "Mark",
     "Panel",
     "Units",
-    "cost",
     "diagram",
     "draw",
     "gallery",

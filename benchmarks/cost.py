@@ -10,9 +10,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter
 
-from gearlash.bench import Curve
+from gearlash.plots import style
 
-from . import style
+from .results import Curve
 
 LOGARITHMIC = ("states", "speed ω")
 PANEL = 46.0  # mm, height

@@ -1,6 +1,6 @@
 """Labels of random pixels against brute force, which knows nothing of Newton, exponents or certificates.
 
-`python -m gearlash.bench.labels PIXELS PAGE` (`make bench-labels`) marches every pixel of a fixed random set
+`python -m benchmarks.labels PIXELS PAGE` (`make bench-labels`) marches every pixel of a fixed random set
 from the same cold start as the map does, for a long time, and reads the label off the last strobes. Every
 disagreement is put into a class by a computation of its own."""
 

@@ -7,16 +7,15 @@ from collections.abc import Iterator
 from dataclasses import is_dataclass
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
+from gearlash.cli.exits import MEANINGS
+from gearlash.cli.kinds import KINDS, answer_kind
+from gearlash.cli.schemas import SIMPLE, described_fields
 from gearlash.system import Status
-
-from .exits import MEANINGS
-from .kinds import KINDS, answer_kind
-from .schemas import SIMPLE, described_fields
 
 HEAD = """\
 # Results
 
-Made from the program by `python -m gearlash.cli.reference docs`; do not edit.
+Made from the program by `python -m tools.reference docs`; do not edit.
 
 ## JSON
 
@@ -42,7 +41,6 @@ FOLDER = """\
 | zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf` |
 | reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/`, \
 `sweep-omega.nc`, `sweep-omega.json`, `sweep-D.nc`, `sweep-D.json` |
-| bench | `bench.json`, `benchmarks.md`, `images/` |
 
 `.gearlash.json` lists the names that gearlash wrote or was about to write there. Before anything is
 computed, a command stops with exit code 2 if one of its files is already there and is not listed.

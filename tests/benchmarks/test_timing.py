@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gearlash.bench.timing import Runner, Times, in_turns
+from benchmarks.timing import Runner, Times, in_turns
 
 
 def test_everybody_takes_turns_after_one_call_to_warm_up():

@@ -7,14 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from benchmarks import trajectories
+from benchmarks.peers import MISSING
+from benchmarks.peers.plain import Pair
+from benchmarks.peers.rk4 import RungeKutta
+from benchmarks.peers.scipy import Monodromy, Scipy
+from benchmarks.trajectories import Own, trajectory_rows
+from benchmarks.works import MANY_PERIODS, POINTS, Work, _work, family
 from gearlash import flow
-from gearlash.bench import trajectories
-from gearlash.bench.peers import MISSING
-from gearlash.bench.peers.plain import Pair
-from gearlash.bench.peers.rk4 import RungeKutta
-from gearlash.bench.peers.scipy import Monodromy, Scipy
-from gearlash.bench.trajectories import Own, trajectory_rows
-from gearlash.bench.works import MANY_PERIODS, POINTS, Work, _work, family
 from gearlash.branches import locate_grazing
 from gearlash.orbits import Orbit, attractor, grazing_checks
 from gearlash.system import ContactRule, GearlashError
@@ -67,13 +67,13 @@ def test_runge_kutta_is_coarse_where_teeth_hit(work: Work):
 
 
 def test_cvode(work: Work):
-    cvode = pytest.importorskip("gearlash.bench.peers.cvode", exc_type=ImportError)
+    cvode = pytest.importorskip("benchmarks.peers.cvode", exc_type=ImportError)
     assert apart(cvode.Cvode(work.pair), work) < 1e-10
     assert crossings_apart(cvode.Cvode(work.pair), work) < 1e-9
 
 
 def test_heyoka_and_the_reference(work: Work):
-    heyoka = pytest.importorskip("gearlash.bench.peers.heyoka", exc_type=ImportError)
+    heyoka = pytest.importorskip("benchmarks.peers.heyoka", exc_type=ImportError)
     for real in (float, np.longdouble):
         solver = heyoka.Heyoka(work.pair, real=real, record=True)
         assert apart(solver, work) < 1e-13
@@ -84,7 +84,7 @@ def test_heyoka_and_the_reference(work: Work):
 
 
 def test_heyoka_on_orbits(work: Work):
-    orbits = pytest.importorskip("gearlash.bench.peers.heyoka_orbits", exc_type=ImportError)
+    orbits = pytest.importorskip("benchmarks.peers.heyoka_orbits", exc_type=ImportError)
     orbit = attractor(work.props, work.states[-1])
     assert isinstance(orbit, Orbit)
     theirs = np.sort_complex(orbits.Monodromy(work.pair).multipliers(orbit.state, 1))
@@ -99,7 +99,7 @@ def test_heyoka_on_orbits(work: Work):
 
 
 def test_heyoka_on_a_map():
-    plane = pytest.importorskip("gearlash.bench.peers.heyoka_plane", exc_type=ImportError)
+    plane = pytest.importorskip("benchmarks.peers.heyoka_plane", exc_type=ImportError)
     pairs = family("article-first-harmonic")
     points = [{"omega": 1.05, "D": 1.0}, {"omega": 0.95, "D": 1.0}, {"omega": 0.78, "D": 0.25}]
     systems = [pairs.system(v) for v in points]

@@ -16,7 +16,7 @@ FIGURE = "images/benchmark-cost.png"
 HEAD = """\
 # Benchmarks
 
-Written by `gearlash bench` (`make bench`); do not edit. gearlash and other solvers do the same work in one
+Written by `make bench`; do not edit. gearlash and other solvers do the same work in one
 run on one machine, one core unless it says otherwise.
 """
 PROTOCOL = """\

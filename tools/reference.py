@@ -1,4 +1,4 @@
-"""The pages of docs that are made from the program: `python -m gearlash.cli.reference docs`."""
+"""The pages of docs that are made from the program: `python -m tools.reference docs`."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from typing import Any
 
 import typer.main
 
-from .app import app
-from .reference_results import exit_codes, results_page
+from gearlash.cli.app import app
+from tools.reference_results import exit_codes, results_page
 
 HEAD = """\
 # Command line
 
-Made from the program by `python -m gearlash.cli.reference docs`; do not edit.
+Made from the program by `python -m tools.reference docs`; do not edit.
 
 `CASE` is a case file or the name of a bundled case. A value of `--set`, `--near` and `--over` is written as
 it would stand in the case file: `omega=0.942`, `pinion_speed=3600rpm`, `mesh.backlash=80um`. Results go to

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gearlash import flow
-from gearlash.bench.labels import (
+from benchmarks.labels import (
     APERIODIC,
     CHANCE,
     EXPLAINED,
@@ -18,8 +17,9 @@ from gearlash.bench.labels import (
     page,
     read,
 )
-from gearlash.bench.pixels import pixel_values
-from gearlash.bench.works import family
+from benchmarks.pixels import pixel_values
+from benchmarks.works import family
+from gearlash import flow
 
 
 def test_read_takes_the_least_period_and_counts_over_it():

@@ -1,4 +1,4 @@
-"""The report as pictures: `python -m gearlash.report.look` writes its pages and figures as numbered PNGs
+"""The report as pictures: `python -m tools.look` writes its pages and figures as numbered PNGs
 into ./look.
 
 Uses a Chromium of the system, and pdftoppm (poppler) for the pages where there is one; without it the pages

@@ -10,9 +10,9 @@ from PIL import Image
 
 from article.study import small
 from gearlash.article.report import document
-from gearlash.report import look
 from gearlash.report.page import html
 from gearlash.system import GearlashError
+from tools import look
 
 DRAWING = b'<svg width="510pt" height="9pt" viewBox="0 0 510 9" xmlns="http://www.w3.org/2000/svg"></svg>'
 

@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from gearlash.bench import OWN, Bar, Row
-from gearlash.bench.bars import bars
-from gearlash.bench.pixels import TASK
-from gearlash.bench.questions import DIFFERENT, LOOP, MARCH
-from gearlash.bench.trajectories import MANY, ONE
+from benchmarks import OWN, Bar, Row
+from benchmarks.bars import bars
+from benchmarks.pixels import TASK
+from benchmarks.questions import DIFFERENT, LOOP, MARCH
+from benchmarks.trajectories import MANY, ONE
 
 
 @dataclass(frozen=True)
