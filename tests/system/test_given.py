@@ -305,10 +305,9 @@ def test_cosines_refuse_in_words():
 
 
 def _every_error() -> list[GearlashError]:
-    from gearlash.article import UnfinishedError
     from gearlash.case import CaseError, Problem
     from gearlash.case.piecewise.arrays import NoValueError
-    from gearlash.jobs import NoWorkersError
+    from gearlash.jobs import NoWorkersError, UnfinishedError
 
     return [
         GearlashError("text"),

@@ -7,7 +7,6 @@ from .claims import Claim, load
 from .judge import NOT_FOUND, REPRODUCED, SHIFTED
 from .reproduce import STAGES, Scope, reproduce
 from .reproduction import ClaimRow, Diagram, Event, Reproduction, Zone
-from .rows import UnfinishedError
 
 __all__ = [
     "NOT_FOUND",
@@ -20,7 +19,6 @@ __all__ = [
     "Event",
     "Reproduction",
     "Scope",
-    "UnfinishedError",
     "Zone",
     "load",
     "reproduce",

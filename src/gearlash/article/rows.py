@@ -7,21 +7,16 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 
 from gearlash.case import Case
-from gearlash.jobs import INTERRUPTED, ProgressCallback
+from gearlash.jobs import INTERRUPTED, ProgressCallback, UnfinishedError
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, Sweep
 from gearlash.studies.sweep import sweeps
 from gearlash.studies.transitions import Transition, transitions
-from gearlash.system import GearlashError
 
 SETTINGS = Settings(
     budget=9_000, patience=600, exponent_periods=1_000
 )  # base periods of one transient; what needs more is flagged, not guessed
 PARTS = 4  # of a sweep: so that no worker waits for another to come to its end
-
-
-class UnfinishedError(GearlashError):
-    """Sweeps that a study rests on were stopped, as by the death of a worker."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -112,11 +112,9 @@ def _deaths() -> tuple[type[Exception], ...]:
         return ()
     from concurrent.futures import BrokenExecutor
 
-    from gearlash.jobs import NoWorkersError
+    from gearlash.jobs import NoWorkersError, UnfinishedError
 
-    article = sys.modules.get("gearlash.studies.article")
-    unfinished = () if article is None else (article.UnfinishedError,)
-    return BrokenExecutor, NoWorkersError, *unfinished
+    return BrokenExecutor, NoWorkersError, UnfinishedError
 
 
 def not_written(error: OSError) -> ExitCode:

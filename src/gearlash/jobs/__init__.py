@@ -6,7 +6,7 @@ with open_executor(workers=2) as executor:
 
 from .chains import DIED, INTERRUPTED, Carry, Chain, Outcome, Part, run
 from .executors import Inline, open_executor
-from .pool import NoWorkersError, Pool
+from .pool import NoWorkersError, Pool, UnfinishedError
 from .progress import Progress, ProgressCallback, seconds_as_text
 from .stop import Cancel, handing_on, stopping
 from .travel import cannot_pickle, cannot_travel
@@ -24,6 +24,7 @@ __all__ = [
     "Pool",
     "Progress",
     "ProgressCallback",
+    "UnfinishedError",
     "cannot_pickle",
     "cannot_travel",
     "handing_on",

@@ -36,6 +36,10 @@ class WorkerDiedError(BrokenExecutor):
     """A worker process ended in the middle of a task."""
 
 
+class UnfinishedError(GearlashError):
+    """What a study rests on was stopped before it was complete, as by the death of a worker."""
+
+
 class NoWorkersError(GearlashError):
     """Worker processes died before anything was computed, or did not even start."""
 

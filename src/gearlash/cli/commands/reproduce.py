@@ -63,7 +63,6 @@ def reproduce(
     from gearlash.cli.jsonio import write_file, write_stdout
     from gearlash.cli.notice import load_engine
     from gearlash.cli.terminal import show
-    from gearlash.article.pair import check_pair
 
     chosen = read_case(case, settings)
     check_pair(chosen)
