@@ -125,6 +125,8 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .results import (
         table as table,
     )
+    from .studies import first_grazing as first_grazing
+    from .studies import impact_free_speeds as impact_free_speeds
     from .studies import map_plane as map_plane
     from .studies import open_workers as open_workers
     from .studies import point as point
@@ -197,7 +199,16 @@ _PUBLIC = {
     # special points of families
     "gearlash.branches": ("BifurcationPoint", "GrazingPoint", "locate_grazing", "locate_multiplier"),
     # many attractors at once, and their datasets
-    "gearlash.studies": ("map_plane", "open_workers", "point", "sweep", "sweeps", "zones"),
+    "gearlash.studies": (
+        "first_grazing",
+        "impact_free_speeds",
+        "map_plane",
+        "open_workers",
+        "point",
+        "sweep",
+        "sweeps",
+        "zones",
+    ),
     "gearlash.studies.transitions": ("transitions",),
     "gearlash.article": ("reproduce",),
     "gearlash.results": ("Axis", "PlaneMap", "Point", "Sweep", "plane_dataset", "sweep_dataset", "table"),

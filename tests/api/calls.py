@@ -107,6 +107,12 @@ def calls() -> tuple[Call, ...]:
         Call("carry", flow.carry, {"props": props, "z": [0.0, 0.0], "cycles": 1.0, "jacobian": True}),
         Call("growth", flow.growth, {
             "props": props, "z": [0.0, 0.0], "tangent": [1.0, 0.0], "periods": 4, "stretch": 2}),
+        Call("first_grazing", gl.first_grazing, {
+            "model": family, "name": "omega", "start": swept.points[0], "direction": "up",
+            "fixed": {"f": 1.0},
+            "settings": QUICK, "tell": print}),
+        Call("impact_free_speeds", gl.impact_free_speeds, {
+            "model": spur, "values": {"omega": 0.9}, "tell": print}),
         Call("Trace.at", trace.at, {"phase": [0.1, 0.2], "clearance": 0}),
         Call("Trace.samples", trace.samples, {"points": 9}),
         Call("Trace.gap_of", trace.gap_of, {"clearance": 0}),

@@ -8,8 +8,8 @@ from contextlib import contextmanager
 import pytest
 
 from gearlash.cli import late, progress
-from gearlash.cli.search.closed import SPEEDS, impact_free_speeds
 from gearlash.jobs import Progress
+from gearlash.studies.impact_free import SPEEDS, impact_free_speeds
 
 
 @pytest.fixture
@@ -51,7 +51,7 @@ def test_a_search_tells_how_far_it_is():
 
     family = load("article-first-harmonic").family()[0]
     told: list[tuple[int, int]] = []
-    impact_free_speeds(family, family.complete({"omega": 1.03}), lambda *far: told.append(far))
+    impact_free_speeds(family, family.complete({"omega": 1.03}), tell=lambda *far: told.append(far))
     assert [done for done, _ in told] == list(range(1, len(told) + 1))
     assert {total for _, total in told} == {SPEEDS}
     assert len(told) > 5

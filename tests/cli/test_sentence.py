@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from cli.conftest import Gearlash
-from gearlash.cli.answers.beside import Beside, BesideMotion
 from gearlash.cli.answers.sentence import coexisting, rate
+from gearlash.results.beside import Beside, BesideMotion
 
 RATES = {
     ((0.3,), 1): "once per mesh cycle",

@@ -3,6 +3,8 @@
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, PlaneMap, Point, Sweep, coexisting, same_motion
 
+from .first_grazing import first_grazing
+from .impact_free import impact_free_speeds
 from .model import Model, open_workers, prepare
 from .plane import map_plane
 from .point import point, summary
@@ -25,6 +27,8 @@ __all__ = [
     "Zone",
     "Zones",
     "coexisting",
+    "first_grazing",
+    "impact_free_speeds",
     "map_plane",
     "open_workers",
     "point",

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import numpy as np
 
 from gearlash.case import Case
+from gearlash.results.followed import INTERRUPTED, Path
 from gearlash.system import Family, Status, System
 
 from .asked import Asked
@@ -21,7 +22,6 @@ if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.branches import GrazingPoint
     from gearlash.results import Point
 
-INTERRUPTED = "interrupted"  # why a motion was not followed further
 HOLDS = 1e-9  # tolerance of the conditions, in units of D_c
 
 
@@ -62,30 +62,6 @@ class Touch:
     to_doubling: Annotated[float, "least |λ + 1|"]
     to_fold: Annotated[float, "least |λ - 1|"]
     residual: Annotated[float, "of all equations"]
-
-
-@dataclass(frozen=True)
-class Passed:
-    """A change of the motion on the way that is no grazing (none: no stable orbit was found there)."""
-
-    kind: str
-    value: float
-    label_below: str
-    label_above: str
-
-
-@dataclass(frozen=True)
-class Path:
-    """Where the motion was followed to."""
-
-    direction: Literal["down", "up"]
-    reached: Annotated[float, "last value at which it was found"]
-    ended: Annotated[str, "why it was not followed further"]
-    decided: Annotated[
-        bool, "whether a grazing, the end of the motion, or the end of the search is there; else it was lost"
-    ]
-    beyond: Annotated[str, "what the orbit does just beyond its grazing"]
-    passed: Annotated[tuple[Passed, ...], "changes on the way that are no grazing"]
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,8 @@ from math import pi
 from typing import Annotated, TypeVar
 
 from gearlash.case import Case, Scales
+from gearlash.results.impact_free import ImpactFree
 
-from .impact_free import ImpactFree
 from .motion import Distances, ErrorNumbers, ForceNumbers, MotionNumbers, Span
 from .parts import Rests, rests_on
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
+from gearlash.results.beside import Beside
+from gearlash.results.impact_free import ImpactFree
 from gearlash.system import Status
 
-from .beside import Beside
 from .excitation import NOT_EXCITED, unexcited
-from .impact_free import ImpactFree
 from .motion import MotionNumbers, motion_numbers
 from .outcome import INCOMPLETE, RESUME
 from .parts import (

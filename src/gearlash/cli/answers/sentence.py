@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 
 from gearlash.case import Case
 from gearlash.case.edges import shown_edge
+from gearlash.results.beside import Beside, BesideMotion
+from gearlash.results.impact_free import ImpactFree
 
-from .beside import Beside, BesideMotion
 from .excitation import Unexcited, at_rest
-from .impact_free import ImpactFree
 from .motion import MotionNumbers, OtherClearance
 from .parts import PhysicalValue, rests_on
 

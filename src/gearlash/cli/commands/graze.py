@@ -57,16 +57,19 @@ def graze(
 
     from gearlash.cli.answers.graze import graze_answer
     from gearlash.cli.late import late_bar
-    from gearlash.cli.search.follow import follow
-    from gearlash.cli.search.settings import search_settings
-    from gearlash.studies import point
+    from gearlash.cli.settings import search_settings
+    from gearlash.studies import first_grazing, point
 
     search = search_settings(family, periods, max_period, case)
     first = point(family, parameters, name=short, start=list(start.values()), settings=search)
     expect_results()
+    others = {each: value for each, value in parameters.items() if each != short}
     with late_bar("following the motion") as tell:
         walks = (
-            [follow(family, parameters, short, first, way, search, tell) for way in ("down", "up")]
+            [
+                first_grazing(family, short, first, way, fixed=others, settings=search, tell=tell)
+                for way in ("down", "up")
+            ]
             if first.periodic
             else []
         )

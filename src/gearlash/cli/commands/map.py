@@ -64,7 +64,7 @@ def map(
 
     from gearlash.cli.answers.map import map_answer
     from gearlash.cli.progress import progress_bar
-    from gearlash.cli.search.settings import search_settings
+    from gearlash.cli.settings import search_settings
     from gearlash.cli.workers import executor_for
     from gearlash.results import NOT_COMPUTED, Axis
     from gearlash.studies import map_plane

@@ -49,7 +49,7 @@ def run(
     load_engine()
     tell_if_slow(family, parameters)
 
-    from gearlash.cli.search.settings import search_settings
+    from gearlash.cli.settings import search_settings
     from gearlash.orbits import attractor
 
     search = search_settings(family, periods, max_period, case)
@@ -86,8 +86,8 @@ def _answer(
     from gearlash.cli.answers.run import numbers_of, run_answer
     from gearlash.cli.interrupt import optional, signalled
     from gearlash.cli.late import late_bar
-    from gearlash.cli.search.beside import motions_beside
-    from gearlash.cli.search.closed import impact_free_speeds
+    from gearlash.studies.beside import motions_beside
+    from gearlash.studies.impact_free import impact_free_speeds
 
     def other_starts():
         with late_bar("other starts") as tell:
@@ -95,7 +95,7 @@ def _answer(
 
     def quiet_speeds():
         with late_bar("speeds free of impacts") as tell:
-            return impact_free_speeds(family, parameters, tell)
+            return impact_free_speeds(case, parameters, tell=tell)
 
     asked = unexcited(case, found) is None
     speeds_asked = asked and case.kind != PIECEWISE

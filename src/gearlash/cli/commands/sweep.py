@@ -67,7 +67,7 @@ def sweep(
 
     from gearlash.cli.answers.sweep import sweep_answer
     from gearlash.cli.progress import progress_bar
-    from gearlash.cli.search.settings import search_settings
+    from gearlash.cli.settings import search_settings
     from gearlash.cli.workers import executor_for
     from gearlash.results import Axis
     from gearlash.studies import sweeps

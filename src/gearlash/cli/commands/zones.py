@@ -83,7 +83,7 @@ def zones(
 
     from gearlash.cli.answers.zones import zones_answer
     from gearlash.cli.progress import progress_bar
-    from gearlash.cli.search.settings import search_settings
+    from gearlash.cli.settings import search_settings
     from gearlash.cli.workers import executor_for
     from gearlash.results import Axis
     from gearlash.studies import sweeps

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
-from gearlash.cli.answers.beside import Beside
 from gearlash.cli.answers.motion import ForceNumbers, MotionNumbers, OtherClearance
 from gearlash.cli.answers.physical import PhysicalEvent, PhysicalRun
 from gearlash.cli.answers.run import RunAnswer
+from gearlash.results.beside import Beside
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity

@@ -7,11 +7,14 @@ from typing import Literal
 
 from gearlash import flow
 from gearlash.branches import BifurcationPoint, End, GrazingPoint, Met, Outcome, walk
-from gearlash.cli.answers.graze import INTERRUPTED, Passed, Path
 from gearlash.jobs.stop import interruptible
 from gearlash.orbits import Orbit, Settings, shoot
-from gearlash.results import Point
-from gearlash.system import Family
+from gearlash.results import Direction, Point
+from gearlash.results.followed import INTERRUPTED, Passed, Path
+from gearlash.system import Family, GearlashError, given
+
+from .arguments import checked_settings
+from .model import Model, Source
 
 REACH = 0.95  # as far as it is followed, relative to the value at the start
 SMALL = 1e-3  # what counts as the size of a small value
@@ -19,17 +22,60 @@ BEYOND = 1e-3  # how far beyond a touch the orbit is looked after, relative to t
 PARTS = 1000  # of one direction, for the progress
 
 
-def follow(
-    family: Family,
-    values: Mapping[str, float],
+def first_grazing(
+    model: Model,
     name: str,
     start: Point,
     direction: Literal["down", "up"],
-    settings: Settings,
+    *,
+    fixed: Mapping[str, float] | None = None,
+    settings: Settings | None = None,
     tell: Callable[[int, int], object] | None = None,
 ) -> tuple[Path, GrazingPoint | None]:
-    """Follows the periodic motion ``start`` in one parameter until a contact is born or dies in a touch.
-    ``tell`` hears how much of the way is done, out of how much. Ctrl-C ends it with what it has."""
+    """Follows one periodic motion in one parameter, through doublings, until a contact is born or dies.
+
+    Parameters
+    ----------
+    model : Case or Family
+    name : str
+        Parameter by short name, such as ``omega``.
+    start : Point
+        A periodic motion and the value of ``name`` at which it was found: ``gearlash.point(model, values,
+        name=name)``, or a point of a sweep.
+    direction : {"down", "up"}
+    fixed : mapping of str to float, optional
+        Other parameters than ``name``; the model's own where nothing is given.
+    settings : Settings, optional
+        Its ``max_period`` is the longest period (base periods) that is followed through doublings.
+    tell : callable, optional
+        Hears how much of the way is done, out of how much. Ctrl-C ends the search with what it has.
+
+    Returns
+    -------
+    path : Path
+        How far the motion was followed and why not farther. The way ends 95 % of the value away from it, or
+        at the end of the parameter's range.
+    touch : GrazingPoint or None
+        The first grazing on this way, solved for.
+
+    Raises
+    ------
+    GearlashError
+        For a name that is no parameter, a start that is not periodic, or a member that cannot be built.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("article")
+    >>> start = gl.point(case, {"omega": 1.0}, name="omega")
+    >>> path, touch = gl.first_grazing(case, "omega", start, "down")
+    >>> round(touch.value, 4), path.ended
+    (0.9725, 'grazing at 0.9724999996')
+    """
+    family, values = _checked(model, name, start, fixed)
+    direction, settings = _way(direction), checked_settings(settings)
+    if tell is not None:
+        given.function("tell", tell, "a function of two whole numbers")
     to, reached = _last(family, name, start.value, direction), start.value
     way, passed = abs(to - start.value), []
     found: Met | None = None
@@ -60,6 +106,26 @@ def follow(
     assert isinstance(found.point, GrazingPoint)
     ended = f"grazing at {found.value:.10g}"
     return Path(direction, found.value, ended, True, beyond, tuple(passed)), found.point
+
+
+def _checked(
+    model: Model, name: str, start: Point, fixed: Mapping[str, float] | None
+) -> tuple[Family, dict[str, float]]:
+    """The family, and its member at the start."""
+    family = Source.of(model).family()
+    given.known("parameter", name, family.defaults)
+    given.instance("start", start, Point, "a point, as from gearlash.point(model, values, name=...)")
+    if not start.periodic:
+        raise GearlashError(f"start: expected a periodic motion, not one of status {start.status}")
+    return family, family.complete({**given.mapping("fixed", fixed), name: start.value})
+
+
+def _way(direction: str) -> Literal["down", "up"]:
+    expected = "down or up"
+    found = given.choice(Direction, "direction", direction)
+    if found is Direction.COLD:
+        raise GearlashError(f"direction = 'cold': expected {expected}")
+    return "up" if found is Direction.UP else "down"
 
 
 def _steps(

@@ -7,9 +7,9 @@ import pytest
 
 from gearlash.branches import locate_grazing
 from gearlash.case import load
-from gearlash.cli.search.closed import REACH, _change, closed_margin, impact_free_speeds
 from gearlash.gears import spur
 from gearlash.orbits import Orbit, attractor, grazing_checks
+from gearlash.studies.impact_free import REACH, _change, closed_margin, impact_free_speeds
 
 FAMILY = load("article-first-harmonic").family()[0]
 

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash import orbits
-from gearlash.cli.answers.beside import Beside, BesideMotion
-from gearlash.cli.search.closed import linear_states
 from gearlash.orbits import Attractor, Orbit, Settings, Unresolved
+from gearlash.results.beside import Beside, BesideMotion
+from gearlash.studies.impact_free import linear_states
 from gearlash.system import Clearance, GearlashError, Status, System
 
 Array = NDArray[np.float64]

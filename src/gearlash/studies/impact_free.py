@@ -16,12 +16,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.cli.answers.impact_free import Ending, ImpactFree
+from gearlash.case import Case
+from gearlash.case.quantities import PIECEWISE
 from gearlash.orbits import shoot
 from gearlash.orbits.dips import Sample, dip
 from gearlash.orbits.pressing import force_extrema
 from gearlash.orbits.results import Orbit
-from gearlash.system import ContactRule, Family, GearlashError, Parameter, Status, System
+from gearlash.results.impact_free import Ending, ImpactFree
+from gearlash.system import ContactRule, GearlashError, Parameter, Status, System, given
+
+from .model import Model, Source
 
 STEP = 1.01  # factor from one speed of the search to the next
 REACH = 2.0  # factor to which it goes, up and down
@@ -34,15 +38,50 @@ End = tuple[float, Ending]  # a value on the impact-free side, what ends there
 
 
 def impact_free_speeds(
-    family: Family, parameters: Mapping[str, float], tell: Callable[[int, int], object] | None = None
+    model: Model,
+    values: Mapping[str, float] | None = None,
+    *,
+    tell: Callable[[int, int], object] | None = None,
 ) -> ImpactFree | None:
-    """Looks from the present speed up and down to `REACH` times it, within the range of the parameter. None
-    without load, as no side carries it. ``family`` is that of a gear pair: of other systems a parameter of
-    the name `load` says nothing about contact. ``tell`` hears how many speeds were tried, out of how many.
+    """Speeds at which the motion of a gear pair whose teeth never part exists and is stable.
 
-    Speeds of the search are one per cent apart, with closer looks where the margin is lowest. What comes and
-    goes within one per cent elsewhere may be missed.
+    Looked for from the present speed down to half of it and up to twice, within the range of the parameter.
+
+    Parameters
+    ----------
+    model : Case or Family
+        A gear pair. Of other systems a parameter of the name ``load`` says nothing about contact.
+    values : mapping of str to float, optional
+        Parameters by short name, over those of the model.
+    tell : callable, optional
+        Hears how many speeds were tried, out of about how many.
+
+    Returns
+    -------
+    ImpactFree or None
+        None where there is no such motion to look for: without load, as no side carries it; with several
+        clearances; and for a case that is no gear pair. Speeds of the search are one per cent apart, with
+        closer looks where the margin is lowest: what comes and goes within one per cent elsewhere may be
+        missed. Other motions at the same speeds are not looked for.
+
+    Raises
+    ------
+    GearlashError
+        For names and values that do not fit, and where a member cannot be built.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> found = gl.impact_free_speeds(gl.load_case("article"))
+    >>> found.here, round(found.lower, 4), round(found.upper, 4)
+    (True, 0.9725, 1.112)
     """
+    family = Source.of(model).family()
+    parameters = family.complete(given.mapping("values", values))
+    if tell is not None:
+        given.function("tell", tell, "a function of two whole numbers")
+    if isinstance(model, Case) and model.kind == PIECEWISE:
+        return None
     if parameters.get("load", 0.0) == 0.0 or len(family.system(parameters).clearances) != 1:
         return None
     omega, tried, side = parameters["omega"], count(1), 1 if parameters["load"] > 0.0 else -1
