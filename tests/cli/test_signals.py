@@ -167,7 +167,9 @@ def test_a_killed_worker_is_no_ctrl_c(tmp_path: Path, name: str):
 def test_what_is_timed_ends_with_who_times_it(tmp_path: Path):
     program = "from benchmarks.startup import _process; _process('import time; time.sleep(60)')"
     mark = f"{os.getpid()}-timed"
-    process = subprocess.Popen([sys.executable, "-c", program], env={**os.environ, MARK: mark})
+    env = {**os.environ, MARK: mark}
+    root = Path(__file__).resolve().parents[2]
+    process = subprocess.Popen([sys.executable, "-c", program], env=env, cwd=root)
     until = time.monotonic() + 30.0
     while len(_children(process.pid)) < 1 and time.monotonic() < until:
         time.sleep(0.1)
