@@ -30,7 +30,7 @@ def records(name: str) -> dict[str, Any]:
     system = family.system()
     props = gl.propagators(system)
     found = gl.attractor(props, family.start())
-    speeds = gl.Axis.even("omega", (0.99 * system.omega, 1.01 * system.omega), 3)
+    speeds = gl.Axis.even("omega", 0.99 * system.omega, 1.01 * system.omega, 3)
     zones = gl.zones(case, speeds, "drive-side-only")
     checks = gl.grazing_checks(found)
     values = family.defaults
@@ -52,7 +52,7 @@ def records(name: str) -> dict[str, Any]:
     if len(family.parameters) > 1:
         other = next(p for p in family.parameters if p.name != "omega" and p.default > 0.0)
         ends = (0.99 * other.default, 1.01 * other.default)
-        made["map"] = gl.map_plane(case, speeds, gl.Axis.even(other.name, ends, 2))
+        made["map"] = gl.map_plane(case, speeds, gl.Axis.even(other.name, *ends, 2))
     return made
 
 

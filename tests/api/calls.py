@@ -61,7 +61,7 @@ def calls() -> tuple[Call, ...]:
     orbit = gl.attractor(props, family.start())
     assert isinstance(orbit, gl.Orbit)
     check = gl.grazing_checks(orbit)[0]
-    axis, other = gl.Axis.even("omega", (0.8, 0.82), 2), gl.Axis.even("f", (1.0, 1.1), 2)
+    axis, other = gl.Axis.even("omega", 0.8, 0.82, 2), gl.Axis.even("f", 1.0, 1.1, 2)
     swept, plane = gl.sweep(family, axis), gl.map_plane(family, axis, other)
     dataset, mapped = gl.sweep_dataset(family, [swept]), gl.plane_dataset(family, plane)
     trace, moving, quiet = orbit.trace, motion(orbit), gl.zones(family, axis)
@@ -95,7 +95,7 @@ def calls() -> tuple[Call, ...]:
         Call("Family.complete", family.complete, {"overrides": {"omega": 0.9}}),
         Call("Family.system", family.system, {"overrides": {"omega": 0.9}}),
         Call("Family.start", family.start, {"overrides": {"omega": 0.9}}),
-        Call("Axis.even", gl.Axis.even, {"name": "omega", "ends": (0.8, 0.9), "count": 3}),
+        Call("Axis.even", gl.Axis.even, {"name": "omega", "lower": 0.8, "upper": 0.9, "count": 3}),
         Call("Signature.parse", gl.Signature.parse, {"text": "1-1-0"}),
         Call("propagators", gl.propagators, {"system": system, "reuse": props}),
         Call("march", gl.march, {"props": props, "z": [0.0, 0.0], "stretches": 3, "stretch": 2}),

@@ -60,7 +60,7 @@ def check_one(transition: Transition) -> None:
 
 def test_window_over_frequency(case):
     """Seven points: the grazing at ω ≈ 0.97248, and nothing else."""
-    done = sweep(case, Axis.even("omega", [0.955, 0.985], 7))
+    done = sweep(case, Axis.even("omega", 0.955, 0.985, 7))
     found = found_along(done)
     assert [t.kind for t in found] == [GRAZING]
     (graze,) = found
@@ -70,7 +70,7 @@ def test_window_over_frequency(case):
 
 
 def test_doubling_over_frequency(case):
-    done = sweep(case, Axis.even("omega", [1.28, 1.31], 4))
+    done = sweep(case, Axis.even("omega", 1.28, 1.31, 4))
     found = found_along(done)
     assert [t.kind for t in found] == [DOUBLING]
     check_one(found[0])
@@ -80,7 +80,7 @@ def test_doubling_over_frequency(case):
 
 @pytest.fixture(scope="module")
 def over_the_gap(case) -> tuple[Sweep, tuple[Transition, ...]]:
-    done = sweep(case, Axis.even("D", [0.38, 0.401], 8), fixed={"omega": 0.78}, direction="up")
+    done = sweep(case, Axis.even("D", 0.38, 0.401, 8), fixed={"omega": 0.78}, direction="up")
     return done, found_along(done)
 
 
@@ -118,7 +118,7 @@ def test_labels_between_the_changes_are_those_they_say(over_the_gap):
 
 def test_direction_matters_where_attractors_coexist(case):
     """2-1-0 ends in a fold at ω ≈ 1.0922 when followed down; followed up, 1-0-0 goes on."""
-    axis = Axis.even("omega", [1.085, 1.105], 3)
+    axis = Axis.even("omega", 1.085, 1.105, 3)
     down = sweep(case, axis, direction="down")
     assert [p.label for p in down.points] == ["1-0-0", "2-1-0", "2-1-0"]
     found = found_along(down, rising=False)
@@ -130,7 +130,7 @@ def test_direction_matters_where_attractors_coexist(case):
 
 
 def test_onset_of_aperiodic_motion_has_an_interval_only(case):
-    done = sweep(case, Axis.even("omega", [0.59, 0.60], 2))
+    done = sweep(case, Axis.even("omega", 0.59, 0.60, 2))
     assert done.points[1].label == "aperiodic"
     assert done.points[0].period > 0
     (change,) = found_along(done)
@@ -179,8 +179,8 @@ def test_a_label_that_is_not_true_is_not_explained():
 
 def test_sparse_and_dense_sweeps_agree(case):
     """The same values from other points: what is located does not depend on where it was looked from."""
-    one = found_along(sweep(case, Axis.even("omega", [0.96, 0.98], 3)))
-    other = found_along(sweep(case, Axis.even("omega", [0.971, 0.974], 4)))
+    one = found_along(sweep(case, Axis.even("omega", 0.96, 0.98, 3)))
+    other = found_along(sweep(case, Axis.even("omega", 0.971, 0.974, 4)))
     assert len(one) == len(other) == 1
     assert one[0].value == pytest.approx(other[0].value, rel=1e-12)
     assert replace(one[0], lower=0, upper=0, point=None).kind == other[0].kind

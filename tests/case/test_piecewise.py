@@ -323,7 +323,7 @@ def test_bad_files_do_not_fit_the_json_schema(old: str, new: str):
 
 def test_workers_sweep_a_case_of_this_kind_to_the_same_points():
     case = load("shaw-holmes", {"clearance.stop.contact": "always"})
-    axis = gl.Axis.even("stop_stiffness", [1.0, 9.0], 5)
+    axis = gl.Axis.even("stop_stiffness", 1.0, 9.0, 5)
     alone = gl.sweep(case, axis)
     with Pool(2) as pool:
         shared = gl.sweep(case, axis, executor=pool, chunk=2)

@@ -35,7 +35,7 @@ def test_every_path_of_a_command_may_begin_at_home(gearlash: Gearlash, home: Pat
 
 def test_every_path_from_python_may_begin_at_home(home: Path):
     case = gl.load_case("kahraman-singh")
-    dataset = gl.sweep_dataset(case, [gl.sweep(case, gl.Axis.even("omega", (1.2, 1.3), 2))])
+    dataset = gl.sweep_dataset(case, [gl.sweep(case, gl.Axis.even("omega", 1.2, 1.3, 2))])
     assert gl.save_dataset(dataset, "~/s.nc") == home / "s.nc"
     assert gl.load_dataset("~/s.nc").identical(dataset)
 

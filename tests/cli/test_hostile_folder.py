@@ -134,7 +134,7 @@ from own_system import family
 if __name__ == "__main__":
     before = dict(os.environ)
     with gl.open_workers(family, 2) as executor:
-        found = gl.sweep(family, gl.Axis.even("gap", [4.0, 5.0], 3), executor=executor)
+        found = gl.sweep(family, gl.Axis.even("gap", 4.0, 5.0, 3), executor=executor)
     assert dict(os.environ) == before
     print(len([p for p in found.points if p.label]), found.complete)
 """

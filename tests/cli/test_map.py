@@ -31,7 +31,7 @@ def test_json_is_the_map_of_the_study(gearlash: Gearlash):
     assert problems(answer, answer_schema(answer_kind("map"))) == []
     case = gl.load_case("article")
     speeds = gl.Axis("omega", case.scales.omega_from_rpm(np.linspace(3600.0, 4400.0, 5)))
-    expected = gl.map_plane(case, speeds, gl.Axis.even("D", (0.6, 1.0), 3))
+    expected = gl.map_plane(case, speeds, gl.Axis.even("D", 0.6, 1.0, 3))
     named = {row["code"]: row["label"] for row in answer["labels"]}
     found = [[named[code] for code in row] for row in answer["codes"]]
     assert found == [[expected.label_at(row, column) for column in range(5)] for row in range(3)]

@@ -190,7 +190,7 @@ def initial(p):
 
 
 family = gl.Family((gl.Parameter("gap", 0.2),), ("x", "v"), build, initial=initial)
-axis = gl.Axis.even("gap", [0.0, 3.0], 9)
+axis = gl.Axis.even("gap", 0.0, 3.0, 9)
 """
 SWEEP = """
 with gl.open_workers(family, 2) as workers:
@@ -200,7 +200,7 @@ GUARDED = "\nif __name__ == '__main__':" + SWEEP.replace("\n", "\n    ")
 CASE = """
 import gearlash as gl
 with gl.open_workers(gl.load_case("article"), 2) as workers:
-    found = gl.sweep(gl.load_case("article"), gl.Axis.even("omega", [1.0, 1.1], 5), executor=workers)
+    found = gl.sweep(gl.load_case("article"), gl.Axis.even("omega", 1.0, 1.1, 5), executor=workers)
 print([point.label for point in found.points])
 """
 

@@ -94,10 +94,10 @@ def test_chaos_without_damping_stays_aperiodic():
 
 def test_sweeps_and_maps_carry_neutral_points():
     family, _ = gl.load_case("kahraman-singh").family()
-    axis = gl.Axis.even("load", (0.0, 0.1), 2)
+    axis = gl.Axis.even("load", 0.0, 0.1, 2)
     sweep = gl.sweep(family, axis)
     assert sweep.points[0].label == "neutral"
     assert sweep.points[0].status == "neutral"
-    plane = gl.map_plane(family, axis, gl.Axis.even("omega", (0.9, 1.0), 2))
+    plane = gl.map_plane(family, axis, gl.Axis.even("omega", 0.9, 1.0, 2))
     assert plane.shares["neutral"] == 2
     assert plane.statuses["neutral"] == 2

@@ -62,7 +62,7 @@ def test_gaps_are_told_apart_in_sections_and_checks():
 def test_a_touch_in_either_gap_is_solved_for(rule, gap, ends):
     """Where it is found, an extremum of that gap, sampled densely, reaches the boundary; labels differ."""
     family = two_gaps(rule)
-    found = sweep(family, Axis.even("omega", ends, 5), direction="up")
+    found = sweep(family, Axis.even("omega", ends[0], ends[1], 5), direction="up")
     changes = transitions(family, {}, "omega", found.points)
     grazes = [t.point for t in changes if isinstance(t.point, GrazingPoint)]
     at = next(point for point in grazes if point.clearance == gap)
@@ -87,7 +87,7 @@ def test_a_touch_in_either_gap_is_solved_for(rule, gap, ends):
 
 def test_changes_along_a_sweep_name_the_gap():
     family = two_gaps()
-    found = sweep(family, Axis.even("omega", [0.9, 1.0], 6), direction="up")
+    found = sweep(family, Axis.even("omega", 0.9, 1.0, 6), direction="up")
     assert [p.certificate for p in found.points] == ["certified"] * 6
     changes = transitions(family, {}, "omega", found.points)
     assert [(c.kind, c.label_below, c.label_above) for c in changes] == [(GRAZING, "1-1-0/1-1", "1-0-0/1-1")]

@@ -70,7 +70,7 @@ def dataset(axis: str = "omega") -> xr.Dataset:
 def plane() -> xr.Dataset:
     """A small map with every kind of motion, and a pixel that failed."""
     found = map_plane(
-        article(), Axis.even("omega", (0.74, 1.2), 8), Axis("D", np.array([-0.1, 0.25, 0.39, 0.7]))
+        article(), Axis.even("omega", 0.74, 1.2, 8), Axis("D", np.array([-0.1, 0.25, 0.39, 0.7]))
     )
     return plane_dataset(article(), found)
 
@@ -78,7 +78,5 @@ def plane() -> xr.Dataset:
 @cache
 def zoned() -> tuple[xr.Dataset, tuple[Zones, ...]]:
     """Zones of both kinds over a coarse axis, and the sweeps they come from."""
-    found = zones_of_kinds(
-        article(), Axis.even("omega", (0.94, 1.13), 12), ["impact-free", "drive-side-only"]
-    )
+    found = zones_of_kinds(article(), Axis.even("omega", 0.94, 1.13, 12), ["impact-free", "drive-side-only"])
     return sweep_dataset(article(), found[0].sweeps), found

@@ -35,13 +35,13 @@ def test_an_axis_is_a_copy_that_cannot_be_changed():
 
 
 def test_even_values_hold_both_ends_in_either_order():
-    np.testing.assert_array_equal(Axis.even("D", (2.0, 1.0), 5).values, [1.0, 1.25, 1.5, 1.75, 2.0])
+    np.testing.assert_array_equal(Axis.even("D", 2.0, 1.0, 5).values, [1.0, 1.25, 1.5, 1.75, 2.0])
     for ends, count in (((1.0, 1.0), 2), ((1.0, 2.0), 1)):
         with pytest.raises(GearlashError, match="two different ends"):
-            Axis.even("D", ends, count)
+            Axis.even("D", *ends, count)
     for count in (0, -3, 2.0, "5", True, None):
         with pytest.raises(GearlashError, match="whole number"):
-            Axis.even("D", (1.0, 2.0), count)  # pyright: ignore[reportArgumentType]
+            Axis.even("D", 1.0, 2.0, count)  # pyright: ignore[reportArgumentType]
 
 
 def orbit(label: str, strobes, size: float = 1.0) -> Point:

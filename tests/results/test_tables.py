@@ -21,7 +21,7 @@ def read(path: Path):
 
 
 def test_a_sweep_without_back_impacts_has_a_row_a_point(tmp_path: Path):
-    sweeps = gl.sweeps(SPUR, gl.Axis.even("omega", (1.2, 1.4), 3), ("cold", "up"))
+    sweeps = gl.sweeps(SPUR, gl.Axis.even("omega", 1.2, 1.4, 3), ("cold", "up"))
     assert not any(point.back for sweep in sweeps for point in sweep.points)
     frame = read(gl.save_dataset(gl.sweep_dataset(SPUR, sweeps), tmp_path / "sweep.nc"))
     assert frame.index.names == ["direction", "omega"]
@@ -49,7 +49,7 @@ def test_long_motions_do_not_multiply_the_rows(tmp_path: Path):
 
 
 def test_a_sweep_of_nothing_but_blanks_has_its_rows(tmp_path: Path):
-    axis = gl.Axis.even("omega", (1.2, 1.4), 3)
+    axis = gl.Axis.even("omega", 1.2, 1.4, 3)
     points = tuple(blank(float(value), NOT_COMPUTED, "stopped") for value in axis.values)
     sweep = gl.Sweep(axis, "cold", points, complete=False)  # pyright: ignore[reportArgumentType]
     frame = read(gl.save_dataset(gl.sweep_dataset(SPUR, [sweep]), tmp_path / "sweep.nc"))
@@ -59,7 +59,7 @@ def test_a_sweep_of_nothing_but_blanks_has_its_rows(tmp_path: Path):
 @pytest.mark.parametrize("gaps", [(0.5, 1.0), (-2.0, -1.0)])
 def test_a_map_has_a_row_a_pixel(gaps: tuple[float, float], tmp_path: Path):
     """All pixels of the second one fail, and it has no labels at all."""
-    plane = gl.map_plane(SPUR, gl.Axis.even("omega", (1.2, 1.4), 3), gl.Axis.even("D", gaps, 2))
+    plane = gl.map_plane(SPUR, gl.Axis.even("omega", 1.2, 1.4, 3), gl.Axis.even("D", *gaps, 2))
     path = gl.save_dataset(gl.plane_dataset(SPUR, plane), tmp_path / "map.nc")
     frame = read(path)
     assert frame.index.names == ["D", "omega"]
@@ -78,10 +78,10 @@ def test_a_parameter_may_be_called_as_a_variable_is(name: str, tmp_path: Path):
         (gl.Parameter(name, 1.2), gl.Parameter("D", 1.0)), base.states,
         lambda values: base.system({"omega": values[name]}), lambda values: base.start(),
     )  # fmt: skip
-    axis = gl.Axis.even(name, (1.2, 1.4), 2)
+    axis = gl.Axis.even(name, 1.2, 1.4, 2)
     frame = read(gl.save_dataset(gl.sweep_dataset(family, [gl.sweep(family, axis)]), tmp_path / "s.nc"))
     assert frame.reset_index().iloc[:, 1].tolist() == [1.2, 1.4]
-    plane = gl.map_plane(family, axis, gl.Axis.even("D", (0.5, 1.0), 2))
+    plane = gl.map_plane(family, axis, gl.Axis.even("D", 0.5, 1.0, 2))
     dataset = gl.load_dataset(gl.save_dataset(gl.plane_dataset(family, plane), tmp_path / "m.nc"))
     assert len(gl.table(dataset)) == 4
     from gearlash import plots

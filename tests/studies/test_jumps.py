@@ -56,7 +56,7 @@ class Bare:
 @pytest.mark.parametrize("count", [2, 3, 5, 41, 161])
 def test_upwards_it_falls_off_a_fold_on_any_grid(count):
     """1-1-0 on both sides of the fold, and nothing else that changes from there on."""
-    done = sweep(pair(), Axis.even("omega", [0.8, 0.84], count), direction="up")
+    done = sweep(pair(), Axis.even("omega", 0.8, 0.84, count), direction="up")
     found = transitions(pair(), {}, "omega", done.points)
     assert kinds(found) == [(GRAZING, "1-0-0", "1-1-0"), (FOLD, "1-1-0", "1-1-0")]
     assert [t.value for t in found] == pytest.approx([TOUCH_AT, FOLD_AT], abs=1e-7)
@@ -66,7 +66,7 @@ def test_upwards_it_falls_off_a_fold_on_any_grid(count):
 
 @pytest.mark.parametrize("count", [3, 41])
 def test_downwards_it_stays_and_returns_elsewhere(count):
-    axis = Axis.even("omega", [0.69, 0.84], count)
+    axis = Axis.even("omega", 0.69, 0.84, count)
     done = sweep(pair(), axis, direction="down")
     found = transitions(pair(), {}, "omega", done.points, rising=False)
     assert kinds(found) == [(FOLD, "1-0-0", "1-1-0")]
@@ -76,7 +76,7 @@ def test_downwards_it_stays_and_returns_elsewhere(count):
 def test_the_mirrored_pair_does_the_same():
     """X → -X with load and error negated: the same values on the back side."""
     fixed = {"load": -0.1, "error": -0.05}
-    done = sweep(pair(), Axis.even("omega", [0.8, 0.84], 9), direction="up", fixed=fixed)
+    done = sweep(pair(), Axis.even("omega", 0.8, 0.84, 9), direction="up", fixed=fixed)
     found = transitions(pair(), fixed, "omega", done.points)
     assert kinds(found) == [(GRAZING, "1-0-0", "1-0-1"), (FOLD, "1-0-1", "1-0-1")]
     assert [t.value for t in found] == pytest.approx([TOUCH_AT, FOLD_AT], abs=1e-7)
@@ -97,8 +97,8 @@ def test_a_resonance_is_no_jump(count, damping):
 def test_a_change_of_basin_between_orbits_of_one_label():
     """Between touch and fold two 1-1-0 coexist. A row of points that goes from one to the other where both
     exist: no orbit ends, and only the interval is known."""
-    lower = sweep(pair(), Axis.even("omega", [0.8, 0.824], 7), direction="up").points[-1]
-    upper = sweep(pair(), Axis.even("omega", [0.826, 0.9], 7), direction="down").points[0]
+    lower = sweep(pair(), Axis.even("omega", 0.8, 0.824, 7), direction="up").points[-1]
+    upper = sweep(pair(), Axis.even("omega", 0.826, 0.9, 7), direction="down").points[0]
     assert lower.label == upper.label == "1-1-0"
     rows = [Bare(0.824, "1-1-0", 1, lower.state), Bare(0.826, "1-1-0", 1, upper.state)]
     for rising in (True, False):
@@ -119,7 +119,7 @@ def test_orbits_begun_at_another_base_period_are_one():
 def test_a_window_of_contact_between_two_points_is_seen():
     """Labels at both ends differ by one touch, but the motion between goes through three more changes."""
     family = two_gaps(ContactRule.IN_CONTACT)
-    done = sweep(family, Axis.even("omega", [0.9, 1.0], 3), direction="up")
+    done = sweep(family, Axis.even("omega", 0.9, 1.0, 3), direction="up")
     found = transitions(family, {}, "omega", done.points)
     assert [t.kind for t in found] == [GRAZING, GRAZING, FOLD, GRAZING]
     for one, two in pairwise(found):
@@ -136,7 +136,7 @@ def test_what_cannot_be_followed_is_not_decided():
         return pair().build(values)
 
     family = replace(pair(), build=build)
-    done = sweep(family, Axis.even("omega", [0.6, 0.63], 2), direction="up")
+    done = sweep(family, Axis.even("omega", 0.6, 0.63, 2), direction="up")
     (change,) = transitions(family, {}, "omega", done.points)
     assert change.kind == UNDECIDED
     assert 0.6 <= change.lower <= 0.61

@@ -33,7 +33,7 @@ from gearlash.system import Family, GearlashError, Parameter, UnknownNameError
 
 ARTICLE = case.load("article-first-harmonic")
 CLASSICAL = case.load("kahraman-singh")
-SPEEDS, GAPS = Axis.even("omega", (0.7, 0.86), 5), Axis.even("D", (0.33, 0.62), 6)
+SPEEDS, GAPS = Axis.even("omega", 0.7, 0.86, 5), Axis.even("D", 0.33, 0.62, 6)
 SETTINGS = Settings(patience=300, budget=2_000, exponent_periods=400)
 GIB = 2**30
 
@@ -112,7 +112,7 @@ def test_a_million_pixels_stay_below_a_gibibyte(plane: PlaneMap):
 
 def test_a_pixel_that_fails_is_flagged_and_the_map_goes_on():
     gaps = Axis("D", np.array([-0.5, 0.5, 1.0]))
-    found = map_plane(CLASSICAL, Axis.even("omega", (0.6, 0.9), 4), gaps)
+    found = map_plane(CLASSICAL, Axis.even("omega", 0.6, 0.9, 4), gaps)
     assert found.complete
     assert [STATUSES[code] for code in found.status[:, 2]] == [FAILED, "ok", "ok"]
     assert found.statuses == {FAILED: 4, "ok": 8}
@@ -178,7 +178,7 @@ def test_several_gaps_have_all_their_counts():
     names = list(two.family()[0].defaults)
     ends = {name: value for name, value in two.family()[0].defaults.items() if value > 0.0}
     first, second = [name for name in names if name in ends][:2]
-    axes = (Axis.even(n, (0.9 * ends[n], 1.1 * ends[n]), 3) for n in (first, second))
+    axes = (Axis.even(n, 0.9 * ends[n], 1.1 * ends[n], 3) for n in (first, second))
     found = map_plane(two, *axes)
     periodic = found.period > 0
     assert periodic.any()

@@ -25,7 +25,7 @@ from gearlash.system import GearlashError, UnknownNameError
 
 ARTICLE = case.load("article-first-harmonic")
 CLASSICAL = case.load("kahraman-singh")
-SPEEDS = Axis.even("omega", (0.3, 1.6), 53)
+SPEEDS = Axis.even("omega", 0.3, 1.6, 53)
 
 
 def loss_of_contact() -> tuple[float, float]:
@@ -106,7 +106,7 @@ def test_threads_and_known_sweeps_give_the_same(classical):
 
 def test_sweeps_of_another_question_are_refused(classical):
     with pytest.raises(GearlashError, match="another axis"):
-        studies.zones(CLASSICAL, Axis.even("omega", (0.3, 1.6), 27), known=classical.sweeps)
+        studies.zones(CLASSICAL, Axis.even("omega", 0.3, 1.6, 27), known=classical.sweeps)
     with pytest.raises(GearlashError, match="fixed"):
         studies.zones(CLASSICAL, SPEEDS, known=classical.sweeps, fixed={"load": 0.2})
     with pytest.raises(GearlashError, match="at least one"):
@@ -119,7 +119,7 @@ def test_sweeps_of_another_question_are_refused(classical):
 
 def test_a_basin_that_ends_is_no_bifurcation():
     """From far outside, the cold start falls into the impacting motion long before the quiet one ends."""
-    axis = Axis.even("omega", (0.65, 0.8), 7)
+    axis = Axis.even("omega", 0.65, 0.8, 7)
     cold = studies.sweep(CLASSICAL, axis, initial=[2.0, 0.0])
     found = studies.zones(CLASSICAL, axis, known=[cold], initial=[2.0, 0.0])
     (zone,) = found.zones
@@ -152,7 +152,7 @@ def test_the_windows_of_the_article():
     """Both reported ends of the impact-free window, and what the article does not mention: a 2-1-0 motion
     inside it.
     """
-    found = studies.zones(ARTICLE, Axis.even("omega", (0.94, 1.13), 20))
+    found = studies.zones(ARTICLE, Axis.even("omega", 0.94, 1.13, 20))
     (zone,), (wide,) = found.zones, found.wider
     assert wide.lower.value == pytest.approx(0.9725, abs=5e-4)
     assert wide.upper.value == pytest.approx(1.112, abs=5e-4)
@@ -167,7 +167,7 @@ def test_the_windows_of_the_article():
 
 
 def test_backlash_without_back_side_impacts():
-    axis = Axis.even("D", (0.4, 0.55), 11)
+    axis = Axis.even("D", 0.4, 0.55, 11)
     found = studies.zones(ARTICLE, axis, Quiet.DRIVE_SIDE_ONLY, fixed={"omega": 0.78})
     (zone,), (wide,) = found.zones, found.wider
     assert zone.upper.kind == wide.upper.kind == RANGE
@@ -182,7 +182,7 @@ def test_backlash_without_back_side_impacts():
 def test_an_orbit_that_ends_in_a_fold_beside_chaos():
     """The 2-1-0 motion of the article's pair ends at a fold; what is seen beyond is aperiodic."""
     settings = studies.Settings(patience=600, budget=1_500, exponent_periods=600)
-    axis = Axis.even("omega", (1.14, 1.18), 3)
+    axis = Axis.even("omega", 1.14, 1.18, 3)
     up = studies.sweep(ARTICLE, axis, direction="up", settings=settings)
     assert up.points[-1].label == "aperiodic"
     (zone,) = studies.zones(ARTICLE, axis, "drive-side-only", known=[up], settings=settings).zones
@@ -246,7 +246,7 @@ def sharp_loss_of_contact(damping: float, load: float, error: float) -> tuple[fl
 def test_impacts_between_two_quiet_points_end_the_zones(count: int):
     """However few points: motion is quiet at both ends of the range, and has impacts around the resonance."""
     low, high = loss_of_contact()
-    found = studies.zones(CLASSICAL, Axis.even("omega", (0.3, 1.6), count))
+    found = studies.zones(CLASSICAL, Axis.even("omega", 0.3, 1.6, count))
     intervals = [*found.zones, *found.wider]
     assert not any(z.lower.value < 0.5 * (low + high) < z.upper.value for z in intervals)
     solved = [end for z in intervals for end in (z.lower, z.upper) if end.kind == "grazing"]
@@ -275,7 +275,7 @@ def test_a_loss_of_contact_narrower_than_a_step_is_found_by_its_flanks(range_: t
     values = {"mesh_damping": 1e-3, "load": 0.1, "error": 2.4e-4}
     low, high = sharp_loss_of_contact(1e-3, 0.1, 2.4e-4)
     assert 1e-3 < high - low < 2e-3
-    found = studies.zones(CLASSICAL, Axis.even("omega", range_, 5), fixed=values)
+    found = studies.zones(CLASSICAL, Axis.even("omega", *range_, 5), fixed=values)
     assert found.step > 3.0 * (high - low)
     intervals = [*found.zones, *found.wider]
     assert not any(z.contains(0.5 * (low + high)) for z in intervals)
@@ -285,7 +285,7 @@ def test_a_loss_of_contact_narrower_than_a_step_is_found_by_its_flanks(range_: t
 
 def test_a_load_that_changes_sides_is_no_quiet_interval_through_zero():
     """Contact on the drive side and contact on the back side have the gap between them."""
-    found = studies.zones(CLASSICAL, Axis.even("load", (-0.2, 0.2), 2), fixed={"omega": 0.5})
+    found = studies.zones(CLASSICAL, Axis.even("load", -0.2, 0.2, 2), fixed={"omega": 0.5})
     intervals = [*found.zones, *found.wider]
     amplitude = 0.05 * 0.25 / abs(0.75 + 0.05j)
     assert not any(z.lower.value < 0.0 < z.upper.value for z in intervals)
@@ -295,10 +295,10 @@ def test_a_load_that_changes_sides_is_no_quiet_interval_through_zero():
 
 
 def test_the_step_that_is_told_is_that_of_what_was_looked_at():
-    coarse = studies.zones(CLASSICAL, Axis.even("omega", (0.3, 0.6), 4))
+    coarse = studies.zones(CLASSICAL, Axis.even("omega", 0.3, 0.6, 4))
     assert coarse.resolution == pytest.approx(0.1)
     assert 0.0 < coarse.step <= 0.3 / 128 * (1.0 + 1e-9)
-    fine = studies.zones(CLASSICAL, Axis.even("omega", (0.3, 0.6), 301))
+    fine = studies.zones(CLASSICAL, Axis.even("omega", 0.3, 0.6, 301))
     assert fine.step <= fine.resolution == pytest.approx(1e-3)
 
 
@@ -311,7 +311,7 @@ def test_several_kinds_at_once_are_those_of_one():
 
 def test_an_end_of_one_row_is_looked_at_in_the_others():
     """A grazing that ends another sweep's interval between two quiet points of this one is probed there."""
-    axis = Axis.even("omega", (0.4, 0.6), 2)
+    axis = Axis.even("omega", 0.4, 0.6, 2)
     (up,) = studies.sweeps(CLASSICAL, axis, ["up"])
     search = Search(Source.of(CLASSICAL), (), studies.Settings(), Quiet.IMPACT_FREE, None, None, None, None)
     row = Row(up.direction, up.points, frozenset(p.value for p in up.points))
@@ -336,7 +336,7 @@ def test_one_quiet_point_between_two_that_fail_is_no_interval():
 
 def test_a_search_that_was_stopped_before_any_end_says_so():
     """Nothing is known beside a single quiet point: no interval, and no error."""
-    axis = Axis.even("omega", (0.79, 1.3), 3)  # quiet, with impacts, quiet
+    axis = Axis.even("omega", 0.79, 1.3, 3)  # quiet, with impacts, quiet
     cancel = threading.Event()
     found = studies.zones(CLASSICAL, axis, progress=lambda p: p.done == 9 and cancel.set(), cancel=cancel)
     assert not found.complete

@@ -153,7 +153,7 @@ def _axis_rows(
     low, high, count = scope.omega if omega else scope.backlash
     fixed = {"D": scope.fixed_backlash} if omega else {"omega": scope.fixed_omega}
     stage = STAGES[0] if omega else STAGES[1]
-    axis = Axis.even(name, [low, high], count)
+    axis = Axis.even(name, low, high, count)
     tell(stage, None)
     kept = None if keep is None else partial(keep, name)
     done = rows(case, axis, fixed, executor, lambda state: tell(stage, state), kept)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
+from gearlash.case.units import UnitError, behind_number, read
 from gearlash.system import GearlashError, Record, given, shown
 
 MOST_VALUES = 100_000_000
@@ -14,13 +15,36 @@ MOST_VALUES = 100_000_000
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Axis(Record):
-    """``name`` is a short name (omega, D, load …), ``values`` (m,) are dimensionless and ascend strictly.
+    """Values of one parameter, ascending, each once.
 
-    Raises `GearlashError` for anything else.
+    Parameters
+    ----------
+    name : str
+        Short name of a parameter (``omega``, ``D``, ``load`` …), or, for a case, any other name of the
+        quantity (``pinion_speed``, ``mesh.backlash`` …).
+    values : array_like of shape (m,)
+        Without ``unit`` dimensionless, else in it.
+    unit : str, optional
+        What a case file would have behind the number: ``rpm``, ``um``, ``N m`` …
+
+    Raises
+    ------
+    GearlashError
+        For anything else. Whether a model has such a parameter is asked when a study begins.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.Axis("omega", [0.5, 0.75, 1.25]).step
+    0.5
+    >>> speeds = gl.Axis.even("pinion_speed", "1000 rpm", "6000 rpm", 6)
+    >>> speeds.values.tolist(), speeds.unit
+    ([1000.0, 2000.0, 3000.0, 4000.0, 5000.0, 6000.0], 'rpm')
     """
 
     name: str
     values: NDArray[np.float64]
+    unit: str = ""
 
     def __post_init__(self) -> None:
         name = given.word("name of an axis", self.name)
@@ -31,17 +55,30 @@ class Axis(Record):
             raise GearlashError(f"axis {self.name}: values must ascend, each once")
         object.__setattr__(self, "name", name)
         object.__setattr__(self, "values", given.kept(values))
+        object.__setattr__(self, "unit", given.a_text(f"axis {name}: unit", self.unit).strip())
 
     @classmethod
-    def even(cls, name: str, ends: ArrayLike, count: int) -> Axis:
-        """``count`` values at equal distances from the lower to the upper of two ``ends``, both included."""
-        low, high = sorted(given.numbers(f"axis {shown(name)}: ends", ends, (2,)).tolist())
-        count = given.whole(f"axis {shown(name)}: count", count, 1, MOST_VALUES)
+    def even(cls, name: str, lower: float | str, upper: float | str, count: int) -> Axis:
+        """``count`` values at equal distances, both ends included.
+
+        Parameters
+        ----------
+        name : str
+            As of `Axis`.
+        lower, upper : float or str
+            Numbers, or texts as a case file has them: ``"1000 rpm"``. A unit behind one holds for both.
+        count : int
+            From 2 to 100,000,000; or 1, where both ends are one value.
+        """
+        said = f"axis {shown(name)}"
+        (low, one), (high, two) = (_end(said, end) for end in (lower, upper))
+        if one and two and one != two:
+            raise GearlashError(f"{said}: ends {shown(lower)} and {shown(upper)}: expected one unit for both")
+        low, high = sorted((low, high))
+        count = given.whole(f"{said}: count", count, 1, MOST_VALUES)
         if (count == 1) != (low == high):
-            raise GearlashError(
-                f"axis {shown(name)}: expected two different ends and at least two values between them"
-            )
-        return cls(name, np.linspace(low, high, count))
+            raise GearlashError(f"{said}: expected two different ends and at least two values between them")
+        return cls(name, np.linspace(low, high, count), two or one)
 
     @property
     def step(self) -> float:
@@ -50,3 +87,14 @@ class Axis(Record):
 
     def __len__(self) -> int:
         return len(self.values)
+
+
+def _end(said: str, end: float | str) -> tuple[float, str]:
+    """Number and unit of one end."""
+    if not isinstance(end, str):
+        expected = f"{said}: end (of Axis.even(name, lower, upper, count))"
+        return given.number(expected, end), ""
+    try:
+        return float(read(end)[0]), behind_number(end)
+    except UnitError as error:
+        raise GearlashError(f"{said}: end {shown(end)}: expected a number with its unit ({error})") from None

@@ -13,6 +13,9 @@ from gearlash.orbits import Settings
 from gearlash.results import Axis
 from gearlash.system import Family, GearlashError, given, shown
 
+from .model import Model
+from .named import plain_values
+
 
 def checked_settings(settings: Settings | None) -> Settings:
     """These, or the usual ones."""
@@ -31,15 +34,12 @@ def checked_start(family: Family, initial: ArrayLike | None) -> NDArray[np.float
 
 
 def checked_fixed(
-    family: Family, fixed: Mapping[str, float] | None, axes: Sequence[Axis]
+    model: Model, family: Family, fixed: Mapping[str, float | str] | None, axes: Sequence[Axis]
 ) -> dict[str, float]:
     """Parameters that are set beside the axes. Raises `GearlashError` for names and values that do
     not fit."""
-    found = given.mapping("fixed", fixed)
+    found = plain_values(model, family, "fixed", fixed)
     for axis in axes:
-        expected = f"an Axis, such as Axis.even({family.parameters[0].name!r}, (0.5, 1.4), 200)"
-        given.instance("axis", axis, Axis, expected)
-        given.known("parameter", axis.name, family.defaults)
         if axis.name in found:
             raise GearlashError(f"{axis.name} is an axis of the study and cannot be fixed as well")
     complete = family.complete(found)

@@ -15,6 +15,7 @@ from gearlash.system import Family, GearlashError, given
 
 from .arguments import checked_settings
 from .model import Model, Source
+from .named import plain_values
 
 REACH = 0.95  # as far as it is followed, relative to the value at the start
 SMALL = 1e-3  # what counts as the size of a small value
@@ -28,7 +29,7 @@ def first_grazing(
     start: Point,
     direction: Literal["down", "up"],
     *,
-    fixed: Mapping[str, float] | None = None,
+    fixed: Mapping[str, float | str] | None = None,
     settings: Settings | None = None,
     tell: Callable[[int, int], object] | None = None,
 ) -> tuple[Path, GrazingPoint | None]:
@@ -109,7 +110,7 @@ def first_grazing(
 
 
 def _checked(
-    model: Model, name: str, start: Point, fixed: Mapping[str, float] | None
+    model: Model, name: str, start: Point, fixed: Mapping[str, float | str] | None
 ) -> tuple[Family, dict[str, float]]:
     """The family, and its member at the start."""
     family = Source.of(model).family()
@@ -117,7 +118,7 @@ def _checked(
     given.instance("start", start, Point, "a point, as from gearlash.point(model, values, name=...)")
     if not start.periodic:
         raise GearlashError(f"start: expected a periodic motion, not one of status {start.status}")
-    return family, family.complete({**given.mapping("fixed", fixed), name: start.value})
+    return family, family.complete({**plain_values(model, family, "fixed", fixed), name: start.value})
 
 
 def _way(direction: str) -> Literal["down", "up"]:

@@ -26,6 +26,7 @@ from gearlash.results.impact_free import Ending, ImpactFree
 from gearlash.system import ContactRule, GearlashError, Parameter, Status, System, given
 
 from .model import Model, Source
+from .named import plain_values
 
 STEP = 1.01  # factor from one speed of the search to the next
 REACH = 2.0  # factor to which it goes, up and down
@@ -39,7 +40,7 @@ End = tuple[float, Ending]  # a value on the impact-free side, what ends there
 
 def impact_free_speeds(
     model: Model,
-    values: Mapping[str, float] | None = None,
+    values: Mapping[str, float | str] | None = None,
     *,
     tell: Callable[[int, int], object] | None = None,
 ) -> ImpactFree | None:
@@ -77,7 +78,7 @@ def impact_free_speeds(
     (True, 0.9725, 1.112)
     """
     family = Source.of(model).family()
-    parameters = family.complete(given.mapping("values", values))
+    parameters = family.complete(plain_values(model, family, "values", values))
     if tell is not None:
         given.function("tell", tell, "a function of two whole numbers")
     if isinstance(model, Case) and model.kind == PIECEWISE:

@@ -19,6 +19,7 @@ from gearlash.system import Family, GearlashError, given
 
 from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
 from .model import Model, Source, check_travels
+from .named import plain_axis
 from .pixels import (
     APERIODIC,
     NEUTRAL,
@@ -44,7 +45,7 @@ def map_plane(
     x: Axis,
     y: Axis,
     *,
-    fixed: Mapping[str, float] | None = None,
+    fixed: Mapping[str, float | str] | None = None,
     initial: ArrayLike | None = None,
     settings: Settings | None = None,
     executor: Executor | None = None,
@@ -63,7 +64,8 @@ def map_plane(
     """
     source = Source.of(model)
     family = source.family()
-    fixed = checked_fixed(family, fixed, [x, y])
+    x, y = plain_axis(model, family, x), plain_axis(model, family, y)
+    fixed = checked_fixed(model, family, fixed, [x, y])
     _check_size(x, y)
     begin = checked_start(family, initial)
     start = None if begin is None else tuple(map(float, begin))

@@ -18,6 +18,7 @@ from gearlash.system import Family, GearlashError, Status, given
 from .arguments import checked_settings
 from .forces import force_figures
 from .model import Model, Source
+from .named import plain_values
 
 TRACEABLE = (Status.OK, Status.UNCERTAIN, Status.UNRESOLVED, Status.NEUTRAL)
 NOT_A_NUMBER = float("nan")
@@ -25,7 +26,7 @@ NOT_A_NUMBER = float("nan")
 
 def point(
     model: Model,
-    values: Mapping[str, float] | None = None,
+    values: Mapping[str, float | str] | None = None,
     *,
     name: str | None = None,
     start: ArrayLike | None = None,
@@ -39,10 +40,9 @@ def point(
     (see `orbits.attractor`). What cannot be built or solved gives a point of status `failed` with the reason.
     """
     family = Source.of(model).family()
-    stated = given.mapping("parameter values", values)
-    for each in (*stated, *(() if name is None else (name,))):
-        given.known("parameter", each, family.defaults)
-    numbers = {each: given.number(each, value) for each, value in stated.items()}
+    numbers = plain_values(model, family, "parameter values", values)
+    if name is not None:
+        given.known("parameter", name, family.defaults)
     begin = None if start is None else given.numbers("start", start, (len(family.states),))
     return evaluate(family, numbers, name, begin, trial, checked_settings(settings), None)[0]
 

@@ -16,6 +16,7 @@ from gearlash.system import given
 
 from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
 from .model import Model, Source, check_travels
+from .named import plain_axis
 from .row import Segment, Trail, work
 
 SHOWN = 5_000  # points of which, done by one process, each is a task, so that progress shows it
@@ -26,7 +27,7 @@ def sweep(
     model: Model,
     axis: Axis,
     *,
-    fixed: Mapping[str, float] | None = None,
+    fixed: Mapping[str, float | str] | None = None,
     direction: Direction | str = Direction.COLD,
     initial: ArrayLike | None = None,
     settings: Settings | None = None,
@@ -63,7 +64,7 @@ def sweeps(
     axis: Axis,
     directions: Sequence[Direction | str] = tuple(Direction),
     *,
-    fixed: Mapping[str, float] | None = None,
+    fixed: Mapping[str, float | str] | None = None,
     initial: ArrayLike | None = None,
     settings: Settings | None = None,
     executor: Executor | None = None,
@@ -76,7 +77,8 @@ def sweeps(
     """
     source = Source.of(model)
     family = source.family()
-    fixed, begin = checked_fixed(family, fixed, [axis]), checked_start(family, initial)
+    axis = plain_axis(model, family, axis)
+    fixed, begin = checked_fixed(model, family, fixed, [axis]), checked_start(family, initial)
     checked_ways(executor, progress, cancel)
     check_travels(source, executor)
     ways = _directions(directions)

@@ -19,6 +19,7 @@ from gearlash.system import GearlashError, given
 from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
 from .ends import NARROW
 from .model import Model, Source
+from .named import plain_axis
 from .quiet import Search
 from .sweep import sweeps
 from .zone import Interval, Physical, Quiet, Tenant, Zone, Zones, intersection, union
@@ -29,7 +30,7 @@ def zones(
     axis: Axis,
     quiet: Quiet | str = Quiet.IMPACT_FREE,
     *,
-    fixed: Mapping[str, float] | None = None,
+    fixed: Mapping[str, float | str] | None = None,
     known: Sequence[Sweep] | None = None,
     initial: ArrayLike | None = None,
     settings: Settings | None = None,
@@ -59,7 +60,7 @@ def zones_of_kinds(
     axis: Axis,
     kinds: Sequence[Quiet | str],
     *,
-    fixed: Mapping[str, float] | None = None,
+    fixed: Mapping[str, float | str] | None = None,
     known: Sequence[Sweep] | None = None,
     initial: ArrayLike | None = None,
     settings: Settings | None = None,
@@ -70,7 +71,8 @@ def zones_of_kinds(
     """The same of several kinds from the same sweeps."""
     family = Source.of(model).family()
     wanted, settings = [given.choice(Quiet, "kind of zone", k) for k in kinds], checked_settings(settings)
-    fixed, start = checked_fixed(family, fixed, [axis]), checked_start(family, initial)
+    axis = plain_axis(model, family, axis)
+    fixed, start = checked_fixed(model, family, fixed, [axis]), checked_start(family, initial)
     checked_ways(executor, progress, cancel)
     if len(axis) < 2:
         raise GearlashError(f"zones along {axis.name}: expected at least two values")

@@ -1,0 +1,64 @@
+"""Parameters as a caller names them: short names with dimensionless numbers, and for a case every other name
+and unit of the quantity, as in its file."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.case import Case
+from gearlash.results import Axis
+from gearlash.system import Family, GearlashError, given
+
+from .model import Model
+
+
+def plain_axis(model: Model, family: Family, axis: Axis) -> Axis:
+    """The axis by its short name, in dimensionless values. Raises `GearlashError` for what the model does not
+    have."""
+    expected = f"an Axis, such as Axis.even({family.parameters[0].name!r}, 0.5, 1.4, 200)"
+    given.instance("axis", axis, Axis, expected)
+    if not axis.unit and (axis.name in family.defaults or not isinstance(model, Case)):
+        given.known("parameter", axis.name, family.defaults)
+        return axis
+    if not isinstance(model, Case):
+        raise GearlashError(f"axis {axis.name} in {axis.unit}: a Family has no units; expected plain numbers")
+    plain = [_plain(model, axis.name, _stated(value, axis.unit)) for value in _asked(axis)]
+    short, numbers = plain[0][0], np.array([number for _, number in plain])
+    return Axis(short, np.linspace(numbers[0], numbers[-1], len(axis)) if _is_even(axis) else numbers)
+
+
+def _asked(axis: Axis) -> NDArray[np.float64]:
+    """The values that are converted one by one: both ends where the others lie evenly between them."""
+    return axis.values[[0, -1]] if _is_even(axis) else axis.values
+
+
+def _is_even(axis: Axis) -> bool:
+    values = axis.values
+    return len(axis) > 1 and np.array_equal(values, np.linspace(values[0], values[-1], len(axis)))
+
+
+def plain_values(model: Model, family: Family, what: str, values: object) -> dict[str, float]:
+    """Values of parameters by short name, dimensionless. Raises `GearlashError` for names and values that do
+    not fit, and for one quantity under two names."""
+    found: dict[str, float] = {}
+    names: dict[str, str] = {}
+    for name, value in given.mapping(what, values).items():
+        plain = name in family.defaults and not isinstance(value, str)
+        if plain or not isinstance(model, Case):
+            short, number = given.known("parameter", name, family.defaults), given.number(name, value)
+        else:
+            short, number = _plain(model, name, value)
+        if short in names:
+            raise GearlashError(f"{what}: {names[short]} and {name} name the same quantity")
+        names[short], found[short] = name, number
+    return found
+
+
+def _stated(value: float, unit: str) -> float | str:
+    """As it would stand in a case file."""
+    return f"{float(value)!r} {unit}" if unit else float(value)
+
+
+def _plain(case: Case, name: str, value: object) -> tuple[str, float]:
+    return case.resolve(name, value if isinstance(value, str) else given.number(name, value))

@@ -1,0 +1,83 @@
+"""Axes and parameters by any name and unit of a case: the same bytes as with dimensionless numbers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import gearlash as gl
+from gearlash.results import Direction
+
+CASE = gl.load_case("article")
+
+
+def in_omega(*speeds: str) -> list[float]:
+    return [CASE.resolve("pinion_speed", speed)[1] for speed in speeds]
+
+
+def states(sweep: gl.Sweep) -> list[bytes]:
+    return [point.state.tobytes() for point in sweep.points]
+
+
+def test_a_sweep_over_speeds_is_that_over_omega():
+    low, high = in_omega("3600 rpm", "4000 rpm")
+    plain = gl.sweep(CASE, gl.Axis.even("omega", low, high, 3))
+    for axis in (
+        gl.Axis.even("pinion_speed", "3600 rpm", "4000 rpm", 3),
+        gl.Axis.even("pinion_speed", 3600, "4000 rpm", 3),
+        gl.Axis("pinion_speed", np.array([3600, 3800, 4000]), "rpm"),
+    ):
+        named = gl.sweep(CASE, axis)
+        assert named.axis.name == "omega"
+        assert np.array_equal(named.axis.values, plain.axis.values)
+        assert states(named) == states(plain)
+
+
+def test_uneven_values_are_each_converted():
+    named = gl.sweep(CASE, gl.Axis("operation.mesh_frequency", np.array([1680.0, 1700.0, 1860.0]), "Hz"))
+    expected = [CASE.resolve("mesh_frequency", f"{value!r} Hz")[1] for value in (1680.0, 1700.0, 1860.0)]
+    assert named.axis.values.tolist() == expected
+
+
+def test_maps_zones_points_and_searches_take_names_and_units():
+    fixed = {"backlash": "90 um"}
+    plain = {"D": CASE.resolve("backlash", "90 um")[1]}
+    speeds = gl.Axis.even("pinion_speed", "3900 rpm", "4000 rpm", 2)
+    assert gl.point(CASE, {"pinion_speed": "4000 rpm", **fixed}).state.tobytes() == (
+        gl.point(CASE, {"omega": in_omega("4000 rpm")[0], **plain}).state.tobytes()
+    )
+    assert dict(gl.sweep(CASE, speeds, fixed=fixed, direction=Direction.UP).fixed) == plain
+    plane = gl.map_plane(CASE, speeds, gl.Axis.even("mesh.backlash", "80 um", "90 um", 2))
+    assert (plane.x.name, plane.y.name) == ("omega", "D")
+    assert gl.zones(CASE, speeds, fixed=fixed).axis.name == "omega"
+    found = gl.impact_free_speeds(CASE, {"pinion_speed": "4000 rpm", **fixed})
+    assert found is not None
+    assert found.here
+    path, _ = gl.first_grazing(CASE, "omega", gl.point(CASE, name="omega"), "down", fixed=fixed)
+    assert path.decided
+
+
+@pytest.mark.parametrize(
+    ("axis", "fixed", "said"),
+    [
+        (gl.Axis.even("pinion_sped", "1000 rpm", "2000 rpm", 2), {}, "pinion_speed"),
+        (gl.Axis.even("pinion_speed", "1 um", "2 um", 2), {}, "rpm"),
+        (gl.Axis.even("pinion_speed", 1000, 2000, 2), {}, "unit"),
+        (gl.Axis.even("omega", 1.0, 1.1, 2), {"pinion_speed": "4000 rpm"}, "axis"),
+        (gl.Axis.even("D", 1.0, 1.1, 2), {"pinion_speed": "4000 rpm", "omega": 1.0}, "same quantity"),
+    ],
+)
+def test_what_does_not_fit_is_refused_in_words(axis: gl.Axis, fixed: dict[str, Any], said: str):
+    with pytest.raises(gl.GearlashError, match=said):
+        gl.sweep(CASE, axis, fixed=fixed)
+
+
+def test_a_family_has_no_units():
+    with pytest.raises(gl.GearlashError, match="no units"):
+        gl.sweep(CASE.family()[0], gl.Axis.even("omega", "1000 rpm", "2000 rpm", 2))
+    with pytest.raises(gl.GearlashError, match="one unit for both"):
+        gl.Axis.even("pinion_speed", "10 Hz", "2000 rpm", 2)
+    with pytest.raises(gl.GearlashError, match="number with its unit"):
+        gl.Axis.even("pinion_speed", "slow", "2000 rpm", 2)
