@@ -23,7 +23,7 @@ from gearlash import flow
 from gearlash.branches import BifurcationPoint, GrazingPoint, locate_grazing
 from gearlash.case import Case
 from gearlash.flow import Propagators
-from gearlash.orbits import GrazingCheck, Orbit, grazing_checks, shoot
+from gearlash.orbits import GrazingCheck, Orbit, grazing_checks, orbit_at
 from gearlash.results import Direction
 from gearlash.studies.transitions import DOUBLING, Transition
 from gearlash.system import Family, GearlashError, Status
@@ -112,8 +112,10 @@ class _Branch:
     def orbit(self, mu: float, state: Array, periods: int) -> Orbit:
         """The orbit over so many of the single one's periods."""
         props = self.props(mu)
-        shot = shoot(props, state, periods * self.period // props.system.cycles)
-        return Orbit(props, shot, 0, shot.status, "")
+        found = orbit_at(props, state, periods * self.period // props.system.cycles)
+        if found is None:
+            raise GearlashError(f"no orbit at {self.name} = {mu:.10g}")
+        return found
 
     def single(self) -> Orbit:
         return self.orbit(self.value, self.state, 1)

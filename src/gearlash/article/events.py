@@ -10,7 +10,7 @@ import numpy as np
 from gearlash.branches import BifurcationPoint, GrazingPoint
 from gearlash.branches.kinds import distance_to_unit
 from gearlash.flow import propagators
-from gearlash.orbits import Orbit, Settings, attractor, shoot
+from gearlash.orbits import Orbit, Settings, attractor, orbit_at
 from gearlash.results import Direction
 from gearlash.studies.motion import Motion, motion, touching
 from gearlash.studies.transitions import Transition
@@ -195,8 +195,8 @@ class Scene:
 
     def orbit_at(self, name: str, value: float, state, period: int) -> Orbit | None:
         props = propagators(self.family.system({**self.values, name: value}))
-        shot = shoot(props, state, max(1, period // props.system.cycles))
-        return Orbit(props, shot, 0, shot.status, "") if shot.status.ok else None
+        found = orbit_at(props, state, max(1, period // props.system.cycles))
+        return found if found is not None and found.status.ok else None
 
     def missing(self, claim: Claim) -> Event:
         """The motions at and beside the reported value, and the nearest computed events."""

@@ -13,7 +13,7 @@ from functools import partial
 from gearlash.case import Case
 from gearlash.flow import propagators
 from gearlash.jobs import Progress
-from gearlash.orbits import Orbit, shoot
+from gearlash.orbits import orbit_at
 from gearlash.results import Axis, Direction, Point, Sweep, provenance, sweep_dataset
 from gearlash.studies.model import open_workers
 from gearlash.studies.motion import Motion, motion
@@ -213,9 +213,9 @@ def _window(
             continue
         seen.add(sampled.label)
         props = propagators(family.system({**values, "omega": sampled.value}))
-        shot = shoot(props, sampled.state, sampled.period // props.system.cycles)
-        orbit = Orbit(props, shot, 0, shot.status, f"{row.direction} sweep")
-        motions.append(motion(orbit, value=sampled.value))
+        orbit = orbit_at(props, sampled.state, sampled.period // props.system.cycles)
+        if orbit is not None:
+            motions.append(motion(orbit, value=sampled.value))
     return tuple(motions)
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.branches import GrazingPoint, locate_grazing
 from gearlash.case import Case
-from gearlash.orbits import Orbit, grazing_checks, shoot
+from gearlash.orbits import grazing_checks, orbit_at
 from gearlash.results import Axis, Direction
 from gearlash.studies.point import point
 from gearlash.studies.sweep import sweep
@@ -93,11 +93,10 @@ def _end(
     for i in range(MOST_STEPS):
         at = omega + side * i * STEP
         props = flow.propagators(family.system({**values, "omega": at}))
-        shot = shoot(props, state, 1)
-        orbit = Orbit(props, shot, 0, shot.status, "")
-        if not shot.status.ok or orbit.signature.impacts:
+        orbit = orbit_at(props, state, 1)
+        if orbit is None or not orbit.status.ok or orbit.signature.impacts:
             break
-        last, state = (at, orbit), shot.state
+        last, state = (at, orbit), orbit.state
     if last is None:
         return None
     at, orbit = last

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.flow import Propagators
-from gearlash.orbits import GrazingCheck, Orbit, Signature, grazing_checks, shoot
-from gearlash.system import Family, Status
+from gearlash.orbits import GrazingCheck, Orbit, Signature, grazing_checks, orbit_at
+from gearlash.system import Family
 
 from .steps import UNBUILT, member
 
@@ -113,10 +113,10 @@ def _orbit(
     """The orbit at a value beside the point, if there is one so near."""
     try:
         props = member(family, values, name, value, reuse)
-        shot = shoot(props, zero, round(period / props.system.cycles))
+        found = orbit_at(props, zero, round(period / props.system.cycles))
     except UNBUILT:
         return None
-    near = np.abs(shot.state - zero).max() <= NEAR * max(1.0, float(np.abs(zero).max()))
-    if shot.status not in (Status.OK, Status.UNCERTAIN) or not near:
+    if found is None:
         return None
-    return Orbit(props, shot, 0, shot.status, "")
+    near = np.abs(found.state - zero).max() <= NEAR * max(1.0, float(np.abs(zero).max()))
+    return found if near else None

@@ -13,8 +13,7 @@ from enum import StrEnum
 
 import numpy as np
 
-from gearlash.orbits import GrazingCheck, Orbit, shoot
-from gearlash.orbits.shooting import TOLERANCE, minimal
+from gearlash.orbits import GrazingCheck, Orbit, orbit_at
 from gearlash.system import Family
 
 from .node import Array, Node, Pair
@@ -71,11 +70,7 @@ class Line:
     def orbit(self, value: float, guess: Array, period: int, reuse: Orbit | None = None) -> Orbit | None:
         """The orbit of so many base periods at a value, by Newton's method, stable or not."""
         props = member(self.family, self.values, self.name, value, reuse.propagators if reuse else None)
-        shot = shoot(props, guess, period, iterations=NEWTON)
-        if shot.residual > TOLERANCE:
-            return None
-        shot = minimal(props, shot)
-        return Orbit(props, shot, 0, shot.status, "")
+        return orbit_at(props, guess, period, iterations=NEWTON, least=True)
 
     def step(self, before: Node, earlier: Earlier, value: float) -> Step:
         """From ``before`` to ``value``; ``earlier`` are the orbits before that one, the last first."""

@@ -10,6 +10,7 @@ from .results import Aperiodic, Attractor, Neutral, Orbit, Unresolved
 from .sections import Section, Sections, sections
 from .shooting import Shot, shoot
 from .signature import Signature
+from .solve import orbit_at
 from .statistics import ForceStatistics, MotionStatistics, motion_statistics
 
 __all__ = [
@@ -34,6 +35,7 @@ __all__ = [
     "lyapunov",
     "motion_statistics",
     "multipliers",
+    "orbit_at",
     "sections",
     "shoot",
 ]

@@ -13,7 +13,7 @@ import numpy as np
 
 from gearlash import flow
 from gearlash.jobs import Part, stopping
-from gearlash.orbits import Orbit, Settings, grazing_checks, shoot
+from gearlash.orbits import Orbit, Settings, grazing_checks, orbit_at
 from gearlash.orbits.dips import Sample, dip
 from gearlash.results import Point
 from gearlash.system import ContactRule, Family, GearlashError, System
@@ -167,11 +167,10 @@ def _simple(system: System) -> bool:
 
 def _orbit(system: System, point: Point) -> Orbit | None:
     try:
-        props = flow.propagators(system)
-        shot = shoot(props, point.state, len(point.strobes))
+        found = orbit_at(flow.propagators(system), point.state, len(point.strobes))
     except GearlashError:
         return None
-    return Orbit(props, shot, 0, shot.status, "") if shot.status.ok else None
+    return found if found is not None and found.status.ok else None
 
 
 def _sorted(points: Iterable[Point]) -> list[Point]:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.branches import BifurcationPoint, GrazingPoint, locate_grazing, locate_multiplier
 from gearlash.jobs import Part
-from gearlash.orbits import Orbit, Settings, grazing_checks, shoot
+from gearlash.orbits import Orbit, Settings, grazing_checks, orbit_at
 from gearlash.results import Direction, Point
 from gearlash.system import Family, GearlashError, Status
 
@@ -189,8 +189,8 @@ class _Search:
     def orbit(self, point: Point) -> Orbit | None:
         """The orbit of a periodic point, to solve from."""
         props = flow.propagators(self.family.system(self.at(point.value)))
-        shot = shoot(props, point.state, len(point.strobes))
-        return Orbit(props, shot, 0, shot.status, "") if shot.status.ok else None
+        found = orbit_at(props, point.state, len(point.strobes))
+        return found if found is not None and found.status.ok else None
 
     def at(self, value: float) -> dict[str, float]:
         return self.family.complete({**self.fixed, self.bracket.name: value})

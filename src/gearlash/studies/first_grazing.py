@@ -8,7 +8,7 @@ from typing import Literal
 from gearlash import flow
 from gearlash.branches import BifurcationPoint, End, GrazingPoint, Met, Outcome, walk
 from gearlash.jobs.stop import interruptible
-from gearlash.orbits import Orbit, Settings, shoot
+from gearlash.orbits import Settings, orbit_at
 from gearlash.results import Direction, Point
 from gearlash.results.followed import INTERRUPTED, Passed, Path
 from gearlash.system import Family, GearlashError, given
@@ -140,8 +140,9 @@ def _steps(
 ) -> Iterator[Met | End]:
     """The walk from a point of a study."""
     props = flow.propagators(family.system(values))
-    shot = shoot(props, start.state, len(start.strobes))
-    orbit = Orbit(props, shot, 0, shot.status, "")
+    orbit = orbit_at(props, start.state, len(start.strobes))
+    if orbit is None:
+        raise GearlashError("start: no orbit closes there; expected a point of this model at this value")
     yield from walk(family, values, name, orbit, to, told, settings.max_period)
 
 

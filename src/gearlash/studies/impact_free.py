@@ -18,12 +18,11 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.case import Case
 from gearlash.case.quantities import PIECEWISE
-from gearlash.orbits import shoot
+from gearlash.orbits import Orbit, orbit_at
 from gearlash.orbits.dips import Sample, dip
 from gearlash.orbits.pressing import force_extrema
-from gearlash.orbits.results import Orbit
 from gearlash.results.impact_free import Ending, ImpactFree
-from gearlash.system import ContactRule, GearlashError, Parameter, Status, System, given
+from gearlash.system import ContactRule, GearlashError, Parameter, System, given
 
 from .model import Model, Source
 from .named import plain_values
@@ -159,13 +158,10 @@ def _orbit(system: System, beside: NDArray[np.float64] | None = None) -> Orbit |
     """The periodic motion of a linear system, if it has one. From ``beside``, that of a system like it,
     Newton does not leave the contact, and what lies beyond needs no tables."""
     try:
-        props = flow.propagators(system)
-        shot = shoot(props, [0.0] * system.size if beside is None else beside, 1)
+        guess = [0.0] * system.size if beside is None else beside
+        return orbit_at(flow.propagators(system), guess, 1)
     except GearlashError:
         return None
-    if shot.status not in (Status.OK, Status.UNCERTAIN):
-        return None
-    return Orbit(props, shot, 0, shot.status, "")
 
 
 def _closed(system: System, side: int) -> System:

@@ -20,8 +20,7 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.branches import NONE, BifurcationPoint, End, GrazingPoint, Node, Outcome, joins, walk
-from gearlash.orbits import Orbit, Settings, Unresolved, attractor, shoot
-from gearlash.orbits.shooting import TOLERANCE
+from gearlash.orbits import Orbit, Settings, Unresolved, attractor, orbit_at
 from gearlash.system import Family, GearlashError, Record, given
 
 from .smooth import plainly_one
@@ -213,13 +212,10 @@ class _Finder:
     def solved(self, point: Sampled) -> _Motion | None:
         try:
             props = flow.propagators(self.family.system(self.at(point.value)))
-            shot = shoot(props, point.state, max(1, point.period // props.system.cycles))
+            orbit = orbit_at(props, point.state, max(1, point.period // props.system.cycles))
         except FAILURES:
             return None
-        if shot.residual > TOLERANCE:
-            return None
-        orbit = Orbit(props, shot, 0, shot.status, "")
-        return _Motion(point.value, orbit.label, orbit.state, orbit)
+        return None if orbit is None else _Motion(point.value, orbit.label, orbit.state, orbit)
 
     def followed(self, near: _Motion, far: _Motion, depth: int) -> Iterator[Transition]:
         """The changes in the order in which they are met from ``near``."""

@@ -1,0 +1,40 @@
+"""The periodic orbit near a state: the one way in which orbits are made outside the search for attractors."""
+
+from __future__ import annotations
+
+from numpy.typing import ArrayLike
+
+from gearlash.flow import Propagators
+
+from .results import Orbit
+from .shooting import ITERATIONS, TOLERANCE, minimal, shoot
+
+
+def orbit_at(
+    props: Propagators, state: ArrayLike, period: int, *, iterations: int = ITERATIONS, least: bool = False
+) -> Orbit | None:
+    """The periodic orbit near a state, stable or not.
+
+    Parameters
+    ----------
+    props : Propagators
+    state : array_like of shape (n,)
+        At phase zero, near the orbit.
+    period : int
+        In base periods of the system.
+    iterations : int
+        Of Newton's method, at most.
+    least : bool
+        Whether an orbit that closes after a part of the period is given with that part.
+
+    Returns
+    -------
+    Orbit or None
+        Its residual is at most 1e-11; None where Newton's method does not come so far. Its status is ok, or
+        uncertain where a contact on it could not be decided.
+    """
+    shot = shoot(props, state, period, iterations)
+    if not shot.residual <= TOLERANCE:
+        return None
+    shot = minimal(props, shot) if least else shot
+    return Orbit(props, shot, 0, shot.status, "")
