@@ -12,9 +12,9 @@ from gearlash.cli.answers import excitation, outcome
 from gearlash.cli.answers.zones_parts import ZoneEnd
 from gearlash.cli.exits import MEANINGS, ExitCode
 from gearlash.cli.folder import MOTION_FILES
-from gearlash.cli.reference_results import FOLDER, results_page
 from gearlash.studies import transitions, zone
 from gearlash.system import Status
+from tools.reference_results import FOLDER, results_page
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = sorted((ROOT / "src" / "gearlash").rglob("*.py"))

@@ -19,7 +19,7 @@ SPUR = gl.load_case("kahraman-singh")
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> bytes:
     """A sweep with impacts, as saved."""
-    found = gl.sweeps(SPUR, gl.Axis.even("omega", (0.8, 1.2), 3), ("cold", "up"))
+    found = gl.sweeps(SPUR, gl.Axis.even("omega", 0.8, 1.2, 3), ("cold", "up"))
     path = tmp_path_factory.mktemp("right") / "sweep.nc"
     return gl.save_dataset(gl.sweep_dataset(SPUR, found), path).read_bytes()
 
@@ -83,7 +83,7 @@ def test_what_has_no_end(tmp_path: Path):
 
 
 def test_a_map_whose_codes_say_nothing():
-    axes = gl.Axis.even("omega", (0.8, 1.2), 2), gl.Axis.even("D", (0.8, 1.2), 2)
+    axes = gl.Axis.even("omega", 0.8, 1.2, 2), gl.Axis.even("D", 0.8, 1.2, 2)
     dataset = gl.plane_dataset(SPUR, gl.map_plane(SPUR, *axes))
     dataset["status"].attrs["flag_meanings"] = 3
     with pytest.raises(gl.GearlashError, match="codes that say nothing"):

@@ -184,7 +184,7 @@ def test_on_a_smooth_branch_one_step_joins_neighbours(rising, monkeypatch):
         return original(family, values, name, *rest)
 
     monkeypatch.setattr(module, "walk", counted)
-    points = sweep(pair(), Axis.even("omega", [0.9, 0.92], 5)).points
+    points = sweep(pair(), Axis.even("omega", 0.9, 0.92, 5)).points
     assert len({p.label for p in points}) == 1
     assert transitions(pair(), {}, "omega", points, rising=rising) == ()
     assert begun == [points[0 if rising else -1].value]
