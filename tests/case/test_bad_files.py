@@ -6,7 +6,7 @@ import pytest
 
 from case.corpus import BAD_FILES, HELICAL, SPUR, Bad
 from gearlash.case import CaseError, bundled, load, loads, schema
-from gearlash.case.quantities import GEAR_KINDS, choices, quantities
+from gearlash.case.kinds import kind_named, kinds
 from gearlash.case.read import source_text
 
 
@@ -238,14 +238,14 @@ def test_the_json_schema_names_every_place_and_describes_it():
     found = schema()
     definitions = found["$defs"]
     assert isinstance(definitions, dict)
-    for kind in GEAR_KINDS:
-        for path, place in {**quantities(kind), **choices(kind)}.items():
+    for kind in kinds():
+        for path, place in kind_named(kind).places.items():
             table, _, leaf = path.partition(".")
             (model,) = (d for d in definitions.values() if d["title"] == f"{kind} {table}")
             assert model["properties"][leaf]["description"] == place.description
 
 
-@pytest.mark.parametrize("name", [name for name in bundled() if load(name).kind in GEAR_KINDS])
+@pytest.mark.parametrize("name", [name for name in bundled() if load(name).content.kind.places])
 def test_bundled_files_hold_only_what_the_schema_names(name):
     definitions = schema()["$defs"]
     assert isinstance(definitions, dict)

@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gearlash.case import Case, CaseError, Scales, bundled, load, loads
-from gearlash.case.numbers import to_dimensionless, to_physical
-from gearlash.case.quantities import two_way
+from gearlash.case.kinds.gears.units import to_dimensionless, to_physical
+from gearlash.case.kinds.helical.places import PLACES
 from gearlash.gears import helical
 from gearlash.system import GearlashError, UnknownNameError
 
@@ -251,7 +251,7 @@ def test_physical_to_dimensionless_to_physical_is_exact_to_1e_14(value):
         assert forward(back(value)) == pytest.approx(value, rel=1e-14)
         assert back(forward(value)) == pytest.approx(value, rel=1e-14)
         assert forward(back(np.array([value, 1.0]))).shape == (2,)
-    for paths in two_way("helical-pair").values():
+    for paths in PLACES.two_way.values():
         for path in paths:
             there = to_dimensionless(scales, path, value)
             assert to_physical(scales, path, there) == pytest.approx(value, rel=1e-14)

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gearlash.case.piecewise.expressions import (
+from gearlash.case.kinds.piecewise.expressions import (
     DEEPEST,
     FUNCTIONS,
     LARGEST,

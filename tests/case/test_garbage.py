@@ -18,15 +18,16 @@ from hypothesis import strategies as st
 from case.corpus import BAD_FILES, HELICAL, SPUR
 from gearlash.case import Case, CaseError, bundled, load, loads
 from gearlash.case.case import from_tables
-from gearlash.case.quantities import GEAR_KINDS, KINDS, PIECEWISE, choices, quantities
+from gearlash.case.kinds import kind_named, kinds
 from gearlash.case.read import source_text
 from gearlash.cli.inputs import read_case, read_near, read_over, read_start
 from gearlash.system import GearlashError
 
 TIMES = int(os.environ.get("GEARLASH_GARBAGE", "1"))
-PATHS = sorted({path for kind in GEAR_KINDS for path in (*quantities(kind), *choices(kind))})
+PIECEWISE = "piecewise-linear"
+PATHS = sorted({path for kind in kinds() for path in kind_named(kind).places})
 BUNDLED = {name: load(name).kind for name in bundled()}
-GEAR_TEXTS = [source_text(name)[1] for name, kind in BUNDLED.items() if kind in GEAR_KINDS] + [HELICAL, SPUR]
+GEAR_TEXTS = [source_text(name)[1] for name, kind in BUNDLED.items() if kind != PIECEWISE] + [HELICAL, SPUR]
 PIECEWISE_TEXTS = [source_text(name)[1] for name, kind in BUNDLED.items() if kind == PIECEWISE]
 TEXTS = GEAR_TEXTS + PIECEWISE_TEXTS
 ARTICLE = load("article")
@@ -95,7 +96,7 @@ junk = st.recursive(
 
 @examples(150)
 @given(
-    st.sampled_from([*KINDS, "spur", 3]),
+    st.sampled_from([*kinds(), "spur", 3]),
     st.dictionaries(st.sampled_from([*PATHS, "mesh.x", "foo.bar", "source.doi"]), junk, max_size=12),
     st.dictionaries(
         st.sampled_from([*PATHS, "D", "omega", "mass", "", "."]) | st.text(max_size=6), junk, max_size=3
@@ -149,7 +150,7 @@ lines = st.one_of(
     st.builds("[{}]".format, st.sampled_from(["mesh", "pinion", "dimensionless", "source", "x"]) | keys),
     st.builds("[[{}]]".format, st.just("clearance") | keys),
     st.builds("{}.{} = {}".format, keys, keys, scalars),
-    st.sampled_from([*(f'kind = "{kind}"' for kind in KINDS), "# x", ""]),
+    st.sampled_from([*(f'kind = "{kind}"' for kind in kinds()), "# x", ""]),
     st.text(max_size=8),
 )
 

@@ -8,7 +8,7 @@ from scipy.linalg import eigh
 
 import gearlash as gl
 from gearlash.case import Case, load, loads
-from gearlash.case.piecewise.values import closed_frequencies
+from gearlash.case.kinds.piecewise.values import closed_frequencies
 from gearlash.system import ContactRule, System
 
 FOUR = ("shaw-holmes", "blankenship-kahraman", "geared-rotor", "two-stage")

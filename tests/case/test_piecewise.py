@@ -18,12 +18,11 @@ import gearlash as gl
 from case.piecewise_texts import TEXT, dense
 from cli.schema_check import problems
 from gearlash.case import Case, CaseError, bundled, load, loads, schema
-from gearlash.case.quantities import PIECEWISE
 from gearlash.case.read import source_text
 from gearlash.jobs import Pool
 from gearlash.system import ContactRule, GearlashError, System, UnknownNameError, evaluate
 
-OWN = [name for name in bundled() if load(name).kind == PIECEWISE]
+OWN = [name for name in bundled() if load(name).kind == "piecewise-linear"]
 
 
 @pytest.fixture(scope="module")

@@ -11,7 +11,6 @@ import pytest
 
 from cli.conftest import Gearlash
 from gearlash.case import bundled, load
-from gearlash.case.quantities import PIECEWISE
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "own-system.md").read_text(encoding="utf-8")
 LINES = 20
@@ -65,4 +64,4 @@ def test_the_family_takes_twenty_lines_and_moves():
 def test_the_page_lists_the_systems_that_come_along():
     listed = set(re.findall(r"^\| `([a-z-]+)` \|", PAGE, re.MULTILINE))
     assert listed <= set(bundled())
-    assert {name for name in bundled() if load(name).kind == PIECEWISE} <= listed
+    assert {name for name in bundled() if load(name).kind == "piecewise-linear"} <= listed

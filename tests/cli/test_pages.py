@@ -9,9 +9,10 @@ from typing import Any
 import pytest
 
 import gearlash
-from gearlash.case.quantities import GEAR_KINDS, quantities, two_way
+from gearlash.case.kinds import helical, spur
 from gearlash.orbits import Orbit
 
+PAIRS = (helical.KIND, spur.KIND)
 ROOT = Path(__file__).resolve().parents[2]
 SYMBOLS = (ROOT / "docs" / "symbols.md").read_text(encoding="utf-8")
 ARCHITECTURE = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
@@ -25,13 +26,13 @@ def names(column: int) -> list[str]:
 
 
 def test_symbols_name_parameters_that_exist():
-    known = {short for kind in GEAR_KINDS for short in two_way(kind)}
+    known = {short for kind in PAIRS for short in kind.rules.places.two_way}
     assert len(names(3)) >= 18
     assert [name for name in names(3) if name not in known] == []
 
 
 def test_symbols_name_paths_that_exist():
-    known = {path for kind in GEAR_KINDS for path in quantities(kind)}
+    known = {path for kind in PAIRS for path in kind.rules.places.quantities}
     assert len(names(4)) >= 12
     assert [name for name in names(4) if name not in known] == []
 
@@ -62,12 +63,10 @@ def test_the_way_of_one_question_can_be_gone():
 
 
 def test_theory_names_options_that_exist():
-    from gearlash.case.quantities import choices
-
     theory = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
     table = theory.partition("### Named options")[2].partition("c_z = ")[0]
     named = set(re.findall(r"`model\.(\w+)`", table))
-    assert named == {path.partition(".")[2] for path in choices("helical-pair")}
-    for path, choice in choices("helical-pair").items():
+    assert named == {path.partition(".")[2] for path in helical.KIND.rules.places.choices}
+    for path, choice in helical.KIND.rules.places.choices.items():
         for value in choice.choices:
             assert f"`{value}`" in table, (path, value)

@@ -306,7 +306,7 @@ def test_cosines_refuse_in_words():
 
 def _every_error() -> list[GearlashError]:
     from gearlash.case import CaseError, Problem
-    from gearlash.case.piecewise.arrays import NoValueError
+    from gearlash.case.kinds.piecewise.arrays import NoValueError
     from gearlash.jobs import NoWorkersError, UnfinishedError
 
     return [

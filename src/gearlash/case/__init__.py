@@ -7,7 +7,7 @@ family, scales = case.family()
 from .case import Case, load, loads
 from .entries import Entry
 from .errors import CaseError, Problem
-from .notes import Note
+from .note import Note
 from .read import bundled
 from .scales import Scales
 from .stated import Provenance

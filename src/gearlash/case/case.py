@@ -1,4 +1,6 @@
-"""A case: a gear pair or any piecewise-linear system as its user described it, ready to become a family."""
+"""A case: a gear pair or any piecewise-linear system as its user described it, ready to become a family.
+
+What a case means is known to its kind alone (`kinds/`)."""
 
 from __future__ import annotations
 
@@ -10,30 +12,22 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
-import numpy as np
-from numpy.typing import NDArray
-
-from gearlash.gears import helical, spur
-from gearlash.system import Family, GearlashError, Record, UnknownNameError, given
+from gearlash.system import Family, GearlashError, Record, given
 from gearlash.system.told import cut
 
-from . import piecewise
-from .checks import contradictions, missing
-from .entries import Entries, Entry, collect, freeze_reference, override, place_for
-from .errors import CaseError, Problem, shown
-from .notes import Note, notes
-from .numbers import Numbers, numbers, to_dimensionless, to_physical
-from .quantities import PIECEWISE, Quantity, quantities, two_way
+from .entries import Entry
+from .errors import CaseError
+from .kinds import Content, Draft, Excitation, Kind, kind_named, kind_of
+from .note import Note
 from .read import parse, source_text
 from .scales import Scales
-from .stated import Provenance, ValueRefusedError, read_stated
+from .stated import Provenance
 from .texts import name_of_file
-from .units import NUMBER, TORQUE, unit
 from .value import Value
-from .values import values
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
 
 FORMAT = 1
 
@@ -43,8 +37,8 @@ class Case(Record):
     """A complete, checked case. Made by `load`, `loads` or `Case.from_json`.
 
     ``entries`` hold every stated value by key in SI, D_c among them (``model.reference_length``): it was
-    settled when the file was loaded and nothing moves it afterwards. ``structure`` is what a piecewise-linear
-    case has beside its parameters: equations, forcing and clearances; empty for a gear pair.
+    settled when the file was loaded and nothing moves it afterwards. ``structure`` is what a case has beside
+    its values: equations, forcing and clearances of a piecewise-linear one; empty for a gear pair.
     """
 
     _told: ClassVar = ("name", "kind", "description", "hash")
@@ -56,64 +50,51 @@ class Case(Record):
     entries: Mapping[str, Entry]
     structure: Mapping[str, Any] = field(default_factory=dict)
 
+    @cached_property
+    def content(self) -> Content:
+        """The entries and the structure as the kind of this case understands them. Raises
+        `UnknownNameError` for a kind that is not known here."""
+        return kind_named(self.kind).content(self.entries, self.structure)
+
     def family(self) -> tuple[Family, Scales]:
         """The pair as a family of dimensionless systems with this case as default, and its scales."""
-        if self.kind == PIECEWISE:
-            return piecewise.family(self.structure, self.entries), Scales()
-        own = self.numbers
-        if own.pair is None:
-            return spur.family(own.parameters, own.contact), own.scales
-        return helical.family(own.pair, own.parameters), own.scales
+        return self.content.family(), self.scales
 
-    @cached_property
-    def numbers(self) -> Numbers:
-        """Parameters, fixed numbers, scales and body of a gear pair."""
-        return numbers(self.kind, dict(self.entries))
+    @property
+    def numbers(self) -> Any:
+        """Parameters, fixed numbers, scales and body of a gear pair; None for a kind without such."""
+        return self.content.numbers
 
     @property
     def scales(self) -> Scales:
         """Conversions between dimensionless and physical values."""
-        return Scales() if self.kind == PIECEWISE else self.numbers.scales
+        return self.content.scales
+
+    @property
+    def excitation(self) -> Excitation:
+        """What to say where nothing happens in a case of this kind."""
+        return self.content.kind.excitation
+
+    @property
+    def between_teeth(self) -> bool:
+        """Is the first clearance the one between two meshing gears?"""
+        return self.content.kind.between_teeth
 
     def with_overrides(self, overrides: Mapping[str, object]) -> Case:
         """The case with values replaced, by path or short name, as text or number. Raises `CaseError`."""
-        overrides = given.mapping("overrides", overrides)
-        if self.kind == PIECEWISE:
-            return _finished_piecewise(self, *piecewise.override(self.structure, self.entries, overrides))
-        return _finished(self, *override(self.kind, dict(self.entries), overrides))
+        content, problems = self.content.override(given.mapping("overrides", overrides))
+        return replace(self, entries=_checked(Draft(content, problems), self.name).entries)
 
     def resolve(self, name: str, value: str | float) -> tuple[str, float]:
         """Short name and dimensionless value of a parameter given by path or short name: ``("pinion_speed",
         "3600 rpm")`` → ``("omega", 0.942…)``. Raises `CaseError` for a bad value and `UnknownNameError` for
         a name that is no parameter of the family."""
-        name = given.a_text("name of a parameter", name)
-        if self.kind == PIECEWISE:
-            return piecewise.resolve(self.structure, self.name, name, value)
-        place = place_for(self.kind, name, value, self.scales.physical)
-        if isinstance(place, Problem):
-            raise CaseError(self.name, [place])
-        short = place.key if isinstance(place, Quantity) else place.path
-        known = self.family()[0].defaults
-        if short not in known or not isinstance(place, Quantity):
-            raise UnknownNameError("parameter to vary", name, {*known, *self._physical_names(known)})
-        try:
-            stated = read_stated(value, place)
-        except ValueRefusedError as error:
-            raise CaseError(self.name, [Problem(name, shown(value), error.expected, error.nearest)]) from None
-        return short, to_dimensionless(self.scales, place.path, float(stated.value))
+        return self.content.resolve(self.name, given.a_text("name of a parameter", name), value)
 
     def named(self, name: str, value: object) -> str:
         """The name of the quantity that a name and a value mean together: ``("error", "6 um")`` is
         mesh.error; any other name stays as it is."""
-        if self.kind == PIECEWISE or name not in two_way(self.kind):
-            return name
-        place = place_for(self.kind, name, value, self.scales.physical)
-        moved = isinstance(place, Quantity) and not place.path.startswith("dimensionless.")
-        return place.path if moved else name
-
-    def _physical_names(self, known: Mapping[str, float]) -> list[str]:
-        ways = two_way(self.kind)
-        return [path.rpartition(".")[2] for short in known for path in ways.get(short, ())[:-1]]
+        return self.content.named(name, value)
 
     def physical(self, short: str, value: ArrayLike) -> list[tuple[str, NDArray[np.float64], str]]:
         """What a parameter's value(s) mean physically: (path, values, unit) for every physical way to name
@@ -121,34 +102,23 @@ class Case(Record):
 
         Empty for a case without scales, and for a number that is the same either way.
         """
-        if not self.scales.physical:
-            return []
-        ways = [path for path in two_way(self.kind).get(short, ()) if not path.startswith("dimensionless.")]
-        found = []
-        for path in ways:
-            place = quantities(self.kind)[path]
-            if place.dimension != NUMBER and (place.dimension != TORQUE or self.scales.radii is not None):
-                si = to_physical(self.scales, path, value)
-                found.append((path, np.asarray(si) * float(unit(place.unit).express(1.0)), place.unit))
-        return found
+        return self.content.physical(short, value)
 
     def values(self) -> list[Value]:
         """Every value with unit, provenance and reason: stated ones, defaults, then derived numbers."""
-        if self.kind == PIECEWISE:
-            return piecewise.values(self.structure, self.entries)
-        return values(self)
+        return self.content.values()
 
     def notes(self) -> list[Note]:
         """Conflicts between stated values and what is known otherwise, and how sides without stiffness are
         read; shown, never used."""
-        return notes(self)
+        return self.content.notes()
 
     @property
     def hash(self) -> str:
         """SHA-256 of all that decides a result: kind and values, not names, texts, reasons or provenance."""
         content: list[object] = [self.kind, sorted((e.key, e.path, e.value) for e in self.entries.values())]
         if self.structure:
-            content.append({k: v for k, v in self.structure.items() if k != "parameters"})
+            content.append(dict(self.content.decisive))
         text = json.dumps(content, separators=(",", ":"), sort_keys=True)
         return hashlib.sha256(text.encode()).hexdigest()
 
@@ -188,8 +158,9 @@ class Case(Record):
                 for e in data["entries"]
             ]
             head = (data["name"], data["kind"], data["description"], data["source"])
-            structure = data["structure"] if data["kind"] == PIECEWISE else {}
-            return cls(*head, {e.key: e for e in entries}, structure)
+            case = cls(*head, {e.key: e for e in entries}, data.get("structure", {}))
+            _ = case.content  # whose kind may be unknown here, or refuse it
+            return case
         except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError) as error:
             raise GearlashError(f"not the JSON of a case: {cut(repr(error), 300)}") from None
 
@@ -214,63 +185,30 @@ def from_tables(
     raw: Mapping[str, object], overrides: Mapping[str, object] | None = None, label: str = "case"
 ) -> Case:
     """The case in the tables of a parsed file; see `load`."""
-    from .fileschema import check, kind_of  # late: a worker that reads case JSON never needs pydantic
+    from .head import KEYS, read_head  # late: a worker that reads case JSON never needs pydantic
 
     overrides = given.mapping("overrides", overrides)
-    if kind_of(raw)[0] == PIECEWISE:
-        return _piecewise_of_tables(raw, overrides, label)
-    kind, stated, rest, wrong, problems = check(raw)
-    if not kind:
+    kind, problems = kind_of(raw)
+    if kind is None:
         raise CaseError(label, problems)
-    entries, clashes = collect(kind, stated)
-    entries, wrong_overrides = override(kind, freeze_reference(entries), overrides)
-    draft = _draft(kind, rest, label, entries)
-    return _finished(draft, entries, [*problems, *clashes, *wrong_overrides], wrong, label)
+    head, wrong = read_head(raw, kind.places)
+    draft = kind.read({key: value for key, value in raw.items() if key not in KEYS})
+    meant = frozenset(p.nearest for p in wrong if p.nearest)  # stated in [source] instead
+    content, refused = draft.content.override(overrides)
+    problems = [*problems, *wrong, *draft.problems, *refused]
+    content = _checked(Draft(content, problems, draft.present | meant), label)
+    return _of(kind, head, label, content)
 
 
-def _piecewise_of_tables(raw: Mapping[str, object], overrides: Mapping[str, object], label: str) -> Case:
-    from .fileschema import check_head, kind_of
-
-    rest, problems = check_head(PIECEWISE, raw)
-    structure, entries, found = piecewise.read(raw)
-    entries, wrong = piecewise.override(structure, entries, overrides)
-    draft = _draft(PIECEWISE, rest, label, entries, structure)
-    return _finished_piecewise(draft, entries, [*kind_of(raw)[1], *problems, *found, *wrong], label)
+def _of(kind: Kind, head: Mapping[str, Any], label: str, content: Content) -> Case:
+    name = head["name"] or name_of_file(Path(label).stem)
+    return Case(name, kind.name, head["description"], head["source"], content.entries, content.structure)
 
 
-def _draft(
-    kind: str,
-    rest: Mapping[str, object],
-    label: str,
-    entries: Entries,
-    structure: piecewise.Structure | None = None,
-) -> Case:
-    name, source = str(rest.get("name") or name_of_file(Path(label).stem)), rest.get("source")
-    about = source if isinstance(source, Mapping) else {}
-    return Case(name, kind, str(rest.get("description", "")), about, entries, structure or {})
-
-
-def _finished(
-    draft: Case,
-    entries: Entries,
-    problems: list[Problem],
-    wrong: frozenset[str] = frozenset(),
-    label: str = "",
-) -> Case:
-    """The case with these entries in a fixed order, or a `CaseError`; ``wrong`` are paths stated unusably."""
-    problems = [*problems, *missing(draft.kind, entries, wrong)]
-    if not problems:
-        problems = contradictions(draft.kind, entries)
+def _checked(draft: Draft, label: str) -> Content:
+    """The content of a complete case without contradictions. Raises `CaseError`."""
+    content = draft.content
+    problems = [*draft.problems, *content.missing(draft.present)] or content.contradictions()
     if problems:
-        raise CaseError(label or draft.name, problems)
-    order = {place.key: i for i, place in enumerate(quantities(draft.kind).values())}
-    ordered = sorted(entries.items(), key=lambda item: (order.get(item[0], len(order)), item[0]))
-    return Case(draft.name, draft.kind, draft.description, draft.source, dict(ordered))
-
-
-def _finished_piecewise(draft: Case, entries: Entries, problems: list[Problem], label: str = "") -> Case:
-    """The piecewise-linear case with these entries in the order of its file, or a `CaseError`."""
-    problems = problems or piecewise.contradictions(draft.structure, entries)
-    if problems:
-        raise CaseError(label or draft.name, problems)
-    return replace(draft, entries=piecewise.ordered(draft.structure, entries))
+        raise CaseError(label, problems)
+    return content

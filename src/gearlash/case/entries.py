@@ -1,15 +1,10 @@
-"""Stated values sorted by what they mean: one entry a quantity, however it was named."""
+"""One stated value of a case: what it is, by which name it was stated, and where it is from."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from .errors import Problem, nearest_name, shown
-from .quantities import BEARINGS, REFERENCE, choices, quantities, two_way
-from .quantity import Choice, Quantity
-from .stated import Provenance, Stated, ValueRefusedError, read_stated
-from .units import ANGLE, NUMBER, Unit, UnitError, read, takes
+from .stated import Provenance, Stated
 
 
 @dataclass(frozen=True)
@@ -35,143 +30,6 @@ class Entry:
 Entries = dict[str, Entry]
 BY_OVERRIDE = "set by an override"
 """The reason of a value that an override set without one of its own."""
-
-
-def collect(kind: str, stated: Mapping[str, Stated]) -> tuple[Entries, list[Problem]]:
-    """Entries by key. One quantity named twice is a problem that shows both places and values."""
-    entries: Entries = {}
-    clashes: dict[tuple[str, str], Problem] = {}
-    for path in sorted(stated, key=lambda path: (path.startswith("dimensionless."), path)):
-        for entry in entries_of(kind, path, stated[path]):
-            other = entries.setdefault(entry.key, entry)
-            if other.path != path:
-                both = f"{other.path} = {other.text!r} and {path} = {entry.text!r}"
-                clashes[other.path, path] = Problem(
-                    path, repr(entry.text), f"one of two that name the same quantity: {both}"
-                )
-    return entries, list(clashes.values())
-
-
-def entries_of(kind: str, path: str, stated: Stated) -> list[Entry]:
-    """The entries that one stated value makes: one, or four for the damping of all bearings."""
-    place = quantities(kind).get(path)
-    key = place.key if place else path
-    keys = [f"bearing_damping_{b}" for b in BEARINGS] if key == "bearing_damping" else [key]
-    return [Entry(k, path, stated.value, stated.text, stated.provenance, stated.reason) for k in keys]
-
-
-def freeze_reference(entries: Entries) -> Entries:
-    """With D_c settled: the stated one, else half the backlash of the file. Overrides come after this."""
-    gap = entries.get("D")
-    if REFERENCE in entries or gap is None or gap.dimensionless or gap.number == 0.0:
-        return entries
-    half = gap.number / 2.0
-    reason = "half the backlash of the case file"
-    entry = Entry(REFERENCE, REFERENCE, half, f"{half!r} m", gap.provenance, reason)
-    return {**entries, REFERENCE: entry}
-
-
-def place_of(kind: str, name: str) -> Quantity | Choice | Problem:
-    """The quantity or option that a full path, a short name or an unambiguous last name stands for."""
-    places: dict[str, Quantity | Choice] = {**quantities(kind), **choices(kind)}
-    if name in places:
-        return places[name]
-    if name in two_way(kind):
-        return places[f"dimensionless.{name}"]
-    ending = [
-        path for path in places if path.rpartition(".")[2] == name and not path.startswith("dimensionless.")
-    ]
-    if len(ending) == 1:
-        return places[ending[0]]
-    if ending:
-        return Problem(name, None, f"one of {', '.join(ending)}")
-    known = {*places, *two_way(kind), *(path.rpartition(".")[2] for path in places)}
-    return Problem(name, None, "a path or short name that exists here", nearest_name(name, known))
-
-
-def place_for(kind: str, name: str, raw: object, physical: bool) -> Quantity | Choice | Problem:
-    """The same, with the value that is to stand there: the short name of a number without unit, given with
-    one, is the physical quantity that has such a unit (``error = 6 um`` is mesh.error). ``physical``: does
-    the case know units?"""
-    place, ways = place_of(kind, name), two_way(kind).get(name.removeprefix("dimensionless."), ())[:-1]
-    found = _unit_of(raw)
-    if found is None or not ways or not isinstance(place, Quantity) or takes(place.dimension, found):
-        return place
-    if not physical:
-        expected = f"{place.expected}, as this case is given in dimensionless numbers only"
-        return Problem(name, shown(raw), expected)
-    fitting = [path for path in ways if takes(quantities(kind)[path].dimension, found)]
-    if fitting == ["mesh.backlash"]:
-        expected = (
-            "a number without unit, as D is half the backlash over D_c; with a unit the whole of it is "
-            f"stated: mesh.backlash={raw} if that is the whole, twice as much if it is one of two sides"
-        )
-        return Problem(name, shown(raw), expected)
-    if len(fitting) > 1 or (fitting and name == "omega" and not _of_one_rotation(raw, found)):
-        both = " or ".join(quantity for quantity in ways)
-        return Problem(name, shown(raw), f"{both} by its name, as this unit may mean either")
-    if not fitting or name.startswith("dimensionless."):
-        return Problem(name, shown(raw), f"{place.expected}, or {_with_units(kind, ways)}")
-    return quantities(kind)[fitting[0]]
-
-
-def _has_units(kind: str, entries: Entries) -> bool:
-    """Is a quantity stated that has a unit?"""
-    places = (quantities(kind).get(entry.path) for entry in entries.values())
-    return any(place is not None and place.dimension not in (NUMBER, ANGLE) for place in places)
-
-
-def _of_one_rotation(raw: object, found: Unit) -> bool:
-    """Whether a unit is one of shafts only (rpm), or of meshes only (Hz): 1/s and rad/s are of both."""
-    return found.pi_power == 1 or "Hz" in str(raw)
-
-
-def _unit_of(raw: object) -> Unit | None:
-    """The unit of a text, if it has one that can be read."""
-    value = raw.get("value") if isinstance(raw, Mapping) else raw
-    try:
-        found = read(value)[1] if isinstance(value, str) else None
-    except UnitError:
-        return None
-    return None if found is None or found.dimension == NUMBER else found
-
-
-def _with_units(kind: str, ways: Iterable[str]) -> str:
-    """Physical quantities with an example each."""
-    return " or ".join(f'{path}="{quantities(kind)[path].example}"' for path in ways)
-
-
-def override(kind: str, entries: Entries, overrides: Mapping[str, object]) -> tuple[Entries, list[Problem]]:
-    """Entries with these replaced, by path or short name; D_c is not to be moved."""
-    problems: list[Problem] = []
-    stated: dict[str, Stated] = {}
-    physical = _has_units(kind, entries)
-    for name, raw in overrides.items():
-        place = place_for(kind, name, raw, physical)
-        if isinstance(place, Problem):
-            problems.append(place)
-        elif place.path == REFERENCE:
-            problems.append(Problem(name, shown(raw), "no override: D_c is settled when the file is loaded"))
-        elif place.path in stated:
-            first = next(
-                n for n, v in overrides.items() if n != name and _path_of(kind, n, v, physical) == place.path
-            )
-            both = f"{first} = {shown(overrides[first])} and {name} = {shown(raw)}"
-            problems.append(Problem(name, shown(raw), f"one of two that name the same quantity: {both}"))
-        else:
-            try:
-                value = read_stated(raw, place)
-            except ValueRefusedError as error:
-                problems.append(Problem(name, shown(raw), error.expected, error.nearest))
-            else:
-                stated[place.path] = overridden(value)
-    replaced, clashes = collect(kind, stated)
-    return {**entries, **replaced}, problems + clashes
-
-
-def _path_of(kind: str, name: str, raw: object, physical: bool) -> str | None:
-    place = place_for(kind, name, raw, physical)
-    return None if isinstance(place, Problem) else place.path
 
 
 def overridden(stated: Stated) -> Stated:

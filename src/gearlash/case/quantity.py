@@ -8,6 +8,8 @@ from math import inf
 from .units import NAMES, Dimension, unit
 
 _LEAST = 1e-15
+LARGEST = 1e9
+"""Bound of dimensionless numbers without a bound of their own."""
 
 
 @dataclass(frozen=True)

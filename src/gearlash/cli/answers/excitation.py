@@ -8,7 +8,6 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case
-from gearlash.case.quantities import PIECEWISE
 from gearlash.system import GearlashError
 
 if TYPE_CHECKING:  # answers are described without the engine
@@ -42,17 +41,13 @@ def unexcited(case: Case, attractor: Attractor) -> Unexcited | None:
         return nothing_varies(case)
     if isinstance(attractor, Orbit) and at_rest(attractor):
         cause = "what varies with time does not move it"
-        give = "change what it acts on" if case.kind == PIECEWISE else "give a load, or an error"
-        return Unexcited(cause, give)
+        return Unexcited(cause, case.excitation.moving)
     return None
 
 
 def nothing_varies(case: Case) -> Unexcited:
     """The words for a system without any excitation."""
-    if case.kind == PIECEWISE:
-        give = "give a forcing, an offset or a stiffness with cos or sin"
-        return Unexcited("nothing excites this system, as nothing in it varies with time", give)
-    return Unexcited("nothing excites this pair: no ripple, no error", "give ripple or error")
+    return Unexcited(case.excitation.cause, case.excitation.give)
 
 
 def at_rest(attractor: Attractor) -> bool:

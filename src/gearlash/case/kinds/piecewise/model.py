@@ -9,13 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.case.entries import Entries, Entry
+from gearlash.case.entries import Entry
 from gearlash.gears.mesh import SMALLEST_OMEGA
 from gearlash.system import Clearance, ContactRule, Family, Parameter, System
 
 from .arrays import Filled, Scalar, matrix, rows_of_series, series, vector
 from .file import Structure
-from .places import places
 
 
 @dataclass(frozen=True)
@@ -117,12 +116,6 @@ def contact_of(name: str, entries: Mapping[str, Entry]) -> ContactRule:
     """The stated contact rule of a clearance, else `ContactRule.ALWAYS`."""
     entry = entries.get(f"clearance.{name}.contact")
     return ContactRule.ALWAYS if entry is None else ContactRule(str(entry.value))
-
-
-def ordered(structure: Structure, entries: Mapping[str, Entry]) -> Entries:
-    """Entries in the order of their places in the file."""
-    keys = [path.removeprefix("parameters.") for path in places(structure)]
-    return {key: entries[key] for key in keys if key in entries}
 
 
 def _gap(content: Structure, states: list[str], known: Collection[str], contact: ContactRule) -> Gap:

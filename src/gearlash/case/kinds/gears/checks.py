@@ -1,0 +1,69 @@
+"""What a gear pair lacks, and what in it contradicts what else it states."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from math import pi
+
+import numpy as np
+
+from gearlash.case.errors import Problem
+from gearlash.gears.mesh import harmonic_count, series
+from gearlash.system import evaluate
+
+from .keys import REFERENCE
+from .places import stated_paths
+from .rules import PairRules, Stated
+
+
+def missing(rules: PairRules, entries: Stated, present: Collection[str] = ()) -> list[Problem]:
+    """Quantities that must be stated and are not; ``present`` are paths known to be stated, if wrongly.
+
+    A file that states nothing at all is taken for a physical one.
+    """
+    places, paths = rules.places.quantities, [*stated_paths(entries), *present]
+    known = {*entries, *(places[path].key for path in present if path in places)}
+    physical = rules.places.physical(paths) or not any(path.startswith("dimensionless.") for path in paths)
+    problems = []
+    for key in (*_required(entries, physical), *rules.required(entries, physical, known)):
+        if key in known:
+            continue
+        ways = rules.places.two_way.get(key, (key,))
+        place = places[ways[0]]
+        other = f" (or {', '.join(ways[1:])})" if len(ways) > 1 else ""
+        why = "; there is no backlash to take half of" if key == REFERENCE else ""
+        problems.append(Problem(place.path, None, f"{place.expected}{other}{why}", missing=True))
+    return problems
+
+
+def _required(entries: Stated, physical: bool) -> Iterator[str]:
+    yield from ("omega", "D", "load", "mesh_damping")
+    if physical:
+        yield from ("mesh.mean_stiffness", "pinion.teeth")
+        if "D" in entries:
+            yield REFERENCE
+
+
+def contradictions(rules: PairRules, entries: Stated) -> list[Problem]:
+    """Quantities stated although others determine them, and values that no gear pair can have together."""
+    problems = []
+    if rules.places.physical(stated_paths(entries)):
+        for key, because in rules.redundant(entries):
+            entry = entries[key]
+            problems.append(Problem(entry.path, repr(entry.text), f"nothing here: {because}"))
+    ripples = {
+        k: e.number for k, e in entries.items() if k.startswith("ripple") and isinstance(e.value, float)
+    }
+    if _least_stiffness(ripples) < 0.0:
+        entry = entries[next(k for k in sorted(ripples) if "phase" not in k)]
+        expected = "ripples that leave the mesh stiffness positive all round a mesh cycle"
+        problems.append(Problem(entry.path, repr(entry.text), expected))
+    return problems
+
+
+def _least_stiffness(ripples: dict[str, float]) -> float:
+    count = harmonic_count(ripples, "ripple")
+    stems = ("ripple", "ripple_phase")
+    names = [f"{stem}_{n}" if n > 1 else stem for n in range(1, count + 1) for stem in stems]
+    full = {name: ripples.get(name, 0.0) for name in names}
+    return float(np.min(evaluate(series(full, "ripple", 1.0, count), np.linspace(0.0, 2.0 * pi, 721))))

@@ -1,0 +1,97 @@
+"""Kinds of gear pair as kinds of case."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from gearlash.case.entries import Entry
+from gearlash.case.errors import Problem
+from gearlash.case.kinds.kind import Content, Draft, Excitation, Kind, Structure
+from gearlash.case.note import Note
+from gearlash.case.scales import Scales
+from gearlash.case.value import Value
+from gearlash.system import Family
+
+from .checks import contradictions, missing
+from .entries import collect, freeze_reference, override
+from .naming import named, resolve
+from .notes import notes
+from .pair import GearPair
+from .records import Numbers
+from .rules import PairRules
+from .values import values
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+
+@dataclass(frozen=True)
+class GearContent(Content):
+    """A gear pair: all of it is in the entries."""
+
+    rules: PairRules
+
+    @cached_property
+    def pair(self) -> GearPair:
+        return GearPair(self.rules, self.entries)
+
+    def family(self) -> Family:
+        return self.pair.family()
+
+    @property
+    def scales(self) -> Scales:
+        return self.pair.scales
+
+    @property
+    def numbers(self) -> Numbers:
+        return self.pair.numbers
+
+    def missing(self, present: Collection[str] = ()) -> list[Problem]:
+        return missing(self.rules, self.entries, present)
+
+    def contradictions(self) -> list[Problem]:
+        return contradictions(self.rules, self.entries)
+
+    def override(self, overrides: Mapping[str, object]) -> tuple[Content, list[Problem]]:
+        entries, problems = override(self.rules.places, self.entries, overrides)
+        return replace(self, entries=entries), problems
+
+    def resolve(self, label: str, name: str, value: object) -> tuple[str, float]:
+        return resolve(self.pair, label, name, value)
+
+    def named(self, name: str, value: object) -> str:
+        return named(self.pair, name, value)
+
+    def physical(self, short: str, value: ArrayLike) -> list[tuple[str, NDArray[np.float64], str]]:
+        return self.pair.physical(short, value)
+
+    def values(self) -> list[Value]:
+        return values(self.pair)
+
+    def notes(self) -> list[Note]:
+        return list(notes(self.pair))
+
+
+class GearKind(Kind):
+    """The kind of pairs with these rules."""
+
+    between_teeth = True
+    excitation = Excitation(
+        "nothing excites this pair: no ripple, no error", "give ripple or error", "give a load, or an error"
+    )
+
+    def __init__(self, rules: PairRules):
+        self.rules, self.name, self.places = rules, rules.name, rules.places.all
+
+    def content(self, entries: Mapping[str, Entry], structure: Structure) -> GearContent:
+        return GearContent(self, entries, {}, self.rules)
+
+    def read(self, tables: Mapping[str, object]) -> Draft:
+        found = self.tables.read(tables)
+        entries, clashes = collect(self.rules.places, found.stated)
+        content = self.content(freeze_reference(entries), {})
+        return Draft(content, [*found.problems, *clashes], found.present)

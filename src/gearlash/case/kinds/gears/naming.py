@@ -1,0 +1,45 @@
+"""Which parameter of a gear pair is meant by a name and a value."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from gearlash.case.errors import CaseError, Problem, shown
+from gearlash.case.quantity import Quantity
+from gearlash.case.stated import ValueRefusedError, read_stated
+from gearlash.system import UnknownNameError
+
+from .entries import place_for
+from .pair import GearPair
+from .units import to_dimensionless
+
+
+def resolve(pair: GearPair, label: str, name: str, value: object) -> tuple[str, float]:
+    """Short name and dimensionless value of a parameter given by path or short name. Raises `CaseError` for
+    a bad value and `UnknownNameError` for a name that is no parameter of the family."""
+    place = place_for(pair.places, name, value, pair.scales.physical)
+    if isinstance(place, Problem):
+        raise CaseError(label, [place])
+    short = place.key if isinstance(place, Quantity) else place.path
+    known = pair.family().defaults
+    if short not in known or not isinstance(place, Quantity):
+        raise UnknownNameError("parameter to vary", name, {*known, *_physical_names(pair, known)})
+    try:
+        stated = read_stated(value, place)
+    except ValueRefusedError as error:
+        raise CaseError(label, [Problem(name, shown(value), error.expected, error.nearest)]) from None
+    return short, to_dimensionless(pair.scales, place.path, float(stated.value))
+
+
+def named(pair: GearPair, name: str, value: object) -> str:
+    """The path of the physical quantity that a short name means with this value; else the name."""
+    if name not in pair.places.two_way:
+        return name
+    place = place_for(pair.places, name, value, pair.scales.physical)
+    moved = isinstance(place, Quantity) and not place.path.startswith("dimensionless.")
+    return place.path if moved else name
+
+
+def _physical_names(pair: GearPair, known: Mapping[str, float]) -> list[str]:
+    ways = pair.places.two_way
+    return [path.rpartition(".")[2] for short in known for path in ways.get(short, ())[:-1]]

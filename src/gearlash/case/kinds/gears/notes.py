@@ -1,0 +1,37 @@
+"""What stated values of a gear pair conflict with, and how sides without stiffness are read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gearlash.case.kinds.sides import notes_on_sides
+from gearlash.case.note import Note
+from gearlash.gears import iso6336
+
+from .pair import GearPair
+
+TOLERATED = 1.5  # times what the standard gives
+
+
+def notes(pair: GearPair) -> Iterator[Note]:
+    """Every remark on a pair."""
+    yield from _stiffness(pair)
+    for clearance in pair.family().system().clearances:
+        yield from notes_on_sides(clearance, "mesh.back_stiffness")
+
+
+def _stiffness(pair: GearPair) -> Iterator[Note]:
+    body, stated = pair.numbers.body, pair.scales.mean_stiffness
+    if body.geometry is None or body.face_width is None or stated is None:
+        return
+    estimate = iso6336.mesh_stiffness(body.geometry, body.face_width)
+    ratio = estimate / stated
+    if 1.0 / TOLERATED <= ratio <= TOLERATED:
+        return
+    more, factor = ("stiffer", ratio) if ratio > 1.0 else ("softer", 1.0 / ratio)
+    yield Note(
+        "mesh.mean_stiffness",
+        f"stated {stated:.3g} N/m; {iso6336.REFERENCE}, gives {estimate:.3g} N/m for solid steel gears with "
+        f"{1e3 * body.face_width:g} mm of common face width, {factor:.1f} times {more}. "
+        "The stated value is used.",
+    )

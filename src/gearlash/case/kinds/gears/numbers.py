@@ -1,0 +1,97 @@
+"""From entries to numbers: family parameters, the fixed numbers of the pair, scales."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from gearlash.case.scales import Scales
+from gearlash.gears import (
+    LineOfAction,
+    Projection,
+    ToothGeometry,
+    equivalent_mass,
+    line_of_action,
+    solid_disc,
+)
+from gearlash.system import ContactRule
+
+from .keys import CONTACT, EQUIVALENT_MASS, GEARS, PROJECTION, REFERENCE
+from .places import stated_paths
+from .records import Body, Both, Numbers
+from .rules import PairRules, Stated
+from .units import to_dimensionless
+
+
+def numbers(rules: PairRules, entries: Stated) -> Numbers:
+    """The numbers of a complete case (no `missing` and no `contradictions`)."""
+    places = rules.places
+    contact = ContactRule(places.chosen(entries, CONTACT))
+    nothing = Body(None, None, None, None), Scales()
+    body, scales = _physical(rules, entries) if places.physical(stated_paths(entries)) else nothing
+    parameters = {
+        key: to_dimensionless(scales, entry.path, entry.number)
+        for key, entry in entries.items()
+        if key in places.two_way and key not in rules.fixed
+    }
+    return Numbers(parameters, rules.pair(entries, body, scales, contact), contact, scales, body)
+
+
+def _get(entries: Stated, key: str) -> float | None:
+    return entries[key].number if key in entries else None
+
+
+def _physical(rules: PairRules, entries: Stated) -> tuple[Body, Scales]:
+    geometry = _geometry(rules, entries)
+    line = _line(rules, entries, geometry)
+    inertias = _inertias(entries, geometry)
+    mass = _get(entries, EQUIVALENT_MASS)
+    if mass is None:
+        assert line is not None  # `missing` saw to it
+        assert inertias is not None
+        mass = equivalent_mass(line.radii, inertias)
+    stiffness, gear_teeth = entries["mesh.mean_stiffness"].number, _get(entries, "gear.teeth")
+    widths = [w for gear in GEARS if (w := _get(entries, f"{gear}.face_width")) is not None]
+    scales = Scales(
+        omega_n=sqrt(stiffness / mass),
+        mean_stiffness=stiffness,
+        equivalent_mass=mass,
+        length=entries[REFERENCE].number,
+        c_t=line.c_t if line else 1.0,
+        radii=line.radii if line else None,
+        teeth=(int(entries["pinion.teeth"].number), None if gear_teeth is None else int(gear_teeth)),
+        back_gap=entries["back_gap"].number if "back_gap" in entries else 1.0,
+    )
+    return Body(geometry, line, inertias, min(widths) if len(widths) == 2 else None), scales
+
+
+def _geometry(rules: PairRules, entries: Stated) -> ToothGeometry | None:
+    if not all(key in entries for key in ("pinion.teeth", "gear.teeth", rules.module, "mesh.pressure_angle")):
+        return None
+    return ToothGeometry(
+        teeth=(int(entries["pinion.teeth"].number), int(entries["gear.teeth"].number)),
+        normal_module=entries[rules.module].number,
+        pressure_angle=entries["mesh.pressure_angle"].number,
+        helix_angle=_get(entries, "mesh.helix_angle") or 0.0,
+    )
+
+
+def _line(rules: PairRules, entries: Stated, geometry: ToothGeometry | None) -> LineOfAction | None:
+    if geometry is not None:
+        projection = Projection(rules.places.chosen(entries, PROJECTION))
+        return line_of_action(geometry, projection, rules.y_axis(entries))
+    radii = _get(entries, "pinion.base_radius"), _get(entries, "gear.base_radius")
+    if radii[0] is None or radii[1] is None:
+        return None
+    return LineOfAction((radii[0], radii[1]), c_t=1.0, c_y=1.0, c_z=0.0)
+
+
+def _inertias(entries: Stated, geometry: ToothGeometry | None) -> Both | None:
+    """Stated inertias, else solid discs of the stated masses at the pitch radius."""
+    radii = geometry.pitch_radii if geometry else None
+    found = []
+    for i, gear in enumerate(GEARS):
+        inertia, mass = _get(entries, f"{gear}.inertia"), _get(entries, f"{gear}.mass")
+        if inertia is None and mass is not None and radii is not None:
+            inertia = solid_disc(mass, radii[i])
+        found.append(inertia)
+    return (found[0], found[1]) if None not in found else None

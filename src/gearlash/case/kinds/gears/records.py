@@ -1,0 +1,47 @@
+"""What is computed of a gear pair: its body, its numbers, and single numbers that follow."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from gearlash.case.scales import Scales
+from gearlash.gears import HelicalPair, LineOfAction, ToothGeometry
+from gearlash.system import ContactRule
+
+Both: TypeAlias = tuple[float, float]
+"""Of pinion and gear."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """The physical pair behind the numbers; what a case does not know is None."""
+
+    geometry: ToothGeometry | None
+    line: LineOfAction | None
+    inertias: Both | None
+    face_width: float | None
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """Family parameters by short name, the fixed numbers of a helical pair, contact rule, scales, body."""
+
+    parameters: dict[str, float]
+    pair: HelicalPair | None
+    contact: ContactRule
+    scales: Scales
+    body: Body
+
+
+@dataclass(frozen=True)
+class Derived:
+    """A number computed from others: ``inputs`` are keys or paths of what went into it."""
+
+    path: str
+    value: float
+    unit: str
+    formula: str
+    inputs: tuple[str, ...]
+    description: str = ""
+    short: str | None = None

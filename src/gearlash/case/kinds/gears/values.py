@@ -1,0 +1,54 @@
+"""Every value of a gear pair, stated and derived, with where it is from and which assumption it rests on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gearlash.case.kinds.listed import displayed
+from gearlash.case.stated import Provenance
+from gearlash.case.value import DERIVED, Value
+
+from .derive import derived, disc_gears
+from .keys import BODY, CONTACT
+from .pair import GearPair
+
+
+def values(pair: GearPair) -> list[Value]:
+    """Stated values, defaults that took effect, then derived numbers."""
+    stated = [*_stated(pair), *_defaults(pair)]
+    assumed = {v.path for v in stated if v.provenance == Provenance.ASSUMED}
+    roots: dict[str, tuple[str, ...]] = {v.path: (v.path,) for v in stated if v.path in assumed}
+    roots |= {e.key: (e.path,) for e in pair.entries.values() if e.path in assumed}
+    found = list(stated)
+    for d in derived(pair):
+        rests_on = tuple(dict.fromkeys(root for name in d.inputs for root in roots.get(name, ())))
+        roots[d.path] = rests_on
+        found.append(Value(d.path, d.value, d.unit, DERIVED, d.formula, d.short, d.description, rests_on))
+    return found
+
+
+def _stated(pair: GearPair) -> Iterator[Value]:
+    seen = set()
+    for entry in pair.entries.values():
+        if entry.path in seen:
+            continue  # one stated damping ratio of all bearings makes four entries
+        seen.add(entry.path)
+        place = pair.places.quantities.get(entry.path)
+        if place is None:
+            what, shown, unit, short = pair.places.choices[entry.path].description, entry.value, "", None
+        else:
+            what, shown, unit = place.description, displayed(entry.number, place), place.unit
+            short = place.key if place.key in pair.places.two_way else None
+        yield Value(entry.path, shown, unit, entry.provenance, entry.reason, short, what, text=entry.text)
+
+
+def _defaults(pair: GearPair) -> Iterator[Value]:
+    assumed = Provenance.ASSUMED
+    for path, choice in pair.places.choices.items():
+        takes_effect = path != BODY or disc_gears(pair)
+        if path not in pair.entries and takes_effect and (pair.scales.physical or path == CONTACT):
+            yield Value(path, choice.default, "", assumed, "default", None, choice.description)
+    for short, value in (("ripple", 0.0), ("error", 0.0), ("back_stiffness", 1.0), ("back_gap", 1.0)):
+        if short not in pair.entries:
+            place = pair.places.quantities[f"dimensionless.{short}"]
+            yield Value(place.path, value, "", assumed, "default: not stated", short, place.description)

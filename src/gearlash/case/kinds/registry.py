@@ -1,0 +1,69 @@
+"""Which kinds of case there are: those of this folder, and what a user registered.
+
+    register(Pendulum())
+    case = gearlash.load_case("pendulum.toml")
+
+Worker processes get a registered kind sent, as they get a `Family` of one's own: its class must be defined in
+a module that they can import. Studies refuse any other in words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib import import_module
+
+from gearlash.case.errors import Problem, nearest_name, shown
+from gearlash.system import GearlashError, given
+
+from .kind import Kind
+
+_FOLDERS = {"helical-pair": "helical", "spur-1dof": "spur", "piecewise-linear": "piecewise"}
+"""Folders beside this file, each with its `KIND`; imported when a case of it is met."""
+_registered: dict[str, Kind] = {}
+
+
+def kinds() -> tuple[str, ...]:
+    """Names of all kinds, in the order of the JSON Schema."""
+    return (*_FOLDERS, *_registered)
+
+
+def kind_named(name: object) -> Kind:
+    """The kind of this name. Raises `UnknownNameError`."""
+    name = given.known("kind of case", name, kinds())
+    if name in _registered:
+        return _registered[name]
+    found: Kind = import_module(f"{__package__}.{_FOLDERS[name]}").KIND
+    return found
+
+
+def register(kind: Kind) -> None:
+    """From now on files may be of this kind. Raises `GearlashError` where another kind has its name."""
+    given.instance("kind", kind, Kind, "a Kind of gearlash.case.kinds")
+    name = given.word("name of a kind", kind.name)
+    known = _registered.get(name)
+    if name in _FOLDERS or (known is not None and type(known) is not type(kind)):
+        raise GearlashError(f"there is a kind of case called {name!r} already")
+    _registered[name] = kind
+
+
+def forget(name: str) -> None:
+    """Takes back what `register` did."""
+    _registered.pop(given.known("registered kind of case", name, _registered))
+
+
+def registered(name: str) -> Kind | None:
+    """The kind of this name if a user registered it."""
+    return _registered.get(name)
+
+
+def kind_of(tables: Mapping[str, object]) -> tuple[Kind | None, list[Problem]]:
+    """The kind to read a file as, guessing the nearest one when it is misspelt so that all else is checked
+    too."""
+    names, stated = kinds(), tables.get("kind")
+    expected = f"one of {', '.join(names)}"
+    if stated is None:
+        return None, [Problem("kind", None, f"{expected}, as the first line of a case", missing=True)]
+    if isinstance(stated, str) and stated in names:
+        return kind_named(stated), []
+    near = nearest_name(stated, names)
+    return None if near is None else kind_named(near), [Problem("kind", shown(stated), expected, near)]

@@ -1,0 +1,36 @@
+"""Every place of a spur pair: those of all pairs, base radii and the equivalent mass."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gearlash.case.kinds.gears import shared
+from gearlash.case.kinds.gears.keys import EQUIVALENT_MASS, GEARS, PROJECTION
+from gearlash.case.kinds.gears.places import Places
+from gearlash.case.kinds.gears.shared import positive
+from gearlash.case.quantity import Choice, Quantity
+from gearlash.case.units import LENGTH, MASS
+from gearlash.gears import Projection
+
+MODULE = "mesh.module"
+RADII = tuple(f"{gear}.base_radius" for gear in GEARS)
+
+
+def _quantities() -> Iterator[Quantity]:
+    for gear in GEARS:
+        yield from shared.of_gear(gear)
+        yield positive(f"{gear}.base_radius", LENGTH, "mm", "50 mm", f"base radius of the {gear}", 50)
+    yield from shared.of_teeth(MODULE)
+    yield positive(EQUIVALENT_MASS, MASS, "kg", "0.23 kg", "mass m_e of relative rotation", 1e6)
+    yield from shared.of_mesh()
+    yield from shared.of_operation()
+    yield from shared.of_numbers()
+
+
+def _choices() -> Iterator[Choice]:
+    yield from shared.options()
+    both = (Projection.BASE.value, Projection.PITCH.value)
+    yield Choice(PROJECTION, both, Projection.BASE, shared.PROJECTED)
+
+
+PLACES = Places.of(_quantities(), _choices(), shared.ways())
