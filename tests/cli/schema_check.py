@@ -24,7 +24,7 @@ KNOWN = {
     "anyOf",
     "$ref",
 }
-WORDS = {"$schema", "$defs", "title", "description"}
+WORDS = {"examples", "$schema", "$defs", "title", "description"}
 
 
 def problems(

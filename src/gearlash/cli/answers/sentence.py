@@ -48,17 +48,18 @@ def run_sentence(
     if isinstance(attractor, Unresolved | Neutral) or numbers is None:
         return f"{here}: {attractor.label}, {message_of(attractor)}"
     label = attractor.signature.short if isinstance(attractor, Orbit) else "aperiodic"
-    parts = [f"{here}: {label}, {_doing(case, numbers)}"]
+    parts = [f"{here}: {label}, {_doing(case, attractor, numbers)}"]
     if impact_free is not None:
         parts += _quiet(impact_free, speed, free_now=not numbers.events)
     parts[1:1] = [met(other.name, other, numbers.cycles) for other in numbers.others]
     return "; ".join([*parts, coexisting(beside, attractor.label)])
 
 
-def _doing(case: Case, numbers: MotionNumbers) -> str:
+def _doing(case: Case, attractor: Attractor, numbers: MotionNumbers) -> str:
     """What happens in the first clearance, which need not be between teeth."""
-    own = case.structure.get("clearance")
-    return met(own[0]["name"], numbers, numbers.cycles) if own else contacts(numbers)
+    if case.between_teeth:
+        return contacts(numbers)
+    return met(attractor.propagators.system.clearances[0].name, numbers, numbers.cycles)
 
 
 def _idle(case: Case, attractor: Attractor, numbers: MotionNumbers | None, idle: Unexcited) -> str:
@@ -66,7 +67,7 @@ def _idle(case: Case, attractor: Attractor, numbers: MotionNumbers | None, idle:
     if numbers is None:
         there = message_of(attractor)
     elif at_rest(attractor):
-        there = f"it rests, {_doing(case, numbers)}"
+        there = f"it rests, {_doing(case, attractor, numbers)}"
     else:
         there = f"from this start it moves by itself, {attractor.label}"
     return f"{idle.cause}; {there}; {idle.advice}"
