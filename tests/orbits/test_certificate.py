@@ -9,7 +9,7 @@ import pytest
 
 from gearlash.branches import GrazingPoint, locate_grazing, locate_multiplier
 from gearlash.orbits import Aperiodic, Orbit, Settings, Verdict, attractor, grazing_checks, shoot
-from gearlash.orbits.certificate import _Examined
+from gearlash.orbits.certificate import Closed, _Examined
 from gearlash.results import FAILED, NOT_COMPUTED, blank
 from gearlash.studies import point
 from gearlash.system import ContactRule, Family
@@ -48,6 +48,10 @@ def touch(
     return found
 
 
+def examined(found: Orbit) -> _Examined:
+    return _Examined(Closed(found.propagators, found.shot, found.trace, found.strobes, found.leading))
+
+
 @pytest.mark.parametrize(("family", "values"), ORDINARY)
 def test_ordinary_orbits_are_certified(family, values):
     found = orbit(family, **values).certificate
@@ -60,7 +64,7 @@ def test_ordinary_orbits_are_certified(family, values):
 def test_the_error_bounds_what_newton_leaves_open(family, values):
     """Orbits that Newton's method ends at from other guesses differ by less than the error, all along."""
     first = orbit(family, **values)
-    error = _Examined(first).error
+    error = examined(first).error
     assert 0.0 < error < 1e-9
     rng = np.random.default_rng(7)
     phases = np.linspace(0.0, float(first.period), 40 * first.period + 1)
@@ -137,7 +141,7 @@ def test_a_larger_error_certifies_less():
     def with_defect(size: float) -> _Examined:
         other = Orbit(found.propagators, found.shot, 0, found.status, "")
         vars(other)["trace"] = replace(found.trace, end=found.state + size)
-        return _Examined(other)
+        return examined(other)
 
     growth = float(np.abs(mesh.h) @ with_defect(1e-3).reach) / 1e-3
     for factor, certified in ((0.5, True), (2.0, False)):

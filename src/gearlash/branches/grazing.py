@@ -20,8 +20,9 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.flow import Hold, Propagators
 from gearlash.orbits import GrazingCheck, Orbit
+from gearlash.orbits.extrema import gap_extrema
 from gearlash.orbits.floquet import ordered, rate
-from gearlash.orbits.grazing import KINDS, Surface, gap_extrema
+from gearlash.orbits.grazing import KINDS, Surface
 from gearlash.orbits.pressing import force_extrema
 from gearlash.system import Family, Record, Status, given
 

@@ -9,24 +9,22 @@ lies), times a margin for what happens between them and for terms of second orde
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gearlash.flow import Propagators, Trace
 from gearlash.system import Clearance, ContactRule, Record, Status
 
-from .grazing import gap_extrema
+from .extrema import gap_extrema
 from .pressing import least_force
-from .shooting import TOLERANCE
+from .shooting import TOLERANCE, Shot
 from .tangents import Tangents, norms, round_orbit
-
-if TYPE_CHECKING:
-    from .results import Aperiodic, Orbit
 
 Array = NDArray[Any]
 MARGIN = 10.0  # on the error of the state
@@ -68,34 +66,54 @@ class Certificate(Record):
         return Certificate(Verdict.UNCERTAIN if found else Verdict.CERTIFIED, found)
 
 
-def certify_orbit(orbit: Orbit) -> Certificate:
-    """The certificate of a periodic orbit. `failed` where it does not close or could not be followed."""
-    if not orbit.residual <= TOLERANCE:
+@dataclass(frozen=True, eq=False)
+class Closed:
+    """What of a periodic orbit is examined."""
+
+    propagators: Propagators
+    shot: Shot
+    trace: Trace
+    strobes: Array
+    leading: complex
+
+
+def certify_orbit(residual: float, orbit: Callable[[], Closed]) -> Certificate:
+    """The certificate of a periodic orbit, which is asked for only where it closes. `failed` where it does
+    not, or could not be followed."""
+    if not residual <= TOLERANCE:
         return Certificate(
-            Verdict.FAILED,
-            (f"the orbit does not close: residual {orbit.residual:.0e} is above {TOLERANCE:.0e}",),
+            Verdict.FAILED, (f"the orbit does not close: residual {residual:.0e} is above {TOLERANCE:.0e}",)
         )
-    if orbit.trace.status not in MOVING:
-        return Certificate(Verdict.FAILED, (f"the orbit could not be followed: {orbit.trace.status}",))
-    return Certificate.of(_Examined(orbit).doubts())
+    examined = _Examined(orbit())
+    status = examined.orbit.trace.status
+    if status not in MOVING:
+        return Certificate(Verdict.FAILED, (f"the orbit could not be followed: {status}",))
+    return Certificate.of(examined.doubts())
 
 
-def certify_motion(motion: Aperiodic, resolved: bool) -> Certificate:
-    """The certificate of a motion that is not proved periodic; ``resolved``: its exponent settled it."""
-    if motion.status not in (*MOVING, Status.UNRESOLVED, Status.NEUTRAL):
-        return Certificate(Verdict.FAILED, (motion.message,))
-    if not resolved:
-        return Certificate(Verdict.UNCERTAIN, (motion.message,))
-    return Certificate.of(_doubts_of_motion(motion))
+def certify_unsettled(status: Status, message: str) -> Certificate:
+    """The certificate of a motion of which nothing was settled: `failed`, or `uncertain` at best."""
+    if status not in (*MOVING, Status.UNRESOLVED, Status.NEUTRAL):
+        return Certificate(Verdict.FAILED, (message,))
+    return Certificate(Verdict.UNCERTAIN, (message,))
 
 
-def _doubts_of_motion(motion: Aperiodic) -> Iterator[str]:
-    undecided = motion.undecided + motion.trace.undecided
-    if undecided or motion.status is Status.UNCERTAIN:
+def certify_aperiodic(
+    status: Status, message: str, undecided: Callable[[], int], exponent: float, error: float
+) -> Certificate:
+    """The certificate of a motion whose exponent settled that it is not periodic; ``undecided`` counts its
+    contacts within rounding of touching."""
+    unsettled = certify_unsettled(status, message)
+    if unsettled.verdict is Verdict.FAILED:
+        return unsettled
+    return Certificate.of(_doubts_of_motion(undecided(), status, exponent, error))
+
+
+def _doubts_of_motion(undecided: int, status: Status, exponent: float, error: float) -> Iterator[str]:
+    if undecided or status is Status.UNCERTAIN:
         yield f"{undecided or 'some'} of the contacts examined lie within rounding of touching"
-    value, error = motion.largest_exponent, motion.exponent_error
-    if not abs(value) > error:
-        yield f"largest exponent {value:.1e} is zero within its error {error:.0e}"
+    if not abs(exponent) > error:
+        yield f"largest exponent {exponent:.1e} is zero within its error {error:.0e}"
 
 
 class Late(NamedTuple):
@@ -111,7 +129,7 @@ class Late(NamedTuple):
 class _Examined:
     """A closed orbit under examination: each method yields reasons against it."""
 
-    orbit: Orbit
+    orbit: Closed
 
     def doubts(self) -> Iterator[str]:
         if not np.isfinite(self.error):
@@ -127,13 +145,22 @@ class _Examined:
 
     @cached_property
     def tangents(self) -> Tangents:
+<<<<<<< HEAD
         return round_orbit(self.orbit.trace, self.orbit.state)
+=======
+        orbit = self.orbit
+        return round_orbit(orbit.propagators, orbit.shot.state, orbit.trace.events.phase, orbit.shot.period)
+>>>>>>> ed061cbb (No circles between rooms, in the room of cases or in that of orbits; import-linter holds it, the kernel room apart)
 
     @cached_property
     def errors(self) -> Array:
         """Error (m, n) of each component of the state at the places of `tangents`."""
         try:
+<<<<<<< HEAD
             return MARGIN * self.tangents.deviations * self.tangents.size
+=======
+            return MARGIN * self.tangents.errors(self.orbit.trace.end - self.orbit.shot.state)
+>>>>>>> ed061cbb (No circles between rooms, in the room of cases or in that of orbits; import-linter holds it, the kernel room apart)
         except np.linalg.LinAlgError:
             return np.full((len(self.tangents.places), len(self.orbit.state)), np.inf)
 
@@ -242,6 +269,7 @@ class _Examined:
         )
         return MARGIN * float(np.roll(self.tangents.rounding, -first) @ size) + float(shifts.sum())
 
+<<<<<<< HEAD
     @cached_property
     def late(self) -> Late:
         """Of every contact (m,), by how much it comes earlier or later within the error."""
@@ -255,6 +283,23 @@ class _Examined:
         late = time.sum(axis=1) / np.maximum(np.abs(events.velocity), 1e-300)
         columns = np.array([c.g for c in clearances])[events.clearance] * late[:, None]
         return Late(after, columns / size, rows[events.clearance] * size)
+=======
+    def lateness(self, first: int) -> Iterator[tuple[int, Clearance, float, Array, Array]]:
+        """Of every contact: the place just after it, counted from ``first``, its clearance, and by how much
+        it comes earlier or later; stiffness and damping (2,), and the rows (2, n) that they act on."""
+        system, events, places = self.orbit.propagators.system, self.orbit.trace.events, self.tangents.places
+        after = np.searchsorted(places, events.phase, side="right")
+        for k, index, velocity in zip(after, events.clearance, events.velocity, strict=True):
+            c = system.clearances[index]
+            k = int(k) % len(places)
+            late = float(np.abs(c.h) @ self.errors[k]) / max(abs(float(velocity)), 1e-300)
+            yield (k - first) % len(places), c, late, _strengths(c), np.array([c.h, c.h @ system.matrix])
+
+    def speeds(self, index: int) -> Array:
+        """|X'| at the contact events of a clearance."""
+        events = self.orbit.trace.events
+        return np.abs(events.velocity[events.clearance == index])
+>>>>>>> ed061cbb (No circles between rooms, in the room of cases or in that of orbits; import-linter holds it, the kernel room apart)
 
     def strength(self, clearance: Clearance) -> Array:
         """Bound (n,) on |∂Φ/∂z|."""

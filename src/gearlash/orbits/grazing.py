@@ -7,19 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.flow import Extrema, Trace
+from gearlash.flow import Trace
 from gearlash.flow.events import gap_velocity
 from gearlash.system import ContactRule, Record, System, evaluate, given
 
+from .extrema import gap_extrema
 from .pressing import force_extrema
-
-if TYPE_CHECKING:  # results examine themselves with what is here
-    from .results import Attractor
+from .results import Aperiodic, Attractor, Orbit
 
 Surface = Literal["gap", "force"]
 
@@ -91,8 +90,6 @@ def grazing_checks(
 
 def motion_of(attractor: Attractor) -> Attractor:
     """The same. Raises `GearlashError` for what is no attractor."""
-    from .results import Aperiodic, Orbit  # they examine themselves with what is here
-
     expected = "what gearlash.attractor returns: an Orbit, Aperiodic or Unresolved"
     return given.instance("attractor", attractor, (Orbit, Aperiodic), expected)
 
@@ -144,11 +141,6 @@ def _of_force(trace: Trace, j: int) -> Iterator[GrazingCheck]:
             name=c.name,
             surface="force",
         )
-
-
-def gap_extrema(trace: Trace, clearance: int) -> Extrema:
-    """Extrema of X of a clearance; of the first one, from what the trace keeps."""
-    return trace.extrema if clearance == 0 else trace.extrema_of(clearance)
 
 
 def force_gradient(system: System, j: int, phase: float, boundary: int) -> NDArray[np.float64]:

@@ -14,7 +14,7 @@ from gearlash.flow import Events, Extrema, Propagators, Trace
 from gearlash.system import Record, Status
 
 from . import floquet
-from .certificate import Certificate, certify_motion, certify_orbit
+from .certificate import Certificate, Closed, certify_aperiodic, certify_orbit, certify_unsettled
 from .neutral import is_neutral
 from .shooting import Shot
 from .signature import Signature
@@ -133,7 +133,10 @@ class Orbit(Record):
     @cached_property
     def certificate(self) -> Certificate:
         """Whether all that is said of the orbit holds within its error; see `certificate`."""
-        return certify_orbit(self)
+        return certify_orbit(
+            self.residual,
+            lambda: Closed(self.propagators, self.shot, self.trace, self.strobes, self.leading),
+        )
 
     @property
     def duration(self) -> float:
@@ -166,7 +169,13 @@ class Aperiodic(Record):
     @cached_property
     def certificate(self) -> Certificate:
         """Whether no contact was in doubt and the exponent stands beyond its error bar."""
-        return certify_motion(self, resolved=True)
+        return certify_aperiodic(
+            self.status,
+            self.message,
+            lambda: self.undecided + self.trace.undecided,
+            self.largest_exponent,
+            self.exponent_error,
+        )
 
     @cached_property
     def trace(self) -> Trace:
@@ -198,7 +207,7 @@ class Unresolved(Aperiodic):
     @cached_property
     def certificate(self) -> Certificate:
         """Never `certified`: says why."""
-        return certify_motion(self, resolved=False)
+        return certify_unsettled(self.status, self.message)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -213,7 +222,7 @@ class Neutral(Aperiodic):
     @cached_property
     def certificate(self) -> Certificate:
         """Never `certified`: says why."""
-        return certify_motion(self, resolved=False)
+        return certify_unsettled(self.status, self.message)
 
 
 Attractor = Orbit | Aperiodic | Neutral | Unresolved

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from gearlash.flow import Trace
 from gearlash.system import GearlashError, Record
 
-from .grazing import gap_extrema, motion_of
+from .extrema import gap_extrema
+from .grazing import motion_of
 from .results import Attractor
 
 FREE = 1  # region of a trace
