@@ -240,6 +240,8 @@ def test_names_of_kinds_are_taken_once():
         pass
 
     register(Pendulum())  # the same again
+    with pytest.raises(GearlashError, match="a Kind of gearlash"):
+        register("pendulum")  # pyright: ignore[reportArgumentType]
     for taken in (Other, type("Spur", (Pendulum,), {"name": "spur-1dof"})):
         with pytest.raises(GearlashError, match="already"):
             register(taken())

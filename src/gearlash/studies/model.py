@@ -39,13 +39,15 @@ class Source:
         if self.own is not None:
             return self.own
         assert self.case_json is not None
-        if self.kind is not None and registered(self.kind.name) is None:
+        if self.kind is None:
+            return _family(self.case_json, None)
+        if registered(self.kind.name) is None:
             register(self.kind)
-        return _family(self.case_json)
+        return _family(self.case_json, registered(self.kind.name))
 
 
 @lru_cache(maxsize=8)
-def _family(case_json: str) -> Family:
+def _family(case_json: str, _kind: Kind | None) -> Family:
     return Case.from_json(case_json).family()[0]
 
 

@@ -37,13 +37,18 @@ def kind_named(name: object) -> Kind:
 
 
 def register(kind: Kind) -> None:
-    """From now on files may be of this kind. Raises `GearlashError` where another kind has its name."""
+    """From now on files may be of this kind. A class defined again takes the place of what it was. Raises
+    `GearlashError` where another kind has the name."""
     given.instance("kind", kind, Kind, "a Kind of gearlash.case.kinds")
-    name = given.word("name of a kind", kind.name)
+    name = given.word("name of a kind", getattr(kind, "name", None))
     known = _registered.get(name)
-    if name in _FOLDERS or (known is not None and type(known) is not type(kind)):
+    if name in _FOLDERS or (known is not None and _home(known) != _home(kind)):
         raise GearlashError(f"there is a kind of case called {name!r} already")
     _registered[name] = kind
+
+
+def _home(kind: Kind) -> tuple[str, str]:
+    return type(kind).__module__, type(kind).__qualname__
 
 
 def forget(name: str) -> None:
