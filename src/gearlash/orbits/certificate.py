@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.flow import Propagators, Trace
+from gearlash.flow import Events, Propagators, Trace
 from gearlash.system import Clearance, ContactRule, Record, Status
 
 from .extrema import gap_extrema
@@ -75,6 +75,19 @@ class Closed:
     trace: Trace
     strobes: Array
     leading: complex
+
+    @property
+    def state(self) -> Array:
+        return self.shot.state
+
+    @property
+    def events(self) -> Events:
+        return self.trace.events
+
+    @property
+    def period(self) -> int:
+        """In mesh cycles."""
+        return self.shot.period * self.propagators.system.cycles
 
 
 def certify_orbit(residual: float, orbit: Callable[[], Closed]) -> Certificate:
@@ -145,22 +158,13 @@ class _Examined:
 
     @cached_property
     def tangents(self) -> Tangents:
-<<<<<<< HEAD
         return round_orbit(self.orbit.trace, self.orbit.state)
-=======
-        orbit = self.orbit
-        return round_orbit(orbit.propagators, orbit.shot.state, orbit.trace.events.phase, orbit.shot.period)
->>>>>>> ed061cbb (No circles between rooms, in the room of cases or in that of orbits; import-linter holds it, the kernel room apart)
 
     @cached_property
     def errors(self) -> Array:
         """Error (m, n) of each component of the state at the places of `tangents`."""
         try:
-<<<<<<< HEAD
             return MARGIN * self.tangents.deviations * self.tangents.size
-=======
-            return MARGIN * self.tangents.errors(self.orbit.trace.end - self.orbit.shot.state)
->>>>>>> ed061cbb (No circles between rooms, in the room of cases or in that of orbits; import-linter holds it, the kernel room apart)
         except np.linalg.LinAlgError:
             return np.full((len(self.tangents.places), len(self.orbit.state)), np.inf)
 
@@ -269,7 +273,6 @@ class _Examined:
         )
         return MARGIN * float(np.roll(self.tangents.rounding, -first) @ size) + float(shifts.sum())
 
-<<<<<<< HEAD
     @cached_property
     def late(self) -> Late:
         """Of every contact (m,), by how much it comes earlier or later within the error."""
@@ -283,23 +286,6 @@ class _Examined:
         late = time.sum(axis=1) / np.maximum(np.abs(events.velocity), 1e-300)
         columns = np.array([c.g for c in clearances])[events.clearance] * late[:, None]
         return Late(after, columns / size, rows[events.clearance] * size)
-=======
-    def lateness(self, first: int) -> Iterator[tuple[int, Clearance, float, Array, Array]]:
-        """Of every contact: the place just after it, counted from ``first``, its clearance, and by how much
-        it comes earlier or later; stiffness and damping (2,), and the rows (2, n) that they act on."""
-        system, events, places = self.orbit.propagators.system, self.orbit.trace.events, self.tangents.places
-        after = np.searchsorted(places, events.phase, side="right")
-        for k, index, velocity in zip(after, events.clearance, events.velocity, strict=True):
-            c = system.clearances[index]
-            k = int(k) % len(places)
-            late = float(np.abs(c.h) @ self.errors[k]) / max(abs(float(velocity)), 1e-300)
-            yield (k - first) % len(places), c, late, _strengths(c), np.array([c.h, c.h @ system.matrix])
-
-    def speeds(self, index: int) -> Array:
-        """|X'| at the contact events of a clearance."""
-        events = self.orbit.trace.events
-        return np.abs(events.velocity[events.clearance == index])
->>>>>>> ed061cbb (No circles between rooms, in the room of cases or in that of orbits; import-linter holds it, the kernel room apart)
 
     def strength(self, clearance: Clearance) -> Array:
         """Bound (n,) on |∂Φ/∂z|."""
