@@ -200,7 +200,7 @@ def test_a_command_runs_it_in_words_that_are_true_of_it(tmp_path, monkeypatch):
     assert "nothing in it varies with time" in json.loads(still.stdout)["sentence"]
 
 
-AXIS = gl.Axis.even("omega", (5.0, 7.0), 5)
+AXIS = gl.Axis.even("omega", 5.0, 7.0, 5)
 
 
 def test_two_workers_give_the_same_bytes():

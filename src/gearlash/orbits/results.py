@@ -133,10 +133,11 @@ class Orbit(Record):
     @cached_property
     def certificate(self) -> Certificate:
         """Whether all that is said of the orbit holds within its error; see `certificate`."""
-        return certify_orbit(
-            self.residual,
-            lambda: Closed(self.propagators, self.shot, self.trace, self.strobes, self.leading),
-        )
+        return certify_orbit(self.residual, self.closed)
+
+    def closed(self) -> Closed:
+        """What a certificate examines."""
+        return Closed(self.propagators, self.shot, self.trace, self.strobes, self.leading)
 
     @property
     def duration(self) -> float:

@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.case import Case
-from gearlash.case.quantities import PIECEWISE
 from gearlash.orbits import Orbit, orbit_at
 from gearlash.orbits.dips import Sample, dip
 from gearlash.orbits.pressing import force_extrema
@@ -80,7 +79,7 @@ def impact_free_speeds(
     parameters = family.complete(plain_values(model, family, "values", values))
     if tell is not None:
         given.function("tell", tell, "a function of two whole numbers")
-    if isinstance(model, Case) and model.kind == PIECEWISE:
+    if isinstance(model, Case) and not model.between_teeth:
         return None
     if parameters.get("load", 0.0) == 0.0 or len(family.system(parameters).clearances) != 1:
         return None

@@ -69,8 +69,8 @@ def open_workers(model: Model, workers: int | None = None) -> Executor:
 
 
 def check_travels(source: Source, executor: Executor | None) -> None:
-    """Raises `GearlashError` where a family or a kind of one's own cannot be sent to worker processes: of this
-    package, or of the standard library, which has ways of its own to find what is defined in ``__main__``."""
+    """Raises `GearlashError` where a family or a kind of one's own cannot be sent to worker processes: of
+    this package, or of the standard library, which finds what is defined in ``__main__`` in its own way."""
     standard = sys.modules.get("concurrent.futures.process")  # loaded by whoever has such an executor
     if isinstance(executor, Pool):
         _check_sent(source, cannot_travel)

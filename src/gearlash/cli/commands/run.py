@@ -81,7 +81,6 @@ def _answer(
     search: SearchSettings,
 ) -> RunAnswer:
     """What is to be said of a motion, as far as a signal leaves time to look."""
-    from gearlash.case.quantities import PIECEWISE
     from gearlash.cli.answers.excitation import unexcited
     from gearlash.cli.answers.run import numbers_of, run_answer
     from gearlash.cli.interrupt import optional, signalled
@@ -98,7 +97,7 @@ def _answer(
             return impact_free_speeds(case, parameters, tell=tell)
 
     asked = unexcited(case, found) is None
-    speeds_asked = asked and case.kind != PIECEWISE
+    speeds_asked = asked and case.between_teeth
     numbers = optional(lambda: numbers_of(found))
     beside = optional(other_starts) if asked else None
     quiet = optional(quiet_speeds) if speeds_asked else None
