@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.text import Text
 
+import gearlash as gl
 from gearlash import plots
 from gearlash.plots.units import MARK
 from plots.made import aperiodic, around_grazing, article, dataset, moving, plane, zoned
@@ -212,3 +213,13 @@ def test_the_legend_of_zones_lies_inside_the_page() -> None:
     assert box.x1 <= page.x1
     assert box.y0 >= page.y0 - 1.0
     assert all(box.y1 <= a.get_window_extent().y0 for a in figure.axes)
+
+
+def test_a_study_without_motion_is_refused_and_one_with_some_is_drawn() -> None:
+    case = gl.load_case("kahraman-singh")
+    none = gl.sweeps(case, gl.Axis("D", np.array([-2.0, -1.0])), ("cold", "up"))
+    with pytest.raises(gl.GearlashError, match="nothing to draw"):
+        plots.diagram(gl.sweep_dataset(case, none))
+    some = gl.sweeps(case, gl.Axis("D", np.array([-1.0, 0.5, 1.0])), ("cold",))
+    low, high = plots.diagram(gl.sweep_dataset(case, some)).axes[0].get_xlim()
+    assert (low, high) == (0.5, 1.0)

@@ -38,7 +38,8 @@ def diagram(dataset: xr.Dataset, marks: Sequence[Mark] = (), units: Units | None
     figure = style.figure(style.PAGE, sum(heights) + 38.0)
     panels: list[Axes] = list(figure.subplots(6, 1, sharex=True, height_ratios=heights))
     band, bars, *rest = panels
-    panels[0].set_xlim(float(rows[0].values[0]), float(rows[0].values[-1]))
+    values = np.concatenate([row.values for row in rows])
+    panels[0].set_xlim(float(values.min()), float(values.max()))
     texts(band, marks, WIDTH)
     seen = strip(bars, rows, WIDTH)
     for panel, (array, label) in zip(rest, _PANELS.items(), strict=False):

@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from gearlash.system import UnknownNameError
+from gearlash.system import GearlashError, UnknownNameError
 
 Array = NDArray[np.float64]
 SAME = 1e-6  # strobes of one attractor found twice agree to this, relative to their size
@@ -49,11 +49,14 @@ class Branch:
 
 def branches(dataset: xr.Dataset) -> list[Branch]:
     """Every direction of a sweep dataset, in its order. Raises `UnknownNameError` for one without
-    directions.
+    directions, `GearlashError` for one without any motion.
     """
     if "direction" not in dataset.dims:
         raise UnknownNameError("dimension", "direction", [str(d) for d in dataset.dims])
-    return [_branch(dataset, str(d)) for d in dataset["direction"].values]
+    found = [_branch(dataset, str(d)) for d in dataset["direction"].values]
+    if not any(len(branch.values) for branch in found):
+        raise GearlashError("nothing to draw: no point of these sweeps has a motion")
+    return found
 
 
 def axis_name(dataset: xr.Dataset) -> str:
@@ -68,7 +71,7 @@ def _branch(dataset: xr.Dataset, direction: str) -> Branch:
     one = one.isel({axis: np.flatnonzero(computed)})
 
     def padded(name: str) -> Array:
-        if name not in one:
+        if name not in one or not one[name].size:
             return np.full((len(one[axis]), 1), np.nan)
         table = one[name]
         return np.asarray(table.transpose(axis, ...).values, dtype=np.float64).reshape(len(one[axis]), -1)
