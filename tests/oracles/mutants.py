@@ -18,7 +18,7 @@ import gearlash
 
 PACKAGE = Path(gearlash.__file__).parent
 TESTS = Path(__file__).parents[1]
-PATIENCE = 60  # seconds; a mutant may well run for ever
+PATIENCE = 60  # seconds, of up to four facts; a mutant may well run for ever
 
 
 @dataclass(frozen=True)
@@ -75,13 +75,14 @@ def ask(source: Path, *facts: str) -> Verdict:
         "PYTHONDONTWRITEBYTECODE": "1",
     }
     command = [sys.executable, "-m", "oracles.flow_facts", *facts]
+    patience = PATIENCE * max(1, len(facts) // 4)
     try:
         done = subprocess.run(
-            command, env=environment, capture_output=True, text=True, timeout=PATIENCE, check=False
+            command, env=environment, capture_output=True, text=True, timeout=patience, check=False
         )
     except subprocess.TimeoutExpired as late:
         told = late.stdout.decode() if isinstance(late.stdout, bytes) else late.stdout or ""
-        return Verdict("asked" in told, held=False, told=f"{told}no end within {PATIENCE} s")
+        return Verdict("asked" in told, held=False, told=f"{told}no end within {patience} s")
     return Verdict("asked" in done.stdout, done.returncode == 0, done.stdout + done.stderr)
 
 
