@@ -19,7 +19,7 @@ from gearlash.studies.model import open_workers
 from gearlash.studies.motion import Motion, motion
 from gearlash.studies.point import point
 from gearlash.studies.transitions import Transition
-from gearlash.system import given
+from gearlash.system import GearlashError, given
 
 from .bearing import bearing_modes
 from .claims import Claim, load
@@ -214,8 +214,9 @@ def _window(
         seen.add(sampled.label)
         props = propagators(family.system({**values, "omega": sampled.value}))
         orbit = orbit_at(props, sampled.state, sampled.period // props.system.cycles)
-        if orbit is not None:
-            motions.append(motion(orbit, value=sampled.value))
+        if orbit is None:  # a point of the sweep was proved to be one
+            raise GearlashError(f"no orbit closes at omega = {sampled.value:.10g}, {sampled.label}")
+        motions.append(motion(orbit, value=sampled.value))
     return tuple(motions)
 
 
