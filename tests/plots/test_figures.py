@@ -114,7 +114,7 @@ def test_a_bifurcation_diagram_says_what_and_in_which_units() -> None:
     for label in (
         r"mesh frequency  $\omega$",
         r"$X_n$  on  $\sigma_t$",
-        r"$F$  on  $\sigma_d$",
+        r"$\Phi$  on  $\sigma_d$",
         r"$\lambda_1$  [per $\tau$]",
     ):
         assert label in said
@@ -126,10 +126,26 @@ def test_a_bifurcation_diagram_says_what_and_in_which_units() -> None:
 
 def test_the_back_side_is_shown_with_impacts_and_releases() -> None:
     said = words(FIGURES["diagram-back"]())
-    assert r"$F$  on  $\sigma_b$" in said
+    assert r"$\Phi$  on  $\sigma_b$" in said
     assert any(text.startswith("impacts, S2") for text in said)
     assert any(text.startswith("releases, S3") for text in said)
     assert f"backlash  $b$  [µm] {MARK}" in said
+
+
+def test_forces_are_drawn_in_the_sign_asked_for() -> None:
+    """Φ is positive where the drive side is hit; a sweep's file holds -Φ."""
+
+    def drawn(figure: Figure, label: str) -> np.ndarray:
+        (panel,) = [a for a in figure.axes if a.get_ylabel() == label]
+        offsets = [np.asarray(c.get_offsets())[:, 1] for c in panel.collections if hasattr(c, "get_offsets")]
+        return np.concatenate(offsets)
+
+    stored = dataset("D")["drive_force"].values
+    own = drawn(FIGURES["diagram-back"](), r"$\Phi$  on  $\sigma_d$")
+    turned = plots.diagram(dataset("D"), (), units(), plots.ForceAxis(r"$F$", -1.0))
+    assert (own > 0.0).all()
+    assert set(own) <= set(-stored[np.isfinite(stored)])
+    np.testing.assert_array_equal(drawn(turned, r"$F$  on  $\sigma_d$"), -own)
 
 
 def test_second_scales_agree_with_the_case_and_mark_what_is_assumed() -> None:
@@ -162,7 +178,11 @@ def test_axes_of_motions_carry_symbols_and_units(name: str) -> None:
         "port": ("displacement  $X_n$", "velocity  $X_n'$", f"$x_n$  [µm] {MARK}"),
         "gall": ("displacement  $X_n$", "velocity  $X_n'$", f"$x_n$  [µm] {MARK}"),
         "hist": (r"time  $\theta/2\pi$  [mesh cycles]", r"mesh force  $\Phi$", f"$F_n$  [N] {MARK}"),
-        "sect": (r"phase in the mesh cycle  $\theta/2\pi$", r"$F$  on  $\sigma_d$", r"$F$  on  $\sigma_b$"),
+        "sect": (
+            r"phase in the mesh cycle  $\theta/2\pi$",
+            r"$\Phi$  on  $\sigma_d$",
+            r"$\Phi$  on  $\sigma_b$",
+        ),
     }[name[:4]]
     for label in expected:
         assert label in said

@@ -27,7 +27,7 @@ def a_point(value: float, hits: int = 0, **more) -> Point:
         "leading": complex(-0.3, 0.4),
         "state": np.arange(10.0),
         "strobes": np.array([value, -value]),
-        "drive_force": np.arange(hits) + value,
+        "drive_force": -(np.arange(hits) + value),
         "drive_phase": np.arange(hits) / 10,
         "minimum": -value,
         "maximum": value,
@@ -46,6 +46,7 @@ def test_every_number_of_a_point_is_there_padded_with_nan():
     assert dict(data.sizes) == sizes | {"back_hit": 1, "back_release": 1}
     np.testing.assert_array_equal(data["drive_force"].sel(direction="up", omega=1.1), [1.1, 2.1, 3.1])
     np.testing.assert_array_equal(data["drive_force"].sel(direction="up", omega=1.0), [1.0, np.nan, np.nan])
+    assert data["drive_force"].attrs["long_name"].startswith("F = -Φ"), "the sign of Φ is turned in files"
     np.testing.assert_array_equal(data["drive"], [[0, 1, 3], [2, 0, 0]])
     np.testing.assert_array_equal(data["strobes"].sel(direction="down", omega=0.9), [0.9, -0.9])
     assert data["state"].sel(state_name="X'", omega=1.0, direction="up") == 9.0

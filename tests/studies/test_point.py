@@ -57,8 +57,8 @@ def test_point_agrees_with_its_attractor(omega, gap):
         found.drive,
         found.back,
     )
-    assert (found.drive_force < 0).all()  # F = -ζ X', and X rises through +D
-    assert (found.back_force > 0).all()
+    assert (found.drive_force > 0).all()  # Φ = ζ X', and X rises through +D
+    assert (found.back_force < 0).all()
     assert found.force_rms == pytest.approx(whole.force.rms, rel=1e-12)
     assert found.force_max == pytest.approx(whole.force.maximum, rel=1e-7)
     assert found.share_without_contact == pytest.approx(whole.share_without_contact, abs=1e-14)

@@ -18,8 +18,9 @@ ENTERING, LEAVING = 1, -1
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Section(Record):
-    """Points of one section: phase (mesh cycles), state (m, n), displacement X, velocity X', force F in the
-    sign of the article (F = -Φ), and direction: +1 into contact, -1 out of it (0 on σ_t)."""
+    """Points of one section: phase (mesh cycles), state (m, n), displacement X, velocity X', contact force
+    Φ (positive where the drive side is compressed), and direction: +1 into contact, -1 out of it (0 on
+    σ_t)."""
 
     phase: NDArray[np.float64]
     state: NDArray[np.float64]
@@ -38,7 +39,7 @@ class Section(Record):
 
     @property
     def leaving(self) -> Section:
-        """The releases: crossings out of contact. The article's σ_b samples these (S3 → S2)."""
+        """The releases: crossings out of contact."""
         return self._where(self.direction == LEAVING)
 
     def _where(self, mask: NDArray[np.bool_]) -> Section:
@@ -74,7 +75,7 @@ def _strobes(attractor: Attractor, clearance: int) -> Section:
     phase = np.arange(len(state), dtype=np.float64) * system.cycles
     x = gap_displacement(system, phase, state, clearance)
     velocity = gap_velocity(system, phase, state, clearance)
-    force = -_force(system, clearance, phase, x, velocity)
+    force = _force(system, clearance, phase, x, velocity)
     return Section(phase, state, x, velocity, force, np.zeros(len(phase), dtype=np.int64))
 
 
@@ -96,4 +97,4 @@ def _crossings(attractor: Attractor, clearance: int, boundary: int) -> Section:
     chosen = events.where(events.boundary == boundary)
     x = gap_displacement(attractor.propagators.system, chosen.phase, chosen.state, clearance)
     direction = np.where(chosen.engaging, ENTERING, LEAVING)
-    return Section(chosen.phase, chosen.state, x, chosen.velocity, -chosen.force, direction)
+    return Section(chosen.phase, chosen.state, x, chosen.velocity, chosen.force, direction)

@@ -15,11 +15,12 @@ from .poincare import sections
 from .portraits import gallery, portrait
 from .portraits import triple as portrait_triple
 from .style import save, to_bytes
-from .units import Units
+from .units import ForceAxis, Units
 from .zoned import zone_bands
 
 __all__ = [
     "Bar",
+    "ForceAxis",
     "Mark",
     "Panel",
     "Units",

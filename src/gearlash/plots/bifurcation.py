@@ -1,4 +1,4 @@
-"""The bifurcation diagram of a sweep: labels, X on σ_t, F on σ_d and σ_b, largest exponent."""
+"""The bifurcation diagram of a sweep: labels, X on σ_t, contact force on σ_d and σ_b, largest exponent."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from . import style
 from .branch import Branch, axis_name, branches, differs
 from .marks import LINES, OTHER_LINE, OTHER_TICK, TICKS, Mark, height, lines, texts
 from .strip import key, strip
-from .units import ARTICLE_FORCE, ASSUMED, EXPONENT, Units, name, second
+from .units import ASSUMED, EXPONENT, ForceAxis, Units, name, second
 
 # How the directions look: colour, marker, size of a point (pt²), order of drawing.
 LOOKS = {
@@ -24,12 +24,20 @@ LOOKS = {
     "down": (style.VERMILION, "v", 3.2, 3.0),
 }
 WIDTH = 146.0  # mm of the panels of a figure of page width: what is left beside the labels
+BACK = ("back_force", "back_release_force")  # impacts, and releases, which are drawn paler
 AGREEING = " (also up and down, where not drawn)"
 
 
 @style.styled
-def diagram(dataset: xr.Dataset, marks: Sequence[Mark] = (), units: Units | None = None) -> Figure:
-    """The whole diagram of a sweep dataset over one axis with a dimension ``direction``."""
+def diagram(
+    dataset: xr.Dataset,
+    marks: Sequence[Mark] = (),
+    units: Units | None = None,
+    force: ForceAxis | None = None,
+) -> Figure:
+    """The whole diagram of a sweep dataset over one axis with a dimension ``direction``. ``force``: symbol
+    and sign of the contact force; Φ if left out."""
+    force = force or ForceAxis()
     rows = branches(dataset)
     axis = axis_name(dataset)
     shown = new_points(rows)
@@ -42,8 +50,9 @@ def diagram(dataset: xr.Dataset, marks: Sequence[Mark] = (), units: Units | None
     panels[0].set_xlim(float(values.min()), float(values.max()))
     texts(band, marks, WIDTH)
     seen = strip(bars, rows, WIDTH)
-    for panel, (array, label) in zip(rest, _PANELS.items(), strict=False):
-        _points(panel, rows, shown, array, label)
+    _points(rest[0], rows, shown, ("strobes",), r"$X_n$  on  $\sigma_t$")
+    _points(rest[1], rows, shown, ("drive_force",), f"{force.symbol}  on  $\\sigma_d$", force.sign)
+    _points(rest[2], rows, shown, BACK, f"{force.symbol}  on  $\\sigma_b$", force.sign)
     _exponents(rest[3], rows, shown)
     lines(panels[1:], marks)
     for panel in rest:
@@ -61,56 +70,69 @@ def diagram(dataset: xr.Dataset, marks: Sequence[Mark] = (), units: Units | None
     return figure
 
 
-_PANELS = {
-    "strobes": r"$X_n$  on  $\sigma_t$",
-    "drive_force": ARTICLE_FORCE + r"  on  $\sigma_d$",
-    "back_force": ARTICLE_FORCE + r"  on  $\sigma_b$",
-}
-
-
 def new_points(rows: list[Branch]) -> list[NDArray[np.bool_]]:
     """Per branch, the axis values at which it shows another attractor than the first branch."""
     return [np.ones(len(rows[0].values), dtype=bool), *(differs(b, rows[0]) for b in rows[1:])]
 
 
-def _points(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]], array: str, label: str) -> None:
+def _points(
+    panel: Axes,
+    rows: list[Branch],
+    shown: list[NDArray[np.bool_]],
+    arrays: tuple[str, ...],
+    label: str,
+    sign: float = 1.0,
+) -> None:
+    """The arrays, times ``sign``, of every direction in one panel."""
     drawn = 0
     for branch, keep in zip(rows, shown, strict=True):
-        names = [array, "back_release_force"] if array == "back_force" else [array]
-        for one in names:
-            x, y = branch.points(one, keep)
+        for array in arrays:
+            x, y = branch.points(array, keep)
             drawn += len(x)
-            scatter(panel, branch.direction, x, y, hollow=one == "back_release_force")
+            scatter(panel, branch.direction, x, sign * y, hollow=array == BACK[1])
     if not drawn:
-        panel.set_yticks([])
-        panel.text(
-            0.5,
-            0.45,
-            f"{label}:  no impact was found in these sweeps",
-            transform=panel.transAxes,
-            ha="center",
-            va="center_baseline",
-            color=style.GREY,
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
-        )
+        _empty(panel, label)
         return
     panel.set_ylabel(label)
     panel.margins(y=0.06)
-    if array == "back_force":
-        panel.axhline(0.0, color=style.GREY, lw=0.5)
-        for y, text in ((0.96, "impacts, S2 → S3"), (0.04, "releases, S3 → S2 (the article's $\\sigma_b$)")):
-            panel.text(
-                0.99,
-                y,
-                text,
-                transform=panel.transAxes,
-                ha="right",
-                va="top" if y > 0.5 else "bottom",
-                fontsize=7,
-                color=style.GREY,
-                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
-                zorder=4,
-            )
+    if arrays == BACK:
+        _told_apart(panel, sign)
+
+
+def _empty(panel: Axes, label: str) -> None:
+    """Says that there is nothing to draw."""
+    panel.set_yticks([])
+    panel.text(
+        0.5,
+        0.45,
+        f"{label}:  no impact was found in these sweeps",
+        transform=panel.transAxes,
+        ha="center",
+        va="center_baseline",
+        color=style.GREY,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
+    )
+
+
+def _told_apart(panel: Axes, sign: float) -> None:
+    """Impacts and releases of the back side, on either side of zero: Φ is negative at its impacts, as X falls
+    there, and positive at its releases."""
+    panel.axhline(0.0, color=style.GREY, lw=0.5)
+    impacts, releases = "impacts, S2 → S3", "releases, S3 → S2"
+    above, below = (releases, impacts) if sign > 0.0 else (impacts, releases)
+    for y, text in ((0.96, above), (0.04, below)):
+        panel.text(
+            0.99,
+            y,
+            text,
+            transform=panel.transAxes,
+            ha="right",
+            va="top" if y > 0.5 else "bottom",
+            fontsize=7,
+            color=style.GREY,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
+            zorder=4,
+        )
 
 
 def scatter(

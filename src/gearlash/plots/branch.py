@@ -8,6 +8,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from gearlash.results.forces import from_stored
 from gearlash.system import GearlashError, UnknownNameError
 
 Array = NDArray[np.float64]
@@ -17,7 +18,7 @@ SAME = 1e-6  # strobes of one attractor found twice agree to this, relative to t
 @dataclass(frozen=True, eq=False)
 class Branch:
     """Attractors along an axis: values (m,) ascending, labels (m,), exponents with error bars (m,), and
-    padded with nan: X on σ_t (m, k), F at impacts on σ_d, F at impacts and at releases on σ_b."""
+    padded with nan: X on σ_t (m, k), contact force Φ at impacts on σ_d, at impacts and at releases on σ_b."""
 
     direction: str
     values: Array
@@ -83,9 +84,9 @@ def _branch(dataset: xr.Dataset, direction: str) -> Branch:
         exponent=np.asarray(one["largest_exponent"].values, dtype=np.float64),
         exponent_error=np.asarray(one["exponent_error"].values, dtype=np.float64),
         strobes=padded("strobes"),
-        drive_force=padded("drive_force"),
-        back_force=padded("back_force"),
-        back_release_force=padded("back_release_force"),
+        drive_force=from_stored(padded("drive_force")),
+        back_force=from_stored(padded("back_force")),
+        back_release_force=from_stored(padded("back_release_force")),
     )
 
 

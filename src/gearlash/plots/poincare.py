@@ -15,7 +15,7 @@ from gearlash.studies.motion import Motion
 
 from . import style
 from .portraits import heading
-from .units import ARTICLE_FORCE, VELOCITY
+from .units import VELOCITY, ForceAxis
 
 # One look a motion: colour and marker, so that two are told apart in grey too.
 LOOKS = ((style.BLUE, "o"), (style.VERMILION, "^"), (style.GREEN, "s"), (style.PURPLE, "D"), (style.INK, "v"))
@@ -23,9 +23,11 @@ IN_CYCLE = r"phase in the mesh cycle  $\theta/2\pi$"
 
 
 @style.styled
-def sections(motions: Sequence[Motion], parameter: str = "omega") -> Figure:
-    """σ_t in (X, X'); F at every crossing of Σ1 (σ_d) and of Σ2 (σ_b) over its phase in the mesh cycle:
-    filled where contact begins, hollow where it ends. F is in the sign of the article, F = -Φ."""
+def sections(motions: Sequence[Motion], parameter: str = "omega", force: ForceAxis | None = None) -> Figure:
+    """σ_t in (X, X'); contact force at every crossing of Σ1 (σ_d) and of Σ2 (σ_b) over its phase in the mesh
+    cycle: filled where contact begins, hollow where it ends. ``force``: symbol and sign of the force; Φ if
+    left out."""
+    force = force or ForceAxis()
     back = any((m.hit_boundary < 0).any() for m in motions)
     figure = style.figure(style.PAGE if back else 132.0, 70.0)
     panels: list[Axes] = list(figure.subplots(1, 3 if back else 2, squeeze=False)[0])
@@ -43,14 +45,14 @@ def sections(motions: Sequence[Motion], parameter: str = "omega") -> Figure:
         for panel, side in zip(panels[1:], (1, -1), strict=False):
             for engaging in (True, False):
                 chosen = (motion.hit_boundary == side) & (motion.hit_engaging == engaging)
-                force = -np.interp(motion.hit_phase[chosen], motion.phase, motion.force)
-                _points(panel, motion.hit_phase[chosen] % 1.0, force, look, engaging, motion.periodic)
+                at_hits = force.sign * np.interp(motion.hit_phase[chosen], motion.phase, motion.force)
+                _points(panel, motion.hit_phase[chosen] % 1.0, at_hits, look, engaging, motion.periodic)
     panels[0].set(xlabel=r"$X_n$  on  $\sigma_t$", ylabel=VELOCITY)
     panels[0].xaxis.set_major_locator(MaxNLocator(5))
     for panel, symbol in zip(panels[1:], ("d", "b"), strict=False):
         panel.xaxis.set_major_locator(MaxNLocator(6))
         panel.axhline(0.0, color=style.GREY, lw=0.5, zorder=0.5)
-        panel.set(xlabel=IN_CYCLE, xlim=(-0.02, 1.02), ylabel=f"{ARTICLE_FORCE}  on  $\\sigma_{symbol}$")
+        panel.set(xlabel=IN_CYCLE, xlim=(-0.02, 1.02), ylabel=f"{force.symbol}  on  $\\sigma_{symbol}$")
     figure.legend(handles=_key(motions, parameter), loc="outside lower center", ncols=3)
     return figure
 

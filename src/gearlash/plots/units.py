@@ -21,7 +21,6 @@ ASSUMED = f"{MARK}: rests on an assumed value."
 X = r"displacement  $X_n$"
 VELOCITY = r"velocity  $X_n'$"
 FORCE = r"mesh force  $\Phi$"
-ARTICLE_FORCE = r"$F$"
 PHASE = r"time  $\theta/2\pi$  [mesh cycles]"
 EXPONENT = r"$\lambda_1$  [per $\tau$]"
 
@@ -47,6 +46,17 @@ def name(parameter: str) -> str:
 def plain(text: str) -> str:
     """Somebody's own words as matplotlib is to draw them: a dollar sign begins no formula."""
     return text.replace("$", r"\$")
+
+
+@dataclass(frozen=True)
+class ForceAxis:
+    """How a figure draws the contact force on sections: its symbol, and its sign, that of Φ times ±1.
+
+    Φ is positive where the drive side is compressed; papers that count the force the other way round have a
+    symbol of their own for it."""
+
+    symbol: str = r"$\Phi$"
+    sign: float = 1.0
 
 
 @dataclass(frozen=True)

@@ -38,9 +38,10 @@ class Point(Record):
     other computations.
 
     Of the first clearance, over one period, or over 200 base periods of another motion: ``strobes`` X on
-    σ_t; force F in the sign of the article (F = -Φ) and phase (mesh cycles from zero) of the impacts on
-    either side (S2 → S1, S2 → S3) and of the releases of the back side (S3 → S2, the article's literal
-    σ_b); extremes of X, of Φ and its rms, share of time without contact (0 to 1).
+    σ_t; contact force Φ (positive where the drive side is compressed) and phase (mesh cycles from zero) of
+    the impacts on either side (S2 → S1, S2 → S3) and of the releases of the back side (S3 → S2); extremes
+    of X, of Φ and its rms, share of time without contact (0 to 1). Stored columns of these forces hold −Φ
+    (`results.forces`).
     """
 
     _told: ClassVar = (

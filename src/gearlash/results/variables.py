@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any
 
+from .forces import stored
 from .point import Point
 
 
@@ -24,6 +25,11 @@ class Variable:
 
 def _plain(name: str, long_name: str, dtype: str = "f8", units: str = "1", quantity: str = "") -> Variable:
     return Variable(name, long_name, attrgetter(name), dtype, units, quantity)
+
+
+def _crossing_force(name: str, long_name: str) -> Variable:
+    """The contact force at crossings, in the sign that files have."""
+    return Variable(name, long_name, lambda point: stored(getattr(point, name)), quantity="force")
 
 
 SCALARS = (
@@ -60,12 +66,12 @@ SCALARS = (
 PADDED = (
     (_plain("state", "state at phase zero"), "state_name"),
     (_plain("strobes", "X on σ_t", quantity="length"), "strobe"),
-    (_plain("drive_force", "F = -Φ at impacts on the drive side, σ_d", quantity="force"), "drive_hit"),
+    (_crossing_force("drive_force", "F = -Φ at impacts on the drive side, σ_d"), "drive_hit"),
     (_plain("drive_phase", "phase of these impacts", units="mesh cycles"), "drive_hit"),
-    (_plain("back_force", "F = -Φ at impacts on the back side", quantity="force"), "back_hit"),
+    (_crossing_force("back_force", "F = -Φ at impacts on the back side"), "back_hit"),
     (_plain("back_phase", "phase of these impacts", units="mesh cycles"), "back_hit"),
     (
-        _plain("back_release_force", "F = -Φ where the back side is left (σ_b as printed)", quantity="force"),
+        _crossing_force("back_release_force", "F = -Φ where the back side is left (σ_b as printed)"),
         "back_release",
     ),
     (_plain("back_release_phase", "phase where the back side is left", units="mesh cycles"), "back_release"),

@@ -94,7 +94,7 @@ def summary(found: Attractor, value: float = NOT_A_NUMBER) -> Point:
 
 
 def _sections(found: Attractor) -> dict[str, np.ndarray]:
-    """σ_t, σ_d and σ_b of the first clearance as a point keeps them. F = -Φ."""
+    """σ_t, σ_d and σ_b of the first clearance as a point keeps them."""
     system, events, strobes = found.propagators.system, found.events.of(0), found.strobes
     phase = np.arange(len(strobes), dtype=np.float64) * system.cycles
     engaging = np.asarray(events.engaging, dtype=np.bool_)
@@ -102,10 +102,10 @@ def _sections(found: Attractor) -> dict[str, np.ndarray]:
     release = ~engaging & (events.boundary < 0)
     return {
         "strobes": gap_displacement(system, phase, strobes),
-        "drive_force": -events.force[drive],
+        "drive_force": events.force[drive],
         "drive_phase": events.phase[drive],
-        "back_force": -events.force[back],
+        "back_force": events.force[back],
         "back_phase": events.phase[back],
-        "back_release_force": -events.force[release],
+        "back_release_force": events.force[release],
         "back_release_phase": events.phase[release],
     }

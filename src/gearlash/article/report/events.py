@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from gearlash import plots
 from gearlash.article import Event, Reproduction
+from gearlash.article.force import FORCE
 from gearlash.article.reproduction import Coincidence, Part
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Cell, Figure, Note, Section, Strong, Table, Text
@@ -51,7 +52,7 @@ def _pictures(event: Event, quantities: Quantities) -> list[Picture]:
     ]
     if _has_sections(event):
         ends = (motions[0], motions[-1])
-        found.append(Picture(f"sections-{name}", plots.sections, (ends, event.parameter)))
+        found.append(Picture(f"sections-{name}", plots.sections, (ends, event.parameter, FORCE)))
     return found
 
 

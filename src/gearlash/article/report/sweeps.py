@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gearlash import plots
 from gearlash.article import Diagram, Reproduction
+from gearlash.article.force import FORCE
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Cell, Figure, Ref, Section, Table, Text
 from gearlash.report.numbers import number
@@ -22,7 +23,9 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
     parts, pictures = [], []
     for diagram, title in ((done.frequency, "Mesh frequency"), (done.backlash, "Backlash")):
         stem = f"sweep-{diagram.parameter}"
-        pictures.append(Picture(stem, plots.diagram, (diagram.dataset, marks(diagram), quantities.units)))
+        pictures.append(
+            Picture(stem, plots.diagram, (diagram.dataset, marks(diagram), quantities.units, FORCE))
+        )
         parts.append(_part(diagram, title, stem, quantities))
     intro = Text.of(
         "Each point of a diagram is an attractor, found three ways: from rest at every value (cold "
@@ -55,9 +58,9 @@ def _part(diagram: Diagram, title: str, stem: str, quantities: Quantities) -> Se
     name, total = symbol(diagram.parameter), diagram.dataset["label"].size
     caption = Text.of(
         f"{title} {name} swept at {where}: labels, X on σ_t, mesh force F on σ_d and σ_b (in the article's "
-        "sign, F = −Φ), and the largest Lyapunov exponent. Points swept up or down are drawn only where "
-        "they differ from the cold start; two aperiodic motions count as the same. Bold lines are events "
-        "of the article."
+        "sign, F = −Φ; its σ_b samples the releases S3 → S2), and the largest Lyapunov exponent. Points "
+        "swept up or down are drawn only where they differ from the cold start; two aperiodic motions "
+        "count as the same. Bold lines are events of the article."
     )
     changes = plural(len(diagram.marks), "located change")
     words = f"Bifurcation diagram over {title.lower()} with {changes} of the motion"
