@@ -177,13 +177,13 @@ def test_on_a_smooth_branch_one_step_joins_neighbours(rising, monkeypatch):
     """Only where no point lies behind it is an orbit followed in small steps."""
     begun: list[float] = []
     module = sys.modules["gearlash.studies.transitions"]
-    original = module.walk
+    original = module.follow
 
     def counted(family, values, name, *rest):
         begun.append(values[name])
         return original(family, values, name, *rest)
 
-    monkeypatch.setattr(module, "walk", counted)
+    monkeypatch.setattr(module, "follow", counted)
     points = sweep(pair(), Axis.even("omega", 0.9, 0.92, 5)).points
     assert len({p.label for p in points}) == 1
     assert transitions(pair(), {}, "omega", points, rising=rising) == ()

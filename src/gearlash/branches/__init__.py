@@ -2,11 +2,12 @@
 two-parameter curves have their place here too."""
 
 from .bifurcation import BifurcationPoint, locate_multiplier
+from .causes import SpecialPoint
+from .follow import BranchEnd, Outcome, Passage, follow, joins
 from .grazing import GrazingPoint, locate_grazing
 from .kinds import CODIMENSION_TWO, SMOOTH, STANDARD, table2_type
 from .node import Node
 from .sides import NONE
-from .walk import End, Met, Outcome, joins, walk
 
 __all__ = [
     "CODIMENSION_TWO",
@@ -14,14 +15,15 @@ __all__ = [
     "SMOOTH",
     "STANDARD",
     "BifurcationPoint",
-    "End",
+    "BranchEnd",
     "GrazingPoint",
-    "Met",
     "Node",
     "Outcome",
+    "Passage",
+    "SpecialPoint",
+    "follow",
     "joins",
     "locate_grazing",
     "locate_multiplier",
     "table2_type",
-    "walk",
 ]

@@ -16,7 +16,7 @@ from .node import Node, Pair
 from .stepping import Earlier, Line, rates
 from .steps import UNBUILT, member
 
-Point = GrazingPoint | BifurcationPoint
+SpecialPoint = GrazingPoint | BifurcationPoint
 AHEAD = 4.0  # lengths of the refused step: how far ahead an extremum may seem to touch, to be solved for
 TRIES = 6  # extrema solved for at one orbit
 CLOSE = 0.05  # of the orbit's size: extrema so near a boundary are tried where no motion of them is known
@@ -31,7 +31,7 @@ class Causes:
     """Points ahead of ``before`` in the way of ``sign``, nearest first."""
 
     before: Node
-    points: tuple[Point, ...]
+    points: tuple[SpecialPoint, ...]
 
     @staticmethod
     def ahead(
@@ -40,7 +40,7 @@ class Causes:
         """Those that a refused step from ``before`` to ``value`` may have met: touches, and where the orbit
         loses its stability or ends."""
         sign = 1.0 if value > before.value else -1.0
-        found: list[Point] = []
+        found: list[SpecialPoint] = []
         if touches:
             found += _grazings(line, before, earlier, value)
         if losses:
@@ -49,7 +49,7 @@ class Causes:
         ahead = (p for p in found if sign * (p.value - before.value) >= -slack(p.value))
         return Causes(before, tuple(sorted(ahead, key=lambda p: sign * p.value)))
 
-    def up_to(self, value: float, sign: float) -> Iterator[Point]:
+    def up_to(self, value: float, sign: float) -> Iterator[SpecialPoint]:
         """Those not beyond a value. No step leads to where a branch ends, only ever nearer: that is met as
         soon as it is believed."""
         for point in self.points:
@@ -57,7 +57,7 @@ class Causes:
                 yield point
 
 
-def ends(point: Point, orbit: Node) -> bool:
+def ends(point: SpecialPoint, orbit: Node) -> bool:
     """Whether the branch of an orbit ends at a point ahead: in a fold, or in the orbit of half its period."""
     return isinstance(point, BifurcationPoint) and (point.multiplier > 0 or point.period < orbit.orbit.period)
 

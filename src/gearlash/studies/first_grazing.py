@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Literal
 
 from gearlash import flow
-from gearlash.branches import BifurcationPoint, End, GrazingPoint, Met, Outcome, walk
+from gearlash.branches import BifurcationPoint, BranchEnd, GrazingPoint, Outcome, Passage, follow
 from gearlash.jobs.stop import interruptible
 from gearlash.orbits import Settings, orbit_at
 from gearlash.results import Direction, Point
@@ -79,7 +79,7 @@ def first_grazing(
         given.function("tell", tell, "a function of two whole numbers")
     to, reached = _last(family, name, start.value, direction), start.value
     way, passed = abs(to - start.value), []
-    found: Met | None = None
+    found: Passage | None = None
 
     def told(value: float) -> None:
         nonlocal reached
@@ -91,7 +91,7 @@ def first_grazing(
     try:
         with interruptible():
             for step in _steps(family, values, name, start, to, told, settings):
-                if isinstance(step, End):
+                if isinstance(step, BranchEnd):
                     ended, decided = _ended(step, family, name)
                     return Path(direction, step.last.value, ended, decided, "", tuple(passed)), None
                 if isinstance(step.point, GrazingPoint):
@@ -103,7 +103,7 @@ def first_grazing(
         if found is None:
             return Path(direction, reached, INTERRUPTED, False, "", tuple(passed)), None
         beyond = INTERRUPTED
-    assert found is not None  # a walk ends with an End
+    assert found is not None  # what is followed ends with a BranchEnd
     assert isinstance(found.point, GrazingPoint)
     ended = f"grazing at {found.value:.10g}"
     return Path(direction, found.value, ended, True, beyond, tuple(passed)), found.point
@@ -137,13 +137,13 @@ def _steps(
     to: float,
     told: Callable[[float], object],
     settings: Settings,
-) -> Iterator[Met | End]:
-    """The walk from a point of a study."""
+) -> Iterator[Passage | BranchEnd]:
+    """The way from a point of a study."""
     props = flow.propagators(family.system(values))
     orbit = orbit_at(props, start.state, len(start.strobes))
     if orbit is None:
         raise GearlashError("start: no orbit closes there; expected a point of this model at this value")
-    yield from walk(family, values, name, orbit, to, told, settings.max_period)
+    yield from follow(family, values, name, orbit, to, told, settings.max_period)
 
 
 def _last(family: Family, name: str, value: float, direction: str) -> float:
@@ -153,7 +153,7 @@ def _last(family: Family, name: str, value: float, direction: str) -> float:
     return min(value + reach, parameter.upper) if direction == "up" else max(value - reach, parameter.lower)
 
 
-def _ended(end: End, family: Family, name: str) -> tuple[str, bool]:
+def _ended(end: BranchEnd, family: Family, name: str) -> tuple[str, bool]:
     """Why the motion was not followed further, and whether that is the end of it, or of the search."""
     if end.outcome is Outcome.ARRIVED:
         parameter = next(p for p in family.parameters if p.name == name)
@@ -166,13 +166,13 @@ def _ended(end: End, family: Family, name: str) -> tuple[str, bool]:
     return f"at {end.beyond:.10g} {end.outcome}", True
 
 
-def _passed(point: BifurcationPoint, met: Met, direction: str) -> Passed:
+def _passed(point: BifurcationPoint, met: Passage, direction: str) -> Passed:
     before, after = met.before.label, met.after.label if met.after else "none"
     below, above = (before, after) if direction == "up" else (after, before)
     return Passed("doubling" if point.multiplier < 0 else "fold", point.value, below, above)
 
 
-def _beyond(family: Family, values: Mapping[str, float], name: str, met: Met, direction: str) -> str:
+def _beyond(family: Family, values: Mapping[str, float], name: str, met: Passage, direction: str) -> str:
     """What the orbit does just beyond its touch."""
     if met.after is None:
         return str(Outcome.TOUCH)
@@ -181,8 +181,8 @@ def _beyond(family: Family, values: Mapping[str, float], name: str, met: Met, di
     to = met.value + sign * min(BEYOND * max(abs(met.value), SMALL), abs(farthest - met.value))
     if sign * (to - node.value) <= 0.0:
         return ""
-    step = next(walk(family, {**values, name: node.value}, name, node.orbit, to))
-    if isinstance(step, Met):
+    step = next(follow(family, {**values, name: node.value}, name, node.orbit, to))
+    if isinstance(step, Passage):
         if isinstance(step.point, GrazingPoint):
             return f"{node.label} goes on to the next grazing, at {step.value:.10g}"
         what = "its period doubles" if step.point.multiplier < 0 else "it ends in a fold"

@@ -1,8 +1,8 @@
 """What happens between two neighbouring points of a sweep: every change of the motion, located.
 
-Points are compared as motions, not by their labels. Where one step of a walk along the branch leads from one
+Points are compared as motions, not by their labels. Where one step along the branch leads from one
 to the next, nothing changes between them. Elsewhere the orbit of one is followed to the value of the other
-(`branches.walk`): the touches, doublings and folds on the way are the changes, each solved for. Where it
+(`branches.follow`): the touches, doublings and folds on the way are the changes, each solved for. Where it
 arrives at another orbit than the sweep's, the sweep changed to a coexisting one; where it ends, the other
 orbit is followed back to there; and where that does not come so far either, the motion between is looked
 for, until the interval is as small as `NARROW` asks."""
@@ -19,7 +19,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches import NONE, BifurcationPoint, End, GrazingPoint, Node, Outcome, joins, walk
+from gearlash.branches import (
+    NONE,
+    BranchEnd,
+    GrazingPoint,
+    Node,
+    Outcome,
+    SpecialPoint,
+    follow,
+    joins,
+)
 from gearlash.orbits import Orbit, Settings, Unresolved, attractor, orbit_at
 from gearlash.system import Family, GearlashError, Record, given
 
@@ -75,7 +84,7 @@ class Transition(Record):
     upper: float
     label_below: str
     label_above: str
-    point: GrazingPoint | BifurcationPoint | None
+    point: SpecialPoint | None
 
     @property
     def value(self) -> float:
@@ -117,7 +126,7 @@ class _Way:
     last: _Motion
     outcome: Outcome
     beyond: float
-    point: GrazingPoint | BifurcationPoint | None = None
+    point: SpecialPoint | None = None
 
     @property
     def arrived(self) -> bool:
@@ -274,16 +283,16 @@ class _Finder:
             return _Way((), start, Outcome.ARRIVED, to)
         changes: list[Transition] = []
         point = None
-        for step in walk(self.family, self.at(start.value), self.name, start.orbit, to, None, longest):
-            if isinstance(step, End):
+        for step in follow(self.family, self.at(start.value), self.name, start.orbit, to, None, longest):
+            if isinstance(step, BranchEnd):
                 return _Way(tuple(changes), _Motion.of(step.last), step.outcome, step.beyond, point)
             if step.after is None:
                 point = step.point
             else:
                 changes.append(self.change(step.point, step.before, step.after))
-        raise AssertionError("a walk ends with an End")
+        raise AssertionError("what is followed ends with a BranchEnd")
 
-    def change(self, point: GrazingPoint | BifurcationPoint, before: Node, after: Node) -> Transition:
+    def change(self, point: SpecialPoint, before: Node, after: Node) -> Transition:
         """A point that the orbit passes."""
         below, above = sorted((before, after), key=lambda node: node.value)
         lower, upper = min(below.value, point.value), max(above.value, point.value)
@@ -309,7 +318,7 @@ class _Finder:
         kind: str,
         one: tuple[float, str],
         two: tuple[float, str],
-        point: GrazingPoint | BifurcationPoint | None = None,
+        point: SpecialPoint | None = None,
     ) -> Transition:
         """A change between two values with their labels."""
         (lower, below), (upper, above) = sorted((one, two), key=lambda end: end[0])
@@ -335,7 +344,7 @@ def unlocated(one: Sampled, two: Sampled) -> str:
     return APERIODIC if (one.period or two.period) and other.label == "aperiodic" else UNPROVED
 
 
-def kind_of(point: GrazingPoint | BifurcationPoint) -> str:
+def kind_of(point: SpecialPoint) -> str:
     """What a point is called as a change of the motion."""
     if isinstance(point, GrazingPoint):
         return GRAZING

@@ -18,7 +18,7 @@ from gearlash.orbits import Orbit
 from gearlash.system import Family
 
 from .bifurcation import BifurcationPoint, born_by_doubling
-from .causes import Causes, Point, ends, slack
+from .causes import Causes, SpecialPoint, ends, slack
 from .grazing import GrazingPoint
 from .node import Array, Node
 from .stepping import Earlier, Line, Refusal, Step
@@ -44,7 +44,7 @@ AT_ONE = 0.99  # a leading multiplier above it, where no step is short enough, i
 
 
 class Outcome(StrEnum):
-    """Why the walk ends."""
+    """Why an orbit is followed no farther."""
 
     ARRIVED = "arrived"
     FOLD = "the orbit ends in a fold"
@@ -57,11 +57,11 @@ class Outcome(StrEnum):
 
 
 @dataclass(frozen=True, eq=False)
-class Met:
-    """A point on the way: the orbit ``before`` it, and the one ``after`` it that the walk goes on with (None:
+class Passage:
+    """A point on the way: the orbit ``before`` it, and the one ``after`` it that is followed on (None:
     it ends here)."""
 
-    point: Point
+    point: SpecialPoint
     before: Node
     after: Node | None
 
@@ -71,9 +71,9 @@ class Met:
 
 
 @dataclass(frozen=True, eq=False)
-class End:
-    """The last orbit of the walk, and the nearest value beyond at which a step was refused (its own where it
-    arrived): a fold that is no `Met` lies between them."""
+class BranchEnd:
+    """The last orbit that was followed, and the nearest value beyond at which a step was refused (its own
+    where it arrived): a fold that is no `Passage` lies between them."""
 
     outcome: Outcome
     last: Node
@@ -81,7 +81,7 @@ class End:
     reason: str = ""
 
 
-def walk(
+def follow(
     family: Family,
     values: Mapping[str, float],
     name: str,
@@ -89,40 +89,40 @@ def walk(
     to: float,
     tell: Callable[[float], object] | None = None,
     longest: int = LONGEST_PERIOD,
-) -> Iterator[Met | End]:
+) -> Iterator[Passage | BranchEnd]:
     """Follows ``orbit`` (stable, found at ``values``) to the value ``to`` of parameter ``name``: every touch,
-    doubling and fold in the order in which it is met, then an `End`. ``tell`` hears the value after every
-    step; doublings are passed up to a period of ``longest`` base periods."""
+    doubling and fold in the order in which it is met, then a `BranchEnd`. ``tell`` hears the value after
+    every step; doublings are passed up to a period of ``longest`` base periods."""
     start = float(values[name])
     scale = max(abs(start), abs(to - start))
-    yield from _Walk(Line(family, values, name, scale), to, tell, longest).run(Node(start, orbit))
+    yield from _Follower(Line(family, values, name, scale), to, tell, longest).run(Node(start, orbit))
 
 
 def joins(
     family: Family, values: Mapping[str, float], name: str, before: Node, earlier: Earlier, after: Node
 ) -> bool:
-    """Whether ``after`` is the continuation of ``before``, as a walk would find in one step, and not too long
-    a one; ``earlier``: orbits of the branch before that, the last first, one at least."""
+    """Whether ``after`` is the continuation of ``before``, as `follow` would find in one step, and not too
+    long a one; ``earlier``: orbits of the branch before that, the last first, one at least."""
     width, scale = abs(after.value - before.value), max(abs(before.value), abs(after.value))
     if not earlier or width > LONGEST * scale:
         return False
     return Line(family, values, name, scale).judged(before, earlier, after).refusal is None
 
 
-class _Walk:
+class _Follower:
     def __init__(self, line: Line, to: float, tell: Callable[[float], object] | None, longest: int):
         self.line, self.to, self.tell, self.longest = line, to, tell, longest
         self.causes: dict[
             tuple[bool, bool], Causes
         ] = {}  # that lie ahead of one orbit, by what was looked for
 
-    def run(self, node: Node) -> Iterator[Met | End]:
+    def run(self, node: Node) -> Iterator[Passage | BranchEnd]:
         earlier: Earlier = ()
         sign = 1.0 if self.to > node.value else -1.0
         width = first = FIRST * self.line.scale
         for _ in range(MOST):
             if node.value == self.to:
-                yield End(Outcome.ARRIVED, node, node.value)
+                yield BranchEnd(Outcome.ARRIVED, node, node.value)
                 return
             value = node.value + sign * width
             if sign * (self.to - value) <= 0.5 * width:
@@ -138,17 +138,17 @@ class _Walk:
             if met is not None:
                 yield met
                 if met.after is None:
-                    yield End(self.end_at(met), met.before, met.value)
+                    yield BranchEnd(self.end_at(met), met.before, met.value)
                     return
                 node, earlier, width = met.after, (), first
                 continue
             width = 0.5 * abs(value - node.value)
             if width < NARROW * self.line.scale:
-                yield End(_outcome(step, node), node, value, step.reason or str(step.refusal))
+                yield BranchEnd(_outcome(step, node), node, value, step.reason or str(step.refusal))
                 return
-        yield End(Outcome.LOST, node, node.value, f"{MOST} steps were not enough")
+        yield BranchEnd(Outcome.LOST, node, node.value, f"{MOST} steps were not enough")
 
-    def end_at(self, met: Met) -> Outcome:
+    def end_at(self, met: Passage) -> Outcome:
         if isinstance(met.point, GrazingPoint):
             return Outcome.TOUCH
         if met.point.multiplier > 0:
@@ -171,12 +171,12 @@ class _Walk:
             self.causes[key] = found
         return found
 
-    def explained(self, node: Node, earlier: Earlier, value: float, step: Step) -> Met | None:
+    def explained(self, node: Node, earlier: Earlier, value: float, step: Step) -> Passage | None:
         """The point that stopped the step, if one is found on the way and the branch leads up to it."""
         sign = 1.0 if value > node.value else -1.0
         for point in self.ahead(node, earlier, value, step.refusal).up_to(value, sign):
             if ends(point, node):
-                return Met(point, node, self.joined(point, node, sign))
+                return Passage(point, node, self.joined(point, node, sign))
             just_before = point.value - sign * slack(point.value)
             before = node
             if sign * (just_before - node.value) > 0.0:
@@ -184,10 +184,10 @@ class _Walk:
                 if there.refusal is not None or there.node is None:
                     continue
                 before = there.node
-            return Met(point, before, self.beyond(point, sign))
+            return Passage(point, before, self.beyond(point, sign))
         return None
 
-    def joined(self, point: Point, node: Node, sign: float) -> Node | None:
+    def joined(self, point: SpecialPoint, node: Node, sign: float) -> Node | None:
         """The stable orbit of half the period, beyond the doubling from which an orbit was born."""
         if point.period == node.orbit.period:
             return None
@@ -197,7 +197,7 @@ class _Walk:
         )
         return next((after for after in beyond if after is not None), None)
 
-    def beyond(self, point: Point, sign: float) -> Node | None:
+    def beyond(self, point: SpecialPoint, sign: float) -> Node | None:
         """The stable orbit beyond a touch or a doubling."""
         if isinstance(point, GrazingPoint):
             label = point.label_above if sign > 0.0 else point.label_below
@@ -212,8 +212,10 @@ class _Walk:
                 return node
         return None
 
-    def values_beyond(self, point: Point, sign: float, relatives: tuple[float, ...]) -> Iterator[float]:
-        """Values just beyond a point, but not beyond the end of the walk."""
+    def values_beyond(
+        self, point: SpecialPoint, sign: float, relatives: tuple[float, ...]
+    ) -> Iterator[float]:
+        """Values just beyond a point, but not beyond the value to which it is followed."""
         for relative in relatives:
             value = point.value + sign * relative * max(abs(point.value), 1e-3)
             if sign * (self.to - value) >= 0.0:
@@ -254,7 +256,7 @@ class _Walk:
 
 
 def _outcome(step: Step, last: Node) -> Outcome:
-    """Of a walk whose last step could not be made shorter."""
+    """Of a way whose last step could not be made shorter."""
     if step.refusal is Refusal.UNBUILT:
         return Outcome.UNBUILT
     if step.refusal is Refusal.UNSTABLE:

@@ -10,7 +10,7 @@ import pytest
 
 from branches.shaken import DEFAULTS, linear, response, shaken, touches
 from branches.test_out_of_range import unbuildable
-from gearlash.branches import BifurcationPoint, End, GrazingPoint, Met, Outcome, walk
+from gearlash.branches import BifurcationPoint, BranchEnd, GrazingPoint, Outcome, Passage, follow
 from gearlash.orbits import Orbit, attractor, shoot
 from gearlash.system import ContactRule, Family, GearlashError
 from oracles import closed_forms
@@ -27,16 +27,16 @@ SHAKEN = [
 
 def events(family: Family, values: Mapping[str, float], name: str, found: Orbit, to: float):
     """What is met, and the end."""
-    *met, end = walk(family, values, name, found, to)
-    assert all(isinstance(one, Met) for one in met)
-    assert isinstance(end, End)
-    return [one for one in met if isinstance(one, Met)], end
+    *met, end = follow(family, values, name, found, to)
+    assert all(isinstance(one, Passage) for one in met)
+    assert isinstance(end, BranchEnd)
+    return [one for one in met if isinstance(one, Passage)], end
 
 
 def first_touch(family: Family, values: Mapping[str, float], name: str, found: Orbit, to: float):
     """The first grazing on the way, or None."""
-    for step in walk(family, values, name, found, to):
-        if isinstance(step, Met) and isinstance(step.point, GrazingPoint):
+    for step in follow(family, values, name, found, to):
+        if isinstance(step, Passage) and isinstance(step.point, GrazingPoint):
             return step.point
     return None
 
@@ -112,13 +112,13 @@ def test_between_impact_counts_both_ways_are_one(omega):
         assert (one.point.label_below, one.point.label_above) == (one.before.label, _label(one))
 
 
-def _label(met: Met) -> str:
+def _label(met: Passage) -> str:
     assert met.after is not None
     return met.after.label
 
 
 @pytest.fixture(scope="module")
-def falling() -> tuple[Family, dict[str, float], list[Met], End]:
+def falling() -> tuple[Family, dict[str, float], list[Passage], BranchEnd]:
     """The pair that falls off a fold, upwards from 0.8, with all that it meets."""
     family = one_dof(load=0.1, error=0.05)
     values = family.complete({"omega": 0.8})
@@ -191,6 +191,6 @@ def test_through_rest(rule):
 def test_the_way_is_told():
     values, told = dict(DEFAULTS), []
     found = linear(shaken(), values)
-    list(walk(shaken(), values, "omega", found, 0.7, told.append))
+    list(follow(shaken(), values, "omega", found, 0.7, told.append))
     assert told == sorted(told, reverse=True)
     assert told[-1] == 0.7
