@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.branches import (
     NONE,
+    BifurcationPoint,
     BranchEnd,
     GrazingPoint,
     Node,
@@ -84,7 +85,7 @@ class Transition(Record):
     upper: float
     label_below: str
     label_above: str
-    point: SpecialPoint | None
+    point: GrazingPoint | BifurcationPoint | None
 
     @property
     def value(self) -> float:
