@@ -38,7 +38,6 @@ def test_multiplier_is_minus_one(label):
     assert point.residual <= 1e-11
     assert point.error <= 1e-10 * abs(point.value)
     assert point.kind == "period doubling"
-    assert point.type == "smooth"
 
 
 @pytest.mark.parametrize("label", DOUBLINGS)

@@ -218,7 +218,7 @@ LITERAL_LIST = (0.269, 0.290, 0.686, 0.960, 1.315)
     [
         (Projection.PITCH, PITCH_LIST, 5e-4),
         (Projection.BASE, PITCH_LIST, 5e-4),
-        (Projection.ARTICLE_LITERAL, LITERAL_LIST, 6e-4),  # its third, 0.68545, is listed rounded up
+        (Projection.MIXED, LITERAL_LIST, 6e-4),  # its third, 0.68545, is listed rounded up
     ],
 )
 def test_natural_frequencies_over_11201_are_the_listed_ones(projection, listed, digits):

@@ -48,7 +48,7 @@ def test_direction_factors_obey_the_identities_of_involute_gears(geometry):
 
 def test_named_options_change_only_what_they_name():
     pitch = line_of_action(ARTICLE)
-    literal = line_of_action(ARTICLE, Projection.ARTICLE_LITERAL)
+    literal = line_of_action(ARTICLE, Projection.MIXED)
     along = line_of_action(ARTICLE, Projection.PITCH, YAxis.LINE_OF_ACTION)
     assert pitch.c_y == pitch.c_t == cos(radians(20)) * cos(radians(18))
     assert literal.radii == ARTICLE.base_radii

@@ -1,12 +1,37 @@
 """The article's study: its claims as data, what is computed beside them, and the verdicts.
 
+It uses the library as anybody would. Everything here is imported when it is first used.
+
 Source: "Analysis on the Characteristics of Grazing Bifurcation of Helical Gear Transmission System".
 """
 
-from .claims import Claim, load
-from .judge import NOT_FOUND, REPRODUCED, SHIFTED
-from .reproduce import STAGES, Scope, reproduce
-from .reproduction import ClaimRow, Diagram, Event, Reproduction, Zone
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
+    from .claims import Claim as Claim
+    from .claims import load as load
+    from .judge import NOT_FOUND as NOT_FOUND
+    from .judge import REPRODUCED as REPRODUCED
+    from .judge import SHIFTED as SHIFTED
+    from .kinds import table2_type as table2_type
+    from .reproduction import ClaimRow as ClaimRow
+    from .reproduction import Diagram as Diagram
+    from .reproduction import Event as Event
+    from .reproduction import Reproduction as Reproduction
+    from .reproduction import Zone as Zone
+    from .study import STAGES as STAGES
+    from .study import Scope as Scope
+    from .study import reproduce as reproduce
+
+_WHERE = {
+    "claims": ("Claim", "load"),
+    "judge": ("NOT_FOUND", "REPRODUCED", "SHIFTED"),
+    "kinds": ("table2_type",),
+    "reproduction": ("ClaimRow", "Diagram", "Event", "Reproduction", "Zone"),
+    "study": ("STAGES", "Scope", "reproduce"),
+}
 
 __all__ = [
     "NOT_FOUND",
@@ -22,4 +47,16 @@ __all__ = [
     "Zone",
     "load",
     "reproduce",
+    "table2_type",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    from importlib import import_module
+
+    for module, names in _WHERE.items():
+        if name in names:
+            value = getattr(import_module(f"{__name__}.{module}"), name)
+            globals()[name] = value
+            return value
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

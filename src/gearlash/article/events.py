@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearlash.branches import BifurcationPoint, GrazingPoint
-from gearlash.branches.kinds import distance_to_unit
+from gearlash.branches.critical import distance_to_unit
 from gearlash.flow import propagators
 from gearlash.orbits import Orbit, Settings, attractor, orbit_at
 from gearlash.results import Direction
@@ -19,6 +19,7 @@ from gearlash.system import Family, GearlashError
 from .claims import Claim
 from .doubled import Beside, Found
 from .judge import FAR, NOT_FOUND, coincides, deviation, same_label, verdict, worst
+from .kinds import table2_type
 from .reproduction import NAN, Coincidence, Event
 
 BESIDE = 0.008  # relative distance of the pictures before and after; halved until the labels agree
@@ -98,7 +99,7 @@ class Scene:
             boundary=point.boundary,
             a0=point.a0,
             phase=point.phase,
-            type=point.type,
+            type=table2_type(point),
             leading_below=before.leading,
             leading_above=after.leading,
             exponent=point.exponent,
@@ -141,7 +142,7 @@ class Scene:
             boundary=graze.boundary,
             a0=graze.a0,
             phase=graze.phase,
-            type=f"{point.kind}, and {graze.type} {both.apart:.1e} beside it",
+            type=f"{point.kind}, and {table2_type(graze)} {both.apart:.1e} beside it",
             leading_below=before.leading,
             leading_above=after.leading,
             exponent=float(np.log(np.abs(point.multipliers[0])) / period),

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from gearlash.branches import CODIMENSION_TWO, STANDARD, BifurcationPoint, GrazingPoint
+from gearlash.branches import BifurcationPoint, GrazingPoint
 from gearlash.studies.transitions import Transition
 
 from .events import Found, exponent_at
 from .judge import NOT_FOUND, REPRODUCED, coincides
+from .kinds import CODIMENSION_TWO, STANDARD, table2_type
 from .reproduction import Event, Table2Row
 
 SHOWN = 6  # examples of a row
@@ -20,8 +21,8 @@ def fill(found: Sequence[Found], events: Sequence[Event]) -> tuple[Table2Row, ..
     transitions = [transition for transition, _ in found]
     matched = {event.value for event in events if event.found}
     grazes = [t for t in transitions if isinstance(t.point, GrazingPoint)]
-    standard = [t for t in grazes if t.point is not None and t.point.type == STANDARD]
-    double = [t for t in grazes if t.point is not None and t.point.type == CODIMENSION_TWO]
+    standard = [t for t in grazes if t.point is not None and table2_type(t.point) == STANDARD]
+    double = [t for t in grazes if t.point is not None and table2_type(t.point) == CODIMENSION_TWO]
     smooth = [t for t in transitions if isinstance(t.point, BifurcationPoint)]
     kept = all(_period(t.label_below) == _period(t.label_above) for t in standard)
     negative = all(exponent_at(t) < 0.0 for t in standard)

@@ -5,15 +5,11 @@ from .bifurcation import BifurcationPoint, locate_multiplier
 from .causes import SpecialPoint
 from .follow import BranchEnd, Outcome, Passage, follow, joins
 from .grazing import GrazingPoint, locate_grazing
-from .kinds import CODIMENSION_TWO, SMOOTH, STANDARD, table2_type
 from .node import Node
 from .sides import NONE
 
 __all__ = [
-    "CODIMENSION_TWO",
     "NONE",
-    "SMOOTH",
-    "STANDARD",
     "BifurcationPoint",
     "BranchEnd",
     "GrazingPoint",
@@ -25,5 +21,4 @@ __all__ = [
     "joins",
     "locate_grazing",
     "locate_multiplier",
-    "table2_type",
 ]

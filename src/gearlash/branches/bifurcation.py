@@ -19,7 +19,6 @@ from gearlash.orbits.floquet import ordered
 from gearlash.orbits.shooting import Shot
 from gearlash.system import Family, GearlashError, Record, Status, given
 
-from .kinds import SMOOTH
 from .steps import UNBUILT, checked, difference, longest_step, member, within_range
 
 Array = NDArray[Any]
@@ -52,11 +51,6 @@ class BifurcationPoint(Record):
     @property
     def kind(self) -> str:
         return NAMES[self.multiplier]
-
-    @property
-    def type(self) -> str:
-        """As the article's Table 2 names it."""
-        return SMOOTH
 
 
 def locate_multiplier(

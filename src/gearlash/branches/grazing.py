@@ -26,7 +26,7 @@ from gearlash.orbits.grazing import KINDS, Surface
 from gearlash.orbits.pressing import force_extrema
 from gearlash.system import Family, Record, Status, given
 
-from .kinds import distance_to_unit, table2_type
+from .critical import distance_to_unit
 from .sides import NONE, Sides
 from .steps import UNBUILT, checked, difference, longest_step, member, within_range
 from .surface import Touching
@@ -96,11 +96,6 @@ class GrazingPoint(Record):
     def to_fold(self) -> float:
         """Least |λ - 1|."""
         return distance_to_unit(self.multipliers)[1]
-
-    @property
-    def type(self) -> str:
-        """As the article's Table 2 names it."""
-        return table2_type(self.multipliers)
 
 
 def locate_grazing(

@@ -20,13 +20,14 @@ class Projection(StrEnum):
     """Which radius turns rotation into displacement, and with which factor it enters the line of action.
 
     ``PITCH`` (r, cos α_n cos β) and ``BASE`` (r_b, cos β_b) are the same physics, as r cos α_n cos β =
-    r_b cos β_b, with another equivalent mass and so another frequency scale. ``ARTICLE_LITERAL``
-    (r_b, cos α_n cos β) is what the source article prints; it is a different model.
+    r_b cos β_b, with another equivalent mass and so another frequency scale. ``MIXED`` (r_b,
+    cos α_n cos β) takes the radius of one and the factor of the other, as some publications print it; it is a
+    different model. Case files call it ``article-literal``.
     """
 
     PITCH = "pitch"
     BASE = "base"
-    ARTICLE_LITERAL = "article-literal"
+    MIXED = "article-literal"
 
 
 class YAxis(StrEnum):

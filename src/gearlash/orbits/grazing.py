@@ -1,7 +1,9 @@
-"""The article's four grazing conditions, evaluated at every extremum of the gap.
+"""The four conditions of grazing, evaluated at every extremum of the gap.
 
-With the rule `no-tension` contact is not lost at the boundary of the gap but where the force falls to zero:
-there the conditions are those of H = Φ, at the extrema of the force."""
+An orbit grazes a boundary H = 0 where H = 0, ∇H ≠ 0, H' = 0 and H'' ≠ 0 along it (M. di Bernardo et al.,
+Piecewise-smooth Dynamical Systems, 2008, ch. 6, doi:10.1007/978-1-84628-708-4). With the rule `no-tension`
+contact is not lost at the boundary of the gap but where the force falls to zero: there the conditions
+are those of H = Φ, at the extrema of the force."""
 
 from __future__ import annotations
 
@@ -40,8 +42,8 @@ class GrazingCheck(Record):
 
     For the surface "gap" the extremum is one of X, ``distance`` is H = X ∓ D there (condition 1 wants 0),
     ``gradient`` = |∇H| (2: not 0), ``velocity`` = X' (3: 0, by construction of the extremum), ``a0`` = X''
-    (4). The article asks a0 > 0, which is loss of contact seen from S1; a0 < 0 on Σ1 is engagement seen from
-    S2, and the signs are mirrored on Σ2: `kind` says which. For the surface "force" (rule `no-tension`) the
+    (4: not 0). On Σ1 a0 > 0 is loss of contact, seen from S1, and a0 < 0 engagement, seen from S2; on Σ2 the
+    signs are mirrored: `kind` says which. For the surface "force" (rule `no-tension`) the
     same with H = Φ, H' = Φ' and a0 = Φ''."""
 
     phase: float

@@ -73,7 +73,7 @@ class Signature(Record):
 
     @property
     def short(self) -> str:
-        """As the article prints it: without R where the back side is not met."""
+        """Without R where the back side is not met: 1-1 for 1-1-0."""
         return str(self) if self.back or self.others else f"{self.period}-{self.drive}"
 
     @staticmethod

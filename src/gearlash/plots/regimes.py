@@ -46,5 +46,5 @@ def regime(label: str) -> Regime:
 
 
 def short(label: str) -> str:
-    """A label as the article prints it: 1-1-0 is 1-1."""
+    """A label without R where the back side is not met: 1-1 for 1-1-0."""
     return label[:-2] if label.count("-") == 2 and label.endswith("-0") else label

@@ -130,6 +130,8 @@ def graze_answer(
 
 
 def _touch(case: Case, family: Family, point: GrazingPoint) -> Touch:
+    from gearlash.article import table2_type
+
     return Touch(
         value=point.value,
         error=point.error,
@@ -138,7 +140,7 @@ def _touch(case: Case, family: Family, point: GrazingPoint) -> Touch:
         side="drive" if point.boundary > 0 else "back",
         surface=point.surface,
         kind=point.kind,
-        type=point.type,
+        type=table2_type(point),
         label_below=point.label_below,
         label_above=point.label_above,
         stable_below=point.stable_below,

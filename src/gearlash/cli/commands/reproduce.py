@@ -119,7 +119,7 @@ def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], N
 
 def _told(progress: StageCallback) -> StageCallback:
     """The same, and notice of when sweeps begin that are to be kept."""
-    from gearlash.article.reproduce import STAGES
+    from gearlash.article.study import STAGES
 
     def tell(stage: str, state: Progress | None) -> None:
         if state is None and stage in STAGES[:2]:
