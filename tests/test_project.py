@@ -52,6 +52,22 @@ def test_locks_agree():
     assert pins(run) <= pins(dev)
 
 
+def test_extras_have_code_that_imports_them():
+    """`dev` is what tests and benchmarks need; any other extra is imported somewhere in the package."""
+    stated = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
+    source = "\n".join(f.read_text(encoding="utf-8") for f in (ROOT / "src").rglob("*.py"))
+    names = {
+        extra: [re.split(r"[<>=\[; ]", wanted)[0].replace("-", "_") for wanted in needs]
+        for extra, needs in stated.items()
+        if extra != "dev"
+    }
+    unused = {
+        extra: [n for n in needs if not re.search(rf"^\s*(from|import) {n}\b", source, re.MULTILINE)]
+        for extra, needs in names.items()
+    }
+    assert {extra: needs for extra, needs in unused.items() if needs} == {}
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_pages_point_to_what_exists(page: Path):
     targets = re.findall(r"\]\(([^)#\s]+)[^)]*\)", page.read_text(encoding="utf-8"))
