@@ -19,6 +19,7 @@ SNAPSHOT = [
     "CaseError",
     "Clearance",
     "ContactRule",
+    "Execution",
     "Family",
     "GearlashError",
     "GrazingPoint",

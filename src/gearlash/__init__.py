@@ -65,6 +65,7 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .flow import (
         variational as variational,
     )
+    from .jobs import Execution as Execution
     from .orbits import (
         Aperiodic as Aperiodic,
     )
@@ -198,6 +199,7 @@ _PUBLIC = {
     ),
     # special points of families
     "gearlash.branches": ("BifurcationPoint", "GrazingPoint", "locate_grazing", "locate_multiplier"),
+    "gearlash.jobs": ("Execution",),
     # many attractors at once, and their datasets
     "gearlash.studies": (
         "first_grazing",

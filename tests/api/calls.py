@@ -67,8 +67,8 @@ def calls() -> tuple[Call, ...]:
     trace, moving, quiet = orbit.trace, motion(orbit), gl.zones(family, axis)
     scales = gl.load_case("article").scales
     point = swept.points[0]
-    study = {"fixed": {}, "initial": [0.0, 0.0], "settings": QUICK, "executor": None, "progress": print}
-    study |= {"cancel": threading.Event()}
+    execution = gl.Execution(chunk=1, progress=print, cancel=threading.Event())
+    study = {"values": {}, "start": [0.0, 0.0], "settings": QUICK, "execution": execution}
 
     def fields(record: Any) -> dict[str, Any]:
         return {field.name: getattr(record, field.name) for field in dataclasses.fields(record)}
@@ -109,7 +109,7 @@ def calls() -> tuple[Call, ...]:
             "props": props, "z": [0.0, 0.0], "tangent": [1.0, 0.0], "periods": 4, "stretch": 2}),
         Call("first_grazing", gl.first_grazing, {
             "model": family, "name": "omega", "start": swept.points[0], "direction": "up",
-            "fixed": {"f": 1.0},
+            "values": {"f": 1.0},
             "settings": QUICK, "tell": print}),
         Call("impact_free_speeds", gl.impact_free_speeds, {
             "model": spur, "values": {"omega": 0.9}, "tell": print}),
@@ -123,10 +123,10 @@ def calls() -> tuple[Call, ...]:
         Call("attractor", gl.attractor, {
             "system": props, "start": [0.0, 0.0], "settings": QUICK, "trial": ([0.0, 0.0], 1)}),
         Call("lyapunov", gl.lyapunov, {
-            "props": props, "state": [0.0, 0.0], "periods": 40, "count": 2, "settle": 3}),
+            "system": props, "start": [0.0, 0.0], "periods": 40, "count": 2, "settle": 3}),
         Call("shoot", orbits.shoot, {
-            "props": props, "guess": [0.0, 0.0], "period": 1, "iterations": 5, "reach": 1.0}),
-        Call("multipliers", orbits.multipliers, {"props": props, "state": orbit.state, "period": 1}),
+            "system": props, "start": [0.0, 0.0], "period": 1, "iterations": 5, "reach": 1.0}),
+        Call("multipliers", orbits.multipliers, {"system": props, "start": orbit.state, "period": 1}),
         Call("grazing_checks", gl.grazing_checks, {"attractor": orbit, "within": 1.0, "clearance": 0}),
         Call("sections", gl.sections, {"attractor": orbit, "clearance": 0}),
         Call("motion_statistics", gl.motion_statistics, {"attractor": orbit, "clearance": 0}),
@@ -138,13 +138,17 @@ def calls() -> tuple[Call, ...]:
         Call("point", gl.point, {
             "model": family, "values": {}, "name": "omega", "start": [0.0, 0.0], "trial": ([0.0, 0.0], 1),
             "settings": QUICK}),
-        Call("sweep", gl.sweep, {"model": family, "axis": axis, "direction": "up", "chunk": 1, **study}),
+        Call("Execution", gl.Execution, {
+            "executor": None, "chunk": 1, "progress": print, "cancel": threading.Event()}),
+        Call("orbit_at", orbits.orbit_at, {
+            "system": props, "start": orbit.state, "period": 1, "iterations": 9, "least": True}),
+        Call("sweep", gl.sweep, {"model": family, "axis": axis, "direction": "up", **study}),
         Call("sweeps", gl.sweeps, {"model": family, "axis": axis, "directions": ("up",), **study}),
-        Call("map_plane", gl.map_plane, {"model": family, "x": axis, "y": other, "chunk": 2, **study}),
+        Call("map_plane", gl.map_plane, {"model": family, "x": axis, "y": other, **study}),
         Call("zones", gl.zones, {
             "model": family, "axis": axis, "quiet": "impact-free", "known": quiet.sweeps, **study}),
         Call("transitions", gl.transitions, {
-            "family": family, "fixed": {}, "name": "omega", "points": swept.points, "rising": True}),
+            "family": family, "values": {}, "name": "omega", "points": swept.points, "rising": True}),
         Call("open_workers", gl.open_workers, {"model": family, "workers": 1}),
         Call("open_executor", jobs.open_executor, {"workers": 1}),
         Call("sweep_dataset", gl.sweep_dataset, {"model": family, "sweeps": [swept]}),

@@ -80,7 +80,7 @@ def test_doubling_over_frequency(case):
 
 @pytest.fixture(scope="module")
 def over_the_gap(case) -> tuple[Sweep, tuple[Transition, ...]]:
-    done = sweep(case, Axis.even("D", 0.38, 0.401, 8), fixed={"omega": 0.78}, direction="up")
+    done = sweep(case, Axis.even("D", 0.38, 0.401, 8), values={"omega": 0.78}, direction="up")
     return done, found_along(done)
 
 

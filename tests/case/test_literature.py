@@ -187,7 +187,7 @@ def test_geared_rotor_has_the_frequencies_of_its_masses_and_springs():
 def test_geared_rotor_rests_under_its_load():
     family, _ = load("geared-rotor").family()
     still = family.complete({"ripple": 0.0, "error": 0.0})
-    assert rate(family.build(still), family.initial(still), 1.0) == pytest.approx(np.zeros(6), abs=1e-15)
+    assert rate(family.build(still), family.cold_start(still), 1.0) == pytest.approx(np.zeros(6), abs=1e-15)
 
 
 # ---- the two-stage train
@@ -244,7 +244,7 @@ def test_two_stage_train_is_driven_at_both_tooth_passing_frequencies():
 def test_two_stage_train_rests_under_its_load():
     family, _ = load("two-stage").family()
     still = family.complete({"ripple_1": 0.0, "ripple_2": 0.0, "error_1": 0.0})
-    assert rate(family.build(still), family.initial(still), 1.0) == pytest.approx(np.zeros(4), abs=1e-15)
+    assert rate(family.build(still), family.cold_start(still), 1.0) == pytest.approx(np.zeros(4), abs=1e-15)
 
 
 # ---- all of them move

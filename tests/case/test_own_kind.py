@@ -208,7 +208,7 @@ def test_two_workers_give_the_same_bytes():
     alone = gl.sweep(case, AXIS)
     assert {point.label for point in alone.points} >= {"1-1-0"}
     with gl.open_workers(case, 2) as workers:
-        together = gl.sweep(case, AXIS, executor=workers, chunk=2)
+        together = gl.sweep(case, AXIS, execution=gl.Execution(workers, chunk=2))
     one, other = (content_hash(gl.sweep_dataset(case, [sweep])) for sweep in (alone, together))
     assert one == other
 

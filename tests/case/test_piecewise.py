@@ -325,7 +325,7 @@ def test_workers_sweep_a_case_of_this_kind_to_the_same_points():
     axis = gl.Axis.even("stop_stiffness", 1.0, 9.0, 5)
     alone = gl.sweep(case, axis)
     with Pool(2) as pool:
-        shared = gl.sweep(case, axis, executor=pool, chunk=2)
+        shared = gl.sweep(case, axis, execution=gl.Execution(pool, chunk=2))
     assert [point.status for point in alone.points] == ["ok"] * 5
     assert [point.state.tobytes() for point in shared.points] == [
         point.state.tobytes() for point in alone.points

@@ -121,10 +121,11 @@ def build(p):
                         np.array([0.0]), contact=gl.ContactRule.ALWAYS, name="stop")
     return gl.System(p["omega"], matrix, forcing, (stop,))
 
-def initial(p):
+def cold_start(p):
     return np.zeros(2)
 
-family = gl.Family((gl.Parameter("omega", 0.8), gl.Parameter("gap", 5.0)), ("x", "v"), build, initial=initial)
+parameters = gl.Parameter("omega", 0.8), gl.Parameter("gap", 5.0)
+family = gl.Family(parameters, ("x", "v"), build, cold_start=cold_start)
 """
 STUDY = """
 import os
@@ -134,7 +135,7 @@ from own_system import family
 if __name__ == "__main__":
     before = dict(os.environ)
     with gl.open_workers(family, 2) as executor:
-        found = gl.sweep(family, gl.Axis.even("gap", 4.0, 5.0, 3), executor=executor)
+        found = gl.sweep(family, gl.Axis.even("gap", 4.0, 5.0, 3), execution=gl.Execution(executor))
     assert dict(os.environ) == before
     print(len([p for p in found.points if p.label]), found.complete)
 """

@@ -195,7 +195,8 @@ def tell(progress):
         told.append(print("begun", flush=True))
 
 with gl.open_workers(case, {workers}) as executor:
-    found = gl.zones(case, gl.Axis.even("omega", 0.5, 1.4, 2001), executor=executor, progress=tell)
+    execution = gl.Execution(executor, progress=tell)
+    found = gl.zones(case, gl.Axis.even("omega", 0.5, 1.4, 2001), execution=execution)
 computed = sum(sweep.computed for sweep in found.sweeps)
 print(found.complete, found.message, 20 < computed < 6003)
 """

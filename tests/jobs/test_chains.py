@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from gearlash.jobs import Chain, Inline, Pool, open_executor, run
+from gearlash.jobs import Chain, Execution, Inline, Pool, open_executor, run
 from gearlash.system import GearlashError
 from jobs.tasks import die, fail, hand_on, running_sum, slow
 
@@ -33,22 +33,22 @@ def test_tasks_of_a_chain_get_what_the_one_before_handed_on():
 
 def test_threads_and_processes_give_the_same():
     with ThreadPoolExecutor(4) as threads:
-        assert run(running_sum, CHAINS, threads).results == SUMS
+        assert run(running_sum, CHAINS, Execution(threads)).results == SUMS
     with open_executor(2) as processes:
-        assert run(running_sum, CHAINS, processes).results == SUMS
-        assert run(running_sum, CHAINS, processes).results == SUMS
+        assert run(running_sum, CHAINS, Execution(processes)).results == SUMS
+        assert run(running_sum, CHAINS, Execution(processes)).results == SUMS
 
 
 def test_processes_are_others():
     with open_executor(2) as executor:
-        outcome = run(hand_on, [chain(i, (1,)) for i in range(6)], executor)
+        outcome = run(hand_on, [chain(i, (1,)) for i in range(6)], Execution(executor))
     assert os.getpid() not in {pid for got in outcome.results.values() for pid in got}
     assert outcome.complete
 
 
 def test_progress_counts_points_up_to_all():
     seen = []
-    run(running_sum, CHAINS, progress=seen.append)
+    run(running_sum, CHAINS, Execution(progress=seen.append))
     assert [p.done for p in seen] == [2, 3, 5, 6]
     assert {p.total for p in seen} == {6}
     assert seen[-1].remaining == 0.0
@@ -59,13 +59,13 @@ def test_a_defect_is_raised_and_nothing_more_begun():
     with pytest.raises(ZeroDivisionError):
         run(fail, CHAINS)
     with ThreadPoolExecutor(1) as threads, pytest.raises(ZeroDivisionError):
-        run(fail, CHAINS, threads)
+        run(fail, CHAINS, Execution(threads))
 
 
 def test_cancel_before_the_start_computes_nothing():
     cancel = threading.Event()
     cancel.set()
-    outcome = run(running_sum, CHAINS, cancel=cancel)
+    outcome = run(running_sum, CHAINS, Execution(cancel=cancel))
     assert outcome.results == {"a": (), "b": (), "c": ()}
     assert outcome.reason == "cancelled"
 
@@ -75,7 +75,8 @@ def test_cancel_keeps_beginnings_of_chains(workers):
     cancel = threading.Event()
     chains = [chain(name, *(tuple(range(i, i + 5)) for i in range(0, 200, 5))) for name in "ab"]
     with open_executor(workers) as executor:
-        outcome = run(slow, chains, executor, progress=lambda p: p.done >= 10 and cancel.set(), cancel=cancel)
+        execution = Execution(executor, progress=lambda p: p.done >= 10 and cancel.set(), cancel=cancel)
+        outcome = run(slow, chains, execution)
     assert outcome.reason == "cancelled"
     got = [outcome.results[name] for name in "ab"]
     assert 10 <= sum(map(len, got)) < 100
@@ -87,16 +88,16 @@ def test_a_task_asked_to_stop_returns_its_beginning():
     cancel = threading.Event()
     chains = [chain("short", (0,)), chain("long", tuple(range(200)))]
     with open_executor(2) as executor:
-        outcome = run(slow, chains, executor, progress=lambda p: cancel.set(), cancel=cancel)
+        outcome = run(slow, chains, Execution(executor, progress=lambda p: cancel.set(), cancel=cancel))
         assert len(outcome.results["long"]) < 200
-        again = run(slow, [chain("short", (0, 1))], executor)
+        again = run(slow, [chain("short", (0, 1))], Execution(executor))
     assert again.results == {"short": (0, 1)}
 
 
 def test_a_killed_worker_loses_only_what_was_at_work():
     chains = [chain(i, (i,)) for i in range(40)]
     with open_executor(2) as executor:
-        outcome = run(die, chains, executor)
+        outcome = run(die, chains, Execution(executor))
     assert "died" in outcome.reason
     assert outcome.results[13] == ()
     assert all(got in ((), (i,)) for i, got in outcome.results.items())
@@ -104,13 +105,13 @@ def test_a_killed_worker_loses_only_what_was_at_work():
 
 
 SCRIPT = """
-from gearlash.jobs import Chain, open_executor, run
+from gearlash.jobs import Chain, Execution, open_executor, run
 from jobs.tasks import slow
 
 if __name__ == "__main__":
     chains = [Chain(i, (tuple(range(50)),), (50,)) for i in range(20)]
     with open_executor(2) as executor:
-        outcome = run(slow, chains, executor, progress=lambda p: print("begun", flush=True))
+        outcome = run(slow, chains, Execution(executor, progress=lambda p: print("begun", flush=True)))
     print(outcome.reason, sum(map(len, outcome.results.values())))
 """
 

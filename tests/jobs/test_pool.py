@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import gearlash as gl
-from gearlash.jobs import Chain, NoWorkersError, Pool, open_executor, run
+from gearlash.jobs import Chain, Execution, NoWorkersError, Pool, open_executor, run
 from jobs.tasks import (
     broken_beginning,
     deadly_beginning,
@@ -63,14 +63,14 @@ def alive(pid: int) -> bool:
 
 def test_what_a_worker_prints_goes_nowhere(capfd: pytest.CaptureFixture[str]):
     with open_executor(2) as executor:
-        outcome = run(talkative, [chain(i, (i,)) for i in range(4)], executor)
+        outcome = run(talkative, [chain(i, (i,)) for i in range(4)], Execution(executor))
     assert outcome.results == {i: (i,) for i in range(4)}
     assert capfd.readouterr() == ("", "")
 
 
 def test_a_defect_says_where_it_was():
     with open_executor(2) as executor, pytest.raises(ZeroDivisionError) as caught:
-        run(fail, [chain("a", (1,))], executor)
+        run(fail, [chain("a", (1,))], Execution(executor))
     assert "in fail" in caught.value.__notes__[0]
 
 
@@ -88,27 +88,27 @@ def test_results_for_one_waiting_executor_in_the_usual_way():
 @pytest.mark.parametrize(("begin", "why"), [(broken_beginning, "no beginning"), (deadly_beginning, "died")])
 def test_workers_that_cannot_begin_are_not_started_for_ever(begin, why: str):
     with Pool(2, begin) as executor, pytest.raises(NoWorkersError, match=why):
-        run(running_sum, [chain(i, (i,)) for i in range(20)], executor)
+        run(running_sum, [chain(i, (i,)) for i in range(20)], Execution(executor))
 
 
 def test_workers_that_die_before_anything_was_computed_raise():
     with open_executor(2) as executor, pytest.raises(NoWorkersError, match="died"):
-        run(die, [chain(0, (13,))], executor)
+        run(die, [chain(0, (13,))], Execution(executor))
 
 
 def test_a_pool_of_which_one_worker_was_killed_goes_on_with_others():
     with open_executor(2) as executor:
-        assert "died" in run(die, [chain(i, (i,)) for i in range(20)], executor).reason
-        assert run(running_sum, [chain("a", (1, 2))], executor).results == {"a": (1, 3)}
+        assert "died" in run(die, [chain(i, (i,)) for i in range(20)], Execution(executor)).reason
+        assert run(running_sum, [chain("a", (1, 2))], Execution(executor)).results == {"a": (1, 3)}
 
 
 def test_points_before_one_that_takes_long_are_kept():
     """The long one is interrupted soon after the stop."""
     cancel = threading.Event()
     with open_executor(2) as executor:
-        run(running_sum, [chain("warm", (1,))], executor)
+        run(running_sum, [chain("warm", (1,))], Execution(executor))
         threading.Timer(0.2, cancel.set).start()
-        outcome = run(stubborn, [chain("a", (0, 1, 2))], executor, cancel=cancel)
+        outcome = run(stubborn, [chain("a", (0, 1, 2))], Execution(executor, cancel=cancel))
     assert outcome.results == {"a": (0, 1)}
     assert outcome.reason == "cancelled"
 
@@ -117,9 +117,9 @@ def test_a_study_within_a_task_hands_a_stop_on():
     """What rests on an incomplete one would be wrong: the task has nothing."""
     cancel = threading.Event()
     with open_executor(2) as executor:
-        run(running_sum, [chain("warm", (1,))], executor)
+        run(running_sum, [chain("warm", (1,))], Execution(executor))
         threading.Timer(0.2, cancel.set).start()
-        outcome = run(nested, [chain("a", (0,))], executor, cancel=cancel)
+        outcome = run(nested, [chain("a", (0,))], Execution(executor, cancel=cancel))
     assert outcome.results == {"a": ()}
     assert outcome.reason == "cancelled"
 
@@ -128,21 +128,21 @@ def test_a_task_that_hears_nothing_is_given_up():
     cancel = threading.Event()
     chains = [chain("deaf", (1,)), chain("quick", (2,))]
     with open_executor(2) as executor:
-        run(running_sum, chains, executor)
-        outcome = run(deaf, chains, executor, progress=lambda p: cancel.set(), cancel=cancel)
+        run(running_sum, chains, Execution(executor))
+        outcome = run(deaf, chains, Execution(executor, progress=lambda p: cancel.set(), cancel=cancel))
         assert outcome.results == {"deaf": (), "quick": (2,)}
-        assert run(running_sum, [chain("after", (1,))], executor).complete
+        assert run(running_sum, [chain("after", (1,))], Execution(executor)).complete
 
 
 PARENT = """
 import sys
-from gearlash.jobs import Chain, open_executor, run
+from gearlash.jobs import Chain, Execution, open_executor, run
 from jobs.tasks import {work}, hand_on
 
 with open_executor(2) as executor:
-    found = run(hand_on, [Chain(i, (tuple(range(3)),), (3,)) for i in range(6)], executor)
+    found = run(hand_on, [Chain(i, (tuple(range(3)),), (3,)) for i in range(6)], Execution(executor))
     print(*{{pid for got in found.results.values() for pid in got}}, flush=True)
-    run({work}, [Chain(i, (tuple(range(3000)),), (3000,)) for i in range(2)], executor)
+    run({work}, [Chain(i, (tuple(range(3000)),), (3000,)) for i in range(2)], Execution(executor))
 """
 
 
@@ -185,22 +185,23 @@ def build(p):
     return gl.System(0.8, matrix, forcing, (stop,))
 
 
-def initial(p):
+def cold_start(p):
     return np.zeros(2)
 
 
-family = gl.Family((gl.Parameter("gap", 0.2),), ("x", "v"), build, initial=initial)
+family = gl.Family((gl.Parameter("gap", 0.2),), ("x", "v"), build, cold_start=cold_start)
 axis = gl.Axis.even("gap", 0.0, 3.0, 9)
 """
 SWEEP = """
 with gl.open_workers(family, 2) as workers:
-    print([point.label for point in gl.sweep(family, axis, executor=workers).points])
+    print([point.label for point in gl.sweep(family, axis, execution=gl.Execution(workers)).points])
 """
 GUARDED = "\nif __name__ == '__main__':" + SWEEP.replace("\n", "\n    ")
 CASE = """
 import gearlash as gl
 with gl.open_workers(gl.load_case("article"), 2) as workers:
-    found = gl.sweep(gl.load_case("article"), gl.Axis.even("omega", 1.0, 1.1, 5), executor=workers)
+    axis = gl.Axis.even("omega", 1.0, 1.1, 5)
+    found = gl.sweep(gl.load_case("article"), axis, execution=gl.Execution(workers))
 print([point.label for point in found.points])
 """
 
@@ -214,7 +215,9 @@ def test_a_family_that_workers_cannot_get_is_refused_in_words(way: str, tmp_path
     elif way == "-c":
         ran = python("-c", FAMILY + SWEEP)
     elif way == "lambda":
-        script.write_text(FAMILY.replace("initial=initial", "initial=lambda p: np.zeros(2)") + GUARDED)
+        script.write_text(
+            FAMILY.replace("cold_start=cold_start", "cold_start=lambda p: np.zeros(2)") + GUARDED
+        )
         ran = python(str(script))
     else:
         ran = python(str(script))
@@ -269,16 +272,16 @@ def test_threads_of_one_pool_do_not_mix_up_answers():
     with open_executor(2) as executor:
         numbers = list(range(200))
         assert list(executor.map(abs, numbers)) == numbers
-        found = run(hand_on, [chain(i, (0,)) for i in range(40)], executor).results
+        found = run(hand_on, [chain(i, (0,)) for i in range(40)], Execution(executor)).results
         assert len({pid for got in found.values() for pid in got}) <= 2
 
 
 def test_a_stop_is_taken_back_before_new_work():
     cancel = threading.Event()
     with open_executor(2) as executor:
-        run(slow, [chain(i, tuple(range(100))) for i in range(3)], executor, cancel=cancel,
-            progress=lambda p: cancel.set())  # fmt: skip
-        assert run(slow, [chain("a", (1, 2, 3))], executor).results == {"a": (1, 2, 3)}
+        run(slow, [chain(i, tuple(range(100))) for i in range(3)], Execution(
+            executor, cancel=cancel, progress=lambda p: cancel.set()))  # fmt: skip
+        assert run(slow, [chain("a", (1, 2, 3))], Execution(executor)).results == {"a": (1, 2, 3)}
 
 
 def test_executors_of_others_are_refused_in_words():
@@ -286,12 +289,12 @@ def test_executors_of_others_are_refused_in_words():
     family = gl.Family((gl.Parameter("omega", 0.8),), ("x", "v"), lambda p: None, lambda p: None)  # pyright: ignore[reportArgumentType]
     axis = gl.Axis("omega", np.array([0.8]))
     with ProcessPoolExecutor(1) as executor, pytest.raises(gl.GearlashError, match="cannot be sent"):
-        gl.sweep(family, axis, executor=executor)
+        gl.sweep(family, axis, execution=gl.Execution(executor))
     ended: tuple[Executor, ...] = (ThreadPoolExecutor(1), Pool(2))
     for executor in ended:
         executor.shutdown()
         with pytest.raises(NoWorkersError, match="open another one"):
-            gl.sweep(gl.load_case("kahraman-singh"), axis, executor=executor)
+            gl.sweep(gl.load_case("kahraman-singh"), axis, execution=gl.Execution(executor))
 
 
 def test_workers_take_warnings_as_their_parent_does():

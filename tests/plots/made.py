@@ -63,7 +63,7 @@ def dataset(axis: str = "omega") -> xr.Dataset:
     """A few values around the upper end of the window (ω), or with impacts on the back side (D)."""
     values = np.linspace(1.08, 1.13, 6) if axis == "omega" else np.array([0.386, 0.39, 0.46, 0.48])
     fixed = {"D": 1.0} if axis == "omega" else {"omega": 0.78}
-    return sweep_dataset(article(), sweeps(article(), Axis(axis, values), fixed=fixed))
+    return sweep_dataset(article(), sweeps(article(), Axis(axis, values), values=fixed))
 
 
 @cache

@@ -30,7 +30,7 @@ def test_a_family_and_other_parameters_are_taken():
     family = CASE.family()[0]
     fixed = {"omega": 0.78}
     start = gl.point(family, {**fixed, "D": 0.387}, name="D")
-    path, touch = gl.first_grazing(family, "D", start, "down", fixed=fixed)
+    path, touch = gl.first_grazing(family, "D", start, "down", values=fixed)
     assert touch is not None
     assert touch.values["omega"] == 0.78
     assert path.reached < 0.387

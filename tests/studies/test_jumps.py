@@ -76,7 +76,7 @@ def test_downwards_it_stays_and_returns_elsewhere(count):
 def test_the_mirrored_pair_does_the_same():
     """X → -X with load and error negated: the same values on the back side."""
     fixed = {"load": -0.1, "error": -0.05}
-    done = sweep(pair(), Axis.even("omega", 0.8, 0.84, 9), direction="up", fixed=fixed)
+    done = sweep(pair(), Axis.even("omega", 0.8, 0.84, 9), direction="up", values=fixed)
     found = transitions(pair(), fixed, "omega", done.points)
     assert kinds(found) == [(GRAZING, "1-0-0", "1-0-1"), (FOLD, "1-0-1", "1-0-1")]
     assert [t.value for t in found] == pytest.approx([TOUCH_AT, FOLD_AT], abs=1e-7)

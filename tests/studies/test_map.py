@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from gearlash import case, studies
-from gearlash.jobs import Progress
+from gearlash.jobs import Execution, Progress
 from gearlash.results import (
     CERTIFICATES,
     FAILED,
@@ -69,12 +69,14 @@ def test_a_pixel_is_the_point_of_the_study(plane: PlaneMap):
 
 @pytest.mark.parametrize("chunk", [1, 4, 100])
 def test_any_cut_gives_the_same_bytes(plane: PlaneMap, chunk: int):
-    assert digest(map_plane(ARTICLE, SPEEDS, GAPS, settings=SETTINGS, chunk=chunk)) == digest(plane)
+    assert digest(
+        map_plane(ARTICLE, SPEEDS, GAPS, settings=SETTINGS, execution=Execution(chunk=chunk))
+    ) == digest(plane)
 
 
 def test_threads_give_the_same_bytes(plane: PlaneMap):
     with ThreadPoolExecutor(3) as executor:
-        again = map_plane(ARTICLE, SPEEDS, GAPS, settings=SETTINGS, executor=executor, chunk=2)
+        again = map_plane(ARTICLE, SPEEDS, GAPS, settings=SETTINGS, execution=Execution(executor, chunk=2))
     assert digest(again) == digest(plane)
 
 
@@ -83,7 +85,7 @@ def test_processes_give_the_same_bytes(plane: PlaneMap):
     with studies.open_workers(ARTICLE, 2) as executor:
         for chunk in (None, 5):
             again = map_plane(
-                ARTICLE, SPEEDS, GAPS, settings=SETTINGS, executor=executor, chunk=chunk, progress=seen.append
+                ARTICLE, SPEEDS, GAPS, settings=SETTINGS, execution=Execution(executor, chunk, seen.append)
             )
             assert digest(again) == digest(plane)
     assert (seen[-1].done, seen[-1].remaining) == (30, 0.0)
@@ -138,7 +140,9 @@ def test_cancel_keeps_what_was_computed():
         if progress.done >= 9:
             cancel.set()
 
-    found = map_plane(CLASSICAL, SPEEDS, GAPS, progress=after_nine, cancel=cancel, chunk=3)
+    found = map_plane(
+        CLASSICAL, SPEEDS, GAPS, execution=Execution(progress=after_nine, cancel=cancel, chunk=3)
+    )
     assert (found.complete, found.message, found.computed) == (False, "cancelled", 9)
     assert found.statuses == {NOT_COMPUTED: 21, "ok": 9}
     assert plane_dataset(CLASSICAL, found).attrs["complete"] == 0
@@ -149,7 +153,7 @@ def test_ctrl_c_keeps_what_was_computed():
         if progress.done == 3:
             raise KeyboardInterrupt
 
-    found = map_plane(CLASSICAL, SPEEDS, GAPS, progress=interrupt, chunk=3)
+    found = map_plane(CLASSICAL, SPEEDS, GAPS, execution=Execution(progress=interrupt, chunk=3))
     assert (found.complete, found.message, found.computed) == (False, "interrupted", 3)
 
 
@@ -157,7 +161,7 @@ def test_names_and_starts_are_checked_before_anything_runs():
     with pytest.raises(GearlashError, match="did you mean 'omega'"):
         map_plane(CLASSICAL, Axis("omgea", np.array([1.0])), GAPS)
     with pytest.raises(GearlashError, match="cannot be fixed as well"):
-        map_plane(CLASSICAL, SPEEDS, GAPS, fixed={"D": 1.0})
+        map_plane(CLASSICAL, SPEEDS, GAPS, values={"D": 1.0})
     with pytest.raises(GearlashError, match="two different parameters"):
         map_plane(CLASSICAL, SPEEDS, SPEEDS)
     with pytest.raises(GearlashError, match="expected an Axis"):
@@ -165,12 +169,12 @@ def test_names_and_starts_are_checked_before_anything_runs():
     with pytest.raises(GearlashError, match="or a Family, not a str"):
         map_plane("article", SPEEDS, GAPS)  # pyright: ignore[reportArgumentType]
     with pytest.raises(GearlashError, match=r"expected \(2,\) \(states: X"):
-        map_plane(CLASSICAL, SPEEDS, GAPS, initial=[1.0])
+        map_plane(CLASSICAL, SPEEDS, GAPS, start=[1.0])
     wide, high = Axis("omega", np.linspace(0.9, 1.0, 1_001)), Axis("D", np.linspace(0.5, 1.0, 1_000))
     with pytest.raises(GearlashError, match="1001 × 1000 pixels: a map takes 1,000,000"):
         map_plane(CLASSICAL, wide, high)
     with pytest.raises(GearlashError, match="chunk"):
-        map_plane(CLASSICAL, SPEEDS, GAPS, chunk=0)
+        map_plane(CLASSICAL, SPEEDS, GAPS, execution=Execution(chunk=0))
 
 
 def test_several_gaps_have_all_their_counts():

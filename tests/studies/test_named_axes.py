@@ -48,14 +48,14 @@ def test_maps_zones_points_and_searches_take_names_and_units():
     assert gl.point(CASE, {"pinion_speed": "4000 rpm", **fixed}).state.tobytes() == (
         gl.point(CASE, {"omega": in_omega("4000 rpm")[0], **plain}).state.tobytes()
     )
-    assert dict(gl.sweep(CASE, speeds, fixed=fixed, direction=Direction.UP).fixed) == plain
+    assert dict(gl.sweep(CASE, speeds, values=fixed, direction=Direction.UP).fixed) == plain
     plane = gl.map_plane(CASE, speeds, gl.Axis.even("mesh.backlash", "80 um", "90 um", 2))
     assert (plane.x.name, plane.y.name) == ("omega", "D")
-    assert gl.zones(CASE, speeds, fixed=fixed).axis.name == "omega"
+    assert gl.zones(CASE, speeds, values=fixed).axis.name == "omega"
     found = gl.impact_free_speeds(CASE, {"pinion_speed": "4000 rpm", **fixed})
     assert found is not None
     assert found.here
-    path, _ = gl.first_grazing(CASE, "omega", gl.point(CASE, name="omega"), "down", fixed=fixed)
+    path, _ = gl.first_grazing(CASE, "omega", gl.point(CASE, name="omega"), "down", values=fixed)
     assert path.decided
 
 
@@ -71,7 +71,7 @@ def test_maps_zones_points_and_searches_take_names_and_units():
 )
 def test_what_does_not_fit_is_refused_in_words(axis: gl.Axis, fixed: dict[str, Any], said: str):
     with pytest.raises(gl.GearlashError, match=said):
-        gl.sweep(CASE, axis, fixed=fixed)
+        gl.sweep(CASE, axis, values=fixed)
 
 
 def test_a_family_has_no_units():

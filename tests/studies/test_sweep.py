@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from gearlash import case, results, studies
-from gearlash.jobs import Progress
+from gearlash.jobs import Execution, Progress
 from gearlash.results import FAILED, NOT_COMPUTED, content_hash, sweep_dataset
 from gearlash.studies import Axis
 from gearlash.system import Family, GearlashError, Parameter, UnknownNameError
@@ -42,13 +42,13 @@ def test_up_and_down_show_the_jump_phenomenon(classical):
 
 @pytest.mark.parametrize("chunk", [1, 3, 100])
 def test_any_cut_gives_the_same_bytes(classical, chunk):
-    again = studies.sweeps(CLASSICAL, SPEEDS, chunk=chunk)
+    again = studies.sweeps(CLASSICAL, SPEEDS, execution=Execution(chunk=chunk))
     assert content_hash(sweep_dataset(CLASSICAL, again)) == content_hash(sweep_dataset(CLASSICAL, classical))
 
 
 def test_threads_give_the_same_bytes(classical):
     with ThreadPoolExecutor(3) as executor:
-        again = studies.sweeps(CLASSICAL, SPEEDS, executor=executor, chunk=2)
+        again = studies.sweeps(CLASSICAL, SPEEDS, execution=Execution(executor, chunk=2))
     assert content_hash(sweep_dataset(CLASSICAL, again)) == content_hash(sweep_dataset(CLASSICAL, classical))
 
 
@@ -59,7 +59,7 @@ def test_processes_give_the_same_bytes():
     axis = Axis.even("D", 0.33, 0.4, 8)
     fixed = {"omega": 0.78}
     settings = studies.Settings(patience=300, budget=2_000, exponent_periods=400)
-    alone = studies.sweeps(ARTICLE, axis, fixed=fixed, settings=settings)
+    alone = studies.sweeps(ARTICLE, axis, values=fixed, settings=settings)
     assert {"aperiodic", "12-12-3", "6-6-2"} <= {label for sweep in alone for label in labels(sweep)}
     seen: list[Progress] = []
     with studies.open_workers(ARTICLE, 2) as executor:
@@ -67,11 +67,9 @@ def test_processes_give_the_same_bytes():
             shared = studies.sweeps(
                 ARTICLE,
                 axis,
-                fixed=fixed,
+                values=fixed,
                 settings=settings,
-                executor=executor,
-                chunk=chunk,
-                progress=seen.append,
+                execution=Execution(executor, chunk, seen.append),
             )
             assert content_hash(sweep_dataset(ARTICLE, shared)) == content_hash(sweep_dataset(ARTICLE, alone))
     assert seen[-1].done == seen[-1].total == 24
@@ -82,7 +80,7 @@ def test_a_followed_point_depends_on_the_one_before_only():
     """An up sweep goes on where another one ended."""
     whole = studies.sweep(CLASSICAL, SPEEDS, direction="up")
     later = Axis("omega", SPEEDS.values[8:])
-    rest = studies.sweep(CLASSICAL, later, direction="up", initial=whole.points[7].state)
+    rest = studies.sweep(CLASSICAL, later, direction="up", start=whole.points[7].state)
     assert labels(rest) == labels(whole)[8:]
     for one, other in zip(whole.points[8:], rest.points, strict=True):
         np.testing.assert_allclose(one.state, other.state, atol=1e-10)
@@ -105,7 +103,9 @@ def test_cancel_keeps_what_was_computed():
         if progress.done == 5:
             cancel.set()
 
-    found = studies.sweep(CLASSICAL, SPEEDS, direction="down", progress=after_five, cancel=cancel)
+    found = studies.sweep(
+        CLASSICAL, SPEEDS, direction="down", execution=Execution(progress=after_five, cancel=cancel)
+    )
     assert (found.complete, found.message, found.computed) == (False, "cancelled", 5)
     assert [point.status for point in found.points] == [NOT_COMPUTED] * 11 + ["ok"] * 5
     dataset = sweep_dataset(CLASSICAL, [found])
@@ -118,7 +118,7 @@ def test_ctrl_c_keeps_what_was_computed():
         if progress.done == 3:
             raise KeyboardInterrupt
 
-    found = studies.sweep(CLASSICAL, SPEEDS, progress=interrupt)
+    found = studies.sweep(CLASSICAL, SPEEDS, execution=Execution(progress=interrupt))
     assert (found.complete, found.message, found.computed) == (False, "interrupted", 3)
 
 
@@ -126,13 +126,13 @@ def test_names_and_starts_are_checked_before_anything_runs():
     with pytest.raises(GearlashError, match="did you mean 'omega'"):
         studies.sweep(CLASSICAL, Axis("omgea", np.array([1.0])))
     with pytest.raises(GearlashError, match="cannot be fixed as well"):
-        studies.sweep(CLASSICAL, SPEEDS, fixed={"omega": 1.0})
+        studies.sweep(CLASSICAL, SPEEDS, values={"omega": 1.0})
     with pytest.raises(UnknownNameError, match="direction"):
         studies.sweep(CLASSICAL, SPEEDS, direction="upp")
     with pytest.raises(GearlashError, match=r"expected \(2,\) \(states: X"):
-        studies.sweep(CLASSICAL, SPEEDS, initial=[1.0, 2.0, 3.0])
+        studies.sweep(CLASSICAL, SPEEDS, start=[1.0, 2.0, 3.0])
     with pytest.raises(GearlashError, match="chunk"):
-        studies.sweep(CLASSICAL, SPEEDS, chunk=0)
+        studies.sweep(CLASSICAL, SPEEDS, execution=Execution(chunk=0))
 
 
 def test_a_family_of_ones_own_runs_here_and_says_why_it_cannot_travel():
@@ -151,4 +151,4 @@ def test_a_family_of_ones_own_runs_here_and_says_why_it_cannot_travel():
     with pytest.raises(GearlashError, match="workers=1"):
         studies.open_workers(family, 2)
     with studies.open_workers(CLASSICAL, 2) as executor, pytest.raises(GearlashError, match="workers=1"):
-        studies.sweep(family, SPEEDS, executor=executor)
+        studies.sweep(family, SPEEDS, execution=Execution(executor))

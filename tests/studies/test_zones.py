@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from gearlash import case, orbits, studies
 from gearlash.branches import GrazingPoint, locate_multiplier
-from gearlash.jobs import Progress
+from gearlash.jobs import Execution, Progress
 from gearlash.studies import Axis, Direction, End, Interval, Quiet
 from gearlash.studies.model import Source
 from gearlash.studies.quiet import Row, Search
@@ -83,7 +83,7 @@ def test_the_fold_is_where_the_impacting_motion_really_ends(classical):
     lives = studies.sweep(CLASSICAL, above, direction="down")
     assert {p.label for p in lives.points} == {"1-1-0"}
     below = Axis("omega", np.array([fold - 1e-6, fold + 1e-6]))
-    gone = studies.sweep(CLASSICAL, below, direction="down", initial=lives.points[1].state)
+    gone = studies.sweep(CLASSICAL, below, direction="down", start=lives.points[1].state)
     assert [p.label for p in gone.points] == ["1-0-0", "1-1-0"]
 
 
@@ -99,7 +99,7 @@ def test_nearest_quiet_value(classical):
 
 def test_threads_and_known_sweeps_give_the_same(classical):
     with ThreadPoolExecutor(2) as executor:
-        again = studies.zones(CLASSICAL, SPEEDS, known=classical.sweeps, executor=executor)
+        again = studies.zones(CLASSICAL, SPEEDS, known=classical.sweeps, execution=Execution(executor))
     assert [str(z) for z in again.zones + again.wider] == [str(z) for z in classical.zones + classical.wider]
     assert [z.upper.value for z in again.zones] == [z.upper.value for z in classical.zones]
 
@@ -107,8 +107,8 @@ def test_threads_and_known_sweeps_give_the_same(classical):
 def test_sweeps_of_another_question_are_refused(classical):
     with pytest.raises(GearlashError, match="another axis"):
         studies.zones(CLASSICAL, Axis.even("omega", 0.3, 1.6, 27), known=classical.sweeps)
-    with pytest.raises(GearlashError, match="fixed"):
-        studies.zones(CLASSICAL, SPEEDS, known=classical.sweeps, fixed={"load": 0.2})
+    with pytest.raises(GearlashError, match="other fixed"):
+        studies.zones(CLASSICAL, SPEEDS, known=classical.sweeps, values={"load": 0.2})
     with pytest.raises(GearlashError, match="at least one"):
         studies.zones(CLASSICAL, SPEEDS, known=())
     with pytest.raises(UnknownNameError, match="kind of zone"):
@@ -120,8 +120,8 @@ def test_sweeps_of_another_question_are_refused(classical):
 def test_a_basin_that_ends_is_no_bifurcation():
     """From far outside, the cold start falls into the impacting motion long before the quiet one ends."""
     axis = Axis.even("omega", 0.65, 0.8, 7)
-    cold = studies.sweep(CLASSICAL, axis, initial=[2.0, 0.0])
-    found = studies.zones(CLASSICAL, axis, known=[cold], initial=[2.0, 0.0])
+    cold = studies.sweep(CLASSICAL, axis, start=[2.0, 0.0])
+    found = studies.zones(CLASSICAL, axis, known=[cold], start=[2.0, 0.0])
     (zone,) = found.zones
     assert zone.upper.kind == BASIN
     assert 0.0 < zone.upper.uncertainty <= 1e-6
@@ -130,7 +130,7 @@ def test_a_basin_that_ends_is_no_bifurcation():
 
 def test_what_cannot_be_computed_ends_a_zone_without_a_bound():
     axis = Axis("D", np.array([-1.0, -0.5, 0.5, 1.0]))
-    found = studies.zones(CLASSICAL, axis, fixed={"omega": 0.5})
+    found = studies.zones(CLASSICAL, axis, values={"omega": 0.5})
     (zone,) = found.zones
     assert (zone.lower.value, zone.lower.kind, zone.upper.kind) == (0.5, UNKNOWN, RANGE)
     assert "D" in zone.lower.outside
@@ -141,7 +141,9 @@ def test_a_cancelled_search_knows_that_it_is_incomplete():
     cancel = threading.Event()
     count = 3 * len(SPEEDS)
     found = studies.zones(
-        CLASSICAL, SPEEDS, progress=lambda p: p.done == count and cancel.set(), cancel=cancel
+        CLASSICAL,
+        SPEEDS,
+        execution=Execution(progress=lambda p: p.done == count and cancel.set(), cancel=cancel),
     )
     assert (found.complete, found.message) == (False, "cancelled")
     assert found.zones[0].upper.kind == UNKNOWN
@@ -168,7 +170,7 @@ def test_the_windows_of_the_article():
 
 def test_backlash_without_back_side_impacts():
     axis = Axis.even("D", 0.4, 0.55, 11)
-    found = studies.zones(ARTICLE, axis, Quiet.DRIVE_SIDE_ONLY, fixed={"omega": 0.78})
+    found = studies.zones(ARTICLE, axis, Quiet.DRIVE_SIDE_ONLY, values={"omega": 0.78})
     (zone,), (wide,) = found.zones, found.wider
     assert zone.upper.kind == wide.upper.kind == RANGE
     assert (wide.lower.inside, wide.lower.outside) == ("6-6-0", "6-6-1")
@@ -189,7 +191,7 @@ def test_an_orbit_that_ends_in_a_fold_beside_chaos():
     assert zone.upper.kind == "fold"
     assert zone.upper.inside == "2-1-0"
     beside = Axis("omega", zone.upper.value + np.array([-1e-3, -1e-5, 1e-4]))
-    seen = studies.sweep(ARTICLE, beside, direction="up", settings=settings, initial=up.points[0].state)
+    seen = studies.sweep(ARTICLE, beside, direction="up", settings=settings, start=up.points[0].state)
     assert [p.label for p in seen.points[:2]] == ["2-1-0", "2-1-0"]
     assert not seen.points[2].periodic
     assert seen.points[1].leading.real == pytest.approx(1.0, abs=0.1)
@@ -275,7 +277,7 @@ def test_a_loss_of_contact_narrower_than_a_step_is_found_by_its_flanks(range_: t
     values = {"mesh_damping": 1e-3, "load": 0.1, "error": 2.4e-4}
     low, high = sharp_loss_of_contact(1e-3, 0.1, 2.4e-4)
     assert 1e-3 < high - low < 2e-3
-    found = studies.zones(CLASSICAL, Axis.even("omega", *range_, 5), fixed=values)
+    found = studies.zones(CLASSICAL, Axis.even("omega", *range_, 5), values=values)
     assert found.step > 3.0 * (high - low)
     intervals = [*found.zones, *found.wider]
     assert not any(z.contains(0.5 * (low + high)) for z in intervals)
@@ -285,7 +287,7 @@ def test_a_loss_of_contact_narrower_than_a_step_is_found_by_its_flanks(range_: t
 
 def test_a_load_that_changes_sides_is_no_quiet_interval_through_zero():
     """Contact on the drive side and contact on the back side have the gap between them."""
-    found = studies.zones(CLASSICAL, Axis.even("load", -0.2, 0.2, 2), fixed={"omega": 0.5})
+    found = studies.zones(CLASSICAL, Axis.even("load", -0.2, 0.2, 2), values={"omega": 0.5})
     intervals = [*found.zones, *found.wider]
     amplitude = 0.05 * 0.25 / abs(0.75 + 0.05j)
     assert not any(z.lower.value < 0.0 < z.upper.value for z in intervals)
@@ -313,7 +315,7 @@ def test_an_end_of_one_row_is_looked_at_in_the_others():
     """A grazing that ends another sweep's interval between two quiet points of this one is probed there."""
     axis = Axis.even("omega", 0.4, 0.6, 2)
     (up,) = studies.sweeps(CLASSICAL, axis, ["up"])
-    search = Search(Source.of(CLASSICAL), (), studies.Settings(), Quiet.IMPACT_FREE, None, None, None, None)
+    search = Search(Source.of(CLASSICAL), (), studies.Settings(), Quiet.IMPACT_FREE, None, Execution())
     row = Row(up.direction, up.points, frozenset(p.value for p in up.points))
     point = next(e.point for z in studies.zones(CLASSICAL, SPEEDS).wider for e in (z.upper,))
     assert isinstance(point, GrazingPoint)
@@ -329,7 +331,7 @@ def test_an_end_of_one_row_is_looked_at_in_the_others():
 
 def test_one_quiet_point_between_two_that_fail_is_no_interval():
     axis = Axis("D", np.array([-1.0, 0.5]))
-    found = studies.zones(CLASSICAL, axis, fixed={"omega": 0.5})
+    found = studies.zones(CLASSICAL, axis, values={"omega": 0.5})
     assert found.zones == found.wider == ()
     assert found.complete
 
@@ -338,7 +340,9 @@ def test_a_search_that_was_stopped_before_any_end_says_so():
     """Nothing is known beside a single quiet point: no interval, and no error."""
     axis = Axis.even("omega", 0.79, 1.3, 3)  # quiet, with impacts, quiet
     cancel = threading.Event()
-    found = studies.zones(CLASSICAL, axis, progress=lambda p: p.done == 9 and cancel.set(), cancel=cancel)
+    found = studies.zones(
+        CLASSICAL, axis, execution=Execution(progress=lambda p: p.done == 9 and cancel.set(), cancel=cancel)
+    )
     assert not found.complete
     assert found.message == "cancelled"
     assert all(zone.width > 0.0 for zone in (*found.zones, *found.wider))
@@ -352,7 +356,7 @@ def test_ctrl_c_while_zones_are_swept_begins_nothing_more():
         if progress.done == 40:
             raise KeyboardInterrupt
 
-    found = studies.zones(CLASSICAL, SPEEDS, progress=interrupt)
+    found = studies.zones(CLASSICAL, SPEEDS, execution=Execution(progress=interrupt))
     assert set(told) == {3 * len(SPEEDS)}  # no end was looked for
     assert (found.complete, found.message) == (False, "interrupted")
     assert sum(sweep.computed for sweep in found.sweeps) == 40

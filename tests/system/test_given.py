@@ -196,7 +196,7 @@ def test_one_clearance_alone_and_a_list_are_tuples():
 def family(**changes: Any) -> gl.Family:
     fields: dict[str, Any] = {
         "parameters": (gl.Parameter("omega", 0.8, lower=0.1),), "states": ("x", "v"),
-        "build": lambda p: system(omega=p["omega"]), "initial": lambda p: [0.0, 0.0],
+        "build": lambda p: system(omega=p["omega"]), "cold_start": lambda p: [0.0, 0.0],
     }  # fmt: skip
     return gl.Family(**(fields | changes))
 
@@ -210,7 +210,7 @@ def family(**changes: Any) -> gl.Family:
         ({"parameters": {"omega": 0.8}}, "expected parameters, such as"),
         ({"parameters": [gl.Parameter("omega", 1.0)] * 2}, "'omega' stands there twice"),
         ({"build": system()}, "build of a family"),
-        ({"initial": [0.0, 0.0]}, "initial of a family"),
+        ({"cold_start": [0.0, 0.0]}, "cold_start of a family"),
     ],
 )
 def test_families_that_are_none(changes: dict[str, Any], told: str):
@@ -238,9 +238,9 @@ def test_what_a_build_does_wrong_is_told(changes: dict[str, Any], told: str):
 @pytest.mark.parametrize("start", [[0.0], [0.0, np.nan], None, "rest", lambda: 0])
 def test_what_an_initial_does_wrong_is_told(start: Any):
     with pytest.raises(GearlashError, match="the start"):
-        family(initial=lambda p: start).start()
-    with pytest.raises(BuildError, match=r"initial failed at omega = 0\.8: ValueError: no"):
-        family(initial=_refusing).start()
+        family(cold_start=lambda p: start).start()
+    with pytest.raises(BuildError, match=r"cold_start failed at omega = 0\.8: ValueError: no"):
+        family(cold_start=_refusing).start()
 
 
 def _refusing(values: Any) -> Any:

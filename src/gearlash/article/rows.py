@@ -7,7 +7,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 
 from gearlash.case import Case
-from gearlash.jobs import INTERRUPTED, ProgressCallback, UnfinishedError
+from gearlash.jobs import INTERRUPTED, Execution, ProgressCallback, UnfinishedError
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, Sweep
 from gearlash.studies.sweep import sweeps
@@ -41,7 +41,9 @@ def rows(
 ) -> tuple[Row, ...]:
     """Sweeps cold, up and down, and what changes along each, on the executor's workers. ``keep`` gets the
     sweeps before that is looked for, which takes as long again."""
-    done = sweeps(case, axis, fixed=fixed, settings=SETTINGS, executor=executor, progress=progress)
+    done = sweeps(
+        case, axis, values=fixed, settings=SETTINGS, execution=Execution(executor, progress=progress)
+    )
     if keep is not None:
         keep(done)
     stopped = next((each.message for each in done if not each.complete), "")

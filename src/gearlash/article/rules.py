@@ -63,7 +63,7 @@ def effect(
         ends = tuple(_end(family, values, quiet.value, quiet.state, side) for side in (-1, 1))
     along = {"omega": fixed["omega"]}
     down = sweep(
-        case, Axis("D", np.array(sorted(backlash))), fixed=along, direction=Direction.DOWN, settings=SETTINGS
+        case, Axis("D", np.array(sorted(backlash))), values=along, direction=Direction.DOWN, settings=SETTINGS
     )
     found = transitions(family, along, "D", down.points, rising=False)
     return RuleEffect(

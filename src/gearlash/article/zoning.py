@@ -8,7 +8,7 @@ from concurrent.futures import Executor
 import numpy as np
 
 from gearlash.case import Case
-from gearlash.jobs import ProgressCallback
+from gearlash.jobs import Execution, ProgressCallback
 from gearlash.results import Axis, Direction, Sweep
 from gearlash.studies.sweep import sweep
 from gearlash.studies.zones import Tenant, Zones, zones
@@ -70,7 +70,13 @@ def article_zones(
 
 def _zones(case: Case, claim: Claim, axis: Axis, known: Sequence[Sweep], executor: Executor) -> Zones:
     return zones(
-        case, axis, KINDS[claim.zone], fixed=claim.fixed, known=known, settings=SETTINGS, executor=executor
+        case,
+        axis,
+        KINDS[claim.zone],
+        values=claim.fixed,
+        known=known,
+        settings=SETTINGS,
+        execution=Execution(executor),
     )
 
 
@@ -85,9 +91,17 @@ def _from_start(
     """Every few values from one simple start; the ends are halved to as fine as all others."""
     family = starting(case, name)
     axis = Axis(axis.name, np.union1d(axis.values[::EVERY_FEW], axis.values[-1:]))
-    done = sweep(family, axis, fixed=claim.fixed, settings=SETTINGS, executor=executor, progress=progress)
+    done = sweep(
+        family, axis, values=claim.fixed, settings=SETTINGS, execution=Execution(executor, progress=progress)
+    )
     found = zones(
-        family, axis, KINDS[claim.zone], fixed=claim.fixed, known=[done], settings=SETTINGS, executor=executor
+        family,
+        axis,
+        KINDS[claim.zone],
+        values=claim.fixed,
+        known=[done],
+        settings=SETTINGS,
+        execution=Execution(executor),
     )
     return _reading(claim, name, found, (Row(done, ()),))
 

@@ -92,12 +92,12 @@ def family(pair: HelicalPair, defaults: Mapping[str, float]) -> Family:
         matrix = _with_bearings(undamped, pair, SPEEDS, rates)
         return System(values["omega"], matrix, forcing, (clearance,))
 
-    def initial(values: Mapping[str, float]) -> NDArray[np.float64]:
+    def cold_start(values: Mapping[str, float]) -> NDArray[np.float64]:
         start = np.zeros(10)
         start[8] = resting_displacement(values, values["rotation_factor"])
         return start
 
-    return Family(parameters, STATES, build, initial)
+    return Family(parameters, STATES, build, cold_start)
 
 
 def natural_frequencies(pair: HelicalPair, rotation_factor: float | None = None) -> NDArray[np.float64]:

@@ -53,10 +53,10 @@ def family(
         clearance = mesh_clearance(values, H, g, orders[0], contact)
         return System(values["omega"], np.array([[0.0, 1.0], [0.0, 0.0]]), forcing, (clearance,))
 
-    def initial(values: Mapping[str, float]) -> NDArray[np.float64]:
+    def cold_start(values: Mapping[str, float]) -> NDArray[np.float64]:
         return np.array([resting_displacement(values, values["rotation_factor"]), 0.0])
 
-    return Family(parameters, STATES, build, initial)
+    return Family(parameters, STATES, build, cold_start)
 
 
 def natural_frequencies(rotation_factor: float = 1.0) -> NDArray[np.float64]:

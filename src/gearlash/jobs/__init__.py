@@ -1,10 +1,11 @@
 """Work in chains of tasks, done by any executor: progress with an honest estimate, cancel, Ctrl-C.
 
 with open_executor(workers=2) as executor:
-    outcome = run(function, chains, executor, progress=show)
+    outcome = run(function, chains, Execution(executor, progress=show))
 """
 
 from .chains import DIED, INTERRUPTED, Carry, Chain, Outcome, Part, run
+from .execution import Execution
 from .executors import Inline, open_executor
 from .pool import NoWorkersError, Pool, UnfinishedError
 from .progress import Progress, ProgressCallback, seconds_as_text
@@ -17,6 +18,7 @@ __all__ = [
     "Cancel",
     "Carry",
     "Chain",
+    "Execution",
     "Inline",
     "NoWorkersError",
     "Outcome",

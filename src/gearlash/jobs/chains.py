@@ -14,6 +14,7 @@ from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
+from .execution import Execution
 from .executors import Inline, available_cores
 from .pool import NoWorkersError, Pool
 from .progress import Load, Progress, ProgressCallback, remaining
@@ -65,15 +66,13 @@ class Outcome:
 
 
 Work: TypeAlias = Callable[[Any, Carry], Part]
+DEFAULT = Execution()
 
 
 def run(
     work: Work,
     chains: Sequence[Chain],
-    executor: Executor | None = None,
-    *,
-    progress: ProgressCallback | None = None,
-    cancel: Cancel | None = None,
+    execution: Execution = DEFAULT,
 ) -> Outcome:
     """Does all tasks of all chains: ``work(task, carry)`` is a function that other processes can import.
 
@@ -81,13 +80,14 @@ def run(
     reason. Within a task of another call, which cannot use what is incomplete, Ctrl-C goes on to that. Raises
     `NoWorkersError` where workers died before anything was done, and what ``work`` raises, which is a defect.
     """
-    executor, within = Inline() if executor is None else executor, may_be_interrupted()
+    executor = Inline() if execution.executor is None else execution.executor
+    within = may_be_interrupted()
     if isinstance(executor, Pool):
         executor.resume()
-    round_ = _Round(work, chains, executor, progress)
+    round_ = _Round(work, chains, executor, execution.progress)
     reason, none = DEFECT, NoWorkersError(f"{DIED} before anything was computed; {NEEDS_NONE}")
     try:
-        reason = round_.go(cancel)
+        reason = round_.go(execution.cancel)
     except KeyboardInterrupt:
         reason = INTERRUPTED
     except BrokenExecutor:

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
-from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.flow.march import LONGEST, start_state
 from gearlash.system import GearlashError, Record, Status, System, given, shown
 
+from .arguments import propagators_of
 from .floquet import fastest_shrinking
 from .neutral import FLAT, affine, lossless, repeated
 from .results import Aperiodic, Attractor, Neutral, Orbit, Unresolved
@@ -84,7 +84,7 @@ def attractor(
     `Neutral` one (of a continuum, none of which attracts), or `Unresolved` with its reason. A periodic orbit
     is accepted only if it is stable and the motion is seen to approach it; a slow transient therefore goes
     on, and is neither called periodic with a wrong P nor aperiodic."""
-    props = system if isinstance(system, Propagators) else flow.propagators(system)
+    props = propagators_of(system)
     given.instance("settings", settings, Settings, "Settings, such as gearlash.Settings(max_period=128)")
     search = _Search(props, settings, start_state(props, start))
     if trial is not None:

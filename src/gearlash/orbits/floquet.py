@@ -5,13 +5,14 @@ from __future__ import annotations
 from math import ceil, inf
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.flow.march import LONGEST, start_state
-from gearlash.system import ContactRule, GearlashError, Status, given
+from gearlash.system import ContactRule, GearlashError, Status, System, given
 
+from .arguments import propagators_of
 from .subspaces import by_subspaces, ordered
 
 Complex = NDArray[np.complex128]
@@ -25,10 +26,11 @@ TALL = 200.0  # powers of e by which lengths may grow or shrink in it
 MOVING = (Status.OK, Status.UNCERTAIN)
 
 
-def multipliers(props: Propagators, state: NDArray[np.float64], period: int) -> NDArray[np.complex128]:
-    """All multipliers (n,) of a periodic orbit through ``state``, by modulus, descending. One smaller than
+def multipliers(system: System | Propagators, start: ArrayLike, period: int) -> NDArray[np.complex128]:
+    """All multipliers (n,) of a periodic orbit through ``start``, by modulus, descending. One smaller than
     the least float is zero; its logarithm is in `spectrum`."""
-    return spectrum(props, state, period)[0]
+    props = propagators_of(system)
+    return spectrum(props, start_state(props, start), period)[0]
 
 
 def spectrum(

@@ -15,8 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.flow.march import LONGEST, start_state
-from gearlash.system import Record, Status, given
+from gearlash.system import Record, Status, System, given
 
+from .arguments import propagators_of
 from .certificate import MOVING
 from .floquet import cut, mean_trace
 from .wandering import ROUNDING
@@ -46,13 +47,14 @@ class Exponents(Record):
 
 
 def lyapunov(
-    props: Propagators, state: ArrayLike, periods: int, count: int | None = None, settle: int = 20
+    system: System | Propagators, start: ArrayLike, periods: int, count: int | None = None, settle: int = 20
 ) -> Exponents:
     """The ``count`` largest exponents (default all) from ``periods`` base periods after ``settle`` for the
     frame. The frame is made orthogonal once in a base period, or as much more often as the tangent flow needs
     it: where that spreads lengths by more than e^10 in between, small directions would be lost to rounding.
     """
-    z = start_state(props, state)
+    props = propagators_of(system)
+    z = start_state(props, start)
     n = len(z)
     count = n if count is None else given.whole("count", count, 1, n)
     periods, settle = given.whole("periods", periods, 1, LONGEST), given.whole("settle", settle, 0, LONGEST)

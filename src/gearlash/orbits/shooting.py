@@ -13,7 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from gearlash import flow
 from gearlash.flow import Lap, Propagators
 from gearlash.flow.march import LONGEST, start_state
-from gearlash.system import Record, Status, given
+from gearlash.system import Record, Status, System, given
+
+from .arguments import propagators_of
 
 TOLERANCE = 1e-11  # of the residual; above it a status is not ok
 GOAL = 2e-14  # Newton goes on to here, or until rounding stops it
@@ -102,17 +104,18 @@ class _Tried:
 
 
 def shoot(
-    props: Propagators,
-    guess: ArrayLike,
+    system: System | Propagators,
+    start: ArrayLike,
     period: int,
     iterations: int = ITERATIONS,
     reach: float | None = None,
 ) -> Shot:
-    """Newton's method from ``guess`` (n,) for a fixed point of the ``period``-fold map. Steps that make the
+    """Newton's method from ``start`` (n,) for a fixed point of the ``period``-fold map. Steps that make the
     residual grow tenfold end the search with status `not-converged`. With ``reach`` a guess is expected to be
     near: the search ends too where the first step is longer, or does not make the residual smaller, and where
     two steps have not halved it."""
-    z: Array = start_state(props, guess)
+    props = propagators_of(system)
+    z: Array = start_state(props, start)
     period = given.whole("period", period, 1, LONGEST // props.system.cycles)
     iterations = given.whole("iterations", iterations)
     reach = None if reach is None else given.number("reach", reach)

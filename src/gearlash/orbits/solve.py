@@ -5,20 +5,27 @@ from __future__ import annotations
 from numpy.typing import ArrayLike
 
 from gearlash.flow import Propagators
+from gearlash.system import System, given
 
+from .arguments import propagators_of
 from .results import Orbit
 from .shooting import ITERATIONS, TOLERANCE, minimal, shoot
 
 
 def orbit_at(
-    props: Propagators, state: ArrayLike, period: int, *, iterations: int = ITERATIONS, least: bool = False
+    system: System | Propagators,
+    start: ArrayLike,
+    period: int,
+    *,
+    iterations: int = ITERATIONS,
+    least: bool = False,
 ) -> Orbit | None:
     """The periodic orbit near a state, stable or not.
 
     Parameters
     ----------
-    props : Propagators
-    state : array_like of shape (n,)
+    system : System or Propagators
+    start : array_like of shape (n,)
         At phase zero, near the orbit.
     period : int
         In base periods of the system.
@@ -33,7 +40,8 @@ def orbit_at(
         Its residual is at most 1e-11; None where Newton's method does not come so far. Its status is ok, or
         uncertain where a contact on it could not be decided.
     """
-    shot = shoot(props, state, period, iterations)
+    props, least = propagators_of(system), given.truth("least", least)
+    shot = shoot(props, start, period, iterations)
     if not shot.residual <= TOLERANCE:
         return None
     shot = minimal(props, shot) if least else shot

@@ -29,7 +29,7 @@ def first_grazing(
     start: Point,
     direction: Literal["down", "up"],
     *,
-    fixed: Mapping[str, float | str] | None = None,
+    values: Mapping[str, float | str] | None = None,
     settings: Settings | None = None,
     tell: Callable[[int, int], object] | None = None,
 ) -> tuple[Path, GrazingPoint | None]:
@@ -44,7 +44,7 @@ def first_grazing(
         A periodic motion and the value of ``name`` at which it was found: ``gearlash.point(model, values,
         name=name)``, or a point of a sweep.
     direction : {"down", "up"}
-    fixed : mapping of str to float, optional
+    values : mapping of str to float or str, optional
         Other parameters than ``name``; the model's own where nothing is given.
     settings : Settings, optional
         Its ``max_period`` is the longest period (base periods) that is followed through doublings.
@@ -73,7 +73,7 @@ def first_grazing(
     >>> round(touch.value, 4), path.ended
     (0.9725, 'grazing at 0.9724999996')
     """
-    family, values = _checked(model, name, start, fixed)
+    family, others = _checked(model, name, start, values)
     direction, settings = _way(direction), checked_settings(settings)
     if tell is not None:
         given.function("tell", tell, "a function of two whole numbers")
@@ -90,13 +90,13 @@ def first_grazing(
     beyond = ""
     try:
         with interruptible():
-            for step in _steps(family, values, name, start, to, told, settings):
+            for step in _steps(family, others, name, start, to, told, settings):
                 if isinstance(step, BranchEnd):
                     ended, decided = _ended(step, family, name)
                     return Path(direction, step.last.value, ended, decided, "", tuple(passed)), None
                 if isinstance(step.point, GrazingPoint):
                     found = step
-                    beyond = _beyond(family, values, name, step, direction)
+                    beyond = _beyond(family, others, name, step, direction)
                     break
                 passed.append(_passed(step.point, step, direction))
     except KeyboardInterrupt:
@@ -110,7 +110,7 @@ def first_grazing(
 
 
 def _checked(
-    model: Model, name: str, start: Point, fixed: Mapping[str, float | str] | None
+    model: Model, name: str, start: Point, values: Mapping[str, float | str] | None
 ) -> tuple[Family, dict[str, float]]:
     """The family, and its member at the start."""
     family = Source.of(model).family()
@@ -118,7 +118,7 @@ def _checked(
     given.instance("start", start, Point, "a point, as from gearlash.point(model, values, name=...)")
     if not start.periodic:
         raise GearlashError(f"start: expected a periodic motion, not one of status {start.status}")
-    return family, family.complete({**plain_values(model, family, "fixed", fixed), name: start.value})
+    return family, family.complete({**plain_values(model, family, values), name: start.value})
 
 
 def _way(direction: str) -> Literal["down", "up"]:

@@ -76,7 +76,7 @@ def impact_free_speeds(
     (True, 0.9725, 1.112)
     """
     family = Source.of(model).family()
-    parameters = family.complete(plain_values(model, family, "values", values))
+    parameters = family.complete(plain_values(model, family, values))
     if tell is not None:
         given.function("tell", tell, "a function of two whole numbers")
     if isinstance(model, Case) and not model.between_teeth:

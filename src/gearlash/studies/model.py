@@ -80,7 +80,7 @@ def check_travels(source: Source, executor: Executor | None) -> None:
 
 def _check_sent(source: Source, why_not: Callable[[object], str]) -> None:
     for thing, what, parts in (
-        (source.own, "family", "its `build` and `initial` as functions of a module"),
+        (source.own, "family", "its `build` and `cold_start` as functions of a module"),
         (source.kind, "kind of case", "its class in a module"),
     ):
         reason = "" if thing is None else why_not(thing)

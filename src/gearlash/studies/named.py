@@ -38,19 +38,19 @@ def _is_even(axis: Axis) -> bool:
     return len(axis) > 1 and np.array_equal(values, np.linspace(values[0], values[-1], len(axis)))
 
 
-def plain_values(model: Model, family: Family, what: str, values: object) -> dict[str, float]:
+def plain_values(model: Model, family: Family, values: object) -> dict[str, float]:
     """Values of parameters by short name, dimensionless. Raises `GearlashError` for names and values that do
     not fit, and for one quantity under two names."""
     found: dict[str, float] = {}
     names: dict[str, str] = {}
-    for name, value in given.mapping(what, values).items():
+    for name, value in given.mapping("values", values).items():
         plain = name in family.defaults and not isinstance(value, str)
         if plain or not isinstance(model, Case):
             short, number = given.known("parameter", name, family.defaults), given.number(name, value)
         else:
             short, number = _plain(model, name, value)
         if short in names:
-            raise GearlashError(f"{what}: {names[short]} and {name} name the same quantity")
+            raise GearlashError(f"values: {names[short]} and {name} name the same quantity")
         names[short], found[short] = name, number
     return found
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from typing import cast
 
@@ -11,14 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from gearlash import flow
-from gearlash.jobs import Cancel, Chain, Outcome, ProgressCallback, run
+from gearlash.jobs import Chain, Execution, Outcome, run
 from gearlash.orbits import Settings, Signature
 from gearlash.results import Axis
 from gearlash.results.plane import MOST_PIXELS, NO_LABEL, PlaneMap
-from gearlash.system import Family, GearlashError, given
+from gearlash.system import Family, GearlashError
 
-from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
-from .model import Model, Source, check_travels
+from .arguments import checked_execution, checked_settings, checked_start, checked_values
+from .model import Model, Source
 from .named import plain_axis
 from .pixels import (
     APERIODIC,
@@ -45,18 +44,15 @@ def map_plane(
     x: Axis,
     y: Axis,
     *,
-    fixed: Mapping[str, float | str] | None = None,
-    initial: ArrayLike | None = None,
+    values: Mapping[str, float | str] | None = None,
+    start: ArrayLike | None = None,
     settings: Settings | None = None,
-    executor: Executor | None = None,
-    chunk: int | None = None,
-    progress: ProgressCallback | None = None,
-    cancel: Cancel | None = None,
+    execution: Execution | None = None,
 ) -> PlaneMap:
     """The attractor of every pixel of the plane of two parameters, from the family's cold start or from
-    ``initial`` (n,); ``fixed`` are other parameters, by short name, over those of the case.
+    ``start`` (n,); ``values`` are other parameters, by short name, over those of the case.
 
-    Any ``executor`` gives the same bytes, and so does any ``chunk`` (pixels a task, on one line of the map).
+    Any ``execution`` gives the same bytes; its ``chunk`` counts pixels on one line of the map.
     Threads wait for each other during about half of a pixel's time, which is spent outside the kernels;
     processes (`studies.open_workers`) do not. A pixel that fails is flagged with its reason. A cancel or
     Ctrl-C returns what was computed, marked incomplete. Raises `GearlashError` for names,
@@ -65,16 +61,15 @@ def map_plane(
     source = Source.of(model)
     family = source.family()
     x, y = plain_axis(model, family, x), plain_axis(model, family, y)
-    fixed = checked_fixed(model, family, fixed, [x, y])
+    fixed = checked_values(model, family, values, [x, y])
     _check_size(x, y)
-    begin = checked_start(family, initial)
-    start = None if begin is None else tuple(map(float, begin))
-    checked_ways(executor, progress, cancel)
-    check_travels(source, executor)
-    chunk = CHUNK if chunk is None else given.whole("chunk", chunk)
+    state = checked_start(family, start)
+    begin = None if state is None else tuple(map(float, state))
+    execution = checked_execution(source, execution)
+    chunk = CHUNK if execution.chunk is None else execution.chunk
     grid = _Grid(x, y, _keeps(family, fixed, x, y))
-    form = Stretch(source, tuple(fixed.items()), grid.inner.name, (), start, checked_settings(settings))
-    outcome = run(work, grid.chains(form, chunk), executor, progress=progress, cancel=cancel)
+    form = Stretch(source, tuple(fixed.items()), grid.inner.name, (), begin, checked_settings(settings))
+    outcome = run(work, grid.chains(form, chunk), execution)
     return grid.gathered(outcome, fixed)
 
 

@@ -40,7 +40,7 @@ def point(
     (see `orbits.attractor`). What cannot be built or solved gives a point of status `failed` with the reason.
     """
     family = Source.of(model).family()
-    numbers = plain_values(model, family, "parameter values", values)
+    numbers = plain_values(model, family, values)
     if name is not None:
         given.known("parameter", name, family.defaults)
     begin = None if start is None else given.numbers("start", start, (len(family.states),))

@@ -5,7 +5,6 @@ located, then whether the ends of one sweep's intervals bound those of another.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import pairwise
@@ -15,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.branches import GrazingPoint
-from gearlash.jobs import Cancel, Chain, ProgressCallback, run
+from gearlash.jobs import Chain, Execution, run
 from gearlash.jobs.chains import Work
 from gearlash.orbits import Settings
 from gearlash.results import NOT_COMPUTED, Direction, Point, Sweep, same_motion
@@ -93,9 +92,7 @@ class Search:
     settings: Settings
     quiet: Quiet
     start: NDArray[np.float64] | None
-    executor: Executor | None
-    progress: ProgressCallback | None
-    cancel: Cancel | None
+    execution: Execution
     donors: list[tuple[Quiet, Row]] = field(default_factory=list)
     ended: list[str] = field(default_factory=list)
     reasons: list[str] = field(default_factory=list)
@@ -188,7 +185,7 @@ class Search:
         if self.ended:
             self.reasons.append(self.ended[0])
             return {}
-        outcome = run(work, chains, self.executor, progress=self.progress, cancel=self.cancel)
+        outcome = run(work, chains, self.execution)
         if outcome.reason:
             self.ended.append(outcome.reason)
             self.reasons.append(outcome.reason)

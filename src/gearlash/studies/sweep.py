@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from concurrent.futures import Executor
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.jobs import Cancel, Chain, Inline, Outcome, ProgressCallback, run
+from gearlash.jobs import Chain, Execution, Inline, Outcome, run
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, Point, Sweep, not_computed
 from gearlash.system import given
 
-from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
-from .model import Model, Source, check_travels
+from .arguments import checked_execution, checked_settings, checked_start, checked_values
+from .model import Model, Source
 from .named import plain_axis
 from .row import Segment, Trail, work
 
@@ -27,21 +26,18 @@ def sweep(
     model: Model,
     axis: Axis,
     *,
-    fixed: Mapping[str, float | str] | None = None,
+    values: Mapping[str, float | str] | None = None,
     direction: Direction | str = Direction.COLD,
-    initial: ArrayLike | None = None,
+    start: ArrayLike | None = None,
     settings: Settings | None = None,
-    executor: Executor | None = None,
-    chunk: int | None = None,
-    progress: ProgressCallback | None = None,
-    cancel: Cancel | None = None,
+    execution: Execution | None = None,
 ) -> Sweep:
-    """One attractor per value of ``axis``; ``fixed`` are other parameters, by short name, over those of the
+    """One attractor per value of ``axis``; ``values`` are other parameters, by short name, over those of the
     case.
 
-    ``cold``: every point from the family's cold start, or from ``initial`` (n,). ``up``, ``down``: the first
-    point so, every other from the attractor of the point before it, which is followed. Any ``executor`` gives
-    the same bytes, and so does any ``chunk`` (points a task). A point that fails is flagged with its reason.
+    ``cold``: every point from the family's cold start, or from ``start`` (n,). ``up``, ``down``: the first
+    point so, every other from the attractor of the point before it, which is followed. Any ``execution``
+    gives the same bytes. A point that fails is flagged with its reason.
     A cancel or Ctrl-C returns what was computed, marked incomplete. Raises `GearlashError` for names, values
     and starts that do not fit.
     """
@@ -49,13 +45,10 @@ def sweep(
         model,
         axis,
         (direction,),
-        fixed=fixed,
-        initial=initial,
+        values=values,
+        start=start,
         settings=settings,
-        executor=executor,
-        chunk=chunk,
-        progress=progress,
-        cancel=cancel,
+        execution=execution,
     )[0]
 
 
@@ -64,13 +57,10 @@ def sweeps(
     axis: Axis,
     directions: Sequence[Direction | str] = tuple(Direction),
     *,
-    fixed: Mapping[str, float | str] | None = None,
-    initial: ArrayLike | None = None,
+    values: Mapping[str, float | str] | None = None,
+    start: ArrayLike | None = None,
     settings: Settings | None = None,
-    executor: Executor | None = None,
-    chunk: int | None = None,
-    progress: ProgressCallback | None = None,
-    cancel: Cancel | None = None,
+    execution: Execution | None = None,
 ) -> tuple[Sweep, ...]:
     """Sweeps in several directions at once, in that order; see `sweep`. What one start does not find another
     may: where they differ, attractors coexist (`coexisting`).
@@ -78,14 +68,13 @@ def sweeps(
     source = Source.of(model)
     family = source.family()
     axis = plain_axis(model, family, axis)
-    fixed, begin = checked_fixed(model, family, fixed, [axis]), checked_start(family, initial)
-    checked_ways(executor, progress, cancel)
-    check_travels(source, executor)
+    fixed, begin = checked_values(model, family, values, [axis]), checked_start(family, start)
+    execution = checked_execution(source, execution)
     ways = _directions(directions)
-    size = _chunk(chunk, executor, len(axis))
+    size = _chunk(execution, len(axis))
     form = Segment(source, tuple(fixed.items()), axis.name, checked_settings(settings), False, ())
     chains = [chain for way in ways for chain in _chains(way, axis, size, form, begin)]
-    outcome = run(work, chains, executor, progress=progress, cancel=cancel)
+    outcome = run(work, chains, execution)
     blanks: dict[float, Point] = {}
     return tuple(_gathered(way, axis, fixed, outcome, blanks) for way in ways)
 
@@ -99,11 +88,11 @@ def _directions(directions: Sequence[Direction | str]) -> list[Direction]:
     return ways
 
 
-def _chunk(chunk: int | None, executor: Executor | None, points: int) -> int:
-    if chunk is None:
-        alone = executor is None or isinstance(executor, Inline)
+def _chunk(execution: Execution, points: int) -> int:
+    if execution.chunk is None:
+        alone = execution.executor is None or isinstance(execution.executor, Inline)
         return 1 if alone and points <= SHOWN else CHUNK
-    return given.whole("chunk", chunk)
+    return execution.chunk
 
 
 def _chains(way: Direction, axis: Axis, size: int, form: Segment, begin: np.ndarray | None) -> list[Chain]:

@@ -135,14 +135,14 @@ class _Way:
 
 
 def transitions(
-    family: Family, fixed: Mapping[str, float], name: str, points: Sequence[Sampled], rising: bool = True
+    family: Family, values: Mapping[str, float], name: str, points: Sequence[Sampled], rising: bool = True
 ) -> tuple[Transition, ...]:
     """All changes of the motion along ``points`` (ascending in ``name``), jumps between orbits of one label
     among them. ``rising`` says from which side an orbit is followed first. Intervals with an end that is not
     periodic are reported without a point."""
     given.instance("family", family, Family, "a Family, as from case.family()[0]")
     given.known("parameter", name, family.defaults)
-    finder = _Finder(family, family.complete(fixed), name, given.truth("rising", rising))
+    finder = _Finder(family, family.complete(values), name, given.truth("rising", rising))
     points = _ascending(points)
     found: dict[int, list[Transition]] = {}
     order = range(len(points) - 1)

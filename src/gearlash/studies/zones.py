@@ -5,18 +5,17 @@ started from.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from concurrent.futures import Executor
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.jobs import Cancel, ProgressCallback
+from gearlash.jobs import Execution
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Sweep, same_motion
 from gearlash.results.physical import physical_axis
 from gearlash.system import GearlashError, given
 
-from .arguments import checked_fixed, checked_settings, checked_start, checked_ways
+from .arguments import checked_execution, checked_settings, checked_start, checked_values
 from .ends import NARROW
 from .model import Model, Source
 from .named import plain_axis
@@ -30,29 +29,26 @@ def zones(
     axis: Axis,
     quiet: Quiet | str = Quiet.IMPACT_FREE,
     *,
-    fixed: Mapping[str, float | str] | None = None,
+    values: Mapping[str, float | str] | None = None,
     known: Sequence[Sweep] | None = None,
-    initial: ArrayLike | None = None,
+    start: ArrayLike | None = None,
     settings: Settings | None = None,
-    executor: Executor | None = None,
-    progress: ProgressCallback | None = None,
-    cancel: Cancel | None = None,
+    execution: Execution | None = None,
 ) -> Zones:
     """Maximal intervals of ``axis`` with quiet motion, their ends located, and what coexists in them.
 
     A zone counts where every attractor that cold, up and down sweeps find is quiet; intervals where only
-    some are come beside it. ``known`` are such sweeps made before (of this model, axis, ``fixed``,
-    ``initial`` and ``settings``); without them all three are computed. Between two points at which a sweep
+    some are come beside it. ``known`` are such sweeps made before (of this model, axis, ``values``,
+    ``start`` and ``settings``); without them all three are computed. Between two points at which a sweep
     found quiet motion, that motion is followed in steps of at most a 128th of the axis, with closer looks
     where it comes nearest to an impact, and beside every grazing that ends another sweep's interval. An end
     is solved for (grazing, fold) where the sweep's own attractor is seen to change there, else halved to
-    about 1e-6 of itself. ``progress`` counts points, then stretches, then ends. Other arguments as in
+    about 1e-6 of itself. The progress counts points, then stretches, then ends. Other arguments as in
     `sweep`.
     """
     return zones_of_kinds(
-        model, axis, [quiet], fixed=fixed, known=known, initial=initial, settings=settings, executor=executor,
-        progress=progress, cancel=cancel,
-    )[0]  # fmt: skip
+        model, axis, [quiet], values=values, known=known, start=start, settings=settings, execution=execution
+    )[0]
 
 
 def zones_of_kinds(
@@ -60,37 +56,30 @@ def zones_of_kinds(
     axis: Axis,
     kinds: Sequence[Quiet | str],
     *,
-    fixed: Mapping[str, float | str] | None = None,
+    values: Mapping[str, float | str] | None = None,
     known: Sequence[Sweep] | None = None,
-    initial: ArrayLike | None = None,
+    start: ArrayLike | None = None,
     settings: Settings | None = None,
-    executor: Executor | None = None,
-    progress: ProgressCallback | None = None,
-    cancel: Cancel | None = None,
+    execution: Execution | None = None,
 ) -> tuple[Zones, ...]:
     """The same of several kinds from the same sweeps."""
-    family = Source.of(model).family()
+    source = Source.of(model)
+    family = source.family()
     wanted, settings = [given.choice(Quiet, "kind of zone", k) for k in kinds], checked_settings(settings)
     axis = plain_axis(model, family, axis)
-    fixed, start = checked_fixed(model, family, fixed, [axis]), checked_start(family, initial)
-    checked_ways(executor, progress, cancel)
+    fixed, begin = checked_values(model, family, values, [axis]), checked_start(family, start)
+    execution = checked_execution(source, execution)
     if len(axis) < 2:
         raise GearlashError(f"zones along {axis.name}: expected at least two values")
     ways = None if known is None else given.instances("known", known, Sweep, "sweeps made before")
     ended: list[str] = []
     if ways is None:
-        ways = sweeps(
-            model, axis, fixed=fixed, initial=initial, settings=settings, executor=executor,
-            progress=progress, cancel=cancel,
-        )  # fmt: skip
+        ways = sweeps(model, axis, values=fixed, start=begin, settings=settings, execution=execution)
         ended += [sweep.message for sweep in ways if not sweep.complete]
     _check(ways, axis, fixed)
     found, donors = [], []
     for quiet in wanted:
-        search = Search(
-            Source.of(model), tuple(fixed.items()), settings, quiet, start, executor, progress, cancel,
-            donors, ended,
-        )  # fmt: skip
+        search = Search(source, tuple(fixed.items()), settings, quiet, begin, execution, donors, ended)
         found.append(_found(model, ways, axis, search))
     return tuple(found)
 

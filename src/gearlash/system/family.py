@@ -47,14 +47,15 @@ class Parameter:
 class Family(Record):
     """Parameter names and defaults, state names, and how to build one system from a complete mapping.
 
-    ``build`` gets a value for every name and returns plain arrays in a `System`; ``initial`` returns the cold
-    start, shape (n,). Whatever they raise for some values becomes a `BuildError`, which fails that point of a
-    study. Nothing above reads a case file again for another point of the same family."""
+    ``build`` gets a value for every name and returns plain arrays in a `System`; ``cold_start`` gets the same
+    and returns the state (n,) from which a motion starts where no other is given. Whatever they raise for
+    some values becomes a `BuildError`, which fails that point of a study. Nothing above reads a case file
+    again for another point of the same family."""
 
     parameters: tuple[Parameter, ...]
     states: tuple[str, ...]
     build: Callable[[Mapping[str, float]], System]
-    initial: Callable[[Mapping[str, float]], NDArray[np.float64]]
+    cold_start: Callable[[Mapping[str, float]], NDArray[np.float64]]
 
     def __post_init__(self) -> None:
         expected = "parameters, such as (Parameter('omega', 0.9),)"
@@ -63,7 +64,8 @@ class Family(Record):
         object.__setattr__(self, "parameters", parameters)
         object.__setattr__(self, "states", given.words("states of a family", self.states))
         given.function("build of a family", self.build, "a function from parameter values to a System")
-        given.function("initial of a family", self.initial, "a function from parameter values to a state")
+        expected = "a function from parameter values to a state"
+        given.function("cold_start of a family", self.cold_start, expected)
 
     @property
     def defaults(self) -> dict[str, float]:
@@ -94,7 +96,7 @@ class Family(Record):
     def start(self, overrides: Mapping[str, float] | None = None) -> NDArray[np.float64]:
         """The cold start of that member, shape (n,). Raises `BuildError` where there is none."""
         values = self.complete(overrides)
-        return given.numbers("the start", _called("initial", self.initial, values), (len(self.states),))
+        return given.numbers("the start", _called("cold_start", self.cold_start, values), (len(self.states),))
 
 
 def _called(name: str, function: Callable[[Mapping[str, float]], Any], values: dict[str, float]) -> Any:

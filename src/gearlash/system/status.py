@@ -37,7 +37,7 @@ class UnknownNameError(GearlashError):
 
 
 class BuildError(GearlashError):
-    """What a family's own `build` or `initial` raised, or returned in place of a system or a state."""
+    """What a family's own `build` or `cold_start` raised, or returned in place of a system or a state."""
 
 
 def nearest(name: str, valid: Iterable[str], cutoff: float = 0.4) -> str | None:

@@ -67,7 +67,7 @@ def graze(
     with late_bar("following the motion") as tell:
         walks = (
             [
-                first_grazing(family, short, first, way, fixed=others, settings=search, tell=tell)
+                first_grazing(family, short, first, way, values=others, settings=search, tell=tell)
                 for way in ("down", "up")
             ]
             if first.periodic

@@ -66,6 +66,7 @@ def map(
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.settings import search_settings
     from gearlash.cli.workers import executor_for
+    from gearlash.jobs import Execution
     from gearlash.results import NOT_COMPUTED, Axis
     from gearlash.studies import map_plane
 
@@ -75,10 +76,9 @@ def map(
             chosen,
             x,
             y,
-            initial=None if start is None else list(start.values()),
+            start=None if start is None else list(start.values()),
             settings=search_settings(family, periods, max_period, case),
-            executor=executor,
-            progress=progress,
+            execution=Execution(executor, progress=progress),
         )
     end_if_nothing(set(found.statuses) != {NOT_COMPUTED})
     named, units = (across.named, up.named), (across.unit, up.unit)

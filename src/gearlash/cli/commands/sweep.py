@@ -69,6 +69,7 @@ def sweep(
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.settings import search_settings
     from gearlash.cli.workers import executor_for
+    from gearlash.jobs import Execution
     from gearlash.results import Axis
     from gearlash.studies import sweeps
 
@@ -78,10 +79,9 @@ def sweep(
             chosen,
             axis,
             ways,
-            initial=None if start is None else list(start.values()),
+            start=None if start is None else list(start.values()),
             settings=search_settings(family, periods, max_period, case),
-            executor=executor,
-            progress=progress,
+            execution=Execution(executor, progress=progress),
         )
     end_if_nothing(any(point.computed for each in found for point in each.points))
     answer = sweep_answer(chosen, family.complete(), along.named, found, along.unit, start)

@@ -85,6 +85,7 @@ def zones(
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.settings import search_settings
     from gearlash.cli.workers import executor_for
+    from gearlash.jobs import Execution
     from gearlash.results import Axis
     from gearlash.studies import sweeps
     from gearlash.studies.zones import zones_of_kinds
@@ -92,7 +93,8 @@ def zones(
     axis, search = Axis(along.short, along.values), search_settings(family, periods, max_period, case)
     with executor_for(chosen, workers, 3 * len(axis)) as executor:
         with progress_bar("sweeps") as progress:
-            ways = sweeps(chosen, axis, initial=start, settings=search, executor=executor, progress=progress)
+            execution = Execution(executor, progress=progress)
+            ways = sweeps(chosen, axis, start=start, settings=search, execution=execution)
         end_if_nothing(any(point.computed for each in ways for point in each.points))
         with progress_bar("ends") as progress:
             found = zones_of_kinds(
@@ -100,10 +102,9 @@ def zones(
                 axis,
                 kinds,
                 known=ways,
-                initial=start,
+                start=start,
                 settings=search,
-                executor=executor,
-                progress=progress,
+                execution=Execution(executor, progress=progress),
             )
     answer = zones_answer(chosen, family.complete(), along.named, along.unit, found, named)
     with delivery():
