@@ -27,7 +27,7 @@ COMMANDS = (
     _of("run-article", "run article", quick=True),
     _of("run-article-grazing", "run article --set omega=0.8301"),
     _of("run-article-long", "run article --set D=0.3523 --set omega=0.78"),
-    _of("run-article-aperiodic", "run article --set omega=0.78 --set D=0.25", quick=True),
+    _of("run-article-aperiodic", "run article --set omega=0.78 --set D=0.25"),
     _of("run-article-in-contact", "run article --set omega=0.9 --set model.contact=in-contact"),
     _of("run-article-no-tension", "run article --set omega=0.9 --set model.contact=no-tension"),
     _of("run-article-back-load", "run article --set load=-0.0919683 --set omega=0.9"),
