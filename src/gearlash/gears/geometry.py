@@ -39,9 +39,32 @@ class YAxis(StrEnum):
 
 @dataclass(frozen=True)
 class ToothGeometry:
-    """Teeth of a pair (pinion, gear), normal module in m, normal pressure angle and helix angle in rad.
+    """The teeth of a cylindrical pair.
 
-    ``addendum`` is the tip height over the normal module (1.0: standard basic rack, ISO 53).
+    Parameters
+    ----------
+    teeth : (int, int)
+        Of pinion and gear.
+    normal_module : float
+        m_n, m.
+    pressure_angle : float
+        Normal pressure angle α_n, rad.
+    helix_angle : float
+        β on the pitch cylinder, rad; 0 for spur gears.
+    addendum : float
+        Tip height over the normal module; 1 for the standard basic rack of ISO 53.
+
+    References
+    ----------
+    ISO 21771-1, Cylindrical involute gears and gear pairs: concepts and geometry.
+
+    Examples
+    --------
+    >>> from math import radians
+    >>> from gearlash.gears import ToothGeometry
+    >>> spur = ToothGeometry((20, 40), 2e-3, radians(20))
+    >>> round(spur.centre_distance, 6), round(spur.transverse_contact_ratio, 3)
+    (0.06, 1.635)
     """
 
     teeth: tuple[int, int]
@@ -99,7 +122,17 @@ class ToothGeometry:
 
 @dataclass(frozen=True)
 class LineOfAction:
-    """x = c_t u + c_y (y_p - y_g) + c_z (z_p - z_g) - e, u = R_p θ_p - R_g θ_g; ``radii`` R_p, R_g in m."""
+    """How motion adds up along the line of action.
+
+    x = c_t u + c_y (y_p - y_g) + c_z (z_p - z_g) - e,   u = R_p θ_p - R_g θ_g
+
+    Parameters
+    ----------
+    radii : (float, float)
+        R_p and R_g, m.
+    c_t, c_y, c_z : float
+        Factors of rotation, lateral and axial motion, from 0 to 1 (c_z may be negative).
+    """
 
     radii: tuple[float, float]
     c_t: float
@@ -112,7 +145,32 @@ def line_of_action(
     projection: Projection = Projection.PITCH,
     y_axis: YAxis = YAxis.PITCH_TANGENT,
 ) -> LineOfAction:
-    """Radii and direction factors of the chosen projection. c_z = cos α_n sin β = sin β_b in every one."""
+    """Radii and direction factors of a pair.
+
+    Parameters
+    ----------
+    geometry : ToothGeometry
+    projection : Projection
+        Which radius turns rotation into displacement.
+    y_axis : YAxis
+        Direction of the lateral coordinate.
+
+    Returns
+    -------
+    LineOfAction
+        With c_z = cos α_n sin β = sin β_b for every projection.
+
+    Examples
+    --------
+    >>> from math import radians
+    >>> from gearlash.gears import Projection, ToothGeometry, line_of_action
+    >>> teeth = ToothGeometry((28, 70), 4e-3, radians(20), radians(18))
+    >>> pitch, base = line_of_action(teeth), line_of_action(teeth, Projection.BASE)
+    >>> round(pitch.c_t, 4), round(base.c_t, 4)
+    (0.8937, 0.9569)
+    >>> round(pitch.radii[0] * pitch.c_t - base.radii[0] * base.c_t, 12)  # the same displacement
+    0.0
+    """
     tangent = cos(geometry.pressure_angle) * cos(geometry.helix_angle)
     along = cos(geometry.base_helix_angle)
     return LineOfAction(

@@ -40,8 +40,18 @@ _EACH_DAMPING = tuple(f"bearing_damping_{b}" for b in BEARINGS)
 class HelicalPair:
     """The fixed numbers of a dimensionless helical pair.
 
-    ``rotation_factor`` is c_t², ``y_factor`` c_y, ``z_factor`` c_z; ``mass_ratios`` m_e/m_p and m_e/m_g;
-    ``bearing_frequencies`` κ in the order of `BEARINGS`.
+    Parameters
+    ----------
+    rotation_factor : float
+        c_t², above 0.
+    y_factor, z_factor : float
+        c_y and c_z.
+    mass_ratios : (float, float)
+        m_e/m_p and m_e/m_g.
+    bearing_frequencies : (float, float, float, float)
+        κ = √(k_i/m_i)/ω_n of Y_p, Z_p, Y_g, Z_g, the order of `BEARINGS`.
+    contact : ContactRule
+        When the damping of the mesh acts.
     """
 
     rotation_factor: float
@@ -64,12 +74,32 @@ class HelicalPair:
 
 
 def family(pair: HelicalPair, defaults: Mapping[str, float]) -> Family:
-    """The helical pair as a family, states `STATES`.
+    """The helical pair as a family of systems with ten states, `STATES`.
 
-    ``defaults`` gives parameter values by short name: those of `gears.spur.family`, and ``bearing_damping``
-    (all four ratios ξ) or ``bearing_damping_yp``, ``_zp``, ``_yg``, ``_zg``. When the four differ there is no
-    common ``bearing_damping`` to vary. ``rotation_factor`` defaults to the pair's. Raises `GearlashError` for
-    other names.
+    Parameters
+    ----------
+    pair : HelicalPair
+    defaults : mapping of str to float
+        Parameter values by short name: those of `gears.spur.family`, and ``bearing_damping`` (all four ratios
+        ξ) or ``bearing_damping_yp``, ``_zp``, ``_yg``, ``_zg``. Where the four differ there is no common
+        ``bearing_damping`` to vary. ``rotation_factor`` is the pair's where nothing is given.
+
+    Returns
+    -------
+    Family
+
+    Raises
+    ------
+    GearlashError
+        For a name that is no parameter, or where ``omega``, ``D`` or ``load`` is missing.
+
+    Examples
+    --------
+    >>> from gearlash.gears import HelicalPair, helical
+    >>> pair = HelicalPair(0.8, 0.89, 0.29, (0.3, 0.05), (0.7, 0.6, 0.4, 0.3))
+    >>> family = helical.family(pair, {"omega": 0.9, "D": 1.0, "load": 0.2, "ripple": 0.1})
+    >>> family.system({"omega": 1.1}).omega, len(family.states)
+    (1.1, 10)
     """
     damping = _damping_parameters(defaults)
     parameters = (
@@ -101,9 +131,25 @@ def family(pair: HelicalPair, defaults: Mapping[str, float]) -> Family:
 
 
 def natural_frequencies(pair: HelicalPair, rotation_factor: float | None = None) -> NDArray[np.float64]:
-    """Undamped natural frequencies over ω_n with the mesh closed at mean stiffness, shape (5,), ascending.
+    """Undamped natural frequencies with the mesh closed at its mean stiffness.
 
-    From the symmetric problem in (Y_p, Z_p, Y_g, Z_g, u) with masses m_i/m_e and 1.
+    Parameters
+    ----------
+    pair : HelicalPair
+    rotation_factor : float, optional
+        c_t²; the pair's where nothing is given.
+
+    Returns
+    -------
+    ndarray, shape (5,)
+        Over ω_n, ascending: of the symmetric problem in (Y_p, Z_p, Y_g, Z_g, u) with masses m_i/m_e and 1.
+
+    Examples
+    --------
+    >>> from gearlash.gears import HelicalPair, helical
+    >>> pair = HelicalPair(1.0, 0.0, 0.0, (0.3, 0.05), (0.7, 0.6, 0.4, 0.3))  # bearings apart from the mesh
+    >>> helical.natural_frequencies(pair).round(12).tolist()
+    [0.3, 0.4, 0.6, 0.7, 1.0]
     """
     roots = np.append(np.sqrt(np.repeat(pair.mass_ratios, 2)), 1.0)  # 1/√mass: makes the problem ordinary
     c_t = np.sqrt(pair.rotation_factor if rotation_factor is None else rotation_factor)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from gearlash.system import Clearance, ContactRule, Fourier, GearlashError, Parameter, cosines
 
 SMALLEST_OMEGA = 1e-9
+"""Least mesh frequency: its period is finite."""
 _HARMONIC = re.compile(r"(ripple|error)(_phase)?(?:_([1-9][0-9]*))?")
 
 

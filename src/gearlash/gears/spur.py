@@ -32,12 +32,37 @@ def family(
     defaults: Mapping[str, float],
     contact: ContactRule = ContactRule.ALWAYS,
 ) -> Family:
-    """The spur pair as a family, states (X, X′).
+    """The spur pair as a family of systems with the states X and X′.
 
-    ``defaults`` gives parameter values by short name: ``omega``, ``D``, ``load`` and whatever is not zero of
-    ``ripple``, ``ripple_phase``, ``error``, ``error_phase`` (each also ``_2``, ``_3`` …), ``mesh_damping``,
-    ``back_stiffness`` (1), ``back_gap`` (1), ``rotation_factor`` (c_t², 1). Raises `GearlashError` for other
-    names.
+    Parameters
+    ----------
+    defaults : mapping of str to float
+        Parameter values by short name: ``omega``, ``D``, ``load``, and whatever is not zero of ``ripple``,
+        ``ripple_phase``, ``error``, ``error_phase`` (each also ``_2``, ``_3`` …) and ``mesh_damping``;
+        ``back_stiffness``, ``back_gap`` and ``rotation_factor`` (c_t²) are 1 where nothing is given.
+    contact : ContactRule
+        When the damping of the mesh acts.
+
+    Returns
+    -------
+    Family
+
+    Raises
+    ------
+    GearlashError
+        For a name that is no parameter, or where ``omega``, ``D`` or ``load`` is missing.
+
+    References
+    ----------
+    A. Kahraman, R. Singh, J. Sound Vib. 142 (1990) 49, doi:10.1016/0022-460X(90)90582-K.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash.gears import spur
+    >>> family = spur.family({"omega": 0.7, "D": 1.0, "load": 0.2, "error": 0.05, "mesh_damping": 0.05})
+    >>> gl.attractor(family.system(), family.start()).label
+    '1-0-0'
     """
     parameters = (
         *mesh_parameters(defaults),
@@ -60,12 +85,29 @@ def family(
 
 
 def natural_frequencies(rotation_factor: float = 1.0) -> NDArray[np.float64]:
-    """The one undamped natural frequency over ω_n with the mesh closed at mean stiffness, shape (1,): c_t."""
+    """The one undamped natural frequency with the mesh closed at its mean stiffness: c_t.
+
+    Parameters
+    ----------
+    rotation_factor : float
+        c_t².
+
+    Returns
+    -------
+    ndarray, shape (1,)
+        Over ω_n.
+
+    Examples
+    --------
+    >>> from gearlash.gears import spur
+    >>> spur.natural_frequencies(0.81).tolist()
+    [0.9]
+    """
     return np.sqrt(np.array([rotation_factor]))
 
 
 def reject_unknown(defaults: Mapping[str, float], parameters: tuple[Parameter, ...]) -> None:
-    """Raise `GearlashError` when a default is given for a name that is no parameter."""
+    """Raises `GearlashError` where a default is given for a name that is no parameter."""
     names = {p.name for p in parameters}
     unknown = sorted(set(defaults) - names)
     if unknown:
