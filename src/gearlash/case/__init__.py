@@ -1,4 +1,4 @@
-"""What a user writes: case files with units, provenance and named problems, and the cases that come along.
+"""What a user writes: case files with units, provenance and named problems, and the bundled cases.
 
 case = load("article", {"pinion_speed": "3600 rpm"})
 family, scales = case.family()
@@ -30,7 +30,19 @@ __all__ = [
 
 
 def schema() -> dict[str, object]:
-    """JSON Schema (2020-12) of case files."""
+    """JSON Schema of case files, for editors and for tests of generated files.
+
+    Returns
+    -------
+    dict
+        JSON Schema 2020-12 with one variant a kind of case, registered kinds among them.
+
+    Examples
+    --------
+    >>> from gearlash.case import schema
+    >>> sorted(schema()["discriminator"]["mapping"])
+    ['helical-pair', 'piecewise-linear', 'spur-1dof']
+    """
     from .fileschema import schema as built  # late: needs pydantic
 
     return built()

@@ -34,11 +34,31 @@ FORMAT = 1
 
 @dataclass(frozen=True, repr=False)
 class Case(Record):
-    """A complete, checked case. Made by `load`, `loads` or `Case.from_json`.
+    """A complete, checked case, as `load`, `loads` and `Case.from_json` make it.
 
-    ``entries`` hold every stated value by key in SI, D_c among them (``model.reference_length``): it was
-    settled when the file was loaded and nothing moves it afterwards. ``structure`` is what a case has beside
-    its values: equations, forcing and clearances of a piecewise-linear one; empty for a gear pair.
+    Attributes
+    ----------
+    name, description : str
+    kind : str
+        What the file says in its first line: ``helical-pair``, ``spur-1dof``, ``piecewise-linear``, or a kind
+        that was registered.
+    source : mapping
+        Title, authors, DOI, address and note of where the case is from, as far as stated.
+    entries : mapping of str to Entry
+        Every stated value by key, in SI. The length D_c that everything is divided by is among them
+        (``model.reference_length``): it was settled when the file was loaded, and nothing moves it
+        afterwards.
+    structure : mapping
+        What a case has beside its values: equations, forcing and clearances of a piecewise-linear one; empty
+        for a gear pair.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("article", {"pinion_speed": "3600 rpm"})
+    >>> family, scales = case.family()
+    >>> round(family.defaults["omega"], 4), round(float(scales.pinion_rpm(family.defaults["omega"])))
+    (0.9424, 3600)
     """
 
     _told: ClassVar = ("name", "kind", "description", "hash")
@@ -57,7 +77,15 @@ class Case(Record):
         return kind_named(self.kind).content(self.entries, self.structure)
 
     def family(self) -> tuple[Family, Scales]:
-        """The pair as a family of dimensionless systems with this case as default, and its scales."""
+        """The case as a family of systems, and its scales.
+
+        Returns
+        -------
+        family : Family
+            Dimensionless systems, with the values of this case as defaults.
+        scales : Scales
+            Conversions between dimensionless and physical values.
+        """
         return self.content.family(), self.scales
 
     @property
@@ -81,14 +109,63 @@ class Case(Record):
         return self.content.kind.between_teeth
 
     def with_overrides(self, overrides: Mapping[str, object]) -> Case:
-        """The case with values replaced, by path or short name, as text or number. Raises `CaseError`."""
+        """The case with values replaced.
+
+        Parameters
+        ----------
+        overrides : mapping
+            Path or short name to a text with its unit (``"120 um"``), or to a number for what has no unit.
+
+        Returns
+        -------
+        Case
+
+        Raises
+        ------
+        CaseError
+            With every problem of the overrides, and of what the case is with them.
+
+        Examples
+        --------
+        >>> import gearlash as gl
+        >>> wider = gl.load_case("article").with_overrides({"backlash": "150 um"})
+        >>> round(wider.family()[0].defaults["D"], 12)
+        1.5
+        """
         content, problems = self.content.override(given.mapping("overrides", overrides))
         return replace(self, entries=_checked(Draft(content, problems), self.name).entries)
 
     def resolve(self, name: str, value: str | float) -> tuple[str, float]:
-        """Short name and dimensionless value of a parameter given by path or short name: ``("pinion_speed",
-        "3600 rpm")`` → ``("omega", 0.942…)``. Raises `CaseError` for a bad value and `UnknownNameError` for
-        a name that is no parameter of the family."""
+        """The parameter of the family that a name and a value mean.
+
+        Parameters
+        ----------
+        name : str
+            Path or short name, dimensionless or physical.
+        value : str or float
+            A text with its unit, or a number for what has no unit.
+
+        Returns
+        -------
+        name : str
+            Short name of the parameter.
+        value : float
+            Its dimensionless value.
+
+        Raises
+        ------
+        CaseError
+            For a value that cannot be used.
+        UnknownNameError
+            For a name that is no parameter of the family.
+
+        Examples
+        --------
+        >>> import gearlash as gl
+        >>> name, value = gl.load_case("article").resolve("pinion_speed", "3600 rpm")
+        >>> name, round(value, 6)
+        ('omega', 0.942415)
+        """
         return self.content.resolve(self.name, given.a_text("name of a parameter", name), value)
 
     def named(self, name: str, value: object) -> str:
@@ -97,10 +174,28 @@ class Case(Record):
         return self.content.named(name, value)
 
     def physical(self, short: str, value: ArrayLike) -> list[tuple[str, NDArray[np.float64], str]]:
-        """What a parameter's value(s) mean physically: (path, values, unit) for every physical way to name
-        it.
+        """What values of a parameter mean physically.
 
-        Empty for a case without scales, and for a number that is the same either way.
+        Parameters
+        ----------
+        short : str
+            Short name of the parameter.
+        value : array_like
+            Dimensionless, of any shape.
+
+        Returns
+        -------
+        list of (str, ndarray, str)
+            Path, values and unit for every physical way to name it. Empty for a case without scales, and for
+            a number that is the same either way.
+
+        Examples
+        --------
+        >>> import gearlash as gl
+        >>> for path, values, unit in gl.load_case("article").physical("omega", [0.5, 1.0]):
+        ...     print(path, values.round(1), unit)
+        operation.pinion_speed [1910. 3820.] rpm
+        operation.mesh_frequency [ 891.3 1782.7] Hz
         """
         return self.content.physical(short, value)
 
@@ -166,17 +261,76 @@ class Case(Record):
 
 
 def load(path_or_name: str | Path, overrides: Mapping[str, object] | None = None) -> Case:
-    """The case in a file, or the bundled case of that name, with overrides by path or short name.
+    """The case in a file, or the bundled case of that name.
 
-    Override values are texts (``"120 um"``) or plain numbers for what has no unit. Raises `CaseError` with
-    every problem of the file and of the overrides at once.
+    Parameters
+    ----------
+    path_or_name : str or Path
+        A file in TOML, or one of `bundled()`, which wins over a file of that name.
+    overrides : mapping, optional
+        Values that replace those of the file, by path or short name: texts with their unit (``"120 um"``),
+        or numbers for what has no unit.
+
+    Returns
+    -------
+    Case
+
+    Raises
+    ------
+    CaseError
+        With every problem of the file and of the overrides at once.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.load_case("kahraman-singh").kind
+    'spur-1dof'
+    >>> gl.load_case("article", {"backlash": "100"})
+    Traceback (most recent call last):
+        ...
+    gearlash.case.errors.CaseError: article: 1 problem
+      backlash = '100': expected a length with its unit, such as "100 um"
     """
     label, text = source_text(path_or_name)
     return loads(text, overrides, label=label)
 
 
 def loads(text: str, overrides: Mapping[str, object] | None = None, label: str = "case") -> Case:
-    """The case in a TOML text; see `load`."""
+    """The case in a text.
+
+    Parameters
+    ----------
+    text : str
+        TOML, as in a file.
+    overrides : mapping, optional
+        As of `load`.
+    label : str
+        What the text is called in problems, and where it states no name.
+
+    Returns
+    -------
+    Case
+
+    Raises
+    ------
+    CaseError
+        With every problem of the text and of the overrides at once.
+
+    Examples
+    --------
+    >>> from gearlash.case import loads
+    >>> case = loads('''
+    ... kind = "spur-1dof"
+    ... [dimensionless]
+    ... omega = 0.7
+    ... D = 1
+    ... load = 0.2
+    ... error = 0.05
+    ... mesh_damping = 0.05
+    ... ''')
+    >>> case.kind, case.family()[0].defaults["omega"]
+    ('spur-1dof', 0.7)
+    """
     text, label = given.a_text("text of a case", text), given.a_text("label", label)
     return from_tables(parse(label, text), overrides, label)
 

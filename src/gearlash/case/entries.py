@@ -9,7 +9,22 @@ from .stated import Provenance, Stated
 
 @dataclass(frozen=True)
 class Entry:
-    """A quantity (``key``), the ``path`` it was named by, its value in SI, text, provenance and reason."""
+    """One stated value of a case.
+
+    Attributes
+    ----------
+    key : str
+        The quantity: the same for all paths that name it.
+    path : str
+        The path that it was stated by.
+    value : float or str
+        In SI, or the name of an option.
+    text : str
+        What was written.
+    provenance : Provenance
+    reason : str
+        Why this value; empty where nothing was stated.
+    """
 
     key: str
     path: str
@@ -20,10 +35,12 @@ class Entry:
 
     @property
     def number(self) -> float:
+        """The value of a quantity. Raises `ValueError` for the name of an option."""
         return float(self.value)
 
     @property
     def dimensionless(self) -> bool:
+        """Was it stated as a dimensionless number?"""
         return self.path.startswith("dimensionless.")
 
 

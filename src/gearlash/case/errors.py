@@ -12,14 +12,25 @@ from gearlash.system.told import cut
 _LONGEST = {"path": 120, "value": 120, "expected": 600, "nearest": 60}
 MOST_SHOWN = 20
 """Problems of a case that are told; of a thousand of one kind the first tell as much."""
-MOST_BITS = 10_000  # of a number that Python turns into decimal digits
-LONGEST_NAME = 60  # of one that may be misspelt
 
 
 @dataclass(frozen=True)
 class Problem:
-    """One thing to correct: where (``path``), what stands there (``value``, if anything) and what is
-    expected."""
+    """One thing to correct in a case.
+
+    Attributes
+    ----------
+    path : str
+        Where it stands.
+    value : str or None
+        What stands there, cut to a readable length; None where nothing does.
+    expected : str
+        What is expected there, in words.
+    nearest : str or None
+        The valid name that looks most like the one that is there.
+    missing : bool
+        Whether something has to be stated and is not.
+    """
 
     path: str
     value: str | None
@@ -42,7 +53,32 @@ class Problem:
 
 
 class CaseError(GearlashError):
-    """A case that cannot be used. ``problems`` holds all of them; ``exit_code`` is what a command returns."""
+    """A case that cannot be used.
+
+    Parameters
+    ----------
+    source : str
+        The file, or what stands for it.
+    problems : iterable of Problem
+        All of them; the message shows the first twenty.
+
+    Attributes
+    ----------
+    problems : tuple of Problem
+    exit_code : int
+        What a command returns: 2.
+
+    Examples
+    --------
+    >>> from gearlash.case import CaseError, load
+    >>> try:
+    ...     load("article", {"backlach": "100 um", "load": "1 kg"})
+    ... except CaseError as error:
+    ...     for problem in error.problems:
+    ...         print(problem.path, problem.nearest)
+    backlach backlash
+    load None
+    """
 
     exit_code = 2
 
@@ -58,7 +94,7 @@ class CaseError(GearlashError):
 
 def nearest_name(name: object, valid: Iterable[str]) -> str | None:
     """The valid name that looks most like this one, large letters or small, if any does."""
-    if not isinstance(name, str) or len(name) > LONGEST_NAME:
+    if not isinstance(name, str) or len(name) > 60:  # too long to be a misspelt one
         return None
     by_look = {each.casefold(): each for each in valid}
     look = name.casefold()
@@ -72,6 +108,6 @@ def shown(value: object) -> str:
     """A value as it appears in a problem: texts and numbers as they stand, cut to a readable length."""
     if isinstance(value, str):
         return cut(repr(value[: told.LONGEST]))
-    if isinstance(value, int) and value.bit_length() < MOST_BITS:
+    if isinstance(value, int) and value.bit_length() < 10_000:  # Python turns no longer ones into digits
         return cut(repr(value))
     return told.shown(value)

@@ -7,7 +7,15 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Note:
-    """A remark on one value: its path and a sentence."""
+    """A remark on one value of a case, as `Case.notes` returns them; shown, never used.
+
+    Attributes
+    ----------
+    path : str
+        Of the value, as in a file.
+    text : str
+        A sentence.
+    """
 
     path: str
     text: str

@@ -14,13 +14,31 @@ LARGEST = 1e9
 
 @dataclass(frozen=True)
 class Quantity:
-    """A place that takes a number.
+    """A place in a case file that takes a number.
 
-    ``unit`` is the unit it is shown in, ``example`` a value as one would type it. ``bare`` says that a number
-    without unit is taken too, in ``unit``: plain numbers, and angles in rad of dimensionless cases. The range
-    (SI) is closed at ``upper``, and at ``lower`` unless ``above``: then values must exceed ``lower`` by at
-    least 1e-15, so that nothing computed from them overflows. ``key`` is shared by all the places that name
-    one quantity.
+    Parameters
+    ----------
+    path : str
+        ``table.leaf``.
+    dimension : Dimension
+        Of `gearlash.case.units`, such as ``LENGTH`` or ``NUMBER``.
+    unit : str
+        That it is shown in.
+    example : str
+        A value as one would type it.
+    description : str
+    lower, upper : float
+        The range, in SI, both ends included.
+    above : bool
+        ``lower`` itself is excluded: values must exceed it by at least 1e-15, so that nothing computed from
+        them overflows.
+    integer : bool
+        Only whole numbers.
+    bare : bool
+        A number without a unit is taken too, in ``unit``: plain numbers, and angles of dimensionless cases in
+        rad.
+    key : str
+        The quantity; the same for all places that name it. Empty: the path.
     """
 
     path: str
@@ -64,7 +82,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Choice:
-    """A place that takes one of a few names."""
+    """A place in a case file that takes one of a few names, ``default`` where nothing is stated."""
 
     path: str
     choices: tuple[str, ...]

@@ -26,7 +26,19 @@ _AT_LINE = re.compile(r"\s*\(at (line \d+, column \d+|end of document)\)")
 
 
 def bundled() -> list[str]:
-    """Names of the cases that come with the package."""
+    """Names of the cases that come with the package, for `load`.
+
+    Returns
+    -------
+    list of str
+        In alphabetical order.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.bundled()[0]
+    'article'
+    """
     names = (entry.name for entry in resources.files("gearlash.case").joinpath("data").iterdir())
     return sorted(name.removesuffix(".toml") for name in names if name.endswith(".toml"))
 

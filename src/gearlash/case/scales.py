@@ -1,4 +1,4 @@
-"""From dimensionless numbers to physical ones and back; all methods take scalars or arrays."""
+"""From dimensionless numbers to physical ones and back."""
 
 from __future__ import annotations
 
@@ -19,10 +19,38 @@ Values: TypeAlias = NDArray[np.float64]
 
 @dataclass(frozen=True, repr=False)
 class Scales(Record):
-    """Units of a case: ω_n (rad/s), k_m (N/m), m_e (kg), D_c (m), c_t, R_p and R_g (m), teeth, D⁻/D.
+    """The units of a case. Every conversion takes a number or an array and returns an array of its shape.
 
-    A case given in dimensionless numbers only has none of them: ``physical`` is False and every conversion
-    raises `GearlashError`. A pair given by its equivalent mass has no radius and so no torque.
+    A case given in dimensionless numbers only has no units: `physical` is False, and every conversion raises
+    `GearlashError`. A pair given by its equivalent mass has no radius and so no torque.
+
+    Attributes
+    ----------
+    omega_n : float or None
+        √(k_m/m_e), rad/s: the unit of frequencies; 1/ω_n is that of time.
+    mean_stiffness : float or None
+        k_m, N/m.
+    equivalent_mass : float or None
+        m_e, kg.
+    length : float or None
+        D_c, m: the unit of lengths.
+    c_t : float
+        Factor of rotation along the line of action.
+    radii : (float, float) or None
+        R_p and R_g, m.
+    teeth : (int, int or None) or None
+        Of pinion and gear.
+    back_gap : float
+        D⁻/D, the gap of the back side over that of the drive side.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> scales = gl.load_case("article").scales
+    >>> scales.pinion_rpm([0.5, 1.0]).round(1).tolist()
+    [1910.0, 3820.0]
+    >>> float(scales.force_N(0.1)), float(scales.backlash_um(1.0))
+    (1600.0, 100.0)
     """
 
     omega_n: float | None = None
@@ -48,7 +76,7 @@ class Scales(Record):
         return given.reals("speed", speed) / self._speed_unit
 
     def pinion_rpm(self, omega: ArrayLike) -> Values:
-        """Pinion speed in rpm."""
+        """Pinion speed in rpm of a dimensionless mesh frequency."""
         return self.pinion_speed(omega) * (30.0 / pi)
 
     def omega_from_rpm(self, rpm: ArrayLike) -> Values:
@@ -56,15 +84,15 @@ class Scales(Record):
         return self.omega_from_pinion_speed(given.reals("rpm", rpm) / (30.0 / pi))
 
     def mesh_hz(self, omega: ArrayLike) -> Values:
-        """Mesh cycles per second."""
+        """Mesh frequency in Hz (cycles per second) of a dimensionless one."""
         return given.reals("omega", omega) * (self._known("omega_n") / (2.0 * pi))
 
     def omega_from_hz(self, hz: ArrayLike) -> Values:
-        """Dimensionless mesh frequency of mesh cycles per second."""
+        """Dimensionless mesh frequency of one in Hz."""
         return given.reals("hz", hz) / (self._known("omega_n") / (2.0 * pi))
 
     def time_s(self, tau: ArrayLike) -> Values:
-        """Time in s."""
+        """Time in s of a dimensionless one."""
         return given.reals("tau", tau) / self._known("omega_n")
 
     def tau_from_s(self, seconds: ArrayLike) -> Values:

@@ -18,7 +18,11 @@ from .units import FREQUENCY, NUMBER, SPEED, UnitError, in_si, read, takes
 
 
 class Provenance(StrEnum):
-    """Where a value is from. Unstated means ``given``."""
+    """Where a value is from. What a file does not say is ``given``.
+
+    ``given`` is stated by the source of the case, ``inferred`` follows from what it states, ``assumed`` was
+    chosen by whoever wrote the case, ``calibrated`` was fitted to measurements or results.
+    """
 
     GIVEN = "given"
     INFERRED = "inferred"

@@ -12,11 +12,27 @@ DERIVED = "derived"
 
 @dataclass(frozen=True)
 class Value:
-    """One value as shown to a person.
+    """One value of a case as shown to a person, as `Case.values` returns them.
 
-    ``value`` is in ``unit``; ``provenance`` is a `Provenance` or ``derived`` (``reason`` is then the
-    formula); ``rests_on`` names the assumed values that a derived number was computed from; ``text`` is
-    what was written.
+    Attributes
+    ----------
+    path : str
+        Where it stands in a file (``table.leaf``), or ``derived.…``.
+    value : float or str
+        A number in ``unit``, or the name of an option.
+    unit : str
+        Empty for a plain number.
+    provenance : str
+        A `Provenance`, or ``derived`` for what was computed.
+    reason : str
+        As stated; of a derived value its formula.
+    short : str or None
+        Short name of the parameter, if it has one.
+    description : str
+    rests_on : tuple of str
+        The assumed values that a derived number was computed from, by path.
+    text : str
+        What was written.
     """
 
     path: str

@@ -1,13 +1,17 @@
-"""Kinds of case, one folder each, and the door for one's own: `register`."""
+"""Kinds of case, one folder each; `register` adds one of your own."""
+
+from gearlash.case.quantity import Choice, Quantity
 
 from .kind import Content, Draft, Excitation, Kind
 from .registry import forget, kind_named, kind_of, kinds, register, registered
 
 __all__ = [
+    "Choice",
     "Content",
     "Draft",
     "Excitation",
     "Kind",
+    "Quantity",
     "forget",
     "kind_named",
     "kind_of",

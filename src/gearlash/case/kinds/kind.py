@@ -1,7 +1,7 @@
 """What a kind of case is: how its files are read, and what a case of it says.
 
-A kind lies in a folder of its own beside this file, or in anybody's module (`registry.register`). `Case`, the
-commands and the studies ask a kind through these two classes only, and none of them by its name.
+A kind lies in a folder of its own beside this file, or in a user's module (`registry.register`). `Case`, the
+commands and the studies use a kind through `Kind` and `Content` only; none of them asks for a kind by name.
 """
 
 from __future__ import annotations
@@ -31,8 +31,17 @@ Structure = Mapping[str, Any]
 
 
 class Excitation(NamedTuple):
-    """Words for a case in which nothing happens: what is the cause, what to give so that something varies
-    with time, and what to do where something varies and moves nothing."""
+    """Words for a case in which nothing happens.
+
+    Attributes
+    ----------
+    cause : str
+        Why nothing happens, where nothing varies with time.
+    give : str
+        What to give, so that something varies with time.
+    moving : str
+        What to do where something varies with time and moves nothing.
+    """
 
     cause: str = "nothing excites this system, as nothing in it varies with time"
     give: str = "give something that varies with time"
@@ -41,11 +50,18 @@ class Excitation(NamedTuple):
 
 @dataclass(frozen=True)
 class Content(ABC):
-    """What one case of a kind holds: its stated values by key, and whatever its file has beside them (plain
-    data that JSON knows; empty for most kinds).
+    """What one case of a kind holds, and what it means.
 
-    A kind has to say what `family` its case is. Everything else has an answer already that fits a kind whose
-    places are listed (`Kind.places`), are all to be stated, and whose parameters are the values in SI by key.
+    A kind has to define `family`. All other methods have an answer already, which fits a kind whose places
+    are listed in `Kind.places`, must all be stated, and whose parameters are the values in SI by key.
+
+    Attributes
+    ----------
+    kind : Kind
+    entries : mapping of str to Entry
+        The stated values by key.
+    structure : mapping
+        What a file has beside its values, as plain data that JSON knows; empty for most kinds.
     """
 
     kind: Kind
@@ -81,7 +97,7 @@ class Content(ABC):
         return listed.missing(self.places, self.entries, present)
 
     def contradictions(self) -> list[Problem]:
-        """What in it contradicts what else it states; asked only where nothing is missing or wrong."""
+        """Stated values that contradict each other; asked only where nothing is missing or wrong."""
         return []
 
     def override(self, overrides: Mapping[str, object]) -> tuple[Content, list[Problem]]:
@@ -113,7 +129,16 @@ class Content(ABC):
 
 
 class Draft(NamedTuple):
-    """What a file says, right or wrong: ``present`` are paths whose value is there and cannot be used."""
+    """What a file says, right or wrong.
+
+    Attributes
+    ----------
+    content : Content
+        Of what could be read.
+    problems : list of Problem
+    present : frozenset of str
+        Paths whose value is there and cannot be used: they are not missing as well.
+    """
 
     content: Content
     problems: list[Problem]
@@ -121,16 +146,48 @@ class Draft(NamedTuple):
 
 
 class Kind(ABC):
-    """A kind of case, called ``name`` in the first line of a file.
+    """A kind of case.
 
-    ``places`` lists what its files may state, by path (``table.leaf``); a kind whose places depend on the
-    file reads and describes it itself (`read`, `schema`).
+    A kind whose places depend on the file defines `read` and `schema` as well.
+
+    Attributes
+    ----------
+    name : str
+        What the first line of a file says: ``kind = "..."``.
+    places : mapping of str to Quantity or Choice
+        What its files may state, by path (``table.leaf``).
+    between_teeth : bool
+        Whether the first clearance is the one between two meshing gears: sentences then speak of teeth.
+    excitation : Excitation
+        Words for a case in which nothing happens.
+
+    Examples
+    --------
+    >>> from gearlash.case import loads
+    >>> from gearlash.case.kinds import Content, Kind, Quantity, forget, register
+    >>> from gearlash.case.units import NUMBER
+    >>> from gearlash.gears import spur
+    >>> class Rattle(Content):
+    ...     def family(self):
+    ...         values = {key: entry.number for key, entry in self.entries.items()}
+    ...         return spur.family({"D": 1.0, "load": 0.2, **values})
+    >>> class RattleKind(Kind):
+    ...     name = "rattle"
+    ...     places = {
+    ...         path: Quantity(path, NUMBER, "", "0.7", "", lower=1e-3, upper=9.0, bare=True, key=key)
+    ...         for path, key in (("pair.omega", "omega"), ("pair.error", "error"))
+    ...     }
+    ...     def content(self, entries, structure):
+    ...         return Rattle(self, entries, structure)
+    >>> register(RattleKind())
+    >>> loads('kind = "rattle"\\n[pair]\\nomega = 0.7\\nerror = 0.1').family()[0].system().omega
+    0.7
+    >>> forget("rattle")
     """
 
     name: str
     places: Mapping[str, Quantity | Choice] = {}
     between_teeth: bool = False
-    """Is the first clearance that between two meshing gears? Sentences speak of teeth then."""
     excitation: Excitation = Excitation()
 
     @abstractmethod

@@ -23,7 +23,19 @@ _registered: dict[str, Kind] = {}
 
 
 def kinds() -> tuple[str, ...]:
-    """Names of all kinds, in the order of the JSON Schema."""
+    """Names of all kinds of case.
+
+    Returns
+    -------
+    tuple of str
+        In the order of the JSON Schema; registered ones last.
+
+    Examples
+    --------
+    >>> from gearlash.case.kinds import kinds
+    >>> kinds()
+    ('helical-pair', 'spur-1dof', 'piecewise-linear')
+    """
     return (*_FOLDERS, *_registered)
 
 
@@ -37,8 +49,19 @@ def kind_named(name: object) -> Kind:
 
 
 def register(kind: Kind) -> None:
-    """From now on files may be of this kind. A class defined again takes the place of what it was. Raises
-    `GearlashError` where another kind has the name."""
+    """Makes a kind of your own known to files, commands, studies and workers of this process.
+
+    Parameters
+    ----------
+    kind : Kind
+        An object of a class that worker processes can import. A class that is defined again replaces the one
+        of before.
+
+    Raises
+    ------
+    GearlashError
+        Where another kind has the name already.
+    """
     given.instance("kind", kind, Kind, "a Kind of gearlash.case.kinds")
     name = given.word("name of a kind", getattr(kind, "name", None))
     known = _registered.get(name)
@@ -52,7 +75,7 @@ def _home(kind: Kind) -> tuple[str, str]:
 
 
 def forget(name: str) -> None:
-    """Takes back what `register` did."""
+    """Takes back what `register` did for the kind of this name. Raises `UnknownNameError`."""
     _registered.pop(given.known("registered kind of case", name, _registered))
 
 
@@ -62,8 +85,8 @@ def registered(name: str) -> Kind | None:
 
 
 def kind_of(tables: Mapping[str, object]) -> tuple[Kind | None, list[Problem]]:
-    """The kind to read a file as, guessing the nearest one when it is misspelt so that all else is checked
-    too."""
+    """The kind that a file states, and what is wrong with that. Where the name is misspelt it is the nearest
+    one, so that the rest of the file is checked too; None where there is none."""
     names, stated = kinds(), tables.get("kind")
     expected = f"one of {', '.join(names)}"
     if stated is None:
