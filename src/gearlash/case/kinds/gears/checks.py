@@ -13,10 +13,10 @@ from gearlash.system import evaluate
 
 from .keys import REFERENCE
 from .places import stated_paths
-from .rules import PairRules, Stated
+from .rules import EntriesByKey, PairRules
 
 
-def missing(rules: PairRules, entries: Stated, present: Collection[str] = ()) -> list[Problem]:
+def missing(rules: PairRules, entries: EntriesByKey, present: Collection[str] = ()) -> list[Problem]:
     """Quantities that must be stated and are not; ``present`` are paths known to be stated, if wrongly.
 
     A file that states nothing at all is taken for a physical one.
@@ -36,7 +36,7 @@ def missing(rules: PairRules, entries: Stated, present: Collection[str] = ()) ->
     return problems
 
 
-def _required(entries: Stated, physical: bool) -> Iterator[str]:
+def _required(entries: EntriesByKey, physical: bool) -> Iterator[str]:
     yield from ("omega", "D", "load", "mesh_damping")
     if physical:
         yield from ("mesh.mean_stiffness", "pinion.teeth")
@@ -44,7 +44,7 @@ def _required(entries: Stated, physical: bool) -> Iterator[str]:
             yield REFERENCE
 
 
-def contradictions(rules: PairRules, entries: Stated) -> list[Problem]:
+def contradictions(rules: PairRules, entries: EntriesByKey) -> list[Problem]:
     """Quantities stated although others determine them, and values that no gear pair can have together."""
     problems = []
     if rules.places.physical(stated_paths(entries)):

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from .keys import BODY, EQUIVALENT_MASS, GEARS, REFERENCE
 from .pair import GearPair
 from .records import Derived
-from .rules import Stated
+from .rules import EntriesByKey
 
 FREQUENCY_INPUTS = (
     "derived.equivalent_mass", "pinion.mass", "gear.mass", "mesh.mean_stiffness", "derived.c_t",
@@ -115,7 +115,7 @@ def _counterparts(pair: GearPair) -> Iterator[Derived]:
         )
 
 
-def _half_of_own_backlash(entries: Stated) -> bool:
+def _half_of_own_backlash(entries: EntriesByKey) -> bool:
     """Is D_c half of the very backlash that D is computed from, so that D = 1 whatever the backlash?"""
     gap, reference = entries.get("D"), entries.get(REFERENCE)
     if gap is None or reference is None or gap.dimensionless:

@@ -18,11 +18,11 @@ from gearlash.system import ContactRule
 from .keys import CONTACT, EQUIVALENT_MASS, GEARS, PROJECTION, REFERENCE
 from .places import stated_paths
 from .records import Body, Both, Numbers
-from .rules import PairRules, Stated
+from .rules import EntriesByKey, PairRules
 from .units import to_dimensionless
 
 
-def numbers(rules: PairRules, entries: Stated) -> Numbers:
+def numbers(rules: PairRules, entries: EntriesByKey) -> Numbers:
     """The numbers of a complete case (no `missing` and no `contradictions`)."""
     places = rules.places
     contact = ContactRule(places.chosen(entries, CONTACT))
@@ -36,11 +36,11 @@ def numbers(rules: PairRules, entries: Stated) -> Numbers:
     return Numbers(parameters, rules.pair(entries, body, scales, contact), contact, scales, body)
 
 
-def _get(entries: Stated, key: str) -> float | None:
+def _get(entries: EntriesByKey, key: str) -> float | None:
     return entries[key].number if key in entries else None
 
 
-def _physical(rules: PairRules, entries: Stated) -> tuple[Body, Scales]:
+def _physical(rules: PairRules, entries: EntriesByKey) -> tuple[Body, Scales]:
     geometry = _geometry(rules, entries)
     line = _line(rules, entries, geometry)
     inertias = _inertias(entries, geometry)
@@ -64,7 +64,7 @@ def _physical(rules: PairRules, entries: Stated) -> tuple[Body, Scales]:
     return Body(geometry, line, inertias, min(widths) if len(widths) == 2 else None), scales
 
 
-def _geometry(rules: PairRules, entries: Stated) -> ToothGeometry | None:
+def _geometry(rules: PairRules, entries: EntriesByKey) -> ToothGeometry | None:
     if not all(key in entries for key in ("pinion.teeth", "gear.teeth", rules.module, "mesh.pressure_angle")):
         return None
     return ToothGeometry(
@@ -75,7 +75,7 @@ def _geometry(rules: PairRules, entries: Stated) -> ToothGeometry | None:
     )
 
 
-def _line(rules: PairRules, entries: Stated, geometry: ToothGeometry | None) -> LineOfAction | None:
+def _line(rules: PairRules, entries: EntriesByKey, geometry: ToothGeometry | None) -> LineOfAction | None:
     if geometry is not None:
         projection = Projection(rules.places.chosen(entries, PROJECTION))
         return line_of_action(geometry, projection, rules.y_axis(entries))
@@ -85,7 +85,7 @@ def _line(rules: PairRules, entries: Stated, geometry: ToothGeometry | None) -> 
     return LineOfAction((radii[0], radii[1]), c_t=1.0, c_y=1.0, c_z=0.0)
 
 
-def _inertias(entries: Stated, geometry: ToothGeometry | None) -> Both | None:
+def _inertias(entries: EntriesByKey, geometry: ToothGeometry | None) -> Both | None:
     """Stated inertias, else solid discs of the stated masses at the pitch radius."""
     radii = geometry.pitch_radii if geometry else None
     found = []

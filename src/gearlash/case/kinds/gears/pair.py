@@ -15,7 +15,7 @@ from gearlash.system import Family
 from .numbers import numbers
 from .places import Places
 from .records import Numbers
-from .rules import PairRules, Stated
+from .rules import EntriesByKey, PairRules
 from .units import to_physical
 
 
@@ -24,7 +24,7 @@ class GearPair:
     """Stated values by key, and the rules of their kind."""
 
     rules: PairRules
-    entries: Stated
+    entries: EntriesByKey
 
     @cached_property
     def numbers(self) -> Numbers:

@@ -13,7 +13,7 @@ from gearlash.system import ContactRule, Family
 from .places import Places
 from .records import Body, Derived, Numbers
 
-Stated = Mapping[str, Entry]
+EntriesByKey = Mapping[str, Entry]
 
 
 class PairRules(ABC):
@@ -26,19 +26,21 @@ class PairRules(ABC):
     fixed: Collection[str] = ()
 
     @abstractmethod
-    def required(self, entries: Stated, physical: bool, known: Collection[str]) -> Iterator[str]:
+    def required(self, entries: EntriesByKey, physical: bool, known: Collection[str]) -> Iterator[str]:
         """Keys that must be stated, beside those of every pair; ``known`` are keys that are, if wrongly."""
 
     @abstractmethod
-    def redundant(self, entries: Stated) -> Iterator[tuple[str, str]]:
+    def redundant(self, entries: EntriesByKey) -> Iterator[tuple[str, str]]:
         """Keys stated although other values of this physical case determine them, each with the reason."""
 
     @abstractmethod
-    def y_axis(self, entries: Stated) -> YAxis:
+    def y_axis(self, entries: EntriesByKey) -> YAxis:
         """Direction of the lateral coordinate."""
 
     @abstractmethod
-    def pair(self, entries: Stated, body: Body, scales: Scales, contact: ContactRule) -> HelicalPair | None:
+    def pair(
+        self, entries: EntriesByKey, body: Body, scales: Scales, contact: ContactRule
+    ) -> HelicalPair | None:
         """The fixed numbers of a pair with bearings; None where there are none."""
 
     @abstractmethod
@@ -50,7 +52,7 @@ class PairRules(ABC):
         """Undamped, over ω_n, the mesh closed at its mean stiffness."""
 
     @abstractmethod
-    def frequency_inputs(self, entries: Stated) -> tuple[str, ...]:
+    def frequency_inputs(self, entries: EntriesByKey) -> tuple[str, ...]:
         """What these were computed from, beside masses and mean stiffness."""
 
     def directions(self, line: LineOfAction, angles: tuple[str, ...]) -> Iterator[Derived]:

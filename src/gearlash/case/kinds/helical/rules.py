@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator
 from math import sqrt
 
 from gearlash.case.kinds.gears.records import Body, Derived, Numbers
-from gearlash.case.kinds.gears.rules import PairRules, Stated
+from gearlash.case.kinds.gears.rules import EntriesByKey, PairRules
 from gearlash.case.scales import Scales
 from gearlash.gears import HelicalPair, LineOfAction, ToothGeometry, YAxis, helical
 from gearlash.system import ContactRule, Family
@@ -20,7 +20,7 @@ class HelicalRules(PairRules):
     module = MODULE
     fixed = (*FACTORS, *(f"bearing_frequency_{bearing}" for bearing in BEARINGS))
 
-    def required(self, entries: Stated, physical: bool, known: Collection[str]) -> Iterator[str]:
+    def required(self, entries: EntriesByKey, physical: bool, known: Collection[str]) -> Iterator[str]:
         damped = any(f"bearing_damping_{b}" in known for b in BEARINGS)
         yield from (f"bearing_damping_{b}" for b in BEARINGS) if damped else ("bearing_damping",)
         yield from (f"bearing_frequency_{b}" for b in BEARINGS)
@@ -30,15 +30,15 @@ class HelicalRules(PairRules):
         else:
             yield from ("rotation_factor", *FACTORS)
 
-    def redundant(self, entries: Stated) -> Iterator[tuple[str, str]]:
+    def redundant(self, entries: EntriesByKey) -> Iterator[tuple[str, str]]:
         for key in FACTORS:
             if key in entries:
                 yield key, "it follows from the angles and masses of this physical case"
 
-    def y_axis(self, entries: Stated) -> YAxis:
+    def y_axis(self, entries: EntriesByKey) -> YAxis:
         return YAxis(self.places.chosen(entries, Y_AXIS))
 
-    def pair(self, entries: Stated, body: Body, scales: Scales, contact: ContactRule) -> HelicalPair:
+    def pair(self, entries: EntriesByKey, body: Body, scales: Scales, contact: ContactRule) -> HelicalPair:
         kappa = [entries[f"bearing_frequency_{b}"] for b in BEARINGS]
         if body.line is None or scales.equivalent_mass is None or scales.omega_n is None:
             c_t2, c_y, c_z = (entries[key].number for key in ("rotation_factor", "y_factor", "z_factor"))
@@ -63,7 +63,7 @@ class HelicalRules(PairRules):
         assert numbers.pair is not None
         return helical.natural_frequencies(numbers.pair, rotation_factor)
 
-    def frequency_inputs(self, entries: Stated) -> tuple[str, ...]:
+    def frequency_inputs(self, entries: EntriesByKey) -> tuple[str, ...]:
         bearings = [key for key in entries if key.startswith(("bearing_frequency", "mass_ratio"))]
         return "derived.c_y", "derived.c_z", "rotation_factor", "y_factor", "z_factor", *bearings
 

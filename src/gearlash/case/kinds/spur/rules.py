@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from gearlash.case.kinds.gears.keys import EQUIVALENT_MASS, GEARS, PROJECTION
 from gearlash.case.kinds.gears.records import Body, Numbers
-from gearlash.case.kinds.gears.rules import PairRules, Stated
+from gearlash.case.kinds.gears.rules import EntriesByKey, PairRules
 from gearlash.case.scales import Scales
 from gearlash.gears import Projection, YAxis, spur
 from gearlash.system import ContactRule, Family
@@ -19,7 +19,7 @@ class SpurRules(PairRules):
     places = PLACES
     module = MODULE
 
-    def required(self, entries: Stated, physical: bool, known: Collection[str]) -> Iterator[str]:
+    def required(self, entries: EntriesByKey, physical: bool, known: Collection[str]) -> Iterator[str]:
         """Inertias and radii, unless the equivalent mass is stated; a torque needs radii in any case."""
         if not physical:
             return
@@ -32,7 +32,7 @@ class SpurRules(PairRules):
             return
         yield from RADII if base else ("gear.teeth", MODULE, "mesh.pressure_angle")
 
-    def redundant(self, entries: Stated) -> Iterator[tuple[str, str]]:
+    def redundant(self, entries: EntriesByKey) -> Iterator[tuple[str, str]]:
         for key in RADII:
             if key not in entries:
                 continue
@@ -43,10 +43,10 @@ class SpurRules(PairRules):
         if EQUIVALENT_MASS in entries and all(f"{gear}.inertia" in entries for gear in GEARS):
             yield EQUIVALENT_MASS, "it follows from both inertias and radii"
 
-    def y_axis(self, entries: Stated) -> YAxis:
+    def y_axis(self, entries: EntriesByKey) -> YAxis:
         return YAxis.LINE_OF_ACTION
 
-    def pair(self, entries: Stated, body: Body, scales: Scales, contact: ContactRule) -> None:
+    def pair(self, entries: EntriesByKey, body: Body, scales: Scales, contact: ContactRule) -> None:
         return None
 
     def family(self, numbers: Numbers) -> Family:
@@ -57,5 +57,5 @@ class SpurRules(PairRules):
     def natural_frequencies(self, numbers: Numbers, rotation_factor: float) -> Iterable[float]:
         return spur.natural_frequencies(rotation_factor)
 
-    def frequency_inputs(self, entries: Stated) -> tuple[str, ...]:
+    def frequency_inputs(self, entries: EntriesByKey) -> tuple[str, ...]:
         return ("rotation_factor",)
