@@ -12,6 +12,7 @@ from typing import Any
 
 from . import cache
 from .announce import Say, announced, tell_waiting
+from .collecting import not_collecting
 from .declare import KERNELS, Kernel
 from .waiting import one_at_a_time
 
@@ -75,7 +76,8 @@ def _loaded(kernel: Kernel) -> bool:
         from .compiling import loaded
 
         try:
-            ready = loaded(kernel, kept)
+            with not_collecting():
+                ready = loaded(kernel, kept)
         except OSError as error:
             cache.give_up(f"is not used, as there is no room for temporary files ({error.strerror or error})")
             return False

@@ -77,7 +77,7 @@ def _started(kernels: list[Kernel]) -> Iterator[subprocess.Popen[str]]:
 
 def work(order: list[tuple[str, str]]) -> None:
     """What such a process does."""
-    gc.disable()  # a tenth of the time, and the process ends soon
+    gc.disable()  # it ends soon
     threading.Thread(target=_end_with_input, daemon=True).start()
     from .compiling import compiled
 
