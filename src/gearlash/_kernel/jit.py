@@ -10,11 +10,13 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from gearlash.current_folder import elsewhere
+
 from .collecting import not_collecting
 from .declare import KERNELS, Kernel
 from .options import COUNTED, ENTRY, HELPER, INLINED, NOT_COUNTED
 
-with not_collecting():
+with elsewhere(), not_collecting():
     import numba
     from numba import boolean, float64, int64, njit, types, void
     from numba.extending import intrinsic

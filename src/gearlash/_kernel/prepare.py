@@ -10,6 +10,8 @@ import threading
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from gearlash.current_folder import elsewhere
+
 from . import cache
 from .announce import Say, announced, tell_waiting
 from .collecting import not_collecting
@@ -55,7 +57,8 @@ def _compile_here(kernels: list[Kernel]) -> None:
         if not _loaded(kernel):
             from .compiling import compiled
 
-            _keep(kernel, *compiled(kernel))
+            with elsewhere():
+                _keep(kernel, *compiled(kernel))
 
 
 def make_ready(kernel: Kernel) -> None:
@@ -76,7 +79,7 @@ def _loaded(kernel: Kernel) -> bool:
         from .compiling import loaded
 
         try:
-            with not_collecting():
+            with elsewhere(), not_collecting():
                 ready = loaded(kernel, kept)
         except OSError as error:
             cache.give_up(f"is not used, as there is no room for temporary files ({error.strerror or error})")
