@@ -19,6 +19,7 @@ MODULES = (
     "gearlash.gears.helical",
     "gearlash.gears.iso6336",
     "gearlash.gears.spur",
+    "gearlash.plots",
     "gearlash.report",
 )
 
@@ -31,6 +32,8 @@ def _examples() -> dict[str, doctest.DocTest]:
         module = import_module(place)
         for name in getattr(module, "__all__", None) or _own(module):
             thing = getattr(module, name)
+            if not str(getattr(thing, "__module__", "")).startswith("gearlash"):
+                continue  # a name for a type of another package
             members = [(f"{place}.{name}", thing)]
             if inspect.isclass(thing):
                 own = vars(thing).items()

@@ -16,167 +16,199 @@ TYPE_CHECKING = False  # not that of `typing`, which loads for longer than it ta
 if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     import typing
 
-    from .article import reproduce as reproduce
+    from .article import (
+        reproduce as reproduce,
+    )
     from .branches import (
         BifurcationPoint as BifurcationPoint,
-    )
-    from .branches import (
         GrazingPoint as GrazingPoint,
-    )
-    from .branches import (
         locate_grazing as locate_grazing,
-    )
-    from .branches import (
         locate_multiplier as locate_multiplier,
     )
     from .case import (
         Case as Case,
-    )
-    from .case import (
         CaseError as CaseError,
-    )
-    from .case import (
+        Entry as Entry,
+        Note as Note,
+        Problem as Problem,
+        Provenance as Provenance,
         Scales as Scales,
-    )
-    from .case import (
+        Value as Value,
         bundled as bundled,
+        schema as case_schema,
+        load as load_case,
     )
-    from .case import (
-        load as load_case,  # noqa: F401
+    from .case.kinds import (
+        Excitation as Excitation,
+        Content as CaseContent,
+        Kind as CaseKind,
+        register as register_kind,
     )
     from .flow import (
+        Carried as Carried,
+        Events as Events,
+        Extrema as Extrema,
+        Hold as Hold,
+        ManyStrobes as ManyStrobes,
         Propagators as Propagators,
-    )
-    from .flow import (
+        Samples as Samples,
+        Strobes as Strobes,
         Trace as Trace,
-    )
-    from .flow import (
         march as march,
-    )
-    from .flow import (
         march_many as march_many,
-    )
-    from .flow import (
         propagators as propagators,
-    )
-    from .flow import (
         trace as trace,
-    )
-    from .flow import (
         variational as variational,
     )
-    from .jobs import Execution as Execution
+    from .jobs import (
+        Cancel as Cancel,
+        Execution as Execution,
+        NoWorkersError as NoWorkersError,
+        Progress as Progress,
+        UnfinishedError as UnfinishedError,
+    )
     from .orbits import (
         Aperiodic as Aperiodic,
-    )
-    from .orbits import (
+        Attractor as Attractor,
+        Certificate as Certificate,
+        Exponents as Exponents,
+        ForceStatistics as ForceStatistics,
+        GrazingCheck as GrazingCheck,
+        MotionStatistics as MotionStatistics,
         Neutral as Neutral,
-    )
-    from .orbits import (
         Orbit as Orbit,
-    )
-    from .orbits import (
+        Section as Section,
+        Sections as Sections,
         Settings as Settings,
-    )
-    from .orbits import (
+        Shot as Shot,
         Signature as Signature,
-    )
-    from .orbits import (
         Unresolved as Unresolved,
-    )
-    from .orbits import (
+        Verdict as Verdict,
         attractor as attractor,
-    )
-    from .orbits import (
         grazing_checks as grazing_checks,
-    )
-    from .orbits import (
         lyapunov as lyapunov,
-    )
-    from .orbits import (
         motion_statistics as motion_statistics,
-    )
-    from .orbits import (
+        multipliers as multipliers,
+        orbit_at as orbit_at,
         sections as sections,
+        shoot as shoot,
+    )
+    from .orbits.grazing import (
+        Surface as Surface,
     )
     from .results import (
         Axis as Axis,
-    )
-    from .results import (
+        Direction as Direction,
         PlaneMap as PlaneMap,
-    )
-    from .results import (
         Point as Point,
-    )
-    from .results import (
         Sweep as Sweep,
-    )
-    from .results import (
-        load as load_dataset,  # noqa: F401
-    )
-    from .results import (
+        coexisting as coexisting,
+        content_hash as content_hash,
         plane_dataset as plane_dataset,
-    )
-    from .results import (
-        save as save_dataset,  # noqa: F401
-    )
-    from .results import (
+        same_motion as same_motion,
         sweep_dataset as sweep_dataset,
-    )
-    from .results import (
         table as table,
+        load as load_dataset,
+        save as save_dataset,
     )
-    from .studies import first_grazing as first_grazing
-    from .studies import impact_free_speeds as impact_free_speeds
-    from .studies import map_plane as map_plane
-    from .studies import open_workers as open_workers
-    from .studies import point as point
-    from .studies import sweep as sweep
-    from .studies import sweeps as sweeps
-    from .studies import zones as zones
-    from .studies.transitions import transitions as transitions
+    from .results.beside import (
+        Beside as Beside,
+        BesideMotion as BesideMotion,
+    )
+    from .results.followed import (
+        Passed as Passed,
+        Path as Path,
+    )
+    from .results.impact_free import (
+        Ending as Ending,
+        ImpactFree as ImpactFree,
+    )
+    from .studies import (
+        Interval as Interval,
+        Model as Model,
+        Quiet as Quiet,
+        Tenant as Tenant,
+        Zone as Zone,
+        Zones as Zones,
+        first_grazing as first_grazing,
+        impact_free_speeds as impact_free_speeds,
+        map_plane as map_plane,
+        open_workers as open_workers,
+        point as point,
+        sweep as sweep,
+        sweeps as sweeps,
+        zones as zones,
+        End as ZoneEnd,
+    )
+    from .studies.beside import (
+        motions_beside as motions_beside,
+    )
+    from .studies.motion import (
+        Motion as Motion,
+        Touch as Touch,
+        motion as motion,
+    )
+    from .studies.transitions import (
+        Sampled as Sampled,
+        Transition as Transition,
+        transitions as transitions,
+    )
+    from .studies.zone import (
+        Physical as Physical,
+    )
     from .system import (
+        BuildError as BuildError,
         Clearance as Clearance,
-    )
-    from .system import (
         ContactRule as ContactRule,
-    )
-    from .system import (
         Family as Family,
-    )
-    from .system import (
+        Fourier as Fourier,
         GearlashError as GearlashError,
-    )
-    from .system import (
         Parameter as Parameter,
-    )
-    from .system import (
         Status as Status,
-    )
-    from .system import (
         System as System,
-    )
-    from .system import (
+        UnknownNameError as UnknownNameError,
         cosines as cosines,
     )
 
 _PUBLIC = {
     # what a system is, and families of one's own
     "gearlash.system": (
+        "BuildError",
         "Clearance",
         "ContactRule",
         "Family",
+        "Fourier",
         "GearlashError",
         "Parameter",
         "Status",
         "System",
+        "UnknownNameError",
         "cosines",
     ),
     # cases: files with units and provenance
-    "gearlash.case": ("Case", "CaseError", "Scales", "bundled"),
+    "gearlash.case": (
+        "Case",
+        "CaseError",
+        "Entry",
+        "Note",
+        "Problem",
+        "Provenance",
+        "Scales",
+        "Value",
+        "bundled",
+    ),
+    # kinds of case, for one of one's own
+    "gearlash.case.kinds": ("Excitation",),
     # one system: its flow, its attractors
     "gearlash.flow": (
+        "Carried",
+        "Events",
+        "Extrema",
+        "Hold",
+        "ManyStrobes",
         "Propagators",
+        "Samples",
+        "Strobes",
         "Trace",
         "march",
         "march_many",
@@ -186,22 +218,79 @@ _PUBLIC = {
     ),
     "gearlash.orbits": (
         "Aperiodic",
+        "Attractor",
+        "Certificate",
+        "Exponents",
+        "ForceStatistics",
+        "GrazingCheck",
+        "MotionStatistics",
         "Neutral",
         "Orbit",
+        "Section",
+        "Sections",
         "Settings",
+        "Shot",
         "Signature",
         "Unresolved",
+        "Verdict",
         "attractor",
         "grazing_checks",
         "lyapunov",
         "motion_statistics",
+        "multipliers",
+        "orbit_at",
         "sections",
+        "shoot",
     ),
+    "gearlash.orbits.grazing": ("Surface",),
     # special points of families
-    "gearlash.branches": ("BifurcationPoint", "GrazingPoint", "locate_grazing", "locate_multiplier"),
-    "gearlash.jobs": ("Execution",),
+    "gearlash.branches": (
+        "BifurcationPoint",
+        "GrazingPoint",
+        "locate_grazing",
+        "locate_multiplier",
+    ),
+    # how studies are carried out
+    "gearlash.jobs": (
+        "Cancel",
+        "Execution",
+        "NoWorkersError",
+        "Progress",
+        "UnfinishedError",
+    ),
     # many attractors at once, and their datasets
+    "gearlash.results": (
+        "Axis",
+        "Direction",
+        "PlaneMap",
+        "Point",
+        "Sweep",
+        "coexisting",
+        "content_hash",
+        "plane_dataset",
+        "same_motion",
+        "sweep_dataset",
+        "table",
+    ),
+    "gearlash.results.beside": (
+        "Beside",
+        "BesideMotion",
+    ),
+    "gearlash.results.followed": (
+        "Passed",
+        "Path",
+    ),
+    "gearlash.results.impact_free": (
+        "Ending",
+        "ImpactFree",
+    ),
     "gearlash.studies": (
+        "Interval",
+        "Model",
+        "Quiet",
+        "Tenant",
+        "Zone",
+        "Zones",
         "first_grazing",
         "impact_free_speeds",
         "map_plane",
@@ -211,13 +300,29 @@ _PUBLIC = {
         "sweeps",
         "zones",
     ),
-    "gearlash.studies.transitions": ("transitions",),
+    "gearlash.studies.beside": ("motions_beside",),
+    "gearlash.studies.motion": (
+        "Motion",
+        "Touch",
+        "motion",
+    ),
+    "gearlash.studies.transitions": (
+        "Sampled",
+        "Transition",
+        "transitions",
+    ),
+    "gearlash.studies.zone": ("Physical",),
+    # the article's study
     "gearlash.article": ("reproduce",),
-    "gearlash.results": ("Axis", "PlaneMap", "Point", "Sweep", "plane_dataset", "sweep_dataset", "table"),
 }
 _RENAMED = {
+    "CaseContent": ("gearlash.case.kinds", "Content"),
+    "CaseKind": ("gearlash.case.kinds", "Kind"),
+    "ZoneEnd": ("gearlash.studies", "End"),
+    "case_schema": ("gearlash.case", "schema"),
     "load_case": ("gearlash.case", "load"),
     "load_dataset": ("gearlash.results", "load"),
+    "register_kind": ("gearlash.case.kinds", "register"),
     "save_dataset": ("gearlash.results", "save"),
 }
 _WHERE = {name: (room, name) for room, names in _PUBLIC.items() for name in names} | _RENAMED

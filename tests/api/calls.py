@@ -67,6 +67,9 @@ def calls() -> tuple[Call, ...]:
     trace, moving, quiet = orbit.trace, motion(orbit), gl.zones(family, axis)
     scales = gl.load_case("article").scales
     point = swept.points[0]
+    end, found = gl.ZoneEnd(0.8, "fold"), gl.sections(orbit)
+    tenant, span = gl.Tenant("1-0-0", ("up",), 0.8, 0.9, True), gl.Physical("speed", 1.0, 2.0, "Hz")
+    statistics = gl.motion_statistics(orbit)
     execution = gl.Execution(chunk=1, progress=print, cancel=threading.Event())
     study = {"values": {}, "start": [0.0, 0.0], "settings": QUICK, "execution": execution}
 
@@ -76,6 +79,14 @@ def calls() -> tuple[Call, ...]:
     def whole(kind: Any, record: Any) -> Call:
         return Call(kind.__name__, kind, fields(record))
 
+    records = (
+        gl.lyapunov(props, [0.0, 0.0], 40), orbit.certificate, found, found.time,
+        statistics, statistics.force,
+        gl.march(props, [0.0, 0.0], 3), gl.march_many(props, [[0.0, 0.0]], 3),
+        gl.variational(props, [0.0, 0.0], 1.0), trace.extrema, trace.samples(9),
+        gl.Zone(end, end, "omega", gl.Quiet.IMPACT_FREE, True, (tenant,), (span,)), gl.Interval(end, end),
+        end, tenant, span, gl.Touch(0.5, 1.0, 0.0, 1),
+    )  # fmt: skip
     bifurcation = gl.locate_multiplier(family, {}, "omega", orbit, -1)
     grazing = gl.locate_grazing(family, {}, "f", orbit, check)
     return (
@@ -85,11 +96,12 @@ def calls() -> tuple[Call, ...]:
         whole(gl.Signature, orbit.signature), whole(gl.Scales, scales), whole(gl.Trace, trace),
         whole(gl.GrazingPoint, grazing), whole(gl.BifurcationPoint, bifurcation), whole(gl.Case, spur),
         whole(orbits.Shot, orbit.shot), whole(flow.Events, trace.events), whole(studies.Zones, quiet),
+        *(whole(type(each), each) for each in records),
         Call("Aperiodic", gl.Aperiodic, {
             "propagators": props, "final_state": np.zeros(2), "largest_exponent": 0.1, "exponent_error": 0.1,
             "periods_used": 3, "status": gl.Status.OK, "message": "", "undecided": 0}),
         Call("ContactRule", gl.ContactRule, {"value": "always"}), Call("Status", gl.Status, {"value": "ok"}),
-        Call("Direction", results.Direction, {"value": "up"}),
+        Call("Direction", gl.Direction, {"value": "up"}), Call("Verdict", gl.Verdict, {"value": "certified"}),
         Call("cosines", gl.cosines, {"mean": 1.0, "amplitudes": [0.1, 0.2], "phases": [0.0, 1.0]}),
         Call("constant", constant, {"value": 1.0}),
         Call("Family.complete", family.complete, {"overrides": {"omega": 0.9}}),
@@ -142,6 +154,9 @@ def calls() -> tuple[Call, ...]:
             "executor": None, "chunk": 1, "progress": print, "cancel": threading.Event()}),
         Call("orbit_at", orbits.orbit_at, {
             "system": props, "start": orbit.state, "period": 1, "iterations": 9, "least": True}),
+        Call("motions_beside", gl.motions_beside, {
+            "found": orbit, "start": {"x": 0.0, "v": 0.0}, "cold_start": [0.0, 0.0], "settings": QUICK,
+            "tell": print}),
         Call("sweep", gl.sweep, {"model": family, "axis": axis, "direction": "up", **study}),
         Call("sweeps", gl.sweeps, {"model": family, "axis": axis, "directions": ("up",), **study}),
         Call("map_plane", gl.map_plane, {"model": family, "x": axis, "y": other, **study}),

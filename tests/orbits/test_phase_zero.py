@@ -101,7 +101,7 @@ def test_verdict_and_error_do_not_depend_on_where_phase_zero_lies(name):
     first = solved(name)
     seen = list(everywhere(first, 2 if name == "stiffest" else 5))
     assert {(each.label, each.certificate.verdict) for each in seen} == {(first.label, Verdict.CERTIFIED)}
-    errors = [_Examined(each.closed()).error for each in seen]
+    errors = [_Examined(each._closed()).error for each in seen]
     assert max(errors) <= APART * min(errors)
 
 
@@ -114,7 +114,7 @@ def test_units_of_the_states_do_not_matter(name, units):
     found = Orbit(props, shot, 0, shot.status, "")
     assert shot.residual <= TOLERANCE
     assert (found.label, found.certificate.verdict) == (first.label, Verdict.CERTIFIED)
-    error, before = _Examined(found.closed()).reach * units, _Examined(first.closed()).reach
+    error, before = _Examined(found._closed()).reach * units, _Examined(first._closed()).reach
     assert (error <= APART * before).all()
     assert (before <= APART * error).all()
 
@@ -129,5 +129,5 @@ def test_the_error_holds_against_80_bits(name):
         truth = region_oracle.run(found.propagators.system, found.state, found.period)
         missed = (truth.state - found.state).astype(float)
         step = np.abs(np.linalg.solve(found.shot.monodromy - np.eye(len(missed)), missed))
-        assert (step <= _Examined(found.closed()).reach).all()
+        assert (step <= _Examined(found._closed()).reach).all()
         assert step.max() <= found.shot.error

@@ -77,14 +77,14 @@ def _started(kernels: list[Kernel]) -> Iterator[subprocess.Popen[str]]:
 
 def work(order: list[tuple[str, str]]) -> None:
     """What such a process does."""
-    gc.disable()  # it ends soon
+    gc.disable()  # a tenth of the time, and the process ends soon
     threading.Thread(target=_end_with_input, daemon=True).start()
-    from .compiling import compiled
+    from .compiling import compile_kernel
 
     for module, name in order:
         import_module(module)
-        _, files = compiled(KERNELS[name])
-        cache.write(name, files)
+        code, _ = compile_kernel(KERNELS[name])
+        cache.write(name, code)
 
 
 def _end_with_input() -> None:

@@ -16,10 +16,24 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .judge import REPRODUCED as REPRODUCED
     from .judge import SHIFTED as SHIFTED
     from .kinds import table2_type as table2_type
+    from .reproduction import BearingMode as BearingMode
+    from .reproduction import Check as Check
     from .reproduction import ClaimRow as ClaimRow
+    from .reproduction import Coexisting as Coexisting
+    from .reproduction import Coincidence as Coincidence
     from .reproduction import Diagram as Diagram
+    from .reproduction import End as End
     from .reproduction import Event as Event
+    from .reproduction import Mark as Mark
+    from .reproduction import Opening as Opening
+    from .reproduction import Part as Part
+    from .reproduction import Reading as Reading
     from .reproduction import Reproduction as Reproduction
+    from .reproduction import RuleEffect as RuleEffect
+    from .reproduction import RuleLabel as RuleLabel
+    from .reproduction import Run as Run
+    from .reproduction import Table2Row as Table2Row
+    from .reproduction import Touch as Touch
     from .reproduction import Zone as Zone
     from .study import STAGES as STAGES
     from .study import Scope as Scope
@@ -29,7 +43,27 @@ _WHERE = {
     "claims": ("Claim", "load"),
     "judge": ("NOT_FOUND", "REPRODUCED", "SHIFTED"),
     "kinds": ("table2_type",),
-    "reproduction": ("ClaimRow", "Diagram", "Event", "Reproduction", "Zone"),
+    "reproduction": (
+        "BearingMode",
+        "Check",
+        "ClaimRow",
+        "Coexisting",
+        "Coincidence",
+        "Diagram",
+        "End",
+        "Event",
+        "Mark",
+        "Opening",
+        "Part",
+        "Reading",
+        "Reproduction",
+        "RuleEffect",
+        "RuleLabel",
+        "Run",
+        "Table2Row",
+        "Touch",
+        "Zone",
+    ),
     "study": ("STAGES", "Scope", "reproduce"),
 }
 
@@ -38,12 +72,26 @@ __all__ = [
     "REPRODUCED",
     "SHIFTED",
     "STAGES",
+    "BearingMode",
+    "Check",
     "Claim",
     "ClaimRow",
+    "Coexisting",
+    "Coincidence",
     "Diagram",
+    "End",
     "Event",
+    "Mark",
+    "Opening",
+    "Part",
+    "Reading",
     "Reproduction",
+    "RuleEffect",
+    "RuleLabel",
+    "Run",
     "Scope",
+    "Table2Row",
+    "Touch",
     "Zone",
     "load",
     "reproduce",

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from gearlash._kernel.jit import written_out
+from gearlash._kernel import primitive
 
-from ._blocks import LANES, MASKED
 from ._series import jet, polynomial
-from ._vector import linear, powers, weigh
+from ._vector import LANES, MASKED, linear, powers, weigh
 
-_written_out = written_out(f"{__package__}._lanes_code")
+ROWS = 4  # products come in whole blocks of so many rows
+
+_written_out = primitive(f"{__package__}._lanes_code")
 
 
 def lane(values: Any, at: int, motion: int, count: int) -> Any:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ._blocks import LANES, MASKED, ROWS
+from ._lanes import ROWS
+from ._vector import LANES, MASKED
 
 if not TYPE_CHECKING:
     from llvmlite import ir

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from enum import StrEnum
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -19,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.flow import Events, Propagators, Trace
-from gearlash.system import Clearance, ContactRule, Record, Status
+from gearlash.system import Clearance, ContactRule, Named, Record, Status
 
 from .extrema import gap_extrema
 from .pressing import least_force
@@ -32,7 +31,7 @@ OWN_ROUNDING = 1e-14  # of a whole period's map, relative to 1 + its norm
 MOVING = (Status.OK, Status.UNCERTAIN)
 
 
-class Verdict(StrEnum):
+class Verdict(Named):
     """Of a certificate."""
 
     CERTIFIED = "certified"

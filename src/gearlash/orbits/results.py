@@ -133,9 +133,9 @@ class Orbit(Record):
     @cached_property
     def certificate(self) -> Certificate:
         """Whether all that is said of the orbit holds within its error; see `certificate`."""
-        return certify_orbit(self.residual, self.closed)
+        return certify_orbit(self.residual, self._closed)
 
-    def closed(self) -> Closed:
+    def _closed(self) -> Closed:
         """What a certificate examines."""
         return Closed(self.propagators, self.shot, self.trace, self.strobes, self.leading)
 

@@ -15,7 +15,7 @@ from .poincare import sections
 from .portraits import gallery, portrait
 from .portraits import triple as portrait_triple
 from .style import save, to_bytes
-from .units import ForceAxis, Units
+from .units import ForceAxis, Twin, Units
 from .zoned import zone_bands
 
 __all__ = [
@@ -23,6 +23,7 @@ __all__ = [
     "ForceAxis",
     "Mark",
     "Panel",
+    "Twin",
     "Units",
     "diagram",
     "draw",

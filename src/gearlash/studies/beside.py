@@ -14,10 +14,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash import orbits
-from gearlash.orbits import Attractor, Orbit, Settings, Unresolved
+from gearlash.orbits import Aperiodic, Attractor, Orbit, Settings, Unresolved
 from gearlash.results.beside import Beside, BesideMotion
 from gearlash.studies.impact_free import linear_states
-from gearlash.system import Clearance, GearlashError, Status, System
+from gearlash.system import Clearance, GearlashError, Status, System, given
+
+from .arguments import checked_settings
 
 Array = NDArray[np.float64]
 
@@ -31,21 +33,67 @@ SMALLEST = 1e-3  # of a clearance's own numbers, where the motion has no size
 def motions_beside(
     found: Attractor,
     start: Mapping[str, float],
-    cold: ArrayLike,
-    settings: Settings,
-    tell: Callable[[int, int], object],
+    cold_start: ArrayLike,
+    *,
+    settings: Settings | None = None,
+    tell: Callable[[int, int], object] | None = None,
 ) -> Beside | None:
-    """What other starts than ``start`` (by state name), which led to ``found``, lead to; None where that is
-    no motion to compare with. ``cold`` (n,) is the cold start, ``tell`` hears how many starts are done."""
+    """Looks for other motions at the parameters at which one was found.
+
+    From the motion itself the velocity in every clearance is raised and lowered, so that contact is lost or
+    made; the cold start and rest are tried, and of a system with one clearance the periodic motions without
+    any change of contact. Each start is followed for 2,000 base periods at the most.
+
+    Parameters
+    ----------
+    found : Orbit, Aperiodic, Neutral or Unresolved
+        The motion, as from `attractor`.
+    start : mapping of str to float
+        The state, by name, from which it was found: it is not tried again.
+    cold_start : array_like of shape (n,)
+        Such as ``family.start()``.
+    settings : Settings, optional
+        How every attractor is looked for.
+    tell : callable, optional
+        Hears how many starts were followed, out of how many.
+
+    Returns
+    -------
+    Beside or None
+        The other motions and how many starts lead to each; None where ``found`` is no motion to compare with.
+
+    Raises
+    ------
+    GearlashError
+        For a start that does not fit the system.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> start = family.start({"omega": 0.8})
+    >>> found = gl.attractor(family.system({"omega": 0.8}), start)
+    >>> beside = gl.motions_beside(found, dict(zip(family.states, start)), start)
+    >>> beside.starts, beside.same, [other.label for other in beside.others]
+    (6, 1, ['1-1-0'])
+    """
+    given.instance("found", found, (Orbit, Aperiodic), "a motion, as from gearlash.attractor")
+    if tell is not None:
+        given.function("tell", tell, "a function of two whole numbers")
     if found.status not in (Status.OK, Status.UNCERTAIN):
         return None
+    size = found.propagators.system.size
+    own = given.numbers("start", list(given.mapping("start", start).values()), (size,))
+    cold = given.numbers("cold_start", cold_start, (size,))
+    settings = checked_settings(settings)
     settings = replace(settings, budget=min(settings.budget, BUDGET))
-    starts = _different(found, np.array(list(start.values())), _starts(found, np.asarray(cold)))
+    starts = _different(found, own, _starts(found, cold))
     same = undecided = 0
     others: list[tuple[Attractor, Array, int]] = []
     for done, state in enumerate(starts, 1):
         other = _followed(found, state, settings)
-        tell(done, len(starts))
+        if tell is not None:
+            tell(done, len(starts))
         if other is None or isinstance(other, Unresolved):
             undecided += 1
         elif _same(found, other):

@@ -157,9 +157,9 @@ def transitions(
 def _ascending(points: Sequence[Sampled]) -> tuple[Sampled, ...]:
     """The same points. Raises `GearlashError` for what are none, or do not ascend."""
     found = given.items("points", points, "the points of a sweep, ascending")
-    wrong = next((p for p in found if not all(hasattr(p, name) for name in SAMPLED)), None)
-    if wrong is not None:
-        raise GearlashError(f"points: expected the points of a sweep, not {given.kind_of(wrong)}")
+    wrong = [point for point in found if not all(hasattr(point, name) for name in SAMPLED)]
+    if wrong:
+        raise GearlashError(f"points: expected the points of a sweep, not {given.kind_of(wrong[0])}")
     if not all(below.value < above.value for below, above in pairwise(found)):
         raise GearlashError("points: expected values that ascend, each once")
     return found

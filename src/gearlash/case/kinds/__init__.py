@@ -1,6 +1,7 @@
 """Kinds of case, one folder each; `register` adds one of your own."""
 
 from gearlash.case.quantity import Choice, Quantity
+from gearlash.case.units import Dimension
 
 from .kind import Content, Draft, Excitation, Kind
 from .registry import forget, kind_named, kind_of, kinds, register, registered
@@ -8,6 +9,7 @@ from .registry import forget, kind_named, kind_of, kinds, register, registered
 __all__ = [
     "Choice",
     "Content",
+    "Dimension",
     "Draft",
     "Excitation",
     "Kind",

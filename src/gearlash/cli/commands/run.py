@@ -90,7 +90,7 @@ def _answer(
 
     def other_starts():
         with late_bar("other starts") as tell:
-            return motions_beside(found, start, family.start(parameters), search, tell)
+            return motions_beside(found, start, family.start(parameters), settings=search, tell=tell)
 
     def quiet_speeds():
         with late_bar("speeds free of impacts") as tell:
