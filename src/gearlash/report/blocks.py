@@ -1,8 +1,7 @@
-"""What a report is built of: sections with paragraphs, tables, figures and notes. Plain data; templates
-show it.
+"""What a report is built of: sections with paragraphs, tables, figures and notes, as plain data.
 
-Every text in here is plain text and is escaped when it is shown; the only markup taken as such is a drawn
-figure.
+Every text is plain text, which is escaped when it is shown; the only markup that is shown as it is are drawn
+figures.
 """
 
 from __future__ import annotations
@@ -16,9 +15,12 @@ from gearlash.system import GearlashError
 
 @dataclass(frozen=True)
 class Badge:
-    """A verdict or status: a sign and a word, so that it is not told by colour alone.
+    """A verdict or status: a sign and a word, so that its meaning does not rest on colour alone.
 
-    ``kind`` is ``good``, ``fair``, ``bad``, ``doubt`` or ``plain``.
+    Parameters
+    ----------
+    text : str
+    kind : {"good", "fair", "bad", "doubt", "plain"}
     """
 
     text: str
@@ -26,19 +28,20 @@ class Badge:
 
     @property
     def sign(self) -> str:
+        """What stands before the word."""
         return {"good": "✓", "fair": "≈", "bad": "✗", "doubt": "?"}.get(self.kind, "•")
 
 
 @dataclass(frozen=True)
 class Marked:
-    """A number that rests on an assumed value."""
+    """A number that rests on an assumed value; it is shown with †."""
 
     text: str
 
 
 @dataclass(frozen=True)
 class Strong:
-    """Words to be seen first."""
+    """Words set in bold."""
 
     text: str
 
@@ -61,6 +64,7 @@ class Text:
 
     @staticmethod
     def of(*parts: Inline) -> Text:
+        """A paragraph of these parts, one after the other."""
         return Text(parts)
 
 
@@ -73,22 +77,33 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Note:
-    """A remark set apart."""
+    """A remark in a box of its own."""
 
     text: Text
     title: str = "Note"
 
 
 Cell: TypeAlias = Inline | tuple[Inline, ...] | list[Inline | tuple[Inline, ...]]
-"""One thing, several in a row, or several lines (a list)."""
+"""What stands in a cell: one thing, several in one line (a tuple), or several lines (a list)."""
 
 
 @dataclass(frozen=True)
 class Table:
     """A numbered table.
 
-    ``numeric`` are the columns set flush right. One with ``widths`` (per cent) takes the whole width in
-    small type.
+    Parameters
+    ----------
+    id : str
+        That a `Ref` mentions it by; one of a kind on the page.
+    caption : str
+    head : tuple of str
+        Titles of the columns.
+    rows : tuple of tuple
+        Cells: one thing, several in one line (a tuple), or several lines (a list).
+    numeric : frozenset of int
+        Columns set flush right.
+    widths : tuple of int
+        Of the columns, in per cent; such a table takes the whole width of the page, in small type.
     """
 
     id: str
@@ -106,9 +121,19 @@ class Table:
 
 @dataclass(frozen=True)
 class Figure:
-    """A numbered figure: ``stem`` of its files, caption, and words for those who cannot see it.
+    """A numbered figure.
 
-    ``assumed``: one of its scales rests on an assumed value.
+    Parameters
+    ----------
+    id : str
+        That a `Ref` mentions it by; one of a kind on the page.
+    caption : Text
+    alternative : str
+        Words for those who cannot see it.
+    stem : str
+        Of its files: that of a `Picture`.
+    assumed : bool
+        Whether one of its scales rests on an assumed value, which is then said below it.
     """
 
     id: str
@@ -123,7 +148,20 @@ Block: TypeAlias = Text | Bullets | Note | Table | Figure
 
 @dataclass(frozen=True)
 class Section:
-    """A heading with what belongs under it."""
+    """A part of a page under a heading of its own.
+
+    Parameters
+    ----------
+    id : str
+        That a `Ref` mentions it by; one of a kind on the page.
+    title : str
+    blocks : tuple
+        Paragraphs, lists, notes, tables and figures.
+    sections : tuple of Section
+        Parts inside it, after its own blocks.
+    badge : Badge, optional
+        A verdict beside the title.
+    """
 
     id: str
     title: str
@@ -140,7 +178,33 @@ class Section:
 
 @dataclass(frozen=True)
 class Page:
-    """A whole report."""
+    """A whole report.
+
+    Parameters
+    ----------
+    title, subtitle : str
+    sections : tuple of Section
+    footer : str
+    language : str
+        Of the texts, for browsers and screen readers.
+
+    Attributes
+    ----------
+    names : dict of str to str
+        What each figure, table and section is called ("Table 2"), by its id.
+
+    Raises
+    ------
+    GearlashError
+        Where two parts have one id.
+
+    Examples
+    --------
+    >>> from gearlash.report import Page, Section, Table
+    >>> table = Table("speeds", "Speeds.", ("rpm", "label"), (("3600", "1-0"),))
+    >>> Page("Title", "", (Section("one", "First part", (table,)),)).names
+    {'one': 'Section 1', 'speeds': 'Table 1'}
+    """
 
     title: str
     subtitle: str
@@ -154,7 +218,7 @@ class Page:
 
 
 def _numbered(sections: tuple[Section, ...]) -> dict[str, str]:
-    """How each figure, table and section is called. Raises `ValueError` where an id is used twice."""
+    """What each figure, table and section is called. Raises `GearlashError` where an id is used twice."""
     names: dict[str, str] = {}
     counts = {"Figure": 0, "Table": 0}
 

@@ -22,7 +22,38 @@ PADDED = ("strobe", "drive_hit", "back_hit", "back_release")
 
 
 def as_json(result: Any) -> str:
-    """A result as JSON text. Raises `GearlashError` for what has no meaning there."""
+    """A result as JSON text.
+
+    Parameters
+    ----------
+    result : dataclass or mapping
+        Of dataclasses, mappings, sequences, arrays, datasets, cases, motions, numbers and texts. Complex
+        numbers become ``{"re", "im"}``; NaN and infinities become null; curves of motions are thinned to 400
+        samples.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    GearlashError
+        For anything else.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from gearlash.report import as_json
+    >>> print(as_json({"values": np.array([0.5, np.nan])}))
+    {
+     "format": 1,
+     "values": [
+      0.5,
+      null
+     ]
+    }
+    <BLANKLINE>
+    """
     return (
         json.dumps({"format": FORMAT, **plain(result)}, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
     )

@@ -23,9 +23,25 @@ def write_report(
     folder: Path | str,
     executor: Executor | None = None,
 ) -> Path:
-    """Writes ``report.html`` (one file that works offline), ``report.json`` (all ``numbers``) and
-    ``figures/*.svg|pdf`` into ``folder``; returns the path of the page. An ``executor`` draws figures side by
-    side; without one this process does.
+    """Writes a report into a folder: the page, its numbers, its figures.
+
+    Parameters
+    ----------
+    page : Page
+    pictures : sequence of Picture
+        One for each `Figure` of the page, by its ``stem``.
+    numbers : dataclass or mapping
+        What ``report.json`` holds; see `as_json`.
+    folder : path
+        Made if it is not there.
+    executor : concurrent.futures.Executor, optional
+        Draws figures side by side; without one this process draws them.
+
+    Returns
+    -------
+    Path
+        Of the page: ``report.html``, one file that works offline. ``figures/`` has every figure as SVG and
+        PDF.
     """
     target = Path(folder)
     target.mkdir(parents=True, exist_ok=True)

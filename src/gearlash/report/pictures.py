@@ -13,12 +13,20 @@ from matplotlib.figure import Figure
 from gearlash import plots
 from gearlash.results.store import write_whole
 
-FORMS = ("svg", "pdf")
-
 
 @dataclass(frozen=True)
 class Picture:
-    """``draw(*arguments, **options)`` makes the figure whose files are called ``stem``."""
+    """A figure that is still to be drawn.
+
+    Parameters
+    ----------
+    stem : str
+        Its files are ``stem.svg`` and ``stem.pdf``.
+    draw : callable
+        A function that worker processes can import.
+    arguments, options
+        ``draw(*arguments, **options)`` makes the figure.
+    """
 
     stem: str
     draw: Callable[..., Figure]
@@ -29,7 +37,7 @@ class Picture:
 def drawn(picture: Picture) -> dict[str, bytes]:
     """The figure in every form (a task for a worker)."""
     figure = picture.draw(*picture.arguments, **picture.options)
-    return {form: plots.to_bytes(figure, form) for form in FORMS}
+    return {form: plots.to_bytes(figure, form) for form in ("svg", "pdf")}
 
 
 def write(pictures: Sequence[Picture], folder: Path, executor: Executor | None) -> dict[str, bytes]:
