@@ -38,10 +38,11 @@ ENVIRONMENT = """\
 | `NO_COLOR`, `TERM=dumb` | Print without colours. |
 
 - No folder for compiled kernels, or one that cannot be written (read-only home, full disk): every run
-  compiles, about 15 s on two free cores, and says so. So it does where that folder, or the one of a version
+  compiles, about 30 s on two free cores, and says so. So it does where that folder, or the one of a version
   in it, belongs to another user or may be written by others: what lies there is not loaded. A cached kernel
-  that is missing or damaged is compiled again. Kernels of other versions go when those of a new one
-  are stored and nothing has used them for 30 days.
+  that is missing or damaged is compiled again. Of several first runs at once one compiles; the others say
+  that they wait for it. Kernels of other versions go when those of a new one are stored and nothing has
+  used them for 30 days.
 - A motion is computed from tables of its system, whose size is known before they are built. What would take
   more than `GEARLASH_MEMORY` is refused, and the refusal names what makes it so; a point of a sweep or pixel
   of a map that is refused fails alone. It is a bound for the tables of one system: `run`, `sweep`, `map` and

@@ -10,11 +10,13 @@ import sys
 
 _PACKAGE = os.path.dirname(os.path.dirname(__file__))  # noqa: PTH120
 """The folder that this package was imported from: it stays, even if it is the current one."""
+_left_out: list[bool] = []
 
 
 def leave_out() -> None:
     """From now on this process imports nothing from the current folder: where Python itself has put it first,
     or PYTHONPATH names it, it goes from `sys.path`."""
+    _left_out.append(True)
     named = os.environ.get("PYTHONPATH", "").split(os.pathsep)
     suspects = {*map(os.path.abspath, named), "" if sys.flags.safe_path or not sys.path else sys.path[0]}
     sys.path[:] = [
@@ -22,6 +24,25 @@ def leave_out() -> None:
         for entry in sys.path
         if _same(entry, _PACKAGE) or not (_is_relative(entry) or (entry in suspects and is_here(entry)))
     ]
+
+
+class elsewhere:  # noqa: N801 - a context manager; contextlib may not be imported yet
+    """Around what would read settings from the current folder (numba): where that folder is left out, and in
+    the processes that such a one starts, another folder is the current one meanwhile."""
+
+    def __enter__(self) -> None:
+        self.here = -1
+        if _left_out or sys.flags.safe_path:
+            try:
+                self.here = os.open(os.curdir, os.O_RDONLY)
+            except OSError:  # a folder that is not there, or, on Windows, any: it stays
+                return
+            os.chdir(os.sep)
+
+    def __exit__(self, *raised: object) -> None:
+        if self.here >= 0:
+            os.fchdir(self.here)
+            os.close(self.here)
 
 
 def path_without_it() -> list[str]:

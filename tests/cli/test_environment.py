@@ -59,12 +59,23 @@ def test_a_problem_as_json_on_a_full_disk_is_still_a_problem():
     assert "Traceback" not in ran.stderr
 
 
+FEW_BYTES_A_FILE = """
+import resource
+from gearlash.cli import main
+from gearlash.cli.notice import load_engine
+load_engine()  # whose temporary files are larger
+resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+main()
+"""
+
+
 @pytest.mark.parametrize(("arguments", "shown"), [(RUN, "1-"), (SWEEP, "From cold starts")])
 def test_a_disk_that_is_full_when_results_are_written(arguments: tuple[str, ...], shown: str, tmp_path: Path):
-    def few_bytes_a_file() -> None:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
-
-    ran = process(*arguments, "--out", str(tmp_path), preexec_fn=few_bytes_a_file)
+    every = {**os.environ, "PYTHONUTF8": "1"}
+    ran = subprocess.run(
+        [sys.executable, "-c", FEW_BYTES_A_FILE, *arguments, "--out", str(tmp_path)],
+        env=every, capture_output=True, text=True, check=False,
+    )  # fmt: skip
     assert ran.returncode == 4
     assert shown in ran.stdout
     name = tmp_path / ("run.json" if "run" in arguments else "sweep.nc")

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from gearlash._kernel import cache as kept
-from kernel.tiny import CALLEE, CALLER, process, run, write
+from kernel.tiny import CALLEE, CALLER, PROGRAM, process, run, write
 
 
 @pytest.fixture
@@ -59,7 +59,7 @@ def test_damage_is_seen_before_anything_is_loaded(
     damage: Callable[[bytes], bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.setenv("GEARLASH_CACHE_DIR", str(tmp_path))
-    code = kept.Code(b"\x7fELF\nand so on" * 9, "some.kernel", ("malloc", "free"))
+    code = {"some.nbi": b"\x7fELF\nand so on" * 9, "some.1.nbc": b"", "some.2.nbc": b"\n"}
     assert kept.read("some.kernel") is None
     kept.write("some.kernel", code)
     assert kept.read("some.kernel") == code
@@ -108,11 +108,24 @@ def test_a_cache_that_cannot_be_written_still_computes(tiny: Path):
 
 READ_ONLY = """
 import os, pathlib
-def refused(*arguments, **options):
-    raise OSError(30, "Read-only file system")
+cache = os.environ["GEARLASH_CACHE_DIR"]
+def refuse(home, name):
+    allowed = getattr(home, name)
+    def refused(path, *arguments, **options):
+        if str(path).startswith(cache) and not (name == "open" and not arguments[0] & os.O_CREAT):
+            raise OSError(30, "Read-only file system")
+        return allowed(path, *arguments, **options)
+    setattr(home, name, refused)
 for name in ("touch", "mkdir", "write_bytes", "replace"):
-    setattr(pathlib.Path, name, refused)
-os.utime = refused
+    refuse(pathlib.Path, name)
+for name in ("utime", "mkdir", "open"):
+    refuse(os, name)
+"""
+NO_ROOM = """
+import tempfile
+def full(*arguments, **options):
+    raise OSError(28, "No space left on device")
+tempfile.TemporaryDirectory = full
 """
 
 
@@ -125,13 +138,22 @@ def test_a_cache_that_can_only_be_read_is_read(tiny: Path):
     assert run(tiny, cache, READ_ONLY) == (21.0, False)
 
 
+def test_without_room_for_temporary_files_it_is_compiled_in_memory_and_told(tiny: Path):
+    cache = tiny / "cache"
+    run(tiny, cache)
+    ran = process(tiny, cache, NO_ROOM + PROGRAM, GEARLASH_QUIET="0")
+    assert ran.stdout.split() == ["21.0", "False"]
+    assert "no room for temporary files (No space left on device), so every run will" in ran.stderr
+    assert run(tiny, cache) == (21.0, True)
+
+
 def test_a_disk_that_is_full_leaves_nothing_unfinished(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     def full(file: Path, target: Path) -> None:
         raise OSError(28, "No space left on device")
 
     monkeypatch.setenv("GEARLASH_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(Path, "replace", full)
-    kept.write("some.kernel", kept.Code(b"code", "some.kernel", ()))
+    kept.write("some.kernel", {"some.nbi": b"code"})
     assert list(tmp_path.glob("*/*")) == []
 
 
@@ -146,7 +168,7 @@ def test_a_kernel_that_cannot_be_compiled_says_why(tmp_path: Path):
     ran = process(folder, folder / "cache")
     assert ran.returncode == 1
     assert "TypingError" in ran.stderr
-    assert list((folder / "cache").glob("*/*")) == []
+    assert list((folder / "cache").glob("*/*.kernel")) == []
 
 
 def old(folder: Path, days: float) -> Path:
@@ -154,6 +176,7 @@ def old(folder: Path, days: float) -> Path:
     folder.mkdir()
     (folder / "run-0123456789abcdef.kernel").touch()
     (folder / "unfinished-0123456789abcdef.kernel").touch()
+    (folder / "compiling.lock").touch()
     then = folder.stat().st_mtime - 86400.0 * days
     os.utime(folder, (then, then))
     return folder

@@ -1,4 +1,4 @@
-"""What numba is not loaded for: anything, once kernels are compiled."""
+"""What numba is not loaded for, and that its settings stay the user's."""
 
 from __future__ import annotations
 
@@ -8,10 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from gearlash import flow
-from gearlash._kernel import compile_all, load_all
+from kernel.tiny import PROGRAM, process, run, write
 
-PROGRAM = """
+COMMAND = """
 import sys
 from gearlash.cli import main
 sys.argv[0] = "gearlash"
@@ -22,35 +21,53 @@ finally:
 """
 
 
-@pytest.fixture(scope="module", autouse=True)
-def compiled() -> None:
-    """All kernels are in the cache."""
-    assert flow
-    compile_all(load_all())
-
-
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        ("run", "article"),
-        ("sweep", "kahraman-singh", "--over", "omega=0.9:0.95:3", "--workers", "1"),
-        ("map", "kahraman-singh", "--over", "omega=0.9:0.95:2", "--over", "D=0.9:1.1:2", "--workers", "1"),
-        ("graze", "kahraman-singh"),
-    ],
-    ids=lambda arguments: arguments[0],
-)
-def test_commands(arguments: tuple[str, ...], tmp_path: Path):
+@pytest.mark.parametrize("arguments", [("check", "article"), ("schema",), ("--help",), ("--version",)])
+def test_commands_that_compute_nothing(arguments: tuple[str, ...]):
     ran = subprocess.run(
-        [sys.executable, "-c", PROGRAM, *arguments, "--out", str(tmp_path)],
-        capture_output=True,
-        text=True,
-        check=False,
+        [sys.executable, "-c", COMMAND, *arguments], capture_output=True, text=True, check=False
     )
     assert ran.returncode == 0
     assert ran.stderr.splitlines()[-1] == "False"
 
 
-def test_declaring_kernels():
-    script = "import sys, gearlash.flow; print({'numba', 'llvmlite', 'scipy'} & set(sys.modules))"
+@pytest.mark.parametrize("imported", ["gearlash", "gearlash.case, gearlash.jobs, gearlash._kernel"])
+def test_imports_that_compute_nothing(imported: str):
+    script = f"import sys, {imported}; print({{'numba', 'llvmlite', 'scipy'}} & set(sys.modules))"
     ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert ran.stdout.strip() == "set()"
+
+
+OWN = """
+import numba
+from pathlib import Path
+before = dict(vars(numba.config))
+{setting}
+
+def own():
+    @numba.njit(cache=True)
+    def function(x):
+        return x + 1.0
+    return Path(function.stats.cache_path)
+
+first = own()
+{program}
+assert own() == first
+assert Path({cache!r}) not in first.parents
+changed = {{name for name in before if getattr(numba.config, name) != before[name]}}
+assert changed <= {{"CACHE_DIR"}} and numba.config.CACHE_DIR == {folder!r}, changed
+"""
+
+
+@pytest.mark.parametrize("own", [True, False])
+def test_the_settings_of_numba_are_the_users(own: bool, tmp_path: Path):
+    """Where his functions are kept, too; and nothing of ours is kept there."""
+    package, cache, folder = write(tmp_path), tmp_path / "cache", str(tmp_path / "his") if own else ""
+    script = tmp_path / "script.py"
+    setting = f"numba.config.CACHE_DIR = {folder!r}"
+    script.write_text(OWN.format(setting=setting, program=PROGRAM, cache=str(cache), folder=folder), "utf-8")
+    for _ in range(2):
+        ran = process(package, cache, f"import runpy; runpy.run_path({str(script)!r})")
+        assert (ran.returncode, ran.stderr) == (0, "")
+    assert not list(tmp_path.glob("his/**/_caller*"))
+    assert not list((tmp_path / "tiny").glob("**/*.nbi"))
+    assert run(package, cache) == (21.0, True)

@@ -1,5 +1,5 @@
-"""Says that kernels are being compiled, when they are: the first call on a machine would otherwise take a
-quarter of a minute without a word.
+"""Says that kernels are being compiled, when they are: the first call on a machine would otherwise take more
+than half a minute without a word.
 
 On standard error, unless `GEARLASH_QUIET` is set to anything but 0."""
 
@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 
 from . import cache
 
-EXPECTED = "15 s on two free cores"  # 30 s of their time
+EXPECTED = "30 s on two free cores"  # 55 s of their time
 Say = Callable[[str], object]
 _said: list[str] = []
 
@@ -32,7 +32,7 @@ def said() -> bool:
 def announced(say: Say | None = None) -> Iterator[None]:
     """Around compiling: what is going on and how long it takes, then how long it took. A process whose
     kernels cannot be kept compiles one after the other and says it once."""
-    if said() or (say is None and os.environ.get("GEARLASH_QUIET", "0") not in ("", "0")):
+    if said() or _quiet(say):
         yield
         return
     say = say or _on_standard_error
@@ -42,6 +42,16 @@ def announced(say: Say | None = None) -> Iterator[None]:
     if cache.trouble(cache.cache_folder()):
         _said.append(words)
     say(f"compiled in {time.monotonic() - began:.0f} s")
+
+
+def tell_waiting(say: Say | None = None) -> None:
+    """Another process compiles what this one needs."""
+    if not (said() or _quiet(say)):
+        (say or _on_standard_error)("another run is compiling the kernels; waiting for it")
+
+
+def _quiet(say: Say | None) -> bool:
+    return say is None and os.environ.get("GEARLASH_QUIET", "0") not in ("", "0")
 
 
 def first_words() -> str:

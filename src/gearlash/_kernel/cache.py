@@ -14,10 +14,9 @@ import functools
 import hashlib
 import json
 import os
+import shutil
 import sys
 import time
-from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
 
 from .trust import VERSION, make_own, read_own, why_not_folder
@@ -25,49 +24,56 @@ from .trust import VERSION, make_own, read_own, why_not_folder
 UNUSED_DAYS = 30.0
 """After so many days without use the folder of another version may go."""
 
-SETTINGS = ("CPU_NAME", "CPU_FEATURES", "OPT", "LOOP_VECTORIZE", "SLP_VECTORIZE", "ENABLE_AVX")
-"""Of numba, NUMBA_…, that change its machine code."""
+IN_CODE = ("CPU_NAME", "CPU_FEATURES", "OPT", "LOOP_VECTORIZE", "SLP_VECTORIZE", "ENABLE_AVX")
+"""Of numba.config, that change its machine code."""
 
 
-@dataclass(frozen=True)
-class Code:
-    """The machine code of one kernel: an object file, the name of the entry in it, and the names that it
-    needs from elsewhere."""
+UNFINISHED = "unfinished-"
+"""Names of what is being made begin so."""
 
-    object_file: bytes
-    entry: str
-    needs: tuple[str, ...]
+Files = dict[str, bytes]
+"""What numba keeps of one kernel: names and contents of its files."""
 
 
-def read(kernel: str) -> Code | None:
-    """The code of the kernel with this name, or None where there is none for this machine, or a damaged one.
-    (Machine code with one wrong bit would run.)"""
+def read(kernel: str) -> Files | None:
+    """What was kept of the kernel with this name, or None where there is nothing for this machine, or a
+    damaged file. (Machine code with one wrong bit would run.)"""
+    if _GIVEN_UP:
+        return None
     try:
         data = read_own(cache_folder(), version_folder().name, _file_of(kernel).name)
-        head, _, object_file = _unsealed(data).partition(b"\n")
+        head, _, rest = _unsealed(data).partition(b"\n")
     except OSError:
         return None
-    entry, *needs = json.loads(head)
-    return Code(object_file, entry, tuple(needs))
+    files, at = {}, 0
+    for name, size in json.loads(head).items():
+        files[name], at = rest[at : at + size], at + size
+    return files
 
 
-def write(kernel: str, code: Code) -> None:
+def write(kernel: str, files: Files) -> None:
     """Keeps a kernel, where that is possible: a full disk or a folder that cannot be written is no reason to
     stop."""
-    if trouble(cache_folder()):
+    if not files or trouble(cache_folder()):
         return
-    content = json.dumps([code.entry, *code.needs]).encode() + b"\n" + code.object_file
+    sizes = {name: len(content) for name, content in files.items()}
+    content = json.dumps(sizes).encode() + b"\n" + b"".join(files.values())
     file = _file_of(kernel)
     with contextlib.suppress(OSError):
-        if not file.parent.is_dir():
-            make_own(file.parent)
-            prune(file.parent)
+        make_version(file.parent)
         _replace(file, content + hashlib.sha256(content).digest())
+
+
+def make_version(folder: Path) -> None:
+    """The folder of these sources; where it is new, what is long unused goes."""
+    if not folder.is_dir():
+        make_own(folder)
+        prune(folder)
 
 
 def _replace(file: Path, content: bytes) -> None:
     """Readers find the whole file or none."""
-    unfinished = file.with_name(f"unfinished-{os.urandom(8).hex()}.kernel")
+    unfinished = file.with_name(f"{UNFINISHED}{os.urandom(8).hex()}.kernel")
     try:
         unfinished.touch(mode=0o600, exist_ok=False)
         unfinished.write_bytes(content)
@@ -115,11 +121,23 @@ def prune(folder: Path) -> None:
                 _remove(other)
 
 
+def remove_unfinished(folder: Path) -> None:
+    """What processes that were killed have left. For who has made sure that nobody else compiles."""
+    with contextlib.suppress(OSError):
+        for left in folder.glob(f"{UNFINISHED}*"):
+            if left.is_dir() and not left.is_symlink():
+                shutil.rmtree(left, ignore_errors=True)
+            else:
+                left.unlink(missing_ok=True)
+
+
 def _remove(folder: Path) -> None:
     """The kernels in a folder, and the folder if nothing else is in it."""
+    remove_unfinished(folder)
     with contextlib.suppress(OSError):
-        for file in folder.glob("*.kernel"):
-            file.unlink(missing_ok=True)
+        for pattern in ("*.kernel", "*.lock"):
+            for file in folder.glob(pattern):
+                file.unlink(missing_ok=True)
         folder.rmdir()
 
 
@@ -140,7 +158,11 @@ def sources_hash() -> str:
 def machine_hash() -> str:
     """SHA-256 of what machine code depends on beside its sources."""
     import llvmlite
+    import numba
+    import numpy
     from llvmlite import binding
+
+    from .jit import SETTINGS
 
     parts = (
         binding.get_process_triple(),
@@ -149,21 +171,11 @@ def machine_hash() -> str:
         sys.implementation.cache_tag,
         object.__basicsize__,  # another one in a Python without the interpreter's lock
         llvmlite.__version__,
-        _numba_version(),
-        *(os.environ.get(f"NUMBA_{name}") for name in SETTINGS),
+        numba.__version__,
+        numpy.__version__,
+        *(getattr(SETTINGS, name, None) for name in IN_CODE),
     )
     return hashlib.sha256(repr(parts).encode()).hexdigest()
-
-
-def _numba_version() -> str:
-    """From its own file where that can be found: a tenth of the time of asking for the package's metadata."""
-    numba = find_spec("numba")
-    if numba is not None and numba.origin is not None:
-        with contextlib.suppress(OSError):
-            return Path(numba.origin).with_name("_version.py").read_text(encoding="utf-8")
-    from importlib.metadata import version
-
-    return version("numba")
 
 
 def cache_folder() -> Path:
@@ -180,10 +192,21 @@ def cache_folder() -> Path:
     return Path(base) / "gearlash"
 
 
+_GIVEN_UP: list[str] = []
+
+
+def give_up(why: str) -> None:
+    """From now on this process keeps, and loads, nothing."""
+    _GIVEN_UP.append(why)
+    trouble.cache_clear()
+
+
 @functools.cache
 def trouble(folder: Path) -> str:
     """What is wrong with a cache folder, so that kernels are compiled in memory; empty where nothing is. One
     that is missing is made."""
+    if _GIVEN_UP:
+        return _GIVEN_UP[0]
     try:
         why = why_not_folder(folder)
         if not why:

@@ -1,7 +1,8 @@
 """Every kernel ready: from the cache, else compiled.
 
 Where the cache can be written, kernels are compiled in processes of their own, beside each other
-(`workshop`), and then read from it; where not, here and in memory."""
+(`workshop`), and then read from it; where not, here and in memory. Of several processes that need them at
+once one compiles, and the others wait (`waiting`)."""
 
 from __future__ import annotations
 
@@ -9,9 +10,13 @@ import threading
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from gearlash.current_folder import elsewhere
+
 from . import cache
-from .announce import Say, announced
+from .announce import Say, announced, tell_waiting
+from .collecting import not_collecting
 from .declare import KERNELS, Kernel
+from .waiting import one_at_a_time
 
 _ONE_AT_A_TIME = threading.RLock()
 _READY: set[str] = set()
@@ -29,14 +34,31 @@ def compile_all(missing: Iterable[Kernel], say: Say | None = None) -> None:
         missing = list(missing)
         if not missing:
             return
-        with announced(say):
-            if not cache.trouble(cache.cache_folder()):
-                from .workshop import compile_beside
+        if cache.trouble(cache.cache_folder()):
+            with announced(say):
+                _compile_here(missing)
+            return
+        with one_at_a_time(lambda: tell_waiting(say)):
+            missing = [
+                kernel for kernel in missing if not _loaded(kernel)
+            ]  # another process may have made them
+            if missing:
+                with announced(say):
+                    from .workshop import compile_beside
 
-                compile_beside(missing)
-            for kernel in missing:
-                if not _loaded(kernel):
-                    _compile_here(kernel)
+                    compile_beside(missing)
+                    _compile_here(missing)
+
+
+def _compile_here(kernels: list[Kernel]) -> None:
+    """What is not ready yet: where nothing can be kept, and what another process failed at, which here meets
+    the reason."""
+    for kernel in kernels:
+        if not _loaded(kernel):
+            from .compiling import compiled
+
+            with elsewhere():
+                _keep(kernel, *compiled(kernel))
 
 
 def make_ready(kernel: Kernel) -> None:
@@ -49,26 +71,25 @@ def make_ready(kernel: Kernel) -> None:
 
 
 def _loaded(kernel: Kernel) -> bool:
+    """Whether it is ready, if need be from the cache."""
     if kernel.name not in _READY:
-        from .machine import can_load, load
+        kept = cache.read(kernel.name)
+        if kept is None:
+            return False
+        from .compiling import loaded
 
-        code = cache.read(kernel.name)
-        if code is None or not can_load(code):
+        try:
+            with elsewhere(), not_collecting():
+                ready = loaded(kernel, kept)
+        except OSError as error:
+            cache.give_up(f"is not used, as there is no room for temporary files ({error.strerror or error})")
             return False
         cache.mark_used(cache.version_folder())
-        _be_called(kernel, load(code, kernel.signature))
+        _keep(kernel, *ready)
     return True
 
 
-def _compile_here(kernel: Kernel) -> None:
-    from .compiling import compile_kernel
-    from .machine import callable_at
-
-    code, address = compile_kernel(kernel)
-    cache.write(kernel.name, code)
-    _be_called(kernel, callable_at(address, kernel.function.__name__, kernel.signature))
-
-
-def _be_called(kernel: Kernel, entry: Callable[..., Any]) -> None:
+def _keep(kernel: Kernel, entry: Callable[..., Any], files: cache.Files) -> None:
     kernel.entry = entry
+    cache.write(kernel.name, files)
     _READY.add(kernel.name)

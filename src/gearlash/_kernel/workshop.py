@@ -77,14 +77,14 @@ def _started(kernels: list[Kernel]) -> Iterator[subprocess.Popen[str]]:
 
 def work(order: list[tuple[str, str]]) -> None:
     """What such a process does."""
-    gc.disable()  # a tenth of the time, and the process ends soon
+    gc.disable()  # it ends soon
     threading.Thread(target=_end_with_input, daemon=True).start()
-    from .compiling import compile_kernel
+    from .compiling import compiled
 
     for module, name in order:
         import_module(module)
-        code, _ = compile_kernel(KERNELS[name])
-        cache.write(name, code)
+        _, files = compiled(KERNELS[name])
+        cache.write(name, files)
 
 
 def _end_with_input() -> None:

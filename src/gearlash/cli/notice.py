@@ -6,6 +6,8 @@ line on standard error says so, and one when that is done.
 
 from __future__ import annotations
 
+import gc
+
 from .terminal import tell
 
 
@@ -15,7 +17,11 @@ def load_engine(data: bool = False) -> None:
     if data:
         import h5netcdf  # noqa: F401
         import xarray  # noqa: F401
-    from gearlash import flow  # noqa: F401  (declares the kernels)
-    from gearlash._kernel import compile_all, load_all
+    from gearlash._kernel import compile_all, load_all, not_collecting
 
-    compile_all(load_all(), tell)
+    with not_collecting():
+        from gearlash import flow  # noqa: F401  (declares the kernels)
+
+        missing = load_all()
+    gc.freeze()  # what numba consists of stays as long as this process: no garbage is looked for in it
+    compile_all(missing, tell)

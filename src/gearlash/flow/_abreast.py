@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel import inlined, int64, kernel
+from gearlash._kernel.jit import inlined, int64, kernel, record_of
 
+from ._blocks import LANES
 from ._eight import (
     GOING,
     INSIDE,
@@ -46,7 +47,7 @@ from ._lanes import (
     under_abreast,
     weigh_abreast,
 )
-from ._march import begin
+from ._march import Scratch, begin
 from ._motion import DIVERGED, HUGE, OK, Motion, leave_behind
 from ._pieces import cross, in_pieces
 from ._record import Record
@@ -62,12 +63,12 @@ from ._tables import (
     MUTABLE,
     PLUS,
     ROUGH,
-    SHAPE,
+    SIZES,
     TERMS,
     Shape,
+    shape_of,
 )
 from ._together import crossing
-from ._vector import LANES
 
 
 @inlined
@@ -302,18 +303,16 @@ def _set_out(shape: Shape, memory, slot_of, rules, lanes, motion, motions, done,
 
 @kernel(
     int64(
-        SHAPE, FLOATS, INTS, INTS, INTS, int64, int64, int64, CUBE, CUBE_OF_INTS, INTS, MUTABLE, INTS, INTS,
-        MUTABLE, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE,
-        INTS, MUTABLE, MUTABLE, INTS, INTS, INTS, INTS, INTS, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE,
-        MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, MUTABLE, INTS, INTS,
+        SIZES, FLOATS, INTS, INTS, INTS, int64, int64, int64, CUBE, CUBE_OF_INTS, INTS, MUTABLE, INTS, INTS,
+        MUTABLE, record_of(Record, INTS, MATRIX, CUBE, MATRIX, MATRIX),
+        record_of(Scratch, *6 * [MUTABLE], INTS),
+        record_of(Lanes, *2 * [MUTABLE], *5 * [INTS], *13 * [MUTABLE], *2 * [INTS]),
     ),
     alone=True,
 )  # fmt: skip
 def abreast(
-    shape: Shape, memory, slot_of, rules, motions, stretch, done, stretches, strobes, counts, outcomes, hold,
-    modes, on, position, used, piece, poly, event, state, work, moved, zc, series, factors, origin, sides, u,
-    s, numbers, masks, passed, queue, waiting, out, fine, gap, push, moments, powers, jet, near, limit, lo,
-    hi, at, seen, verdict, boundary,
+    sizes, memory, slot_of, rules, motions, stretch, done, stretches, strobes, counts, outcomes, hold, modes,
+    on, position, record, scratch, lanes,
 ):  # fmt: skip
     """Carries the motions with these numbers, up to `MOST`, from phase zero over ``stretches`` of ``stretch``
     base periods each.
@@ -321,15 +320,17 @@ def abreast(
     strobes (all motions, rows, n) holds their starts in row ``done`` and receives the states in the rows
     behind, counts (all motions, rows, 5), zero at first, what happened in each stretch from row ``done`` on,
     outcomes (all motions) how each ended: what is written of one that did not end well is of no use. All
-    regions that can be met must have been built. The rest is work space (`_march.scratch`, `_eight.room`)."""
-    lanes = Lanes(
-        u, s, numbers, masks, passed, queue, waiting, out, fine, gap, push, moments, powers, jet, near, limit,
-        lo, hi, at, seen, verdict, boundary,
+    regions that can be met must have been built. The last three are work
+    space (`_march.scratch`, `_eight.room`)."""
+    shape = shape_of(sizes)
+    u = scratch.origin
+    motion = Motion(
+        u, u[:0], modes, position, scratch.work, scratch.moved, scratch.zc, scratch.series, scratch.factors,
+        scratch.sides, on,
     )  # fmt: skip
-    motion = Motion(origin, origin[:0], modes, position, work, moved, zc, series, factors, sides, on)
-    record = Record(used, piece, poly, event, state)
-    ones(work)
-    waiting[:] = 0
+    masks, passed = lanes.masks, lanes.passed
+    ones(scratch.work)
+    lanes.waiting[:] = 0
     blocks = _set_out(shape, memory, slot_of, rules, lanes, motion, motions, done, strobes)
     for i in range(done, done + stretches):
         for cycle in range(stretch):

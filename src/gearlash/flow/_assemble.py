@@ -6,10 +6,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel import ArrayOf, boolean, float64, inlined, inner, int64, kernel, void
+from gearlash._kernel.jit import array_of, boolean, float64, inlined, inner, int64, kernel, void
 
 from ._series import cut_off, pressing
-from ._tables import CUBE, FREE, INTS, MUTABLE, NO_TENSION, ORDER, ROUGH, SHAPE, TERMS, Shape
+from ._tables import CUBE, FREE, INTS, MUTABLE, NO_TENSION, ORDER, ROUGH, SIZES, TERMS, Shape, shape_of
 from ._vector import greatest, least, linear, move, peak, weigh
 
 UNIT_ROUNDING = 2.0**-53
@@ -62,15 +62,16 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, watched):
 
 
 @kernel(
-    void(SHAPE, MUTABLE, int64, MUTABLE, CUBE, ArrayOf(float64, 4), INTS, INTS, boolean, int64, int64),
+    void(SIZES, MUTABLE, int64, MUTABLE, CUBE, array_of(float64, 4), INTS, INTS, boolean, int64, int64),
     allocates=True,
 )
-def assemble(shape: Shape, memory, at, amplitudes, ends, gaps, sides, rules, all_columns, first, until):
+def assemble(sizes, memory, at, amplitudes, ends, gaps, sides, rules, all_columns, first, until):
     """Sums unit responses to the constant columns of the slot at ``at``, and writes for them (or for all
     columns) the Bernstein coefficients of what is watched, with their bounds; for the cells from ``first``
     on and before ``until``.
 
     amplitudes (u)."""
+    shape = shape_of(sizes)
     n, count = shape.n, shape.clearances
     watched = np.zeros(3 * TERMS)
     for cell in range(first, until):
@@ -135,11 +136,12 @@ def _margins(shape: Shape, memory, at, sides, u, out):
         move(out, 0, u, 0, p)
 
 
-@kernel(void(SHAPE, MUTABLE, int64, INTS), allocates=True)
-def laps(shape: Shape, memory, at, sides):
+@kernel(void(SIZES, MUTABLE, int64, INTS), allocates=True)
+def laps(sizes, memory, at, sides):
     """Writes what proves a whole base period to be clear at once: the map over it, a motion in the
     region that (where it is stable) repeats itself, how far that one stays from its limits, and how far
     a unit of each state can move another one from it."""
+    shape = shape_of(sizes)
     n, p, count = shape.n, shape.p, shape.clearances
     columns, twice, out = np.zeros((1 + n) * p), np.zeros((1 + n) * p), np.zeros(p + TERMS * count)
     swing, u = np.zeros(count * p), np.zeros(p)

@@ -9,21 +9,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel import ArrayOf, Several, allocating, float64, inner, int64, kernel, void
+from gearlash._kernel.jit import allocating, array_of, float64, inner, int64, kernel, tuple_of, void
 
+from ._blocks import padded
 from ._remainder import eta_bounds, majorant
 from ._series import fill, fourier_taylor
-from ._tables import CUBE, FREE, INTS, MATRIX, MUTABLE, ORDER, SHAPE, TABLE, TERMS, Shape
-from ._vector import add, linear, multiple, padded, peak
+from ._tables import CUBE, FREE, INTS, MATRIX, MUTABLE, ORDER, SIZES, TABLE, TERMS, Shape, shape_of
+from ._vector import add, linear, multiple, peak
 
 EDGE, OFFSET, FORCED = 0, 1, 2  # kinds of unit input; the first two start from the centre that undoes them
 
 _padded = inner(padded)
 
 
-@kernel(void(SHAPE, MUTABLE))
-def stiffness_series(shape: Shape, memory):
+@kernel(void(SIZES, MUTABLE))
+def stiffness_series(sizes, memory):
     """Fills `eta`: Taylor coefficients of η over every cell, for both sides of every clearance."""
+    shape = shape_of(sizes)
     width, series = memory[shape.scalars + 2], 2 * shape.harmonics + 1
     for cell in range(shape.cells):
         for k in range(2 * shape.clearances):
@@ -204,15 +206,14 @@ def _through_cells(
 
 
 @kernel(
-    Several(float64, 2)(
-        SHAPE, MUTABLE, int64, MATRIX, MATRIX, MATRIX, MATRIX, INTS, TABLE, CUBE, ArrayOf(float64, 4),
+    tuple_of(float64, 2)(
+        SIZES, MUTABLE, int64, MATRIX, MATRIX, MATRIX, MATRIX, INTS, TABLE, CUBE, array_of(float64, 4),
         int64, int64, MATRIX, CUBE,
     ),
     allocates=True,
 )  # fmt: skip
 def respond(
-    shape: Shape, memory, at, matrix, readers, actors, centres, sides, units, ends, gaps, first, until,
-    last, read,
+    sizes, memory, at, matrix, readers, actors, centres, sides, units, ends, gaps, first, until, last, read,
 ):  # fmt: skip
     """Fills, for the cells from ``first`` on and before ``until``, the columns of unit starts of `step`,
     `gap` and `pull` in the slot at ``at``, and the unit responses ends (cells, u, n), gaps (cells,
@@ -223,6 +224,7 @@ def respond(
     matrix (n, n) with its damping; readers, actors, centres (clearances, n): h, g, c with h_j·c_k = 1 for
     j = k, else 0; sides (clearances): `PLUS`, `FREE` or `MINUS`; units (u, 3): kind, clearance or state, slot
     of the series."""
+    shape = shape_of(sizes)
     n, count = shape.n, shape.clearances
     equations, reads, active = np.zeros(n * (n + count)), np.zeros(count * n), np.zeros(count, np.int64)
     filled = np.zeros((n, 2), np.int64)

@@ -9,13 +9,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearlash._kernel import inlined
+from gearlash._kernel.jit import inlined
 
-from ._lanes import ROWS
+from ._blocks import LANES, ROWS
 from ._motion import FRESH
 from ._switch import side_of
 from ._tables import FREE, MINUS, PLUS, TERMS, Array, Shape, aligned, aligned_ints
-from ._vector import LANES, ones_in
+from ._vector import ones_in
 
 BLOCKS = 8  # under way at the same time, at the most: enough that eight motions often do the same
 MOST = LANES * BLOCKS
@@ -59,12 +59,12 @@ GOING = 8  # still under way
 KINDS = 9
 
 
-def room(shape: Shape) -> tuple[Array, ...]:
+def room(shape: Shape) -> Lanes:
     """Work space for `Lanes`, in its order."""
     p, rows, blocks = shape.p, shape.rows, BLOCKS + 1
     ints = (LANES * blocks, KINDS * blocks, blocks, 3 * MOST, 3)
     sizes = (rows, TERMS, TERMS, TERMS, TERMS, TERMS, 3, 1, 1, 1, 1, 1, TERMS)
-    return (
+    return Lanes(
         *aligned(LANES * blocks * p, LANES * blocks),
         *aligned_ints(*ints),
         *aligned(*(LANES * size for size in sizes)),

@@ -12,11 +12,12 @@ Source: G. Farin, Curves and Surfaces for CAGD, 5th ed. (2002); B. Mourrain, F. 
 
 from __future__ import annotations
 
-from gearlash._kernel import inlined, inner
+from gearlash._kernel.jit import inlined, inner
 
+from ._blocks import LANES
 from ._series import jet, recentre
 from ._tables import ORDER, TERMS, Shape
-from ._vector import LANES, linear, powers, times, weigh
+from ._vector import linear, powers, times, weigh
 from ._work import DEPTH, LIMITS, LOCAL, ONES, POWERS, SCALED, STACK, SURFACE
 
 NONE = 2.0  # "no root in [0, 1]"

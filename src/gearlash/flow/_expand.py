@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearlash._kernel import fma, inner
+from gearlash._kernel.jit import fma, inner
 
 from ._series import fourier_taylor
 from ._tables import FREE, ORDER, TERMS, Shape

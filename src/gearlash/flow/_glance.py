@@ -9,7 +9,7 @@ boundary, it is inside there: a change inward lies before that place. Anything e
 
 from __future__ import annotations
 
-from gearlash._kernel import inlined
+from gearlash._kernel.jit import inlined
 
 from ._tables import ORDER, TERMS
 from ._vector import greatest, least, ones_in, over, under

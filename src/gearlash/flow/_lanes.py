@@ -9,14 +9,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from gearlash._kernel import primitive
+from gearlash._kernel.jit import written_out
 
+from ._blocks import LANES, MASKED
 from ._series import jet, polynomial
-from ._vector import LANES, MASKED, linear, powers, weigh
+from ._vector import linear, powers, weigh
 
-ROWS = 4  # products come in whole blocks of so many rows
-
-_written_out = primitive(f"{__package__}._lanes_code")
+_written_out = written_out(f"{__package__}._lanes_code")
 
 
 def lane(values: Any, at: int, motion: int, count: int) -> Any:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ._lanes import ROWS
-from ._vector import LANES, MASKED
+from ._blocks import LANES, MASKED, ROWS
 
 if not TYPE_CHECKING:
     from llvmlite import ir

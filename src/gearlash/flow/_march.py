@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
-from gearlash._kernel import float64, inner, int64, kernel
+from gearlash._kernel.jit import float64, inlined, inner, int64, kernel
 
 from ._exits import all_roots, ones
 from ._expand import carry_inside
@@ -21,22 +23,36 @@ from ._tables import (
     MATRIX,
     MUTABLE,
     ORDER,
-    SHAPE,
+    SIZES,
     TERMS,
+    Array,
     Shape,
     aligned,
     aligned_ints,
+    shape_of,
 )
 from ._vector import add
 from ._walk import walk
 from ._work import DEPTH, GAPS
 
 
-def scratch(shape: Shape) -> tuple[np.ndarray, ...]:
-    """Work space of one call of `run`."""
+class Scratch(NamedTuple):
+    """Work space of one motion, of `Motion` and for tangents."""
+
+    work: Array
+    moved: Array
+    zc: Array
+    series: Array
+    factors: Array
+    origin: Array
+    sides: np.ndarray
+
+
+def scratch(shape: Shape) -> Scratch:
+    """For motions of systems of this shape."""
     n, p, j = shape.n, shape.p, shape.clearances
     sizes = (GAPS + j * TERMS + p, shape.rows + j * TERMS, (ORDER + 1) * p, (4 * j + n) * TERMS, n + j, p)
-    return (*aligned(*sizes), *aligned_ints(j))
+    return Scratch(*aligned(*sizes), *aligned_ints(j))
 
 
 STARTED, STRETCH, MOTION = 0, 1, 2  # in `progress`: how far a call came that ran into an unbuilt region
@@ -64,14 +80,20 @@ def _orthonormalise(tangents, m, p, sums, first):
 
 
 @inner
-def _inside(shape: Shape, memory, slot, motion, start, end, vector):
-    """vector (p) ← what the present flow makes of it from ``start`` to ``end`` of the cell."""
+def _inside_to(shape: Shape, memory, slot, motion, start, end, vector):
+    """moved (p) ← what the present flow makes of a vector (p) from ``start`` to ``end`` of the cell."""
     sides_of(motion)
     k = int(motion.position[0]) % shape.cells
     carry_inside(
         shape, memory, slot, motion.sides, k, start, end, vector, motion.zc, motion.series, motion.factors,
         motion.moved,
     )  # fmt: skip
+
+
+@inner
+def _inside(shape: Shape, memory, slot, motion, start, end, vector):
+    """The same in place."""
+    _inside_to(shape, memory, slot, motion, start, end, vector)
     for i in range(shape.p):
         vector[i] = motion.moved[i]
 
@@ -101,22 +123,24 @@ def _ahead(cell, s, length):
     return stop_cell, (s + length) - (stop_cell - cell)
 
 
-@inner
+@inlined
 def _strobe(shape: Shape, memory, slot_of, motion, row, strobes):
     """The state that the motion is in now; u itself stays the virtual start of its cell."""
-    slot, s = slot_place(shape, slot_of, motion.modes), motion.position[1]
-    if s == 0.0:
-        for i in range(shape.n):
-            strobes[row, i] = motion.u[1 + i] + memory[slot + shape.centre + 1 + i]
-        return
-    sides_of(motion)
-    k = int(motion.position[0]) % shape.cells
-    carry_inside(
-        shape, memory, slot, motion.sides, k, 0.0, s, motion.u, motion.zc, motion.series, motion.factors,
-        motion.moved,
-    )  # fmt: skip
+    slot = slot_place(shape, slot_of, motion.modes)
+    centre = memory[slot + shape.centre : slot + shape.centre + shape.p]
+    if motion.position[1] == 0.0:
+        _from_centre(shape, motion.u, centre, strobes[row])
+    else:
+        _inside_to(shape, memory, slot, motion, 0.0, motion.position[1], motion.u)
+        _from_centre(shape, motion.moved, centre, strobes[row])
+
+
+@inlined
+def _from_centre(shape: Shape, values, centre, state):
+    """A state of the system. (What is read begins with the array: an index that may be negative, for all that
+    the compiler knows, makes of eight numbers eight.)"""
     for i in range(shape.n):
-        strobes[row, i] = motion.moved[1 + i] + memory[slot + shape.centre + 1 + i]
+        state[i] = values[1 + i] + centre[1 + i]
 
 
 @inner
@@ -181,14 +205,14 @@ def _carry(
 
 @kernel(
     int64(
-        SHAPE, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE,
+        SIZES, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE,
         CUBE, CUBE_OF_INTS, MUTABLE, INTS, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE,
         MUTABLE, MUTABLE, MUTABLE, INTS,
     ),
     alone=True,
 )  # fmt: skip
 def run(
-    shape: Shape, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold,
+    sizes, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold,
     strobes, counts, sums, outcomes, used, piece, poly, event, state, work, moved, zc, series, factors,
     origin, sides,
 ):  # fmt: skip
@@ -204,6 +228,7 @@ def run(
     (clearances), position (6), progress (3), zero at first, let a call that returned `NEED_REGION` go on once
     that region is built. The last seven are work space (`scratch`). One entry point: each variant would
     have to be compiled for itself."""
+    shape = shape_of(sizes)
     p, motions = shape.p, len(counts)
     m = len(tangents) // (p * motions)
     ones(work)

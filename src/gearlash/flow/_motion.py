@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearlash._kernel import inlined, inner
+from gearlash._kernel.jit import inlined, inner
 
 from ._switch import region_code, side_of
 from ._tables import Array, Shape

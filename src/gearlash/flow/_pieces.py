@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearlash._kernel import inlined, inner
+from gearlash._kernel.jit import inlined, inner
 
 from ._exits import NONE
 from ._motion import (

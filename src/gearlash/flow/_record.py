@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearlash._kernel import inner
+from gearlash._kernel.jit import inner
 
 from ._expand import carry_inside, expand
 from ._motion import sides_of

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel import allocating, inner
+from gearlash._kernel.jit import allocating, inner
 
 from ._tables import ORDER, Shape
 

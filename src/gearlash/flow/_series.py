@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel import fma, inlined, inner
+from gearlash._kernel.jit import fma, inlined, inner
 
 from ._tables import ORDER, TERMS
 from ._vector import linear, move, powers, times

@@ -3,7 +3,7 @@ reached."""
 
 from __future__ import annotations
 
-from gearlash._kernel import inlined, inner
+from gearlash._kernel.jit import inlined, inner
 
 from ._assemble import UNIT_ROUNDING
 from ._exits import NONE, first_exit, polish

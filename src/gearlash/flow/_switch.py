@@ -14,7 +14,7 @@ Dynamical Systems, 2008, ch. 2, doi:10.1007/978-1-84628-708-4)."""
 
 from __future__ import annotations
 
-from gearlash._kernel import inlined, inner
+from gearlash._kernel.jit import inlined, inner
 
 from ._series import derivative, polynomial
 from ._tables import ALWAYS, FREE, IN_CONTACT, MINUS, NO_TENSION, ORDER, TERMS, Shape

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from gearlash._kernel import inlined
+from gearlash._kernel.jit import inlined
 
+from ._blocks import LANES
 from ._eight import (
     FRESH_ONES,
     INSIDE,
@@ -28,7 +29,7 @@ from ._lanes import (
 )
 from ._surfaces import ROUNDING, inward_of
 from ._tables import FREE, MINUS, ORDER, PLUS, TERMS, Shape
-from ._vector import LANES, move, multiple, ones_in, times
+from ._vector import move, multiple, ones_in, times
 
 FEW = 2  # so many crossings alone cost as much as eight at once
 

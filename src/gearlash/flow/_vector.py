@@ -9,16 +9,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from gearlash._kernel import primitive
+from gearlash._kernel.jit import written_out
 
-LANES = 8
-MASKED = 24  # values of which one mask or extreme is made: the coefficients of a polynomial
-_written_out = primitive(f"{__package__}._vector_code")
+from ._blocks import LANES, MASKED
 
-
-def padded(n: int) -> int:
-    """n rounded up to whole blocks."""
-    return -(-n // LANES) * LANES
+_written_out = written_out(f"{__package__}._vector_code")
 
 
 @_written_out

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ._vector import LANES, MASKED
+from ._blocks import LANES, MASKED
 
 if not TYPE_CHECKING:
     from llvmlite import ir

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel import inlined, inner
+from gearlash._kernel.jit import inlined, inner
 
 from ._assemble import fine_coefficients
 from ._exits import NONE

@@ -62,12 +62,12 @@ def load(system: System) -> tuple[int, float]:
     many or it takes too much."""
     cells = first_guess(system)
     check_cells(system, cells)
-    shape, regions, units = shape_of(system, int(cells)), regions_likely(system), len(units_of(system))
+    shape, regions, units = laid_out(system, int(cells)), regions_likely(system), len(units_of(system))
     check_memory(system, shape, regions, units)
     return int(cells), needed(shape, regions, units)
 
 
-def shape_of(system: System, cells: int) -> Shape:
+def laid_out(system: System, cells: int) -> Shape:
     """The places of the tables, with so many cells."""
     series = (s for c in system.clearances for s in (c.offset, c.stiffness_plus, c.stiffness_minus))
     count = max(harmonics(s) for s in (system.forcing, *series))

@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike
 
 from gearlash.system import GearlashError, Record, Status, given
 
-from ._eight import MOST
+from ._blocks import LANES
+from ._eight import MOST, Lanes
 from ._motion import OK
 from ._tables import ALWAYS, FREE, MINUS, PLUS, Array, Shape
-from ._vector import LANES
 from .arguments import empty
 from .march import LONGEST, NO_HOLD, STATUS, block_of, columns_of, known, room_of, run_all
 from .propagators import Propagators
@@ -123,9 +123,9 @@ class _Job:
 
         props, room, tables = self.props, room_of(self.props.shape), self.props.tables
         abreast(
-            props.shape, tables.memory, tables.slot_of, props.rules, motions, self.stretch, done, block,
+            room.sizes, tables.memory, tables.slot_of, props.rules, motions, self.stretch, done, block,
             self.states, self.counts, self.outcomes, NO_HOLD, room.modes, room.on, room.position,
-            *room.nothing, *room.space, *_space(props.shape),
+            room.nothing, room.space, _space(props.shape),
         )  # fmt: skip
         for motion in motions[self.outcomes[motions] != OK]:
             self.counts[motion, done : done + block] = 0
@@ -159,7 +159,7 @@ def _can_be_abreast(props: Propagators) -> bool:
 _local = threading.local()
 
 
-def _space(shape: Shape) -> tuple[Array, ...]:
+def _space(shape: Shape) -> Lanes:
     """This thread's work space, made anew where the shape is another one."""
     from ._eight import room
 

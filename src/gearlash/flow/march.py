@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-from collections import namedtuple
 from dataclasses import dataclass
 from math import floor, isfinite
 from typing import ClassVar
@@ -15,7 +14,8 @@ from gearlash.system import Record, Status, given
 
 from . import _march
 from ._motion import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
-from ._tables import ORDER, Array, Shape, aligned, aligned_ints
+from ._record import Record as Kept
+from ._tables import ORDER, Array, Shape, aligned, aligned_ints, sizes_of
 from .arguments import empty
 from .events import Events, Trace
 from .propagators import Propagators
@@ -148,7 +148,7 @@ def trace(
     capacity = int(2 * length + 64)
     while True:
         state[:] = begin
-        record = _Record(
+        record = Kept(
             np.zeros(2, dtype=np.int64),
             np.empty((capacity, 2 + props.shape.clearances)),
             np.empty((capacity, ORDER + 1, n)),
@@ -208,7 +208,6 @@ def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, f
     return base, _snapped((phase - base) * props.cells_per_cycle), _snapped(cycles * props.cells_per_cycle)
 
 
-_Record = namedtuple("_Record", "used piece poly event state")
 NO_HOLD, _NO_SUMS = np.zeros(4), np.empty(0)
 
 
@@ -227,7 +226,7 @@ def run_one(
     sums: Array | None = None,
     hold: Hold | None = None,
     base: float = 0.0,
-    record: _Record | None = None,
+    record: Kept | None = None,
 ) -> tuple[Status, Array, Array]:
     """`run_all` of one motion: state (n,) and the rows of tangents (m, n) are carried in place. Returns its
     status, strobes (stretches+1, n) and counts (stretches, columns)."""
@@ -249,7 +248,7 @@ def run_all(
     tangents: Array | None = None,
     sums: Array | None = None,
     hold: Array | None = None,
-    record: _Record | None = None,
+    record: Kept | None = None,
 ) -> Array:
     """Calls the kernel: states (motions, n), and of one motion the rows of tangents (m, n), are carried in
     place, strobes (motions, stretches+1, n) written, counts (motions, stretches, columns) added to. Where a
@@ -265,8 +264,8 @@ def run_all(
     while True:
         tables = props.tables
         code = _march.run(
-            shape, tables.memory, tables.slot_of, props.rules, u, flat, room.modes, room.on, room.position,
-            room.progress, start, length, NO_HOLD if hold is None else hold, strobes, counts,
+            room.sizes, tables.memory, tables.slot_of, props.rules, u, flat, room.modes, room.on,
+            room.position, room.progress, start, length, NO_HOLD if hold is None else hold, strobes, counts,
             _NO_SUMS if sums is None else sums.reshape(-1), outcomes, *(record or room.nothing), *room.space,
         )  # fmt: skip
         if code != NEED_REGION:
@@ -282,11 +281,12 @@ class _Room:
     """Work space of the kernel, and what it goes on from after a region was built."""
 
     def __init__(self, shape: Shape):
+        self.sizes = sizes_of(shape)
         self.shape = shape
         self.space = _march.scratch(shape)
         self.modes, self.on, self.progress = aligned_ints(shape.clearances, shape.clearances, 3)
         (self.position,) = aligned(6)
-        self.nothing = _Record(
+        self.nothing = Kept(
             np.array([-1, 0], dtype=np.int64),
             np.empty((0, 2)),
             np.empty((0, ORDER + 1, shape.n)),

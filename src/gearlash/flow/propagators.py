@@ -28,15 +28,16 @@ from ._tables import (
     Shape,
     aligned,
     constants,
+    sizes_of,
 )
 from .budget import (
     allowed,
     check_cells,
     check_memory,
+    laid_out,
     of_region,
     regions_likely,
     regions_possible,
-    shape_of,
 )
 from .regions import (
     Sides,
@@ -188,7 +189,7 @@ def propagators(system: System, reuse: Propagators | None = None) -> Propagators
 
 def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagators | None:
     """Propagators with this many cells, or None where the remainder is above `TRUNCATION`."""
-    shape = shape_of(system, cells)
+    shape = laid_out(system, cells)
     first = [code_of(sides) for sides in extreme_regions(system) if has_width(system, sides)]
     regions = max(len(first), regions_likely(system))
     check_memory(system, shape, regions, len(units))
@@ -196,7 +197,7 @@ def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagator
     (room,) = aligned(shape.slots + regions_possible(system, fitting) * shape.slot)
     constants(shape, room)
     _write_system(system, shape, room)
-    stiffness_series(shape, room)
+    stiffness_series(sizes_of(shape), room)
     rules = np.array([RULES[c.contact] for c in system.clearances], dtype=np.int64)
     nothing = Tables(room, shape.slots, np.full(3 ** len(rules), -1, dtype=np.int64))
     found = Propagators(system, shape, rules, units, centres_of(system), key, {"now": nothing}, {})
@@ -242,8 +243,8 @@ def _responses(props: Propagators, memory: Array, at: int, sides: Sides) -> tupl
     value = derived = 0.0
     for first, until in _calls(shape):
         value, derived = respond(
-            shape, memory, at, matrix, readers, actors, props.centres, np.array(sides, dtype=np.int64),
-            props.units, ends, gaps, first, until, last, read,
+            sizes_of(shape), memory, at, matrix, readers, actors, props.centres,
+            np.array(sides, dtype=np.int64), props.units, ends, gaps, first, until, last, read,
         )  # fmt: skip
     _write_region(system, shape, memory, at, matrix)
     return ends, gaps, value, derived
@@ -307,10 +308,10 @@ def _assemble(
         )  # fmt: skip
     for first, until in _calls(shape):
         assemble(
-            shape, memory, at, amplitudes, ends, gaps, np.array(sides, dtype=np.int64), props.rules,
+            sizes_of(shape), memory, at, amplitudes, ends, gaps, np.array(sides, dtype=np.int64), props.rules,
             everything, first, until,
         )  # fmt: skip
-    laps(shape, memory, at, np.array(sides, dtype=np.int64))
+    laps(sizes_of(shape), memory, at, np.array(sides, dtype=np.int64))
 
 
 def _calls(shape: Shape) -> Iterator[tuple[int, int]]:

@@ -45,6 +45,7 @@ class _State:
     tasks: queue.SimpleQueue[tuple[bytes, bytes]] = field(default_factory=queue.SimpleQueue)
     count: int = 0
     main: tuple[str, str] = ("", "")
+    main_loaded: bool = False
 
 
 _state = _State()
@@ -154,8 +155,9 @@ class _Unpickler(pickle.Unpickler):
     """Finds what is defined in ``__main__`` of the other process, which is loaded only if something is."""
 
     def find_class(self, module_name: str, global_name: str, /) -> Any:
-        if module_name == "__main__" and "__mp_main__" not in sys.modules:
+        if module_name == "__main__" and not _state.main_loaded:
             _load_main(*_state.main)
+            _state.main_loaded = True
         return super().find_class(module_name, global_name)
 
 
