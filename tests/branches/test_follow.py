@@ -191,6 +191,6 @@ def test_through_rest(rule):
 def test_the_way_is_told():
     values, told = dict(DEFAULTS), []
     found = linear(shaken(), values)
-    list(follow(shaken(), values, "omega", found, 0.7, told.append))
+    list(follow(shaken(), values, "omega", found, 0.7, tell=told.append))
     assert told == sorted(told, reverse=True)
     assert told[-1] == 0.7

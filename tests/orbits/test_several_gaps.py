@@ -106,8 +106,8 @@ def test_quiet_asks_all_gaps():
     assert not found.drive_side_only
     for quiet in Quiet:
         assert not quiet.holds(found)
-        assert not quiet.holds_label(found.label)
-        assert quiet.holds_label("1-0-0/0-0")
+        assert not quiet.holds_signature(Signature.parse("1-0-0/1-1"))
+        assert quiet.holds_signature(Signature.parse("1-0-0/0-0"))
 
 
 @pytest.mark.parametrize("text", ["1-0-0/1-1", "3-2-0/4-0/0-1", "12-12-3"])

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gearlash import case, orbits, studies
+from gearlash import case, flow, orbits, studies
 from gearlash.branches import GrazingPoint, locate_multiplier
 from gearlash.jobs import Execution, Progress
 from gearlash.studies import Axis, Direction, End, Interval, Quiet
@@ -195,6 +195,25 @@ def test_an_orbit_that_ends_in_a_fold_beside_chaos():
     assert [p.label for p in seen.points[:2]] == ["2-1-0", "2-1-0"]
     assert not seen.points[2].periodic
     assert seen.points[1].leading.real == pytest.approx(1.0, abs=0.1)
+
+
+def test_an_orbit_that_turns_unstable_ends_the_zone_there():
+    """Not at a periodic window that lies behind it between the same two points of the sweep: the 2-1-0 motion
+    of the article's pair gives way to a torus, where a pair of multipliers has the modulus 1."""
+    pair = case.load("article")
+    family, _ = pair.family()
+    axis = Axis("omega", np.array([1.15, 1.175]))
+    up = studies.sweep(pair, axis, direction="up")
+    assert not up.points[-1].periodic
+    (zone,) = studies.zones(pair, axis, "drive-side-only", known=[up]).zones
+    assert zone.upper.uncertainty < 1e-8
+    before = {"omega": zone.upper.value - 2.0 * zone.upper.uncertainty}
+    start = studies.sweep(pair, Axis("omega", np.array([1.158])), direction="up").points[0].state
+    found = orbits.orbit_at(flow.propagators(family.system(before)), start, 2)
+    assert found is not None
+    assert found.label == zone.upper.inside == "2-1-0"
+    assert found.leading.imag != 0.0
+    assert abs(found.leading) == pytest.approx(1.0, abs=1e-6)
 
 
 def ends(pair: tuple[int, int]) -> Interval:

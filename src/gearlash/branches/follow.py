@@ -87,6 +87,7 @@ def follow(
     name: str,
     orbit: Orbit,
     to: float,
+    *,
     tell: Callable[[float], object] | None = None,
     longest: int = LONGEST_PERIOD,
 ) -> Iterator[Passage | BranchEnd]:

@@ -1,36 +1,36 @@
 """Where exactly a motion stops being quiet, between two neighbouring points of a sweep.
 
-The bracket is halved by the sweep's own way of finding attractors; what happens in it is then solved for:
-a grazing, or the fold at which the followed orbit ends.
-"""
+An orbit is followed (`branches.follow`) from the side that the sweep comes from, to where it begins or ceases
+to be quiet: a grazing, a fold, or what else ends it. What is no followed orbit is sought by halving instead:
+motion that is not periodic, and what is found from cold starts. There the orbits on both sides are followed
+through the narrow bracket that is left, to say what happens in it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches import BifurcationPoint, GrazingPoint, locate_grazing, locate_multiplier
+from gearlash.branches import BranchEnd, Outcome, Passage, SpecialPoint, follow
 from gearlash.jobs import Part
-from gearlash.orbits import Orbit, Settings, grazing_checks, orbit_at
+from gearlash.orbits import Orbit, Settings, orbit_at
 from gearlash.results import Direction, Point
-from gearlash.system import Family, GearlashError, Status
+from gearlash.system import Family, GearlashError
 
 from .model import Source
+from .point import summary
 from .row import Trail, onward, step
-from .transitions import FOLD, GRAZING, unlocated
+from .transitions import FOLD, kind_of, unlocated
 from .zone import BASIN, End, Quiet
 
 NARROW = 1e-6  # of the value: width at which halving ends
 ROUGH = 1e-4  # the same where one side is not periodic: no label is sharp there, and each costs much
 HALVINGS = 40
-ROUNDS = 4  # of searching on, where the motion that is followed was lost too early
-STEEP = 100.0  # how far an extremum may move, in units of the change of the parameter, and at least SETTLED
-SETTLED = 1e-3
-BESIDE = 3.0  # bracket widths: how near to a bracket a fold must be to be what happens in it
+ORBITS = 4  # that are followed one after the other, where one ends and the next one is as quiet
+BESIDE = 3.0  # bracket widths: how near to a bracket the end of an orbit must be to be what happens in it
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,11 +55,30 @@ class Bracket:
         """Is what lies between found from cold starts?"""
         return self.direction is Direction.COLD and not self.followed
 
+    @property
+    def in_order(self) -> tuple[Point, Point]:
+        """Both in the order in which the sweep came to them."""
+        falling = self.direction is Direction.DOWN
+        return (self.above, self.below) if falling else (self.below, self.above)
+
 
 def find_end(bracket: Bracket, carry: object) -> Part:
     """The end in a bracket, as a task of `jobs.run`."""
     search = _Search(bracket.source.family(), dict(bracket.fixed), bracket)
-    return Part((search.end(*search.halved()),))
+    return Part((search.along_the_orbit() or search.by_halving(),))
+
+
+@dataclass(frozen=True, eq=False)
+class _Change:
+    """Where a followed orbit begins or ceases to be quiet, or ends: within ± ``error`` of ``value``; the
+    labels before it and after it (where the orbit goes on), the point solved for."""
+
+    value: float
+    error: float
+    before: Point
+    after: str
+    point: SpecialPoint | None
+    outcome: Outcome | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,23 +87,89 @@ class _Search:
     fixed: Mapping[str, float]
     bracket: Bracket
 
-    def halved(self) -> tuple[Point, Point, list[Point]]:
-        """A bracket of relative width `NARROW` (or `ROUGH`), and the periodic points nearest to it on
-        either side: just beyond a fold motion is slow and seems aperiodic for long.
+    def along_the_orbit(self) -> End | None:
+        """The end met first by the orbit of the side that the sweep comes from, as far beyond the other side
+        as the bracket is wide: a sweep may have lost in a step what goes on. None where no orbit is
+        followed, or none of those that follow each other comes to an end."""
+        near, far = self.bracket.in_order
+        last, point = 2.0 * far.value - near.value, near
+        for _ in range(0 if self.bracket.cold else ORBITS):
+            change = self.first_change(point, last)
+            if change is None:
+                return None
+            if change.after:
+                return self.told(change, change.after)
+            beyond = self.beyond(change, last)
+            if self.quiet(beyond) != self.quiet(near):
+                return self.told(change, beyond.label or beyond.status, beyond)
+            point = beyond
+        return None
 
-        A motion that is followed may be lost in a step that is long for it. So the last steps, which are
-        short, are tried once more from what was found last; where it goes on after all, so does the search.
-        """
-        below, above, last = self.narrowed(self.bracket.below, self.bracket.above)
-        for _ in range(0 if self.bracket.cold else ROUNDS):
-            farther = self.farther(below, above)
-            if farther is None:
-                break
-            below, above, last = self.narrowed(*farther)
-        return below, above, last
+    def first_change(self, point: Point, last: float) -> _Change | None:
+        """The first change of the orbit of a point on the way to a value."""
+        orbit = self.orbit(point)
+        if orbit is None or not orbit.stable:
+            return None
+        most = self.bracket.settings.max_period
+        for met in follow(self.family, self.at(point.value), self.bracket.name, orbit, last, longest=most):
+            if isinstance(met, BranchEnd):
+                return self.ended(met)
+            if met.after is None or self.holds(met.after.orbit) != self.holds(met.before.orbit):
+                return self.passed(met)
+        raise AssertionError("what is followed ends with a BranchEnd")
+
+    def ended(self, end: BranchEnd) -> _Change | None:
+        """The end of an orbit that no point was solved for, if it is one."""
+        if end.outcome not in (Outcome.FOLD, Outcome.UNSTABLE):
+            return None
+        value, error = 0.5 * (end.last.value + end.beyond), 0.5 * abs(end.beyond - end.last.value)
+        return _Change(value, error, summary(end.last.orbit, end.last.value), "", None, end.outcome)
+
+    def passed(self, met: Passage) -> _Change:
+        """A point at which the orbit changes, or ends."""
+        before, after = summary(met.before.orbit, met.before.value), met.after.label if met.after else ""
+        return _Change(met.value, met.point.error, before, after, met.point, None)
+
+    def beyond(self, change: _Change, last: float) -> Point:
+        """What the sweep comes to beyond the end of an orbit: just beyond a fold motion is slow, and seems
+        aperiodic for long."""
+        far = self.bracket.in_order[1]
+        value = change.value + np.sign(last - change.value) * ROUGH * max(abs(change.value), 1e-3)
+        if min(change.value, value) < far.value <= max(change.value, value):
+            return far
+        return self.step(float(value), onward(Trail(self.bracket.start, None), change.before))
+
+    def told(self, change: _Change, after: str, beyond: Point | None = None) -> End:
+        """The end at a change of the orbit that the sweep follows; ``after``: the label beyond."""
+        before = change.before.label
+        labels = (before, after) if self.quiet(change.before) else (after, before)
+        kind = self.kind(change) or (unlocated(change.before, beyond) if beyond else "")
+        return End(change.value, kind, change.error, *labels, str(self.bracket.direction), change.point)
+
+    def kind(self, change: _Change) -> str:
+        """What a change is called, if it is known what it is."""
+        if change.point is not None:
+            return kind_of(change.point)
+        return FOLD if change.outcome is Outcome.FOLD else ""
+
+    def by_halving(self) -> End:
+        """The end in a bracket that is halved by the sweep's own way, and what the orbits on both sides of it
+        say of it."""
+        below, above, nearest = self.narrowed(self.bracket.below, self.bracket.above)
+        inside, outside = (below, above) if self.quiet(below) else (above, below)
+        labels = inside.label or inside.status, outside.label or outside.status
+        way = str(self.bracket.direction)
+        change = self.explanation(below, above, nearest)
+        if change is not None:
+            if change.after == "" and not self.quiet(change.before):
+                labels = labels[0], change.before.label  # the orbit that ends: beyond is its slow ghost
+            return End(change.value, self.kind(change), change.error, *labels, way, change.point)
+        middle, half = 0.5 * (below.value + above.value), 0.5 * (above.value - below.value)
+        return End(middle, self.unsolved(inside, outside), half, *labels, way)
 
     def narrowed(self, below: Point, above: Point) -> tuple[Point, Point, list[Point]]:
-        """The bracket halved by the sweep's own way."""
+        """A bracket of relative width `NARROW` (or `ROUGH`), and the periodic points nearest to it on
+        either side."""
         last = {False: below, True: above}
         for _ in range(HALVINGS):
             sharp = NARROW if below.periodic and above.periodic else ROUGH
@@ -99,25 +184,19 @@ class _Search:
                 last[middle is above] = middle
         return below, above, [point for point in last.values() if point.periodic]
 
-    def farther(self, below: Point, above: Point) -> tuple[Point, Point] | None:
-        """A bracket beyond a narrow one, if the motion that is followed goes on through it; it is followed in
-        steps that grow, as far again as the bracket of the sweep is wide. None where it ends in the narrow
-        one, or not so soon."""
-        falling, wide = (
-            self.bracket.direction is Direction.DOWN,
-            self.bracket.above.value - self.bracket.below.value,
-        )
-        lead, other, sign = (above, below, -1.0) if falling else (below, above, 1.0)
-        limit = (self.bracket.below if falling else self.bracket.above).value + sign * wide
-        value, width = other.value, above.value - below.value
-        while lead.periodic and sign * (limit - value) >= 0.0:
-            point = self.step(value, onward(Trail(self.bracket.start, None), lead))
-            if not point.computed or (value == other.value and self.quiet(point) == self.quiet(other)):
-                return None
-            if self.quiet(point) == self.quiet(other):
-                return (point, lead) if falling else (lead, point)
-            lead, width = point, 2.0 * width
-            value = lead.value + sign * width
+    def explanation(self, below: Point, above: Point, nearest: list[Point]) -> _Change | None:
+        """The change of an orbit beside a narrow bracket that happens in it."""
+        width = above.value - below.value
+        for point in nearest:
+            last = above.value + BESIDE * width
+            if point.value >= above.value:
+                last = below.value - BESIDE * width
+            change = self.first_change(point, last)
+            if change is None or not self.kind(change):
+                continue
+            slack = width * (1e-3 if change.after else BESIDE)
+            if below.value - slack <= change.value <= above.value + slack:
+                return change
         return None
 
     def found(self, value: float, below: Point, above: Point) -> Point:
@@ -130,54 +209,6 @@ class _Search:
     def step(self, value: float, trail: Trail) -> Point:
         return step(self.family, self.at(value), self.bracket.name, trail, self.bracket.settings)
 
-    def end(self, below: Point, above: Point, nearest: list[Point]) -> End:
-        """What happens in a narrow bracket."""
-        inside, outside = (below, above) if self.quiet(below) else (above, below)
-        labels = (inside.label or inside.status, outside.label or outside.status)
-        way = str(self.bracket.direction)
-        for kind, point in self.solutions(below, above, nearest):
-            if isinstance(point, BifurcationPoint) and not self.bracket.quiet.holds_label(point.label):
-                # The orbit that ends; what a sweep sees just beyond a fold is its slow ghost.
-                labels = (labels[0], point.label)
-            return End(point.value, kind, point.error, *labels, way, point)
-        middle, half = 0.5 * (below.value + above.value), 0.5 * (above.value - below.value)
-        return End(middle, self.unsolved(inside, outside), half, *labels, way)
-
-    def solutions(
-        self, below: Point, above: Point, nearest: list[Point]
-    ) -> Iterator[tuple[str, GrazingPoint | BifurcationPoint]]:
-        """Grazings in the bracket that change what counts, then folds at it."""
-        orbits = [(point.value, orbit) for point in nearest if (orbit := self.orbit(point)) is not None]
-        width = above.value - below.value
-        for value, orbit in orbits:
-            for check in grazing_checks(orbit, within=max(SETTLED, STEEP * width)):
-                point = self.solve(locate_grazing, value, orbit, check)
-                if isinstance(point, GrazingPoint) and self.explains(point, below, above):
-                    yield GRAZING, point
-        for value, orbit in orbits:
-            point = self.solve(locate_multiplier, value, orbit, 1)
-            near = point is not None and abs(point.value - below.value) <= BESIDE * width
-            if near and isinstance(point, BifurcationPoint):
-                yield FOLD, point
-
-    def solve(self, locate, value: float, orbit: Orbit, which) -> GrazingPoint | BifurcationPoint | None:
-        """A special point near a value, if there is one to rely on."""
-        try:
-            point = locate(self.family, self.at(value), self.bracket.name, orbit, which)
-        except (GearlashError, np.linalg.LinAlgError):
-            return None
-        return point if point.status is Status.OK else None
-
-    def explains(self, point: GrazingPoint, below: Point, above: Point) -> bool:
-        """Whether a grazing lies in the bracket and makes the difference between its ends."""
-        slack = 1e-3 * (above.value - below.value)
-        holds = self.bracket.quiet.holds_label
-        return (
-            below.value - slack <= point.value <= above.value + slack
-            and holds(point.label_below) == self.quiet(below)
-            and holds(point.label_above) == self.quiet(above)
-        )
-
     def unsolved(self, inside: Point, outside: Point) -> str:
         """What to call a change that no point was solved for."""
         if self.bracket.cold:
@@ -187,9 +218,14 @@ class _Search:
         return unlocated(inside, outside)
 
     def orbit(self, point: Point) -> Orbit | None:
-        """The orbit of a periodic point, to solve from."""
-        props = flow.propagators(self.family.system(self.at(point.value)))
-        found = orbit_at(props, point.state, len(point.strobes))
+        """The orbit of a periodic point, to follow."""
+        if not point.periodic:
+            return None
+        try:
+            props = flow.propagators(self.family.system(self.at(point.value)))
+            found = orbit_at(props, point.state, len(point.strobes))
+        except (GearlashError, np.linalg.LinAlgError):
+            return None
         return found if found is not None and found.status.ok else None
 
     def at(self, value: float) -> dict[str, float]:
@@ -197,3 +233,6 @@ class _Search:
 
     def quiet(self, point: Point) -> bool:
         return self.bracket.quiet.holds(point)
+
+    def holds(self, orbit: Orbit) -> bool:
+        return self.bracket.quiet.holds_signature(orbit.signature)

@@ -143,7 +143,7 @@ def _steps(
     orbit = orbit_at(props, start.state, len(start.strobes))
     if orbit is None:
         raise GearlashError("start: no orbit closes there; expected a point of this model at this value")
-    yield from follow(family, values, name, orbit, to, told, settings.max_period)
+    yield from follow(family, values, name, orbit, to, tell=told, longest=settings.max_period)
 
 
 def _last(family: Family, name: str, value: float, direction: str) -> float:

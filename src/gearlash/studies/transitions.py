@@ -284,7 +284,7 @@ class _Finder:
             return _Way((), start, Outcome.ARRIVED, to)
         changes: list[Transition] = []
         point = None
-        for step in follow(self.family, self.at(start.value), self.name, start.orbit, to, None, longest):
+        for step in follow(self.family, self.at(start.value), self.name, start.orbit, to, longest=longest):
             if isinstance(step, BranchEnd):
                 return _Way(tuple(changes), _Motion.of(step.last), step.outcome, step.beyond, point)
             if step.after is None:

@@ -10,7 +10,7 @@ from typing import ClassVar
 from gearlash.branches import BifurcationPoint, GrazingPoint
 from gearlash.orbits import Signature
 from gearlash.results import Axis, Point, Sweep
-from gearlash.system import GearlashError, Named, Record
+from gearlash.system import Named, Record
 
 RANGE, UNKNOWN = "end of the range", "not computed beyond"
 """Kinds of ends that are no change of any motion."""
@@ -32,12 +32,8 @@ class Quiet(Named):
         """Does it hold for this motion?"""
         return point.impact_free if self is Quiet.IMPACT_FREE else point.drive_side_only
 
-    def holds_label(self, label: str) -> bool:
-        """The same of a label; one that is no signature is not quiet."""
-        try:
-            signature = Signature.parse(label)
-        except GearlashError:
-            return False
+    def holds_signature(self, signature: Signature) -> bool:
+        """The same of a periodic motion by what it meets."""
         return signature.impacts == 0 if self is Quiet.IMPACT_FREE else signature.back_impacts == 0
 
 
