@@ -179,9 +179,9 @@ def test_on_a_smooth_branch_one_step_joins_neighbours(rising, monkeypatch):
     module = sys.modules["gearlash.studies.transitions"]
     original = module.follow
 
-    def counted(family, values, name, *rest):
+    def counted(family, values, name, *rest, **more):
         begun.append(values[name])
-        return original(family, values, name, *rest)
+        return original(family, values, name, *rest, **more)
 
     monkeypatch.setattr(module, "follow", counted)
     points = sweep(pair(), Axis.even("omega", 0.9, 0.92, 5)).points

@@ -2,8 +2,8 @@
 two-parameter curves have their place here too."""
 
 from .bifurcation import BifurcationPoint, locate_multiplier
-from .causes import SpecialPoint
-from .follow import BranchEnd, Outcome, Passage, follow, joins
+from .ending import Outcome, SpecialPoint
+from .follow import BranchEnd, Passage, follow, joins
 from .grazing import GrazingPoint, locate_grazing
 from .node import Node
 from .sides import NONE

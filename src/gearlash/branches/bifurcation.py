@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators
-from gearlash.orbits import Orbit, shoot
+from gearlash.orbits import Orbit, orbit_at, shoot
 from gearlash.orbits.floquet import ordered
-from gearlash.orbits.shooting import Shot
 from gearlash.system import Family, GearlashError, Record, Status, given
 
+from .sides import NONE
 from .steps import UNBUILT, checked, difference, longest_step, member, within_range
 
 Array = NDArray[Any]
@@ -72,7 +72,7 @@ def locate_multiplier(
     status = Status.OK if residual <= CLOSED else Status.NOT_CONVERGED
     if status.ok and multiplier == 1 and born_by_doubling(props, state, orbit.shot.period):
         status = Status.NOT_ADMISSIBLE  # a doubled orbit is born here, which is no fold
-    shot = Shot(state, orbit.shot.period, residual, jacobian, residual, 0, status)
+    there = orbit_at(props, state, orbit.shot.period, iterations=1)
     return BifurcationPoint(
         name=name,
         value=mu,
@@ -81,7 +81,7 @@ def locate_multiplier(
         multiplier=multiplier,
         period=orbit.period,
         state=state,
-        label=Orbit(props, shot, 0, status, "").label,
+        label=NONE if there is None else there.label,
         multipliers=ordered(np.linalg.eigvals(jacobian)),
         residual=residual,
         status=status,

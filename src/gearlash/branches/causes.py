@@ -7,23 +7,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearlash.orbits import Orbit, Shot
 from gearlash.system import Status
 
 from .bifurcation import BifurcationPoint, locate_multiplier
+from .ending import SpecialPoint, ends_branch, is_close, is_fold
 from .grazing import GrazingPoint, locate_grazing
-from .node import Node, Pair
+from .node import Node
 from .stepping import Earlier, Line, rates
-from .steps import UNBUILT, member
+from .steps import UNBUILT
 
-SpecialPoint = GrazingPoint | BifurcationPoint
 AHEAD = 4.0  # lengths of the refused step: how far ahead an extremum may seem to touch, to be solved for
 TRIES = 6  # extrema solved for at one orbit
 CLOSE = 0.05  # of the orbit's size: extrema so near a boundary are tried where no motion of them is known
 WORTH = 0.8  # a real multiplier beyond it is followed to ±1
 LEADING = 1e-5  # what a multiplier of modulus 1 may exceed it by, where it is known to the root of rounding
-FOLD_NEAR = 1e-3  # of the scale: a fold is believed from an orbit so near
-FOLD_APART = 0.1  # of the orbit's ranges: and that lies so near in the state
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,13 +50,8 @@ class Causes:
         """Those not beyond a value. No step leads to where a branch ends, only ever nearer: that is met as
         soon as it is believed."""
         for point in self.points:
-            if ends(point, self.before) or sign * (point.value - value) <= slack(value):
+            if ends_branch(point, self.before) or sign * (point.value - value) <= slack(value):
                 yield point
-
-
-def ends(point: SpecialPoint, orbit: Node) -> bool:
-    """Whether the branch of an orbit ends at a point ahead: in a fold, or in the orbit of half its period."""
-    return isinstance(point, BifurcationPoint) and (point.multiplier > 0 or point.period < orbit.orbit.period)
 
 
 def slack(value: float) -> float:
@@ -102,7 +94,7 @@ def _multipliers(line: Line, before: Node) -> Iterator[BifurcationPoint]:
         stable = float(np.abs(point.multipliers).max()) <= 1.0 + LEADING  # what crossed ±1 before was the end
         if point.status is not Status.OK or point.label != before.label or not stable:
             continue
-        if target < 0 or _is_near(line, before, point):
+        if target < 0 or is_fold(line, before, point):
             yield point
 
 
@@ -120,22 +112,5 @@ def _joined(line: Line, before: Node) -> Iterator[BifurcationPoint]:
         point = locate_multiplier(line.family, line.at(before.value), line.name, single, -1)
     except UNBUILT:
         return
-    if point.status is Status.OK and point.label == single.label and close(line, before, point):
+    if point.status is Status.OK and point.label == single.label and is_close(line, before, point):
         yield point
-
-
-def close(line: Line, before: Node, point: BifurcationPoint) -> bool:
-    """Whether an orbit lies so close to where a branch ends, or joins another, that no step is short enough:
-    there it leaves as the root of the distance."""
-    near = abs(point.value - before.value) <= FOLD_NEAR * line.scale
-    return near and before.apart(point.state) <= FOLD_APART
-
-
-def _is_near(line: Line, before: Node, point: BifurcationPoint) -> bool:
-    """Whether a fold ends the branch of an orbit: it lies close by, and no touch lies between."""
-    if not close(line, before, point):
-        return False
-    props = member(line.family, line.values, line.name, point.value, before.orbit.propagators)
-    unit = np.eye(len(point.state))
-    shot = Shot(point.state, before.orbit.shot.period, point.residual, unit, point.residual, 0, Status.OK)
-    return not Pair(before, Node(point.value, Orbit(props, shot, 0, Status.OK, ""))).crossed

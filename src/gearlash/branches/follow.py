@@ -10,15 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from enum import StrEnum
 
 import numpy as np
 
 from gearlash.orbits import Orbit
 from gearlash.system import Family
 
-from .bifurcation import BifurcationPoint, born_by_doubling
-from .causes import Causes, SpecialPoint, ends, slack
+from .bifurcation import BifurcationPoint
+from .causes import Causes, slack
+from .ending import Outcome, SpecialPoint, at_point, ends_branch, without_point
 from .grazing import GrazingPoint
 from .node import Array, Node
 from .stepping import Earlier, Line, Refusal, Step
@@ -40,20 +40,6 @@ DIRECTIONS = (
 NEAR = 0.2  # of the ranges: how far from the single orbit the doubled one may lie there
 OF_CONTACTS = (Refusal.LABEL, Refusal.CROSSED, Refusal.TOUCHED)
 """Refusals that touches explain; an orbit that is not stable is explained by none."""
-AT_ONE = 0.99  # a leading multiplier above it, where no step is short enough, is that of a fold
-
-
-class Outcome(StrEnum):
-    """Why an orbit is followed no farther."""
-
-    ARRIVED = "arrived"
-    FOLD = "the orbit ends in a fold"
-    TOUCH = "beyond the touch the orbit is not stable, or not found"
-    DOUBLING = "beyond the doubling no stable orbit was found"
-    PERIOD = "beyond the doubling the period is longer than was to be followed"
-    UNSTABLE = "the orbit loses its stability"
-    UNBUILT = "beyond it no system can be built"
-    LOST = "the orbit could not be followed farther"
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,24 +125,20 @@ class _Follower:
             if met is not None:
                 yield met
                 if met.after is None:
-                    yield BranchEnd(self.end_at(met), met.before, met.value)
+                    yield BranchEnd(at_point(met.point, met.before, self.longest), met.before, met.value)
                     return
                 node, earlier, width = met.after, (), first
                 continue
             width = 0.5 * abs(value - node.value)
             if width < NARROW * self.line.scale:
-                yield BranchEnd(_outcome(step, node), node, value, step.reason or str(step.refusal))
+                yield BranchEnd(
+                    without_point(self.line, node, step.refusal),
+                    node,
+                    value,
+                    step.reason or str(step.refusal),
+                )
                 return
         yield BranchEnd(Outcome.LOST, node, node.value, f"{MOST} steps were not enough")
-
-    def end_at(self, met: Passage) -> Outcome:
-        if isinstance(met.point, GrazingPoint):
-            return Outcome.TOUCH
-        if met.point.multiplier > 0:
-            return Outcome.FOLD
-        if met.point.period < met.before.orbit.period:
-            return Outcome.DOUBLING
-        return Outcome.PERIOD if 2 * met.before.orbit.shot.period > self.longest else Outcome.DOUBLING
 
     def longer(self, width: float, step: Step) -> float:
         factor = 3.0 if step.bend < STRAIGHT else 1.5 if step.bend < BENT else 1.0
@@ -176,7 +158,7 @@ class _Follower:
         """The point that stopped the step, if one is found on the way and the branch leads up to it."""
         sign = 1.0 if value > node.value else -1.0
         for point in self.ahead(node, earlier, value, step.refusal).up_to(value, sign):
-            if ends(point, node):
+            if ends_branch(point, node):
                 return Passage(point, node, self.joined(point, node, sign))
             just_before = point.value - sign * slack(point.value)
             before = node
@@ -254,17 +236,3 @@ class _Follower:
             if node is not None and node.label == str(single.signature.twice):
                 return node
         return None
-
-
-def _outcome(step: Step, last: Node) -> Outcome:
-    """Of a way whose last step could not be made shorter."""
-    if step.refusal is Refusal.UNBUILT:
-        return Outcome.UNBUILT
-    if step.refusal is Refusal.UNSTABLE:
-        return Outcome.UNSTABLE
-    orbit = last.orbit
-    alone = step.refusal in (Refusal.NEWTON, Refusal.FAR)
-    at_one = orbit.leading.imag == 0.0 and orbit.leading.real > AT_ONE
-    if alone and at_one and not born_by_doubling(orbit.propagators, orbit.state, orbit.shot.period):
-        return Outcome.FOLD
-    return Outcome.LOST

@@ -23,7 +23,7 @@ from gearlash.system import Family, GearlashError
 from .model import Source
 from .point import summary
 from .row import Trail, onward, step
-from .transitions import FOLD, kind_of, unlocated
+from .transitions import kind_of_end, unlocated
 from .zone import BASIN, End, Quiet
 
 NARROW = 1e-6  # of the value: width at which halving ends
@@ -79,6 +79,11 @@ class _Change:
     after: str
     point: SpecialPoint | None
     outcome: Outcome | None
+
+    @property
+    def kind(self) -> str:
+        """What it is called; "" where nothing is known but that the orbit does not go on."""
+        return kind_of_end(self.point, self.outcome)
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,14 +148,8 @@ class _Search:
         """The end at a change of the orbit that the sweep follows; ``after``: the label beyond."""
         before = change.before.label
         labels = (before, after) if self.quiet(change.before) else (after, before)
-        kind = self.kind(change) or (unlocated(change.before, beyond) if beyond else "")
+        kind = change.kind or (unlocated(change.before, beyond) if beyond else "")
         return End(change.value, kind, change.error, *labels, str(self.bracket.direction), change.point)
-
-    def kind(self, change: _Change) -> str:
-        """What a change is called, if it is known what it is."""
-        if change.point is not None:
-            return kind_of(change.point)
-        return FOLD if change.outcome is Outcome.FOLD else ""
 
     def by_halving(self) -> End:
         """The end in a bracket that is halved by the sweep's own way, and what the orbits on both sides of it
@@ -163,7 +162,7 @@ class _Search:
         if change is not None:
             if change.after == "" and not self.quiet(change.before):
                 labels = labels[0], change.before.label  # the orbit that ends: beyond is its slow ghost
-            return End(change.value, self.kind(change), change.error, *labels, way, change.point)
+            return End(change.value, change.kind, change.error, *labels, way, change.point)
         middle, half = 0.5 * (below.value + above.value), 0.5 * (above.value - below.value)
         return End(middle, self.unsolved(inside, outside), half, *labels, way)
 
@@ -192,7 +191,7 @@ class _Search:
             if point.value >= above.value:
                 last = below.value - BESIDE * width
             change = self.first_change(point, last)
-            if change is None or not self.kind(change):
+            if change is None or not change.kind:
                 continue
             slack = width * (1e-3 if change.after else BESIDE)
             if below.value - slack <= change.value <= above.value + slack:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -12,7 +12,7 @@ from gearlash import flow
 from gearlash.branches import GrazingPoint
 from gearlash.flow import Trace
 from gearlash.flow.events import gap_displacement, gap_velocity
-from gearlash.orbits import Attractor, Orbit, shoot
+from gearlash.orbits import Attractor, Orbit, orbit_at
 from gearlash.orbits.grazing import motion_of
 from gearlash.system import Family, GearlashError, Record, arguments, given, shown
 
@@ -144,15 +144,17 @@ def _pair(touch: Any) -> tuple[float, int]:
 def touching(family: Family, point: GrazingPoint) -> Motion:
     """The motion at a grazing that was solved for."""
     props = flow.propagators(family.system(point.values))
-    shot = shoot(props, point.state_zero, point.period // props.system.cycles)
-    orbit = Orbit(props, shot, 0, point.status, f"touches a boundary: {point.kind}")
+    orbit = orbit_at(props, point.state_zero, point.period // props.system.cycles)
+    if orbit is None:
+        raise GearlashError(f"no orbit at {point.name} = {point.value:.10g}")
     phase = point.phase
     if point.surface == "gap":
         gap, extrema = props.system.clearances[point.clearance], orbit.trace.extrema_of(point.clearance)
         edge = gap.gap_plus if point.boundary > 0 else -gap.gap_minus
         phase = float(extrema.phase[np.argmin(np.abs(extrema.displacement - edge))])
     touch = phase, point.boundary
-    return motion(orbit, value=point.value, touch=touch, label="grazing", clearance=point.clearance)
+    found = motion(orbit, value=point.value, touch=touch, label="grazing", clearance=point.clearance)
+    return replace(found, status=str(point.status), message=f"touches a boundary: {point.kind}")
 
 
 def _phases(trace: Trace, cycles: float, clearance: int) -> Array:

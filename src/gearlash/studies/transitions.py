@@ -311,7 +311,7 @@ class _Finder:
                 yield self.joining(GRAZING, last, (point.value, label), point)
                 yield self.joining(jump, (point.value, label), (end, beyond.label))
                 return
-        kind = kind_of(point) if point else FOLD if way.outcome is Outcome.FOLD and beyond.orbit else jump
+        kind = kind_of_end(point, way.outcome) or jump
         yield self.joining(kind, last, (end, beyond.label), point)
 
     def joining(
@@ -343,6 +343,14 @@ def unlocated(one: Sampled, two: Sampled) -> str:
         return JUMP
     other = two if one.period else one
     return APERIODIC if (one.period or two.period) and other.label == "aperiodic" else UNPROVED
+
+
+def kind_of_end(point: SpecialPoint | None, outcome: Outcome | None) -> str:
+    """What the end of a followed orbit is called: by the point that it ends at, or a fold that was not solved
+    for; "" where nothing is known of it but that the orbit does not go on."""
+    if point is not None:
+        return kind_of(point)
+    return FOLD if outcome is Outcome.FOLD else ""
 
 
 def kind_of(point: SpecialPoint) -> str:
