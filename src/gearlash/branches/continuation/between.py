@@ -1,0 +1,106 @@
+"""Orbits between two neighbours of a branch: told by how far along the chord they lie, which goes round a
+fold like anywhere else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from .equations import Array
+from .node import Node, node_near
+
+LOOKS = 60
+SHARP = 1e-13  # of the chord: where a zero is bracketed so closely, it is found
+AGREE = 0.3  # least cosine between the branch and the chord
+
+
+@dataclass(frozen=True, eq=False)
+class Between:
+    """The piece of a branch between two orbits; places on it are lengths along the chord."""
+
+    left: Node
+    right: Node
+    _known: dict[float, Node] = field(default_factory=dict)
+
+    @cached_property
+    def length(self) -> float:
+        return float(np.linalg.norm(self.right.u - self.left.u))
+
+    @cached_property
+    def chord(self) -> Array:
+        return (self.right.u - self.left.u) / self.length
+
+    def node(self, place: float) -> Node | None:
+        """The orbit at a place, linked to the left end."""
+        if place in self._known:
+            return self._known[place]
+        left, right = self._neighbours(place)
+        guess = self._guess(left, right, place)
+        found = node_near(
+            left.equations, guess, self.chord, float(self.chord @ self.left.u) + place, left, left.slope
+        )
+        if found.node is None:
+            return None
+        node = found.node.linked(self.left)
+        self._known[place] = node
+        return node
+
+    def place(self, node: Node) -> float:
+        return float(self.chord @ (node.u - self.left.u))
+
+    def _neighbours(self, place: float) -> tuple[Node, Node]:
+        """The nearest known orbits on both sides."""
+        known = {0.0: self.left, self.length: self.right, **self._known}
+        return known[max(p for p in known if p <= place)], known[min(p for p in known if p >= place)]
+
+    def _guess(self, left: Node, right: Node, place: float) -> Array:
+        """By the cubic with the values and directions at both ends."""
+        start, stop = self.place(left), self.place(right)
+        width = stop - start
+        if width <= 0.0:
+            return left.u
+        t = (place - start) / width
+        one, two = (n.direction / max(float(self.chord @ n.direction), AGREE) * width for n in (left, right))
+        h00, h10 = (1 + 2 * t) * (1 - t) ** 2, t * (1 - t) ** 2
+        h01, h11 = t * t * (3 - 2 * t), t * t * (t - 1)
+        return h00 * left.u + h10 * one + h01 * right.u + h11 * two
+
+
+def zero(
+    function: Callable[[float], float | None], left: tuple[float, float], right: tuple[float, float]
+) -> tuple[float, float, float] | None:
+    """A zero between two places with values of opposite sign, with the last bracket: false position that
+    halves the value of an end that stays (N. Anderson and Å. Björck, BIT 13 (1973),
+    doi:10.1007/BF01933401), and halvings where it is slow. None where the function cannot be had."""
+    (a, fa), (b, fb) = left, right
+    sharp, small = SHARP * abs(b - a), SHARP * max(abs(fa), abs(fb))
+    best = (a, fa) if abs(fa) < abs(fb) else (b, fb)
+    wide = abs(b - a)
+    for look in range(LOOKS):
+        if abs(b - a) <= sharp or fa == fb:
+            break
+        at = b - fb * (b - a) / (fb - fa)
+        inside = min(a, b) < at < max(a, b)
+        if not inside or (look % 4 == 3 and abs(b - a) > 0.25 * wide):
+            at = 0.5 * (a + b)
+        if look % 4 == 3:
+            wide = abs(b - a)
+        if at in (a, b):
+            break
+        value = function(at)
+        if value is None:
+            return None
+        if abs(value) < abs(best[1]):
+            best = (at, value)
+        if abs(value) <= small:
+            break
+        if (value > 0.0) == (fb > 0.0):
+            ratio = 1.0 - value / fb
+            fa *= ratio if ratio > 0.0 else 0.5
+        else:
+            a, fa = b, fb
+        b, fb = at, value
+    return best[0], min(a, b), max(a, b)

@@ -1,0 +1,136 @@
+"""What changes between two neighbouring orbits of a branch, and whether that can be all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from .node import Node
+
+NEAR = 3.0  # times what the extrema moved: born so near to a boundary, it may have crossed it
+CURVED = 0.25  # of what the curvature makes of a step: a function that comes so near zero may have been there
+SLACK = 0.25  # of a step: beyond its ends, for where a function is least
+Function = Callable[[Node], float]
+
+
+class Test(StrEnum):
+    """Functions along the branch whose zeros are special points."""
+
+    GRAZING = "distance of an extremum from its boundary"
+    TURN = "derivative of the parameter along the branch"
+    AT_ONE = "product of (multiplier - 1)"
+    DOUBLING = "product of (multiplier + 1)"
+    TORUS = "product of (multiplier * multiplier - 1) over pairs"
+
+
+OF_SPECTRUM: dict[Test, Function] = {
+    Test.TURN: lambda node: node.spectrum.turn,
+    Test.AT_ONE: lambda node: node.spectrum.at_one,
+    Test.DOUBLING: lambda node: node.spectrum.doubling,
+    Test.TORUS: lambda node: node.spectrum.torus,
+}
+
+
+@dataclass(frozen=True)
+class Change:
+    """A test function that has another sign on the other side; of a graze the extremum's number."""
+
+    test: Test
+    number: int = -1
+
+    def value(self, node: Node) -> float:
+        """Raises `KeyError` where the extremum is not there."""
+        if self.test is Test.GRAZING:
+            return node.extrema.by_number[self.number].distance
+        return OF_SPECTRUM[self.test](node)
+
+    def can_be_had(self, node: Node) -> bool:
+        return self.test is not Test.GRAZING or self.number in node.extrema.by_number
+
+
+def changes(left: Node, right: Node) -> list[Change]:
+    """Every change of sign that matters between two orbits."""
+    found = list(_grazings(left, right))
+    signs = {test: f(left) * f(right) < 0.0 for test, f in OF_SPECTRUM.items()}
+    if signs[Test.TURN]:
+        found.append(Change(Test.TURN))
+    elif signs[Test.AT_ONE]:
+        found.append(Change(Test.AT_ONE))
+    if signs[Test.DOUBLING]:
+        found.append(Change(Test.DOUBLING))
+    if signs[Test.TORUS] and left.spectrum.unstable.pairs != right.spectrum.unstable.pairs:
+        found.append(Change(Test.TORUS))
+    return found
+
+
+def explained(left: Node, right: Node, found: list[Change]) -> bool:
+    """Whether these changes can account for the change in the number of unstable multipliers."""
+    difference = right.spectrum.unstable.total - left.spectrum.unstable.total
+    ones = sum(change.test in (Test.TURN, Test.AT_ONE, Test.DOUBLING) for change in found)
+    twos = sum(change.test is Test.TORUS for change in found)
+    if found and all(change.test is Test.GRAZING for change in found):
+        return difference == 0
+    turn_only = [c for c in found if c.test is Test.TURN]
+    if len(turn_only) == len(found) == 1:
+        return abs(difference) <= 1
+    return abs(difference) <= ones + 2 * twos and (difference - ones) % 2 == 0
+
+
+def doubt(before: Node | None, left: Node, right: Node) -> str:
+    """Why something may have been missed between two orbits (``before``: the one before them), or nothing."""
+    if right.extrema.doubt:
+        return right.extrema.doubt
+    return _born_near(left, right) or ("" if before is None else _may_have_vanished(before, left, right))
+
+
+def _grazings(left: Node, right: Node) -> Iterator[Change]:
+    there = right.extrema.by_number
+    for extremum in left.extrema.all:
+        other = there.get(extremum.number)
+        settled = left.touching | right.touching
+        if other is None or extremum.number in settled:
+            continue
+        if (extremum.distance > 0.0) != (other.distance > 0.0):
+            yield Change(Test.GRAZING, extremum.number)
+
+
+def _born_near(left: Node, right: Node) -> str:
+    here, there = left.extrema.by_number, right.extrema.by_number
+    moved = max((abs(here[n].distance - there[n].distance) for n in here if n in there), default=0.0)
+    for side, numbers in ((there, right.extrema.born), (here, right.extrema.died)):
+        for number in numbers:
+            if abs(side[number].distance) <= NEAR * moved:
+                return f"an extremum is born or ends {abs(side[number].distance):.1e} from its boundary"
+    return ""
+
+
+def _may_have_vanished(before: Node, left: Node, right: Node) -> str:
+    """Of functions with the same sign at both ends: whether the parabola through three values comes to zero
+    between them, or nearly."""
+    earlier, step = float(np.linalg.norm(left.u - before.u)), float(np.linalg.norm(right.u - left.u))
+    numbers = before.extrema.by_number.keys() & left.extrema.by_number.keys() & right.extrema.by_number.keys()
+    numbers -= before.touching | left.touching | right.touching
+    tests = [Change(Test.GRAZING, number) for number in sorted(numbers)]
+    tests += [Change(test) for test in OF_SPECTRUM if test is not Test.TORUS or left.spectrum.unstable.pairs]
+    for test in tests:
+        zero, one, two = test.value(before), test.value(left), test.value(right)
+        if one * two > 0.0 and _dips(earlier, step, zero / one, two / one):
+            return f"the {test.test} comes near zero, from {one:.1e} to {two:.1e}"
+    return ""
+
+
+def _dips(earlier: float, step: float, zero: float, two: float) -> bool:
+    """Whether the parabola through (-earlier, zero), (0, 1), (step, two) has a least value between 0 and
+    ``step``, and how near to zero that is: within what the curvature makes of it on such a step."""
+    before, after = (1.0 - zero) / earlier, (two - 1.0) / step
+    curvature = (after - before) / (earlier + step)
+    if curvature <= 0.0:
+        return False
+    slope = before + curvature * earlier
+    vertex = -0.5 * slope / curvature
+    if not -SLACK * step <= vertex <= (1.0 + SLACK) * step:
+        return False
+    return 1.0 - curvature * vertex * vertex <= CURVED * curvature * step * step

@@ -1,0 +1,142 @@
+"""The extrema of an orbit, each beside the boundary that it may touch, followed from orbit to orbit.
+
+The least distance of an orbit from a boundary has kinks along a branch, where one extremum takes the lead of
+another. Each extremum by itself has none. So every one keeps a number of its own as long as it exists;
+extrema are born and die in pairs of a minimum and a maximum."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+from itertools import count
+from typing import NamedTuple
+
+import numpy as np
+
+from gearlash.orbits import GrazingCheck, Orbit, grazing_checks
+
+APART = 0.5  # of the way to the next extremum of its kind: how far one may move in a step, in phase
+TIED = 1e-6  # of the orbit's period: extrema of one kind so near in phase cannot be told apart
+
+Group = tuple[int, str, int, int]
+"""Clearance, surface, boundary, sign of the curvature: extrema of one kind."""
+
+
+class Extremum(NamedTuple):
+    """One extremum of the gap (or with the rule `no-tension` of the force) beside a boundary. ``number``: its
+    own along the branch; ``phase`` in mesh cycles; ``distance`` from the boundary, signed as X ∓ D; ``a0`` =
+    X''."""
+
+    number: int
+    clearance: int
+    surface: str
+    boundary: int
+    phase: float
+    distance: float
+    a0: float
+
+    @property
+    def group(self) -> Group:
+        return self.clearance, self.surface, self.boundary, 1 if self.a0 > 0.0 else -1
+
+
+@dataclass(frozen=True, eq=False)
+class Extrema:
+    """Of one orbit; ``born`` and ``died``: numbers that appeared, or are no longer there, against the orbit
+    before it; ``doubt``: what could not be told about them."""
+
+    all: tuple[Extremum, ...]
+    cycles: float
+    numbers: count[int]
+    born: tuple[int, ...] = ()
+    died: tuple[int, ...] = ()
+    doubt: str = ""
+
+    @staticmethod
+    def of(orbit: Orbit) -> Extrema:
+        """Numbered from zero on."""
+        checks = sorted(grazing_checks(orbit), key=lambda check: (check.phase, check.boundary))
+        named = tuple(_plain(i, check) for i, check in enumerate(checks))
+        return Extrema(named, float(orbit.period), count(len(named)))
+
+    @property
+    def by_number(self) -> dict[int, Extremum]:
+        return {extremum.number: extremum for extremum in self.all}
+
+    @property
+    def groups(self) -> dict[Group, list[Extremum]]:
+        found: dict[Group, list[Extremum]] = defaultdict(list)
+        for extremum in self.all:
+            found[extremum.group].append(extremum)
+        return dict(found)
+
+    def after(self, before: Extrema) -> Extrema:
+        """The same, with the numbers of those of a neighbouring orbit that they continue."""
+        named: list[Extremum] = []
+        died: list[int] = []
+        doubt = ""
+        mine, its = before.groups, self.groups
+        for group in sorted({*mine, *its}):
+            here, there = mine.get(group, []), its.get(group, [])
+            pairs, sure = _matched(here, there, self.cycles)
+            doubt = doubt or ("" if sure else _doubt(group, here, there))
+            continued = {new.phase: old.number for old, new in pairs}
+            named += [e._replace(number=continued.get(e.phase, -1)) for e in there]
+            died += [old.number for old in here if old.number not in continued.values()]
+        born, final = [], []
+        for extremum in sorted(named, key=lambda e: (e.phase, e.boundary)):
+            number = next(before.numbers) if extremum.number < 0 else extremum.number
+            if extremum.number < 0:
+                born.append(number)
+            final.append(extremum._replace(number=number))
+        return Extrema(tuple(final), self.cycles, before.numbers, tuple(born), tuple(died), doubt)
+
+
+def _doubt(group: Group, here: list[Extremum], there: list[Extremum]) -> str:
+    phases = ["{" + ", ".join(f"{e.phase:.4g}" for e in side) + "}" for side in (here, there)]
+    side = "+D" if group[2] > 0 else "-D"
+    return (
+        f"extrema of clearance {group[0]} beside {side} cannot be told apart: phases {' and '.join(phases)}"
+    )
+
+
+def _plain(number: int, check: GrazingCheck) -> Extremum:
+    return Extremum(
+        number, check.clearance, check.surface, check.boundary, check.phase, check.distance, check.a0
+    )
+
+
+def _matched(
+    here: list[Extremum], there: list[Extremum], cycles: float
+) -> tuple[list[tuple[Extremum, Extremum]], bool]:
+    """Pairs of extrema of one kind that continue each other: each the nearest of the other in phase. Whether
+    that is beyond doubt: each moved by less than half of the way to the next."""
+    if not here or not there:
+        return [], True
+    one, two = (np.array([e.phase for e in side]) for side in (here, there))
+    away = (two[None, :] - one[:, None]) % cycles
+    away = np.minimum(away, cycles - away)
+    nearest, back = away.argmin(axis=1), away.argmin(axis=0)
+    pairs = [(here[i], there[j]) for i, j in enumerate(nearest.tolist()) if back[j] == i]
+    equal = len(here) == len(there)
+    if equal and len(pairs) < len(here):
+        return pairs, False
+    if not equal and len(pairs) < min(len(here), len(there)):
+        return pairs, False
+    spacing = _spacing(one, cycles)
+    sure = all(
+        away[i, j] <= APART * spacing[i] or spacing[i] <= TIED * cycles
+        for i, j in enumerate(nearest.tolist())
+        if back[j] == i
+    )
+    return pairs, sure
+
+
+def _spacing(phases: np.ndarray, cycles: float) -> np.ndarray:
+    """Distance of every phase from the next one."""
+    if len(phases) == 1:
+        return np.array([0.5 * cycles])
+    away = np.abs(phases[:, None] - phases[None, :])
+    away = np.minimum(away, cycles - away)
+    np.fill_diagonal(away, np.inf)
+    return away.min(axis=1)

@@ -1,0 +1,92 @@
+"""Newton's method for one more point of a branch, and the direction in which it goes on.
+
+The equations of the orbit are bordered by one row, which says how far along a direction the point lies. The
+bordered matrix is regular at folds too. Source: H. B. Keller, Numerical solution of bifurcation and nonlinear
+eigenvalue problems (1977); E. Allgower and K. Georg, Introduction to Numerical Continuation Methods (2003),
+doi:10.1137/1.9780898719154."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .equations import UNBUILT, Array, Equations, Evaluated
+
+GOAL = 2e-14  # residual at which Newton's method ends
+ENOUGH = 1e-12  # residual that is accepted where it no longer becomes smaller
+ITERATIONS = 12
+LEAST = 1e-6  # of such a step: of a shorter one, rounding is told
+SHARE = 0.1  # of the parameter in a step, for the derivative along it to be told by what the step missed
+SLOW = 0.01  # contraction from which on a derivative along the parameter that was handed over is taken anew
+CONTRACTION = 0.7  # each step must be shorter than so much of the one before
+
+
+@dataclass(frozen=True, eq=False)
+class Corrected:
+    """A point of the branch: its evaluation, the derivative along the parameter beside it, the lengths of
+    Newton's steps (the first tells how far the guess was off), and why there is none."""
+
+    here: Evaluated | None
+    slope: Array
+    steps: tuple[float, ...]
+    failure: str = ""
+
+    @property
+    def contraction(self) -> float:
+        """Of the first two steps of Newton's method; 0 where one was enough."""
+        return self.steps[1] / self.steps[0] if len(self.steps) > 1 and self.steps[0] > 1e-9 else 0.0
+
+
+def correct(
+    equations: Equations, guess: Array, row: Array, target: float, slope: Array | None = None
+) -> Corrected:
+    """The orbit with row·u = ``target`` near ``guess``. ``slope``: derivative along the parameter that is near
+    enough, so that it need not be taken anew."""
+    none = np.empty(0) if slope is None else slope
+    try:
+        return _newton(equations, guess.copy(), row, target, slope)
+    except UNBUILT as error:
+        return Corrected(None, none, (), f"there is no system that could be built: {error}")
+
+
+def _newton(equations: Equations, u: Array, row: Array, target: float, slope: Array | None) -> Corrected:
+    steps: list[float] = []
+    best: Evaluated | None = None
+    step, fresh = np.zeros_like(u), slope is None
+    for iteration in range(ITERATIONS):
+        here = equations.evaluate(u)
+        if here is None:
+            return Corrected(None, np.empty(0), tuple(steps), "the motion could not be carried")
+        if slope is not None and abs(step[-1]) > max(LEAST, SHARE * float(np.linalg.norm(step))):
+            slope = slope + here.defect / step[-1]  # what is missed after a whole step, the slope missed
+        elif not fresh and len(steps) > 1 and steps[-1] > SLOW * steps[-2]:
+            slope, fresh = equations.slope(here), True
+        if best is None or here.residual < best.residual:
+            best = here
+        if here.residual <= GOAL and iteration > 0:
+            break
+        if best.residual <= ENOUGH and (best is not here or (steps and steps[-1] < 1e-13)):
+            break
+        slope = equations.slope(here) if slope is None else slope
+        right = np.append(-here.defect, target - row @ u)
+        step = np.linalg.solve(equations.matrix(here, slope, row), right)
+        length = float(np.linalg.norm(step))
+        if not np.isfinite(length):
+            return Corrected(None, slope, tuple(steps), "Newton's method meets a singular matrix")
+        if len(steps) > 0 and length > CONTRACTION * steps[-1] and length > 1e-11:
+            return Corrected(None, slope, (*steps, length), "Newton's method does not contract")
+        steps.append(length)
+        u = u + step
+    assert best is not None and slope is not None
+    if best.residual > ENOUGH:
+        return Corrected(None, slope, tuple(steps), f"Newton's method stays at {best.residual:.0e}")
+    return Corrected(best, slope, tuple(steps))
+
+
+def tangent(equations: Equations, here: Evaluated, slope: Array, toward: Array) -> Array:
+    """Unit vector along the branch, with a positive component along ``toward``."""
+    right = np.zeros(len(here.u))
+    right[-1] = 1.0
+    found = np.linalg.solve(equations.matrix(here, slope, toward), right)
+    return found / np.linalg.norm(found)

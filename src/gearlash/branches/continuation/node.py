@@ -1,0 +1,89 @@
+"""One orbit of a branch with all that the follower looks at."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from gearlash.orbits import Orbit, orbit_at
+from gearlash.orbits.floquet import ordered
+
+from .equations import Array, Equations, Evaluated
+from .extrema import Extrema
+from .newton import Corrected, correct, tangent
+from .testfunctions import Spectrum
+
+
+@dataclass(frozen=True, eq=False)
+class Node:
+    """``u``: scaled unknowns; ``direction``: unit tangent of the branch; ``slope``: derivative of the
+    equations along the parameter near it; ``extrema`` numbered along the branch,
+    of which those ``touching`` lie on their boundary."""
+
+    equations: Equations
+    here: Evaluated
+    slope: Array
+    direction: Array
+    orbit: Orbit
+    extrema: Extrema
+    touching: frozenset[int] = frozenset()
+
+    def linked(self, before: Node) -> Node:
+        """The same, its extrema numbered and its direction turned as of the one that comes after ``before``."""
+        turned = self.direction if self.direction @ before.direction >= 0.0 else -self.direction
+        return replace(self, extrema=self.extrema.after(before.extrema), direction=turned)
+
+    @property
+    def turned(self) -> Node:
+        """The same, with the direction the other way."""
+        return replace(self, direction=-self.direction)
+
+    @property
+    def u(self) -> Array:
+        return self.here.u
+
+    @property
+    def value(self) -> float:
+        return self.equations.value(self.u)
+
+    @cached_property
+    def spectrum(self) -> Spectrum:
+        return Spectrum(ordered(np.linalg.eigvals(self.here.monodromy)), float(self.direction[-1]))
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A node, or why there is none; Newton's steps on the way."""
+
+    node: Node | None
+    corrected: Corrected | None = None
+    failure: str = ""
+
+
+def node_near(
+    equations: Equations,
+    guess: Array,
+    row: Array,
+    target: float,
+    before: Node | None,
+    slope: Array | None = None,
+) -> Found:
+    """The orbit of the branch with row·u = ``target``; its direction agrees with that of ``before``, whose
+    extrema it continues (without one: with the row)."""
+    corrected = correct(equations, guess, row, target, slope)
+    if corrected.here is None:
+        return Found(None, corrected, corrected.failure)
+    here = corrected.here
+    orbit = orbit_at(here.props, equations.states(here.u)[0], equations.period, iterations=1)
+    if orbit is None:
+        return Found(None, corrected, "the orbit does not close over its whole period")
+    toward = row if before is None else before.direction
+    try:
+        direction = tangent(equations, here, corrected.slope, toward)
+    except np.linalg.LinAlgError:
+        return Found(None, corrected, "the branch has no direction: two branches meet")
+    extrema = Extrema.of(orbit)
+    extrema = extrema if before is None else extrema.after(before.extrema)
+    return Found(Node(equations, here, corrected.slope, direction, orbit, extrema), corrected)

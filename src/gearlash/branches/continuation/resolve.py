@@ -1,0 +1,122 @@
+"""One step of a branch, cut until all that happens on it is told apart and solved for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from .between import Between
+from .changes import Test, changes, doubt, explained
+from .locate import Located, locate
+from .node import Node
+
+NARROW = 1e-7  # length of a step below which it is not cut because of a doubt
+TIGHT = 1e-10  # the same where things happen in it that cannot be told apart
+AFTER_GRAZE = (0.01, 0.1)  # of what is left of the step: there multipliers move like the root of the depth
+CUTS = 80  # of one step, at most
+
+
+@dataclass(frozen=True, eq=False)
+class Unexplained:
+    """A step on which something changed that no special point was found for."""
+
+    left: Node
+    right: Node
+    told: str
+
+
+@dataclass(frozen=True, eq=False)
+class Passed:
+    """A special point between two orbits."""
+
+    left: Node
+    right: Node
+    located: Located
+
+
+Item = Node | Passed | Unexplained
+
+
+@dataclass
+class Resolver:
+    """``cuts``: how often a step may still be cut."""
+
+    cuts: int = CUTS
+
+    def resolve(self, before: Node | None, left: Node, right: Node) -> Iterator[Item]:
+        """All special points between two neighbouring orbits, and the orbits that were needed to tell them
+        apart, in order; ``right``, numbered after them, is the last. ``before``: the orbit before ``left``."""
+        found, piece = changes(left, right), Between(left, right)
+        clear = explained(left, right, found)
+        unsure = doubt(before, left, right) if piece.length > NARROW else ""
+        if not unsure and not found and clear:
+            yield right
+            return
+        tried = [] if unsure else [locate(piece, change) for change in found]
+        located = sorted((each for each in tried if each is not None), key=lambda one: one.place)
+        whole = bool(located) and len(located) == len(found)
+        if whole and located[-1].place - located[0].place > TIGHT:
+            middle = self.middle(piece, _widest_gap(located))
+        elif whole and (clear or any(one.change.test is Test.GRAZING for one in located)):
+            yield from self.passed(before, piece, located)
+            return
+        else:
+            middle = self.middle(piece, 0.5 * piece.length)
+        if middle is not None:
+            yield from self.both(before, left, middle, right)
+            return
+        yield from _at_once(piece, located, unsure or f"{len(found) - len(located)} were not solved for")
+
+    def middle(self, piece: Between, place: float) -> Node | None:
+        if piece.length <= TIGHT or self.cuts <= 0:
+            return None
+        self.cuts -= 1
+        return piece.node(place)
+
+    def both(self, before: Node | None, left: Node, middle: Node, right: Node) -> Iterator[Item]:
+        """The two parts of a step, one after the other; the second is numbered as the first has ended."""
+        last, earlier = left, before
+        for item in self.resolve(before, left, middle):
+            if isinstance(item, Node):
+                earlier, last = last, item
+            yield item
+        yield from self.resolve(earlier, last, right.linked(last))
+
+    def passed(self, before: Node | None, piece: Between, located: list[Located]) -> Iterator[Item]:
+        """A step on which one thing happens, or several at one place. At a graze what comes before and after
+        is looked at again: contacts and multipliers change there."""
+        touching = frozenset(one.change.number for one in located if one.change.test is Test.GRAZING)
+        passed = [Passed(piece.left, piece.right, one) for one in located if one.kind is not None]
+        if not touching:
+            yield from (*passed, piece.right)
+            return
+        here = located[0]
+        touch = replace(here.node, touching=touching)
+        *inner, _ = self.resolve(before, piece.left, touch)
+        yield from inner
+        nodes = [item for item in inner if isinstance(item, Node)]
+        yield from passed
+        last, earlier = touch.linked(nodes[-1]) if nodes else touch, None
+        for part in (*AFTER_GRAZE, 1.0):
+            place = here.place + part * (piece.length - here.place)
+            node = piece.right if part == 1.0 else piece.node(place)
+            if node is None:
+                continue
+            for item in self.resolve(earlier, last, node.linked(last)):
+                if isinstance(item, Node):
+                    earlier, last = last, item
+                yield item
+
+
+def _widest_gap(located: list[Located]) -> float:
+    pairs = list(zip(located, located[1:], strict=False))
+    left, right = max(pairs, key=lambda pair: pair[1].place - pair[0].place)
+    return 0.5 * (left.place + right.place)
+
+
+def _at_once(piece: Between, located: list[Located], why: str) -> Iterator[Item]:
+    """A step that cannot be cut farther: all that was found on it, and what was not."""
+    yield from (Passed(piece.left, piece.right, one) for one in located if one.kind is not None)
+    before, after = piece.left.spectrum.unstable.total, piece.right.spectrum.unstable.total
+    yield Unexplained(piece.left, piece.right, f"unstable multipliers {before} before, {after} after; {why}")
+    yield piece.right

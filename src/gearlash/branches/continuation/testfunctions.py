@@ -1,0 +1,63 @@
+"""Functions along a branch that vanish where something happens to the stability of its orbits.
+
+Of the multipliers μ: Π(μ+1) at a doubling, Π(μ−1) at a fold or a branch point, Π_{i<j}(μ_i μ_j − 1) where a
+pair crosses the unit circle (or where two real ones are reciprocal, which is nothing). And dλ/ds, which
+vanishes at a fold. All are smooth along the branch but at a graze, where they move like the root of the
+depth. Source: Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory (2004), ch. 10,
+doi:10.1007/978-1-4757-3978-7."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Unstable:
+    """Multipliers outside the unit circle: real ones above 1, real ones below -1, complex pairs."""
+
+    above: int
+    below: int
+    pairs: int
+
+    @property
+    def total(self) -> int:
+        return self.above + self.below + 2 * self.pairs
+
+
+@dataclass(frozen=True, eq=False)
+class Spectrum:
+    """Multipliers of one orbit, and ``turn``: dλ/ds of the branch there, scaled."""
+
+    multipliers: Complex
+    turn: float
+
+    @cached_property
+    def unstable(self) -> Unstable:
+        outside = self.multipliers[np.abs(self.multipliers) > 1.0]
+        real = outside.real[outside.imag == 0.0]
+        return Unstable(int((real > 1.0).sum()), int((real < -1.0).sum()), int((outside.imag > 0.0).sum()))
+
+    @cached_property
+    def doubling(self) -> float:
+        return float(np.prod(1.0 + self.multipliers).real)
+
+    @cached_property
+    def at_one(self) -> float:
+        return float(np.prod(self.multipliers - 1.0).real)
+
+    @cached_property
+    def torus(self) -> float:
+        first, second = np.triu_indices(len(self.multipliers), 1)
+        return float(np.prod(self.multipliers[first] * self.multipliers[second] - 1.0).real)
+
+    @property
+    def nearest_pair(self) -> complex:
+        """Of the complex pairs, that which is nearest to the unit circle; 0 where there is none."""
+        pairs = self.multipliers[self.multipliers.imag > 0.0]
+        return complex(pairs[np.argmin(np.abs(np.abs(pairs) - 1.0))]) if len(pairs) else 0.0j

@@ -1,0 +1,205 @@
+"""A whole branch through an orbit: both ways from it, put together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from gearlash.orbits import Certificate, Orbit, Verdict, orbit_at
+from gearlash.system import Family, GearlashError, Status, given
+
+from .equations import UNBUILT, Equations, Line
+from .follow import Follower
+from .node import Node, node_near
+from .points import Branch, BranchEnd, BranchPoint, Ending, Kind, SpecialPoint, grazing_kind
+from .resolve import Passed, Unexplained
+from .settings import ContinuationSettings
+
+LONGEST_PERIOD = 64  # base periods
+NOT_ASKED = Certificate(Verdict.UNCERTAIN, ("it was not asked for",))
+
+
+def continue_orbit(
+    family: Family,
+    values: Mapping[str, float],
+    name: str,
+    orbit: Orbit,
+    lower: float,
+    upper: float,
+    settings: ContinuationSettings | None = None,
+    tell: Callable[[float], object] | None = None,
+    cancelled: Callable[[], bool] | None = None,
+) -> Branch:
+    """The branch through ``orbit``, found at ``values``, between two limits of the parameter ``name``."""
+    settings = ContinuationSettings() if settings is None else settings
+    line = Line(family, family.complete(values), name, lower, upper)
+    start = first_node(line, orbit, float(line.values[name]))
+    listen = Listener(tell or (lambda _: None), cancelled or (lambda: False))
+    ahead = _Way.taken(Follower(start, settings), listen)
+    if ahead.end.ending is Ending.CLOSED:
+        behind = _Way(BranchEnd(Ending.CLOSED, start.value))
+    else:
+        behind = _Way.taken(Follower(start.turned, settings), listen).turned
+    points = (*behind.points, _point(start, 0.0, settings), *ahead.points)
+    return Branch(
+        name=name,
+        values=dict(line.values),
+        lower=lower,
+        upper=upper,
+        scale=start.equations.scale,
+        points=_with_births(points),
+        special=(*behind.special, *ahead.special),
+        ends=(behind.end, ahead.end),
+        unexplained=(*behind.unexplained, *ahead.unexplained),
+    )
+
+
+def first_node(line: Line, orbit: Orbit, value: float) -> Node:
+    """The orbit as a point of its branch, in the direction of rising values. Raises `GearlashError` where it
+    is none, or too long."""
+    if not line.lower <= value <= line.upper:
+        raise GearlashError(
+            f"{line.name} = {value:.10g} of the orbit lies outside the interval from {line.lower:g} to "
+            f"{line.upper:g} in which it is to be followed"
+        )
+    try:
+        props = line.system_at(value)
+        found = orbit_at(props, orbit.state, orbit.shot.period, least=True)
+    except UNBUILT as error:
+        raise GearlashError(f"the orbit is not one of this family: {error}") from error
+    if found is None:
+        raise GearlashError(f"there is no periodic orbit of this family near the start, at {value:.10g}")
+    given.whole("period of the orbit, in base periods", found.shot.period, 1, LONGEST_PERIOD)
+    equations = Equations.of(line, found)
+    u = equations.unknowns(found.strobes, value)
+    row = np.zeros(len(u))
+    row[-1] = 1.0
+    node = node_near(equations, u, row, u[-1], None)
+    if node.node is None:
+        raise GearlashError(f"the orbit cannot be followed from its start: {node.failure}")
+    return node.node
+
+
+@dataclass(frozen=True)
+class Listener:
+    """``tell`` hears the value of every orbit; ``cancelled`` says whether to stop."""
+
+    tell: Callable[[float], object]
+    cancelled: Callable[[], bool]
+
+
+@dataclass(eq=False)
+class _Way:
+    """One way from the first orbit, in order of arclength."""
+
+    end: BranchEnd
+    points: list[BranchPoint] = field(default_factory=list)
+    special: list[SpecialPoint] = field(default_factory=list)
+    unexplained: list[str] = field(default_factory=list)
+
+    @staticmethod
+    def taken(follower: Follower, listen: Listener) -> _Way:
+        last, arclength = follower.start, 0.0
+        way = _Way(BranchEnd(Ending.CANCELLED, last.value))
+        for item in follower.run():
+            if isinstance(item, BranchEnd):
+                way.end = item
+            elif isinstance(item, Passed):
+                way.special.append(_special(item, last, arclength, follower.settings))
+            elif isinstance(item, Unexplained):
+                way.unexplained.append(f"{item.left.value:.12g} to {item.right.value:.12g}: {item.told}")
+            else:
+                arclength += float(np.linalg.norm(item.u - last.u))
+                way.points.append(_point(item, arclength, follower.settings))
+                last = item
+                listen.tell(item.value)
+                way.end = BranchEnd(Ending.CANCELLED, last.value)
+                if listen.cancelled():
+                    break
+        return way
+
+    @property
+    def turned(self) -> _Way:
+        """The same in the other order, its arclength negative."""
+        points, special = ([_turned(each) for each in reversed(m)] for m in (self.points, self.special))
+        return _Way(self.end, points, special, self.unexplained[::-1])
+
+
+def _point(node: Node, arclength: float, settings: ContinuationSettings) -> BranchPoint:
+    orbit, scale = node.orbit, node.equations.scale
+    n = len(orbit.state)
+    direction = node.direction * scale
+    return BranchPoint(
+        value=node.value,
+        arclength=arclength,
+        state=orbit.state,
+        strobes=orbit.strobes,
+        direction=np.append(direction[:n], direction[-1]),
+        signature=orbit.signature,
+        multipliers=node.spectrum.multipliers,
+        extrema=node.extrema.all,
+        born=(),
+        died=(),
+        residual=orbit.residual,
+        error=orbit.shot.error,
+        certificate=orbit.certificate if settings.certify else NOT_ASKED,
+        status=orbit.status,
+    )
+
+
+def _special(passed: Passed, last: Node, arclength: float, settings: ContinuationSettings) -> SpecialPoint:
+    located, left, right = passed.located, passed.left, passed.right
+    assert located.kind is not None
+    node, change = located.node, located.change
+    here = arclength + float(np.linalg.norm(node.u - last.u))
+    point = _point(node, here, replace(settings, certify=False))
+    extremum = node.extrema.by_number[change.number] if located.kind is Kind.GRAZING else None
+    linear = not any(map(any, point.signature.counts))
+    away = [float(np.linalg.norm(side.u - node.u)) for side in (left, right)]
+    return SpecialPoint(
+        kind=located.kind,
+        value=node.value,
+        error=located.error,
+        interval=(left.value, right.value),
+        arclengths=(here - away[0], here + away[1]),
+        point=point,
+        label_before=left.orbit.label,
+        label_after=right.orbit.label,
+        unstable_before=left.spectrum.unstable.total,
+        unstable_after=right.spectrum.unstable.total,
+        extremum=extremum,
+        linear=linear,
+        told=str(located.kind) if extremum is None else grazing_kind(extremum),
+        status=Status.OK,
+    )
+
+
+def _turned(each: BranchPoint | SpecialPoint) -> BranchPoint | SpecialPoint:
+    if isinstance(each, BranchPoint):
+        return replace(each, arclength=-each.arclength, direction=-each.direction)
+    point = _turned(each.point)
+    assert isinstance(point, BranchPoint)
+    return replace(
+        each,
+        point=point,
+        interval=each.interval[::-1],
+        arclengths=(-each.arclengths[1], -each.arclengths[0]),
+        label_before=each.label_after,
+        label_after=each.label_before,
+        unstable_before=each.unstable_after,
+        unstable_after=each.unstable_before,
+    )
+
+
+def _with_births(points: tuple[BranchPoint, ...]) -> tuple[BranchPoint, ...]:
+    """With the numbers of the extrema that are not in the point before, or no longer."""
+    found, before = [], None
+    for point in points:
+        here = {extremum.number for extremum in point.extrema}
+        if before is not None and here != before:
+            point = replace(point, born=tuple(sorted(here - before)), died=tuple(sorted(before - here)))
+        found.append(point)
+        before = here
+    return tuple(found)
