@@ -38,9 +38,10 @@ class Between:
         if place in self._known:
             return self._known[place]
         left, right = self._neighbours(place)
-        guess = self._guess(left, right, place)
+        guess, part = self._guess(left, right, place), self._part(left, right, place)
+        slope = (1.0 - part) * left.slope + part * right.slope
         found = node_near(
-            left.equations, guess, self.chord, float(self.chord @ self.left.u) + place, left, left.slope
+            left.equations, guess, self.chord, float(self.chord @ self.left.u) + place, left, slope
         )
         if found.node is None:
             return None
@@ -56,13 +57,13 @@ class Between:
         known = {0.0: self.left, self.length: self.right, **self._known}
         return known[max(p for p in known if p <= place)], known[min(p for p in known if p >= place)]
 
+    def _part(self, left: Node, right: Node, place: float) -> float:
+        start, stop = self.place(left), self.place(right)
+        return (place - start) / (stop - start) if stop > start else 0.0
+
     def _guess(self, left: Node, right: Node, place: float) -> Array:
         """By the cubic with the values and directions at both ends."""
-        start, stop = self.place(left), self.place(right)
-        width = stop - start
-        if width <= 0.0:
-            return left.u
-        t = (place - start) / width
+        width, t = self.place(right) - self.place(left), self._part(left, right, place)
         one, two = (n.direction / max(float(self.chord @ n.direction), AGREE) * width for n in (left, right))
         h00, h10 = (1 + 2 * t) * (1 - t) ** 2, t * (1 - t) ** 2
         h01, h11 = t * t * (3 - 2 * t), t * t * (t - 1)

@@ -8,6 +8,7 @@ from enum import StrEnum
 
 import numpy as np
 
+from .equations import Array
 from .node import Node
 
 NEAR = 3.0  # times what the extrema moved: born so near to a boundary, it may have crossed it
@@ -21,6 +22,7 @@ class Test(StrEnum):
 
     GRAZING = "distance of an extremum from its boundary"
     TURN = "derivative of the parameter along the branch"
+    JOIN = "distance of the two halves of the orbit"
     AT_ONE = "product of (multiplier - 1)"
     DOUBLING = "product of (multiplier + 1)"
     TORUS = "product of (multiplier * multiplier - 1) over pairs"
@@ -56,7 +58,7 @@ def changes(left: Node, right: Node) -> list[Change]:
     found = list(_grazings(left, right))
     signs = {test: f(left) * f(right) < 0.0 for test, f in OF_SPECTRUM.items()}
     if signs[Test.TURN]:
-        found.append(Change(Test.TURN))
+        found.append(Change(Test.JOIN if changes_places(left, right) else Test.TURN))
     elif signs[Test.AT_ONE]:
         found.append(Change(Test.AT_ONE))
     if signs[Test.DOUBLING]:
@@ -66,6 +68,18 @@ def changes(left: Node, right: Node) -> list[Change]:
     return found
 
 
+def halves(node: Node) -> Array:
+    """(P·n,): from every base period to the one half an orbit later, in units of the scale of the states."""
+    strobes = node.orbit.strobes
+    apart: Array = (np.roll(strobes, -(len(strobes) // 2), axis=0) - strobes) / node.equations.size
+    return apart.ravel()
+
+
+def changes_places(left: Node, right: Node) -> bool:
+    """Whether the two halves of an orbit have changed places: then it joined the orbit of half its period."""
+    return left.equations.period % 2 == 0 and float(halves(left) @ halves(right)) < 0.0
+
+
 def explained(left: Node, right: Node, found: list[Change]) -> bool:
     """Whether these changes can account for the change in the number of unstable multipliers."""
     difference = right.spectrum.unstable.total - left.spectrum.unstable.total
@@ -73,17 +87,19 @@ def explained(left: Node, right: Node, found: list[Change]) -> bool:
     twos = sum(change.test is Test.TORUS for change in found)
     if found and all(change.test is Test.GRAZING for change in found):
         return difference == 0
-    turn_only = [c for c in found if c.test is Test.TURN]
-    if len(turn_only) == len(found) == 1:
+    if len(found) == 1 and found[0].test is Test.TURN:
         return abs(difference) <= 1
     return abs(difference) <= ones + 2 * twos and (difference - ones) % 2 == 0
 
 
-def doubt(before: Node | None, left: Node, right: Node) -> str:
-    """Why something may have been missed between two orbits (``before``: the one before them), or nothing."""
+def doubt(before: Node | None, left: Node, right: Node, found: list[Change]) -> str:
+    """Why something may have been missed between two orbits beside what was ``found`` (``before``: the orbit
+    before them), or nothing."""
     if right.extrema.doubt:
         return right.extrema.doubt
-    return _born_near(left, right) or ("" if before is None else _may_have_vanished(before, left, right))
+    return _born_near(left, right) or (
+        "" if before is None else _may_have_vanished(before, left, right, found)
+    )
 
 
 def _grazings(left: Node, right: Node) -> Iterator[Change]:
@@ -107,14 +123,16 @@ def _born_near(left: Node, right: Node) -> str:
     return ""
 
 
-def _may_have_vanished(before: Node, left: Node, right: Node) -> str:
+def _may_have_vanished(before: Node, left: Node, right: Node, found: list[Change]) -> str:
     """Of functions with the same sign at both ends: whether the parabola through three values comes to zero
-    between them, or nearly."""
+    between them, or nearly. Where an orbit joins that of half its period, a multiplier only touches 1."""
     earlier, step = float(np.linalg.norm(left.u - before.u)), float(np.linalg.norm(right.u - left.u))
     numbers = before.extrema.by_number.keys() & left.extrema.by_number.keys() & right.extrema.by_number.keys()
     numbers -= before.touching | left.touching | right.touching
     tests = [Change(Test.GRAZING, number) for number in sorted(numbers)]
-    tests += [Change(test) for test in OF_SPECTRUM if test is not Test.TORUS or left.spectrum.unstable.pairs]
+    left_out = {Test.AT_ONE} if any(change.test is Test.JOIN for change in found) else set()
+    left_out |= set() if left.spectrum.unstable.pairs else {Test.TORUS}
+    tests += [Change(test) for test in OF_SPECTRUM if test not in left_out]
     for test in tests:
         zero, one, two = test.value(before), test.value(left), test.value(right)
         if one * two > 0.0 and _dips(earlier, step, zero / one, two / one):

@@ -1,7 +1,7 @@
 """A branch of periodic orbits followed one way, by pseudo-arclength continuation.
 
-Source: H. B. Keller (1977); step control by angle and contraction as in E. Allgower and K. Georg, Introduction
-to Numerical Continuation Methods (2003), ch. 6, doi:10.1137/1.9780898719154."""
+Source: H. B. Keller (1977); step control by angle and contraction as in E. Allgower and K. Georg,
+Introduction to Numerical Continuation Methods (2003), ch. 6, doi:10.1137/1.9780898719154."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from math import acos
 
 import numpy as np
 
+from .changes import halves
 from .equations import Array
-from .newton import Corrected
 from .node import Found, Node, node_near
 from .points import BranchEnd, Ending, Kind
 from .resolve import Item, Passed, Resolver
@@ -22,6 +22,7 @@ GROW, SHRINK = 2.0, 0.5
 GOOD_CONTRACTION, MOST_CONTRACTION = 0.05, 0.4
 OFF = 0.5  # of a step: how far beside its end the next orbit may lie
 FAR = 1e6  # times the size of the first orbit: it runs away
+SINGLE = 1e-4  # of a step: halves of an orbit so near to each other are the same
 BACK = 0.02  # of a step: how near the first orbit is passed where a loop closes
 
 
@@ -105,6 +106,8 @@ class Follower:
             return f"Newton's method contracts by {found.corrected.contraction:.2f} only"
         if np.linalg.norm(after.u - node.u) > (1.0 + OFF) * length:
             return "Newton's method finds an orbit somewhere else"
+        if node.equations.period % 2 == 0 and float(np.linalg.norm(halves(after))) < SINGLE * length:
+            return "the orbit closes after half of its period"
         if angle(node, after) > self.settings.angle:
             return f"the branch turns by {angle(node, after):.2f} rad within a step"
         if float(np.abs(after.u[:-1]).max()) > FAR * float(np.abs(self.start.u[:-1]).max() + 1.0):
@@ -112,7 +115,8 @@ class Follower:
         return ""
 
     def next_length(self, node: Node, found: Found, length: float) -> float:
-        assert found.corrected is not None and found.node is not None
+        assert found.corrected is not None
+        assert found.node is not None
         turned, contraction = angle(node, found.node), found.corrected.contraction
         if turned < 0.3 * self.settings.angle and contraction < GOOD_CONTRACTION:
             length *= GROW
@@ -158,6 +162,3 @@ def predicted(before: Node | None, node: Node, length: float) -> Array:
     last = float(np.linalg.norm(node.u - before.u))
     bend = (node.direction - before.direction) / max(last, 1e-300)
     return guess + 0.5 * length * length * bend
-
-
-__all__ = ["Corrected", "Follower", "angle", "predicted"]

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from gearlash.orbits import Orbit, orbit_at
+
 from .between import Between, zero
-from .changes import Change, Test
-from .equations import Array
+from .changes import Change, Test, halves
+from .equations import UNBUILT
+from .extrema import Extrema
 from .node import Node
 from .points import Kind
 
 ROUNDING = 1e-14  # of the parameter
-SAME = 1e-6  # of the scale of the states: a return so near after half the period is one
+SECANTS = 30
+CLOSE = 1e-13  # of the parameter: a step of the secant method that is the last
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,6 +35,9 @@ class Located:
 
 def locate(piece: Between, change: Change) -> Located | None:
     """None where an orbit between the two could not be had, or the extremum is not there on it."""
+
+    if change.test is Test.JOIN:
+        return joined(piece, change)
 
     def function(place: float) -> float | None:
         node = piece.node(place)
@@ -68,17 +76,69 @@ def _kind(piece: Between, change: Change, node: Node) -> Kind | None:
         return Kind.TORUS if abs(abs(pair) - 1.0) < 1e-4 else None
     if change.test is Test.AT_ONE:
         return Kind.BRANCH_POINT
-    if half_period(node):
-        return Kind.JOINS
     crosses = piece.left.spectrum.at_one * piece.right.spectrum.at_one < 0.0
     return Kind.FOLD if crosses else Kind.SYMMETRIC
 
 
-def half_period(node: Node) -> bool:
-    """Whether an orbit closes after half its period."""
-    period = node.equations.period
-    if period % 2:
-        return False
-    strobes: Array = node.orbit.strobes
-    apart = np.abs(strobes[period // 2] - strobes[0]) / node.equations.size
-    return bool(apart.max() <= SAME**0.5)
+def joined(piece: Between, change: Change) -> Located | None:
+    """Where the orbit joins one of half its period: two branches meet there, and Newton's method fails near.
+    So the other one is taken, which is regular there, and its doubling solved for."""
+    left, right = piece.left, piece.right
+    one, two = float(np.linalg.norm(halves(left))), float(np.linalg.norm(halves(right)))
+    nearer, place = (left if one < two else right), piece.length * one / (one + two)
+    line, half = left.equations.line, left.equations.period // 2
+    strobes = nearer.orbit.strobes
+    guess = 0.5 * (strobes[0] + strobes[half])
+
+    def single(value: float) -> Orbit | None:
+        return orbit_at(line.system_at(value), guess, half)
+
+    try:
+        found = _doubling_of(single, nearer.value, CLOSE**0.5 * line.unit)
+        if found is None:
+            return None
+        value, error, orbit = found
+        node = _as_doubled(piece, orbit, value)
+    except UNBUILT:
+        return None
+    near = abs(value - nearer.value) <= piece.length * line.unit
+    return Located(change, place, node, error, Kind.JOINS) if node is not None and near else None
+
+
+def _doubling_of(
+    single: Callable[[float], Orbit | None], value: float, width: float
+) -> tuple[float, float, Orbit] | None:
+    """The value at which a multiplier of the single orbit is -1, by secants; its error, and the orbit."""
+    before = single(value)
+    if before is None:
+        return None
+    last, function = value, _at_minus_one(before)
+    value += width
+    for _ in range(SECANTS):
+        orbit = single(value)
+        if orbit is None:
+            return None
+        here = _at_minus_one(orbit)
+        step = -here * (value - last) / (here - function) if here != function else 0.0
+        if abs(step) <= CLOSE * max(abs(value), width):
+            return value, abs(step) + ROUNDING * abs(value), orbit
+        last, function, value = value, here, value + step
+    return None
+
+
+def _at_minus_one(orbit: Orbit) -> float:
+    return float(np.prod(1.0 + np.linalg.eigvals(orbit.shot.monodromy)).real)
+
+
+def _as_doubled(piece: Between, orbit: Orbit, value: float) -> Node | None:
+    """The single orbit, run through twice, as a point of the doubled branch."""
+    equations = piece.left.equations
+    strobes = np.concatenate([orbit.strobes, orbit.strobes])
+    here = equations.evaluate(equations.unknowns(strobes, value), orbit.propagators)
+    twice = orbit_at(orbit.propagators, orbit.state, equations.period, iterations=1)
+    if here is None or twice is None:
+        return None
+    chord = piece.chord.copy()
+    chord[-1] = 0.0
+    node = Node(equations, here, piece.left.slope, chord, twice, Extrema.of(twice))
+    return node.linked(piece.left)

@@ -16,8 +16,7 @@ from .equations import UNBUILT, Array, Equations, Evaluated
 GOAL = 2e-14  # residual at which Newton's method ends
 ENOUGH = 1e-12  # residual that is accepted where it no longer becomes smaller
 ITERATIONS = 12
-LEAST = 1e-6  # of such a step: of a shorter one, rounding is told
-SHARE = 0.1  # of the parameter in a step, for the derivative along it to be told by what the step missed
+NOISE = 1e-11  # lengths of steps that rounding makes
 SLOW = 0.01  # contraction from which on a derivative along the parameter that was handed over is taken anew
 CONTRACTION = 0.7  # each step must be shorter than so much of the one before
 
@@ -41,8 +40,8 @@ class Corrected:
 def correct(
     equations: Equations, guess: Array, row: Array, target: float, slope: Array | None = None
 ) -> Corrected:
-    """The orbit with row·u = ``target`` near ``guess``. ``slope``: derivative along the parameter that is near
-    enough, so that it need not be taken anew."""
+    """The orbit with row·u = ``target`` near ``guess``. ``slope``: a derivative along the parameter that is
+    near enough, so that it need not be taken anew."""
     none = np.empty(0) if slope is None else slope
     try:
         return _newton(equations, guess.copy(), row, target, slope)
@@ -53,35 +52,44 @@ def correct(
 def _newton(equations: Equations, u: Array, row: Array, target: float, slope: Array | None) -> Corrected:
     steps: list[float] = []
     best: Evaluated | None = None
-    step, fresh = np.zeros_like(u), slope is None
+    fresh = False
     for iteration in range(ITERATIONS):
         here = equations.evaluate(u)
         if here is None:
             return Corrected(None, np.empty(0), tuple(steps), "the motion could not be carried")
-        if slope is not None and abs(step[-1]) > max(LEAST, SHARE * float(np.linalg.norm(step))):
-            slope = slope + here.defect / step[-1]  # what is missed after a whole step, the slope missed
-        elif not fresh and len(steps) > 1 and steps[-1] > SLOW * steps[-2]:
-            slope, fresh = equations.slope(here), True
         if best is None or here.residual < best.residual:
             best = here
         if here.residual <= GOAL and iteration > 0:
             break
         if best.residual <= ENOUGH and (best is not here or (steps and steps[-1] < 1e-13)):
             break
-        slope = equations.slope(here) if slope is None else slope
-        right = np.append(-here.defect, target - row @ u)
-        step = np.linalg.solve(equations.matrix(here, slope, row), right)
-        length = float(np.linalg.norm(step))
+        if slope is None:
+            slope, fresh = equations.slope(here), True
+        step, length = _step(equations, here, slope, row, target)
+        slow = len(steps) > 0 and length > max(NOISE, SLOW * steps[-1])
+        if slow and not fresh:
+            slope, fresh = equations.slope(here), True
+            step, length = _step(equations, here, slope, row, target)
+        elif slow and length > CONTRACTION * steps[-1]:
+            return Corrected(None, slope, (*steps, length), "Newton's method does not contract")
         if not np.isfinite(length):
             return Corrected(None, slope, tuple(steps), "Newton's method meets a singular matrix")
-        if len(steps) > 0 and length > CONTRACTION * steps[-1] and length > 1e-11:
-            return Corrected(None, slope, (*steps, length), "Newton's method does not contract")
         steps.append(length)
         u = u + step
-    assert best is not None and slope is not None
+    assert best is not None
+    assert slope is not None
     if best.residual > ENOUGH:
         return Corrected(None, slope, tuple(steps), f"Newton's method stays at {best.residual:.0e}")
     return Corrected(best, slope, tuple(steps))
+
+
+def _step(
+    equations: Equations, here: Evaluated, slope: Array, row: Array, target: float
+) -> tuple[Array, float]:
+    """Of Newton's method, and its length."""
+    right = np.append(-here.defect, target - row @ here.u)
+    step = np.linalg.solve(equations.matrix(here, slope, row), right)
+    return step, float(np.linalg.norm(step))
 
 
 def tangent(equations: Equations, here: Evaluated, slope: Array, toward: Array) -> Array:

@@ -31,7 +31,7 @@ class Node:
     touching: frozenset[int] = frozenset()
 
     def linked(self, before: Node) -> Node:
-        """The same, its extrema numbered and its direction turned as of the one that comes after ``before``."""
+        """The same as what comes after ``before``: its extrema numbered and its direction turned so."""
         turned = self.direction if self.direction @ before.direction >= 0.0 else -self.direction
         return replace(self, extrema=self.extrema.after(before.extrema), direction=turned)
 

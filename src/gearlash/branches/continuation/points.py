@@ -98,11 +98,11 @@ class SpecialPoint(Record):
     """Where something happens to a branch: ``point`` is the orbit there, all that a restart needs with it.
 
     ``value`` of the parameter with its ``error``; ``interval``: the values of the two orbits between which it
-    was found (equal ones round a fold that is symmetric), and ``arclengths`` of the same; of a graze the
-    ``extremum`` that touches, of which the distance is zero within rounding; ``label_before`` and
-    ``label_after``, ``unstable_before`` and ``unstable_after``: contacts and number of unstable multipliers of
-    these two. ``linear``: the orbit meets no boundary, so that its system is linear there: a doubling or torus
-    is then degenerate, and what is born in it appears at the amplitude that grazes."""
+    was found, and their ``arclengths``; of a graze the ``extremum`` that touches, of which the distance is
+    zero within rounding; ``label_before`` and ``label_after``, ``unstable_before`` and ``unstable_after``:
+    contacts and number of unstable multipliers of these two. ``linear``: the orbit meets no boundary, so that
+    its system is linear there: a doubling or torus is then degenerate, and what is born in it appears at the
+    amplitude that grazes."""
 
     _told: ClassVar = ("kind", "value", "error", "label_before", "label_after", "told", "status")
 

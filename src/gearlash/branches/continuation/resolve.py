@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from .between import Between
 from .changes import Test, changes, doubt, explained
@@ -45,10 +46,10 @@ class Resolver:
 
     def resolve(self, before: Node | None, left: Node, right: Node) -> Iterator[Item]:
         """All special points between two neighbouring orbits, and the orbits that were needed to tell them
-        apart, in order; ``right``, numbered after them, is the last. ``before``: the orbit before ``left``."""
+        apart, in order; ``right``, numbered after them, is the last. ``before``: the one before ``left``."""
         found, piece = changes(left, right), Between(left, right)
         clear = explained(left, right, found)
-        unsure = doubt(before, left, right) if piece.length > NARROW else ""
+        unsure = doubt(before, left, right, found) if piece.length > NARROW else ""
         if not unsure and not found and clear:
             yield right
             return
@@ -65,6 +66,8 @@ class Resolver:
         if middle is not None:
             yield from self.both(before, left, middle, right)
             return
+        if unsure:
+            located = [each for each in (locate(piece, change) for change in found) if each is not None]
         yield from _at_once(piece, located, unsure or f"{len(found) - len(located)} were not solved for")
 
     def middle(self, piece: Between, place: float) -> Node | None:
@@ -109,8 +112,7 @@ class Resolver:
 
 
 def _widest_gap(located: list[Located]) -> float:
-    pairs = list(zip(located, located[1:], strict=False))
-    left, right = max(pairs, key=lambda pair: pair[1].place - pair[0].place)
+    left, right = max(pairwise(located), key=lambda pair: pair[1].place - pair[0].place)
     return 0.5 * (left.place + right.place)
 
 

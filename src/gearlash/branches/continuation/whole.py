@@ -123,7 +123,8 @@ class _Way:
     @property
     def turned(self) -> _Way:
         """The same in the other order, its arclength negative."""
-        points, special = ([_turned(each) for each in reversed(m)] for m in (self.points, self.special))
+        points = [_turned_point(each) for each in reversed(self.points)]
+        special = [_turned(each) for each in reversed(self.special)]
         return _Way(self.end, points, special, self.unexplained[::-1])
 
 
@@ -176,11 +177,12 @@ def _special(passed: Passed, last: Node, arclength: float, settings: Continuatio
     )
 
 
-def _turned(each: BranchPoint | SpecialPoint) -> BranchPoint | SpecialPoint:
-    if isinstance(each, BranchPoint):
-        return replace(each, arclength=-each.arclength, direction=-each.direction)
-    point = _turned(each.point)
-    assert isinstance(point, BranchPoint)
+def _turned_point(point: BranchPoint) -> BranchPoint:
+    return replace(point, arclength=-point.arclength, direction=-point.direction)
+
+
+def _turned(each: SpecialPoint) -> SpecialPoint:
+    point = _turned_point(each.point)
     return replace(
         each,
         point=point,
