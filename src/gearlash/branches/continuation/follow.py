@@ -18,6 +18,7 @@ from .points import BranchEnd, Ending, Kind
 from .resolve import Item, Passed, Resolver
 from .settings import ContinuationSettings
 
+KINK = 1.2  # rad: where a contact comes or goes at phase zero, the states there turn, the orbit does not
 GROW, SHRINK = 2.0, 0.5
 GOOD_CONTRACTION, MOST_CONTRACTION = 0.05, 0.4
 OFF = 0.5  # of a step: how far beside its end the next orbit may lie
@@ -108,7 +109,8 @@ class Follower:
             return "Newton's method finds an orbit somewhere else"
         if node.equations.period % 2 == 0 and float(np.linalg.norm(halves(after))) < SINGLE * length:
             return "the orbit closes after half of its period"
-        if angle(node, after) > self.settings.angle:
+        allowed = self.settings.angle if np.array_equal(node.modes, after.modes) else KINK
+        if angle(node, after) > allowed:
             return f"the branch turns by {angle(node, after):.2f} rad within a step"
         if float(np.abs(after.u[:-1]).max()) > FAR * float(np.abs(self.start.u[:-1]).max() + 1.0):
             return "the motion grows without bound"

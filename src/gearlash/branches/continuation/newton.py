@@ -88,7 +88,7 @@ def _step(
 ) -> tuple[Array, float]:
     """Of Newton's method, and its length."""
     right = np.append(-here.defect, target - row @ here.u)
-    step = np.linalg.solve(equations.matrix(here, slope, row), right)
+    step: Array = np.linalg.solve(equations.matrix(here, slope, row), right).astype(np.float64)
     return step, float(np.linalg.norm(step))
 
 

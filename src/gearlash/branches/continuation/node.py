@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gearlash.orbits import Orbit, orbit_at
 from gearlash.orbits.floquet import ordered
@@ -47,6 +48,14 @@ class Node:
     @property
     def value(self) -> float:
         return self.equations.value(self.u)
+
+    @cached_property
+    def modes(self) -> NDArray[np.int64]:
+        """(P, clearances): in which contact the motion is at phase zero of every base period."""
+        trace, cells = self.orbit.trace, self.here.props.cells
+        starts = np.arange(self.equations.period) * float(cells)
+        pieces = np.searchsorted(trace.positions, starts, side="right") - 1
+        return trace.modes[np.maximum(pieces, 0)]
 
     @cached_property
     def spectrum(self) -> Spectrum:
