@@ -17,7 +17,6 @@ from gearlash.orbits import shoot
 
 from .reproduction import BearingMode, Reading
 
-SAMPLES = 2_001  # of one mesh cycle
 WORDS = {
     "yp": "pinion, radial",
     "zp": "pinion, axial",
@@ -48,7 +47,7 @@ def bearing_modes(
 
 def _mode(props: Propagators, state: np.ndarray, name: str, words: str, stiffness: float) -> BearingMode:
     """Peak to peak over one mesh cycle; forces over k_m D_c."""
-    samples = flow.trace(props, state, 1.0).samples(SAMPLES)
+    samples = flow.trace(props, state, 1.0).samples(2_001)
     moved = float(np.ptp(samples.state[:, STATES.index(name)]))
     return BearingMode(
         bearing=words,

@@ -10,7 +10,7 @@ import numpy as np
 from gearlash.branches import BifurcationPoint, GrazingPoint
 from gearlash.branches.critical import distance_to_unit
 from gearlash.flow import propagators
-from gearlash.orbits import Orbit, Settings, attractor, orbit_at
+from gearlash.orbits import Orbit, attractor, orbit_at
 from gearlash.results import Direction
 from gearlash.studies.motion import Motion, motion, touching
 from gearlash.studies.transitions import Transition
@@ -21,9 +21,9 @@ from .doubled import Beside, Found
 from .judge import FAR, NOT_FOUND, coincides, deviation, same_label, verdict, worst
 from .kinds import table2_type
 from .reproduction import NAN, Coincidence, Event
+from .rows import SETTINGS
 
-BESIDE = 0.008  # relative distance of the pictures before and after; halved until the labels agree
-SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)
+PICTURED = 0.008  # relative distance of the motions before and after; halved until the labels agree
 ZERO = 1e-3  # |λ ± 1|, |X ∓ D| and |X'| below which a condition counts as met
 
 
@@ -66,8 +66,11 @@ def match_coincidence(claim: Claim, found: Sequence[Beside]) -> Beside | None:
 
 
 @dataclass(frozen=True, eq=False)
-class Scene:
-    """What an event is computed from."""
+class EventSearch:
+    """Finds a claim's event among what the sweeps located, and computes the motions around it.
+
+    ``values`` are those of the family with what the claim fixes; ``found`` the transitions of the axis,
+    ``coincidences`` the doublings on it with a grazing beside them."""
 
     family: Family
     values: dict[str, float]
@@ -167,7 +170,7 @@ class Scene:
 
     def settled(self, name: str, value: float, side: int, state: np.ndarray, wanted: str) -> Motion:
         """The attractor at a distance at which it has the label of that side, from a state beside it."""
-        distance = BESIDE
+        distance = PICTURED
         for _ in range(14):
             place = value * (1.0 + side * distance)
             found = attractor(self.family.system({**self.values, name: place}), state, SETTINGS)
@@ -183,7 +186,7 @@ class Scene:
     def beside(self, claim: Claim, point: GrazingPoint, side: int) -> Motion:
         """The orbit at a distance from the grazing at which it still has the label of that side."""
         wanted = point.label_below if side < 0 else point.label_above
-        distance = BESIDE
+        distance = PICTURED
         for _ in range(14):
             value = point.value * (1.0 + side * distance)
             orbit = self.orbit_at(claim.parameter, value, point.state_zero, point.period)

@@ -32,17 +32,15 @@ from gearlash.studies.motion import Motion, motion, touching
 from gearlash.studies.sweep import sweeps
 from gearlash.system import Family, GearlashError
 
-PIXELS = 1600
 SPAN = (0.90, 1.20)  # of ω around the window
 POINTS = 451
-BUDGET = Settings(budget=4_000)  # of base periods a point: enough for a picture
-INSIDE = 1.05  # a speed in the middle of the window
-BESIDE = 0.006  # relative distance of the portraits from the grazing
+INSIDE = 1.05  # ω in the middle of the window
+PICTURED = 0.006  # relative distance of the portraits from the grazing
 WORDS = ("before: teeth stay in contact", "at: the motion touches Σ₁", "after: teeth part and hit")
 
 
 @dataclass(frozen=True, eq=False)
-class Scene:
+class OverviewData:
     """What the picture shows: sweeps, both ends of the window, motions around the upper one."""
 
     dataset: xr.Dataset
@@ -50,18 +48,18 @@ class Scene:
     motions: tuple[Motion, ...]
 
 
-def compute(case: Case, points: int = POINTS) -> Scene:
+def compute(case: Case, points: int = POINTS) -> OverviewData:
     """Everything in the picture, computed."""
     family, _ = case.family()
     axis = Axis("omega", np.linspace(*SPAN, points))
-    dataset = sweep_dataset(case, sweeps(case, axis, ("cold", "up", "down"), settings=BUDGET))
+    dataset = sweep_dataset(case, sweeps(case, axis, ("cold", "up", "down"), settings=Settings(budget=4_000)))
     lower, upper = _ends(family)
     motions = (
-        motion(_orbit(family, upper, 1.0 - BESIDE), value=upper.value * (1.0 - BESIDE)),
+        motion(_orbit(family, upper, 1.0 - PICTURED), value=upper.value * (1.0 - PICTURED)),
         touching(family, upper),
-        motion(_orbit(family, upper, 1.0 + BESIDE), value=upper.value * (1.0 + BESIDE)),
+        motion(_orbit(family, upper, 1.0 + PICTURED), value=upper.value * (1.0 + PICTURED)),
     )
-    return Scene(dataset, (lower.value, upper.value), motions)
+    return OverviewData(dataset, (lower.value, upper.value), motions)
 
 
 def _ends(family: Family) -> tuple[GrazingPoint, GrazingPoint]:
@@ -98,18 +96,18 @@ def _orbit(family: Family, point: GrazingPoint, factor: float) -> Orbit:
 
 
 @style.styled
-def overview(scene: Scene, units: Units) -> Figure:
+def overview(data: OverviewData, units: Units) -> Figure:
     """The picture: the diagram above, three portraits below."""
     figure = style.figure(style.PAGE, 118.0)
     grid = figure.add_gridspec(2, 3, height_ratios=[1.0, 0.92])
-    _diagram(figure.add_subplot(grid[0, :]), scene, units)
-    _portraits([figure.add_subplot(grid[1, i]) for i in range(3)], scene.motions)
+    _diagram(figure.add_subplot(grid[0, :]), data, units)
+    _portraits([figure.add_subplot(grid[1, i]) for i in range(3)], data.motions)
     return figure
 
 
-def _diagram(axes: Axes, scene: Scene, units: Units) -> None:
-    rows = branches(scene.dataset)
-    low, high = scene.ends
+def _diagram(axes: Axes, data: OverviewData, units: Units) -> None:
+    rows = branches(data.dataset)
+    low, high = data.ends
     axes.axvspan(low, high, facecolor=FREE.colour, alpha=0.55, edgecolor="none", zorder=0.1)
     for branch in rows:
         keep = differs(branch, rows[0]) if branch is not rows[0] else np.ones(len(branch.values), dtype=bool)
@@ -118,13 +116,13 @@ def _diagram(axes: Axes, scene: Scene, units: Units) -> None:
     axes.margins(y=0.1)
     axes.set(xlabel=name("omega"), ylabel=r"$X_n$  on  $\sigma_t$")
     second(axes, units.speed)
-    for edge in scene.ends:
+    for edge in data.ends:
         axes.axvline(edge, color=style.BOUNDARY, lw=0.9, zorder=0.5)
-    _names(axes, rows, scene.ends)
+    _names(axes, rows, data.ends)
     axes.legend(handles=directions(rows), loc="upper left")
     speeds = ""
     if units.speed is not None:
-        ends = zip(map(float, units.speed(scene.ends)), (1, -1), strict=True)
+        ends = zip(map(float, units.speed(data.ends)), (1, -1), strict=True)
         speeds = f"\n{' to '.join(shown_edge(end, inwards) for end, inwards in ends)} rpm"
     axes.text(
         (low + high) / 2,
@@ -201,7 +199,8 @@ def main(arguments: Sequence[str]) -> int:
     target.parent.mkdir(parents=True, exist_ok=True)
     case = load("article")
     made = overview(compute(case), Units.of(case))
-    target.write_bytes(style.to_bytes(made, "png", dpi=PIXELS / (style.PAGE * style.MM)))
+    width = 1600  # pixels
+    target.write_bytes(style.to_bytes(made, "png", dpi=width / (style.PAGE * style.MM)))
     print(target)
     return 0
 

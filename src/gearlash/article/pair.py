@@ -10,13 +10,13 @@ FITTED = ("window-upper", "window-lower", "period-3", "codimension-2", "back-sid
 """Claims whose printed number the open values of the bundled case were chosen to meet."""
 SWEPT = ("omega", "D")  # keys that the study varies anyway
 OPTIONS = "model."
-SHOWN = 3  # differences that a refusal lists
-INSTEAD = "gearlash run, sweep, zones, graze or map"
 
 
 def check_pair(case: Case) -> None:
-    """Raises `CaseError` for a case that is not the article's pair: every value of its Table 1 must stand as
-    printed there, unless an override set it. What the article leaves open may have any value."""
+    """Raises `CaseError` for a case that is not the article's pair.
+
+    Every value of its Table 1 must be as printed there, unless an override set it. What the article leaves
+    open may have any value."""
     if case.kind != (own := load(NAME)).kind:
         raise _refused(case, f"this is a {case.kind} case, not a {own.kind}")
     differing = [
@@ -27,8 +27,8 @@ def check_pair(case: Case) -> None:
         and not _agrees(entry, case.entries.get(key))
     ]
     if differing:
-        more = f", and {len(differing) - SHOWN} more values" if len(differing) > SHOWN else ""
-        raise _refused(case, "; ".join(differing[:SHOWN]) + more)
+        shown, rest = differing[:3], len(differing) - 3
+        raise _refused(case, "; ".join(shown) + (f", and {rest} more values" if rest > 0 else ""))
 
 
 def is_bundled(case: Case) -> bool:
@@ -59,6 +59,7 @@ def _difference(stated: Entry, mine: Entry | None) -> str:
 def _refused(case: Case, why: str) -> CaseError:
     expected = (
         "the article's pair, or a variation of it: what its Table 1 states, changed by --set at most, and "
-        f"any values of what the article leaves open ({why}). For any other pair use {INSTEAD}"
+        f"any values of what the article leaves open ({why}). For any other pair use gearlash run, "
+        "sweep, zones, graze or map"
     )
     return CaseError(case.name, [Problem("CASE", repr(case.name), expected)])

@@ -25,7 +25,7 @@ from gearlash.system import ContactRule, Family, GearlashError, Status
 from .reproduction import RuleEffect, RuleLabel, Touch
 from .rows import SETTINGS
 
-SPEEDS = (0.942, 1.047)  # of the article's multibody runs
+MULTIBODY_SPEEDS = (0.942, 1.047)  # ω of the article's multibody runs
 STEP = 0.01  # of ω, along which the impact-free orbit is followed to its ends
 MOST_STEPS = 60
 OPTION = "model.contact"
@@ -54,7 +54,8 @@ def effect(
     case = Case.from_json(case_json).with_overrides({OPTION: rule})
     family, _ = case.family()
     at_speeds = [
-        point(family, {"D": fixed["D"], "omega": omega}, name="omega", settings=SETTINGS) for omega in SPEEDS
+        point(family, {"D": fixed["D"], "omega": omega}, name="omega", settings=SETTINGS)
+        for omega in MULTIBODY_SPEEDS
     ]
     quiet = next((p for p in at_speeds if p.impact_free), None)
     ends = (None, None)

@@ -24,7 +24,7 @@ from gearlash.system import GearlashError, given
 from .bearing import bearing_modes
 from .claims import Claim, load
 from .doubled import coincidences
-from .events import Found, Scene
+from .events import EventSearch, Found
 from .pair import check_pair
 from .reproduction import BearingMode, Check, Diagram, Event, Mark, Reproduction, Run, Zone
 from .rows import SETTINGS, Row, distinct, rows
@@ -38,19 +38,40 @@ StageProgress = Callable[[str, Progress | None], object]
 Keep = Callable[[str, Sequence[Sweep]], None]
 
 
-RULES_BACKLASH = (*(round(0.34 + 0.01 * i, 2) for i in range(17)), 0.6, 0.7, 0.8, 0.9, 1.0)
-
-
 @dataclass(frozen=True)
 class Scope:
-    """What is swept: ends and number of points on each axis, what is fixed, and the values of D at which the
-    contact rules are compared."""
+    """How far and how finely the study looks.
+
+    Parameters
+    ----------
+    omega, backlash : (float, float, int)
+        Lower end, upper end and number of points of the sweeps over ω and over D, both dimensionless.
+    fixed_backlash : float
+        D of everything but the sweep over D.
+    fixed_omega : float
+        ω of the sweep over D.
+    rules_backlash : tuple of float
+        Values of D at which the contact rules are compared, followed down.
+
+    Examples
+    --------
+    >>> from gearlash.article import Scope
+    >>> Scope(omega=(0.9, 1.2, 31)).backlash
+    (0.1, 1.0, 361)
+    """
 
     omega: tuple[float, float, int] = (0.5, 1.4, 451)
     backlash: tuple[float, float, int] = (0.1, 1.0, 361)
     fixed_backlash: float = 1.0
     fixed_omega: float = 0.78
-    rules_backlash: tuple[float, ...] = RULES_BACKLASH
+    rules_backlash: tuple[float, ...] = (
+        *(round(0.34 + 0.01 * i, 2) for i in range(17)),
+        0.6,
+        0.7,
+        0.8,
+        0.9,
+        1.0,
+    )
 
 
 @dataclass
@@ -73,11 +94,36 @@ def reproduce(
     progress: StageProgress | None = None,
     keep: Keep | None = None,
 ) -> Reproduction:
-    """Everything but the article's multibody section. ``claims`` (default: those of the package) are paired
-    with what is computed, and centre pictures; no computation reads a claimed value. ``progress`` is told the
-    stage and how far. ``keep`` gets the sweeps of each axis, by its name, as soon as they are there, also
-    where they were ended: KeyboardInterrupt is raised after Ctrl-C, `UnfinishedError` where workers died.
-    Raises `CaseError` for a case that is not the article's pair."""
+    """The article's whole study but its multibody section, and a verdict for every claim.
+
+    Parameters
+    ----------
+    case : Case
+        The article's pair, or a variation of it: ``gearlash.load_case("article")``.
+    scope : Scope, optional
+        How far and how finely to look; the default takes minutes.
+    workers : int, optional
+        Processes; all cores where nothing is given.
+    claims : sequence of Claim, optional
+        Those of the package where nothing is given. They say what is compared and around which values
+        pictures are centred; no computation reads a claimed value.
+    progress : callable, optional
+        Called with the name of a stage (one of `STAGES`) and how far it is (`Progress`, or None).
+    keep : callable, optional
+        Called with the name of an axis and its sweeps as soon as they are there, also where they were ended
+        early.
+
+    Returns
+    -------
+    Reproduction
+
+    Raises
+    ------
+    CaseError
+        For a case that is not the article's pair.
+    UnfinishedError
+        Where workers died. Ctrl-C raises `KeyboardInterrupt`.
+    """
     check_pair(given.instance("case", case, Case, "a case, as from gearlash.load_case"))
     scope, claims = scope or Scope(), load() if claims is None else tuple(claims)
     tell = progress or (lambda stage, state: None)
@@ -105,7 +151,9 @@ def reproduce(
     family, _ = case.family()
     values = family.complete()
     events = tuple(
-        Scene(family, {**values, **claim.fixed}, found[claim.parameter], beside[claim.parameter]).event(claim)
+        EventSearch(family, {**values, **claim.fixed}, found[claim.parameter], beside[claim.parameter]).event(
+            claim
+        )
         for claim in claims
         if claim.portrait
     )

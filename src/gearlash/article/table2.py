@@ -13,8 +13,6 @@ from .judge import NOT_FOUND, REPRODUCED, coincides
 from .kinds import CODIMENSION_TWO, STANDARD, table2_type
 from .reproduction import Event, Table2Row
 
-SHOWN = 6  # examples of a row
-
 
 def fill(found: Sequence[Found], events: Sequence[Event]) -> tuple[Table2Row, ...]:
     """The three rows: what the article says of each type, and what this run located of it."""
@@ -56,7 +54,7 @@ def fill(found: Sequence[Found], events: Sequence[Event]) -> tuple[Table2Row, ..
 
 
 def _row(kind, condition, period, pattern, region, transitions, verdict, note) -> Table2Row:
-    shown: list[Transition] = list(transitions)[:SHOWN]
+    shown: list[Transition] = list(transitions)[:6]  # examples
     return Table2Row(
         type=kind,
         condition=condition,

@@ -19,10 +19,6 @@ from .reproduction import NAN, ClaimRow, Coincidence, Event, Part, Reading, Zone
 from .rows import Row
 from .zoning import SOME
 
-ZERO_EXPONENT = 1e-3  # |LLE| that counts as "approximately zero", per unit of τ
-ROUNDING = 1e-9  # an exponent below this is zero
-SAME = 0.01  # relative change of X - D over the zone that counts as insensitive
-
 
 @dataclass(frozen=True, eq=False)
 class Evidence:
@@ -147,7 +143,8 @@ def _exponent(claim: Claim, evidence: Evidence) -> ClaimRow:
     if not event.found:
         note = f"The event it belongs to ({event.digits}) was not found."
         return _row(claim, evidence, computed="not found", verdict=NOT_FOUND, branch=event.branch, note=note)
-    holds = abs(event.exponent) <= ZERO_EXPONENT if claim.sign == 0 else event.exponent < 0.0
+    about_zero = abs(event.exponent) <= 1e-3  # per unit of τ
+    holds = about_zero if claim.sign == 0 else event.exponent < 0.0
     place = f"{_symbol(event.parameter)} = {event.value:.6f}"
     note = f"At the computed grazing, {place}; ln|μ|max/(P T)."
     if event.coincidence is not None:
@@ -159,7 +156,7 @@ def _exponent(claim: Claim, evidence: Evidence) -> ClaimRow:
     return _row(
         claim,
         evidence,
-        computed=f"{event.exponent:.4g}" if abs(event.exponent) > ROUNDING else "0",
+        computed=f"{event.exponent:.4g}" if abs(event.exponent) > 1e-9 else "0",  # rounding
         computed_value=event.exponent,
         computed_labels=f"{event.label_below} → {event.label_above}",
         verdict=REPRODUCED if holds else NOT_FOUND,
@@ -220,7 +217,7 @@ def _insensitive(claim: Claim, evidence: Evidence) -> ClaimRow:
             labels |= {one.label, two.label}
             if one.label == two.label:
                 change = max(change, _moved(one, two))
-    holds = bool(labels) and change <= SAME
+    holds = bool(labels) and change <= 0.01  # counts as insensitive
     return _row(
         claim,
         evidence,

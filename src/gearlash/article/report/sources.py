@@ -11,17 +11,13 @@ from gearlash.report.numbers import number
 from .words import plural, provenance
 
 OPEN = ("inferred", "assumed", "calibrated")
-RIPPLES = ("ripple", "ripple_2")
-CONFLICT = 2.0  # times what the contact lines give
 HEAD = ("value", "", "from", "reason")
 
 
 def section(done: Reproduction) -> Section:
     """Open values first, then what is computed from them, then what the article gives."""
     values = done.case.values()
-    unsure = sorted(
-        (v for v in values if v.provenance in OPEN), key=lambda v: OPEN.index(v.provenance), reverse=False
-    )
+    unsure = sorted((v for v in values if v.provenance in OPEN), key=lambda v: OPEN.index(v.provenance))
     derived = [v for v in values if v.provenance == "derived"]
     given = [v for v in values if v.provenance == "given"]
     blocks: list[Block] = [
@@ -57,7 +53,7 @@ def _ripple(case: Case) -> list[Note]:
     body, own = case.numbers.body, case.family()[0].defaults
     if body.geometry is None or body.face_width is None:
         return []
-    used = [abs(own.get(name, 0.0)) for name in RIPPLES]
+    used = [abs(own.get(name, 0.0)) for name in ("ripple", "ripple_2")]
     lines = [contact_lines.ripple(body.geometry, body.face_width, n) for n in (1, 2)]
     said = (
         f"The stiffness used varies by {_per_cent(used[0])} once and {_per_cent(used[1])} twice a mesh "
@@ -66,7 +62,7 @@ def _ripple(case: Case) -> list[Note]:
         f"{_per_cent(lines[1])}, and "
         "with unmodified flanks the second harmonic is never larger than the first. "
     )
-    if all(each <= CONFLICT * line for each, line in zip(used, lines, strict=True)):
+    if all(each <= 2.0 * line for each, line in zip(used, lines, strict=True)):
         return []
     return [
         Note(
