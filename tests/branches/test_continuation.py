@@ -174,7 +174,7 @@ def test_load_error_and_gap_scale_together():
     assert [s.value for s in scaled.special] == pytest.approx([s.value for s in linear().special], rel=1e-11)
 
 
-@pytest.mark.parametrize(("seed", "rule"), zip([1, 5, 19], ContactRule, strict=True))
+@pytest.mark.parametrize(("seed", "rule"), list(zip([1, 5, 19], ContactRule, strict=True)))
 def test_a_finer_continuation_finds_no_more(seed, rule):
     branch, fine = random_pair(seed, rule), random_pair(seed, rule, fine=True)
     assert len(fine.points) > 4 * len(branch.points)
