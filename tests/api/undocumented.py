@@ -45,10 +45,6 @@ UNDOCUMENTED: dict[str, set[str]] = {
         "gears.LineOfAction",
         "gears.ToothGeometry",
     },
-    "jobs": {
-        "Cancel",
-        "Progress",
-    },
     "orbits": {
         "Aperiodic",
         "Certificate",
@@ -125,22 +121,8 @@ UNDOCUMENTED: dict[str, set[str]] = {
         "Zone",
         "ZoneEnd",
         "Zones",
-        "map_plane",
         "motion",
-        "open_workers",
-        "point",
-        "sweep",
-        "sweeps",
         "transitions",
         "zones",
-    },
-    "system": {
-        "Clearance",
-        "Family",
-        "GearlashError",
-        "Parameter",
-        "Status",
-        "System",
-        "cosines",
     },
 }

@@ -85,7 +85,11 @@ def test_processes_give_the_same_bytes(plane: PlaneMap):
     with studies.open_workers(ARTICLE, 2) as executor:
         for chunk in (None, 5):
             again = map_plane(
-                ARTICLE, SPEEDS, GAPS, settings=SETTINGS, execution=Execution(executor, chunk, seen.append)
+                ARTICLE,
+                SPEEDS,
+                GAPS,
+                settings=SETTINGS,
+                execution=Execution(executor, chunk=chunk, progress=seen.append),
             )
             assert digest(again) == digest(plane)
     assert (seen[-1].done, seen[-1].remaining) == (30, 0.0)

@@ -69,7 +69,7 @@ def test_processes_give_the_same_bytes():
                 axis,
                 values=fixed,
                 settings=settings,
-                execution=Execution(executor, chunk, seen.append),
+                execution=Execution(executor, chunk=chunk, progress=seen.append),
             )
             assert content_hash(sweep_dataset(ARTICLE, shared)) == content_hash(sweep_dataset(ARTICLE, alone))
     assert seen[-1].done == seen[-1].total == 24

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from gearlash.system import GearlashError, Record, given, shown
 
@@ -44,9 +44,9 @@ class Execution(Record):
     """
 
     executor: Executor | None = None
-    chunk: int | None = None
-    progress: ProgressCallback | None = None
-    cancel: Cancel | None = None
+    chunk: int | None = field(default=None, kw_only=True)
+    progress: ProgressCallback | None = field(default=None, kw_only=True)
+    cancel: Cancel | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
         if self.executor is not None:

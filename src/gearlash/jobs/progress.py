@@ -8,11 +8,27 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Progress:
-    """``done`` of ``total`` points after ``elapsed`` seconds; ``remaining`` seconds, or None while nothing
-    was measured.
+    """How far a study is.
 
-    The estimate comes from measured times of what was done in this run. Where points differ much in cost it
-    moves: it is made anew each time, never smoothed into agreement with an earlier one.
+    The estimate of what remains comes from measured times of what was done in this run. Where points differ
+    much in cost it moves: it is made anew each time, never smoothed into agreement with an earlier one.
+
+    Attributes
+    ----------
+    done : int
+        Points that were computed.
+    total : int
+        Points in all.
+    elapsed : float
+        Seconds since the study began.
+    remaining : float or None
+        Seconds until it is done; None while nothing was measured.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> print(gl.Progress(30, 120, 10.0, 30.0))
+    30/120 after 10 s, about 30 s left
     """
 
     done: int
@@ -22,7 +38,7 @@ class Progress:
 
     @property
     def share(self) -> float:
-        """0 to 1."""
+        """Part of the points that is done, 0 to 1."""
         return self.done / self.total if self.total else 1.0
 
     def __str__(self) -> str:

@@ -15,7 +15,14 @@ from typing import Any, Protocol
 class Cancel(Protocol):
     """What a study asks whether it is to stop; a `threading.Event` is one."""
 
-    def is_set(self) -> bool: ...
+    def is_set(self) -> bool:
+        """Whether it is to stop.
+
+        Returns
+        -------
+        bool
+        """
+        ...
 
 
 class _Never:

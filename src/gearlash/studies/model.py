@@ -57,9 +57,39 @@ def prepare(source: Source) -> None:
 
 
 def open_workers(model: Model, workers: int | None = None) -> Executor:
-    """An executor whose processes know the model before their first task; see `jobs.open_executor`. Kernels
-    that must be compiled are so before, by this process, which says it. Raises `GearlashError` for a family
-    or a kind of case of one's own that they cannot get."""
+    """Worker processes for studies of one model, which they know before their first task.
+
+    Kernels that must be compiled are compiled before, by this process, which says so. Workers end with the
+    ``with`` block, or with the process that started them, however that ends.
+
+    Parameters
+    ----------
+    model : Case or Family
+        Workers build a case themselves. The functions of a `Family` they import, so these must be functions
+        of a module, or of a script that keeps its work under ``if __name__ == "__main__":``.
+    workers : int, optional
+        Number of processes; one for each core that is free to use, without. With 0 or 1 there are none, and
+        this process does the work.
+
+    Returns
+    -------
+    concurrent.futures.Executor
+        For `Execution`.
+
+    Raises
+    ------
+    GearlashError
+        For a family or a kind of case of one's own that workers cannot get.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> with gl.open_workers(case, 1) as workers:
+    ...     found = gl.sweep(case, gl.Axis.even("omega", 0.7, 0.8, 2), execution=gl.Execution(workers))
+    >>> found.complete
+    True
+    """
     source = Source.of(model)
     workers = None if workers is None else given.whole("workers", workers, 0, MOST_WORKERS)
     if (available_cores() if workers is None else workers) > 1:

@@ -49,14 +49,42 @@ def map_plane(
     settings: Settings | None = None,
     execution: Execution | None = None,
 ) -> PlaneMap:
-    """The attractor of every pixel of the plane of two parameters, from the family's cold start or from
-    ``start`` (n,); ``values`` are other parameters, by short name, over those of the case.
+    """The attractor of every pixel of the plane of two parameters.
 
-    Any ``execution`` gives the same bytes; its ``chunk`` counts pixels on one line of the map.
-    Threads wait for each other during about half of a pixel's time, which is spent outside the kernels;
-    processes (`studies.open_workers`) do not. A pixel that fails is flagged with its reason. A cancel or
-    Ctrl-C returns what was computed, marked incomplete. Raises `GearlashError` for names,
-    values and starts that do not fit.
+    Parameters
+    ----------
+    model : Case or Family
+    x, y : Axis
+        Two different parameters and their values, as for `sweep`; up to 1,000,000 pixels.
+    values : mapping of str to float or str, optional
+        Other parameters than those of the axes, over those of the model. A case takes every name and unit of
+        its file: ``{"backlash": "90 um"}``.
+    start : array_like of shape (n,), optional
+        State at phase zero from which every pixel starts; the model's cold start without.
+    settings : Settings, optional
+        How every attractor is looked for.
+    execution : Execution, optional
+        Who does the work, who is told and who may stop it: results are the same bytes. A study that is
+        stopped, by Ctrl-C or otherwise, returns what it has by then, marked as incomplete.
+        Its chunk counts pixels on one line of the map. Threads wait for each other during about half of a
+        pixel's time, which is spent outside the kernels; processes (`open_workers`) do not.
+
+    Returns
+    -------
+    PlaneMap
+        Arrays of shape (len(y), len(x)). A pixel that fails has a status, and a reason in ``reasons``.
+
+    Raises
+    ------
+    GearlashError
+        For names, values and starts that do not fit.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> speeds, loads = gl.Axis.even("omega", 0.7, 0.9, 3), gl.Axis.even("load", 0.1, 0.3, 2)
+    >>> gl.map_plane(gl.load_case("kahraman-singh"), speeds, loads).shares
+    {'1-0-0': 5, '1-1-0': 1}
     """
     source = Source.of(model)
     family = source.family()

@@ -33,11 +33,39 @@ def point(
     trial: tuple[ArrayLike, int] | None = None,
     settings: Settings | None = None,
 ) -> Point:
-    """The attractor of a case, or of one member of a family: ``values`` over its defaults, from ``start``
-    (n,), by default the cold one.
+    """The attractor of a case, or of one member of a family, and what is kept of it.
 
-    ``name`` is the parameter whose value the point carries (nan without); ``trial`` is an orbit to try first
-    (see `orbits.attractor`). What cannot be built or solved gives a point of status `failed` with the reason.
+    Parameters
+    ----------
+    model : Case or Family
+    values : mapping of str to float or str, optional
+        Parameters over those of the model. A case takes every name and unit of its file:
+        ``{"pinion_speed": "3600 rpm"}``.
+    name : str, optional
+        Short name of the parameter whose value the point carries; its value is NaN without.
+    start : array_like of shape (n,), optional
+        State at phase zero; the model's cold start without.
+    trial : (array_like of shape (n,), int), optional
+        State and base periods of a periodic orbit to try first, as for `attractor`.
+    settings : Settings, optional
+        How the attractor is looked for.
+
+    Returns
+    -------
+    Point
+        What cannot be built or solved gives a point of status ``failed`` with the reason as its message.
+
+    Raises
+    ------
+    GearlashError
+        For names, values and starts that do not fit.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> found = gl.point(gl.load_case("article"), {"pinion_speed": "3600 rpm"})
+    >>> str(found.label), str(found.certificate)
+    ('1-1-0', 'certified')
     """
     family = Source.of(model).family()
     numbers = plain_values(model, family, values)

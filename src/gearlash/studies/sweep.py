@@ -32,14 +32,46 @@ def sweep(
     settings: Settings | None = None,
     execution: Execution | None = None,
 ) -> Sweep:
-    """One attractor per value of ``axis``; ``values`` are other parameters, by short name, over those of the
-    case.
+    """One attractor for each value of a parameter.
 
-    ``cold``: every point from the family's cold start, or from ``start`` (n,). ``up``, ``down``: the first
-    point so, every other from the attractor of the point before it, which is followed. Any ``execution``
-    gives the same bytes. A point that fails is flagged with its reason.
-    A cancel or Ctrl-C returns what was computed, marked incomplete. Raises `GearlashError` for names, values
-    and starts that do not fit.
+    Parameters
+    ----------
+    model : Case or Family
+    axis : Axis
+        The parameter and its values. A case takes every name and unit of its file:
+        ``Axis.even("pinion_speed", "1000 rpm", "6000 rpm", 501)``.
+    values : mapping of str to float or str, optional
+        Other parameters than that of the axis, over those of the model. A case takes every name and unit of
+        its file: ``{"backlash": "90 um"}``.
+    direction : Direction or {"cold", "up", "down"}
+        Cold: every point from the same start. Up and down: the first point from there, every other from the
+        attractor of the point before it, in ascending or descending order.
+    start : array_like of shape (n,), optional
+        State at phase zero; the model's cold start without.
+    settings : Settings, optional
+        How every attractor is looked for.
+    execution : Execution, optional
+        Who does the work, who is told and who may stop it: results are the same bytes. A study that is
+        stopped, by Ctrl-C or otherwise, returns what it has by then, marked as incomplete.
+
+    Returns
+    -------
+    Sweep
+        Points in the order of the axis, which is told by short name in dimensionless values. A point that
+        fails has a status and a message that say so.
+
+    Raises
+    ------
+    GearlashError
+        For names, values and starts that do not fit.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> found = gl.sweep(case, gl.Axis.even("omega", 0.7, 0.9, 3), direction="up")
+    >>> [str(point.label) for point in found.points]
+    ['1-0-0', '1-0-0', '1-1-0']
     """
     return sweeps(
         model,
@@ -62,8 +94,45 @@ def sweeps(
     settings: Settings | None = None,
     execution: Execution | None = None,
 ) -> tuple[Sweep, ...]:
-    """Sweeps in several directions at once, in that order; see `sweep`. What one start does not find another
-    may: where they differ, attractors coexist (`coexisting`).
+    """Sweeps in several directions at once.
+
+    What one direction does not find another may: where they differ, attractors coexist (`coexisting`).
+
+    Parameters
+    ----------
+    model : Case or Family
+    axis : Axis
+        The parameter and its values, as for `sweep`.
+    directions : sequence of Direction or str
+        Out of ``"cold"``, ``"up"`` and ``"down"``, each once.
+    values : mapping of str to float or str, optional
+        Other parameters than that of the axis, over those of the model. A case takes every name and unit of
+        its file: ``{"backlash": "90 um"}``.
+    start : array_like of shape (n,), optional
+        State at phase zero of cold points, and of the first point of the others; the cold start without.
+    settings : Settings, optional
+        How every attractor is looked for.
+    execution : Execution, optional
+        Who does the work, who is told and who may stop it: results are the same bytes. A study that is
+        stopped, by Ctrl-C or otherwise, returns what it has by then, marked as incomplete.
+
+    Returns
+    -------
+    tuple of Sweep
+        In the order of the directions.
+
+    Raises
+    ------
+    GearlashError
+        For names, values and starts that do not fit.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> up, down = gl.sweeps(case, gl.Axis.even("omega", 0.7, 0.9, 3), ["up", "down"])
+    >>> [str(a.label) for a in up.points], [str(b.label) for b in down.points]
+    (['1-0-0', '1-0-0', '1-1-0'], ['1-0-0', '1-1-0', '1-1-0'])
     """
     source = Source.of(model)
     family = source.family()

@@ -21,7 +21,31 @@ LONGEST_VALUES = 300  # characters of parameter values in an error text
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number that may be varied, with its default and the closed range it must lie in."""
+    """A number of a family that may be varied.
+
+    Parameters
+    ----------
+    name : str
+        One line of text.
+    default : float
+        Within the range.
+    description : str
+    lower : float
+        Least value, which may be -inf.
+    upper : float
+        Largest value, which may be inf.
+
+    Raises
+    ------
+    GearlashError
+        For an empty range, or a default outside it.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.Parameter("gap", 0.5, "half of the clearance", lower=0.0).default
+    0.5
+    """
 
     name: str
     default: float
@@ -45,12 +69,40 @@ class Parameter:
 
 @dataclass(frozen=True, repr=False)
 class Family(Record):
-    """Parameter names and defaults, state names, and how to build one system from a complete mapping.
+    """Systems that differ in parameters: names, defaults, and how to build one of them.
 
-    ``build`` gets a value for every name and returns plain arrays in a `System`; ``cold_start`` gets the same
-    and returns the state (n,) from which a motion starts where no other is given. Whatever they raise for
-    some values becomes a `BuildError`, which fails that point of a study. Nothing above reads a case file
-    again for another point of the same family."""
+    Studies take a family where they take a case. Where worker processes are to build it, ``build`` and
+    ``cold_start`` must be functions of a module; see `open_workers`.
+
+    Parameters
+    ----------
+    parameters : sequence of Parameter
+    states : sequence of str
+        Names of the n states, each once.
+    build : callable
+        Gets a mapping with a value for every parameter and returns a `System` of n states. What it raises for
+        some values becomes a `BuildError`, which fails that point of a study.
+    cold_start : callable
+        Gets the same mapping and returns the state (n,) at phase zero from which a motion starts where no
+        other is given.
+
+    Raises
+    ------
+    GearlashError
+        For what is none of these.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> def build(p):
+    ...     stop = gl.Clearance([1.0, 0.0], [0.0, -1.0], p["gap"], 100.0, 8.0, 0.0, name="stop")
+    ...     forcing = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+    ...     return gl.System(p["omega"], [[0.0, 1.0], [-1.0, -0.1]], forcing, (stop,))
+    >>> parameters = gl.Parameter("omega", 0.8), gl.Parameter("gap", 0.5)
+    >>> family = gl.Family(parameters, ("x", "v"), build, cold_start=lambda p: [0.0, 0.0])
+    >>> gl.attractor(family.system({"gap": 0.2}), family.start()).label
+    '1-1-0'
+    """
 
     parameters: tuple[Parameter, ...]
     states: tuple[str, ...]
@@ -69,23 +121,57 @@ class Family(Record):
 
     @property
     def defaults(self) -> dict[str, float]:
+        """The default of every parameter, by name."""
         return {p.name: p.default for p in self.parameters}
 
-    def complete(self, overrides: Mapping[str, float] | None = None) -> dict[str, float]:
-        """Defaults with overrides. Raises `UnknownNameError`, or `GearlashError` for a value out of range."""
-        values = self.defaults
-        by_name = {p.name: p for p in self.parameters}
-        for name, value in given.mapping("parameter values", overrides).items():
-            parameter = by_name[given.known("parameter", name, by_name)]
-            values[name] = given.number(name, value, parameter.lower, parameter.upper)
-        return values
+    def complete(self, values: Mapping[str, float] | None = None) -> dict[str, float]:
+        """A value for every parameter: the given ones, and defaults for the others.
 
-    def system(self, overrides: Mapping[str, float] | None = None) -> System:
-        """The member of the family with these overrides. Raises `BuildError` where it cannot be built."""
-        values = self.complete(overrides)
-        built = _called("build", self.build, values)
+        Parameters
+        ----------
+        values : mapping of str to float, optional
+
+        Returns
+        -------
+        dict of str to float
+
+        Raises
+        ------
+        GearlashError
+            For a name that is no parameter, and for a value out of its range.
+        """
+        found = self.defaults
+        by_name = {p.name: p for p in self.parameters}
+        for name, value in given.mapping("parameter values", values).items():
+            parameter = by_name[given.known("parameter", name, by_name)]
+            found[name] = given.number(name, value, parameter.lower, parameter.upper)
+        return found
+
+    def system(self, values: Mapping[str, float] | None = None) -> System:
+        """The member of the family with these values.
+
+        Parameters
+        ----------
+        values : mapping of str to float, optional
+            Defaults stand for those that are left out.
+
+        Returns
+        -------
+        System
+
+        Raises
+        ------
+        BuildError
+            Where it cannot be built.
+        GearlashError
+            For names and values that do not fit.
+        """
+        complete = self.complete(values)
+        built = _called("build", self.build, complete)
         if not isinstance(built, System):
-            raise BuildError(f"build returned {given.kind_of(built)} instead of a System, at {_told(values)}")
+            raise BuildError(
+                f"build returned {given.kind_of(built)} instead of a System, at {_told(complete)}"
+            )
         if built.size != len(self.states):
             raise BuildError(
                 f"build returned a system of {built.size} states, but the family names {len(self.states)}: "
@@ -93,10 +179,28 @@ class Family(Record):
             )
         return built
 
-    def start(self, overrides: Mapping[str, float] | None = None) -> NDArray[np.float64]:
-        """The cold start of that member, shape (n,). Raises `BuildError` where there is none."""
-        values = self.complete(overrides)
-        return given.numbers("the start", _called("cold_start", self.cold_start, values), (len(self.states),))
+    def start(self, values: Mapping[str, float] | None = None) -> NDArray[np.float64]:
+        """The cold start of the member with these values.
+
+        Parameters
+        ----------
+        values : mapping of str to float, optional
+            Defaults stand for those that are left out.
+
+        Returns
+        -------
+        ndarray of shape (n,)
+            The state at phase zero.
+
+        Raises
+        ------
+        BuildError
+            Where there is none.
+        GearlashError
+            For names and values that do not fit.
+        """
+        found = _called("cold_start", self.cold_start, self.complete(values))
+        return given.numbers("the start", found, (len(self.states),))
 
 
 def _called(name: str, function: Callable[[Mapping[str, float]], Any], values: dict[str, float]) -> Any:

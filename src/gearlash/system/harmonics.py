@@ -21,8 +21,32 @@ def constant(value: float) -> Fourier:
 
 
 def cosines(mean: float, amplitudes: ArrayLike, phases: ArrayLike | None = None) -> Fourier:
-    """``mean + Σ amplitude_n cos(nθ + phase_n)``, phases in rad (default 0). Raises `GearlashError` for other
-    than finite numbers, and for phases that are not as many as amplitudes."""
+    """The Fourier series of ``mean + Σ amplitude_n cos(nθ + phase_n)``.
+
+    Parameters
+    ----------
+    mean : float
+    amplitudes : array_like of shape (H,)
+        Of the first H harmonics; one number alone is that of the first.
+    phases : array_like of shape (H,), optional
+        In rad; 0 without.
+
+    Returns
+    -------
+    ndarray of shape (2H+1,)
+        ``[mean, c1, s1, c2, s2, ...]``, as `Clearance` and `System` take it.
+
+    Raises
+    ------
+    GearlashError
+        For other than finite numbers, and for phases that are not as many as amplitudes.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.cosines(1.0, [0.5]).tolist()
+    [1.0, 0.5, -0.0]
+    """
     heights = given.row("amplitudes", amplitudes)
     angles = np.zeros(len(heights)) if phases is None else given.row("phases", phases)
     if len(angles) != len(heights):

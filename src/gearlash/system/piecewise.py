@@ -30,23 +30,59 @@ class ContactRule(Named):
     """When the contact damping acts: in the gap too, in contact only, or never pulling."""
 
     ALWAYS = "always"
+    """Damping acts in contact and in the gap."""
     IN_CONTACT = "in-contact"
+    """Damping acts in contact only."""
     NO_TENSION = "no-tension"
+    """As in contact only, but contact ends where the force falls to zero: the sides never pull."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Clearance(Record):
     """One gap with its two sides.
 
-    ``h`` (n,) reads the gap coordinate X = h·z - offset(θ); ``g`` (n,) is how the contact force Φ enters the
-    state equations. Contact is X > ``gap_plus`` (side +) and X < -``gap_minus`` (side -). Stiffness and
-    offset are Fourier arrays over the base period. ``damping`` is that of both sides, unless
-    ``damping_minus`` gives side - its own (not with the rule `always`, under which it acts in the gap too).
-
     A side acts if its own stiffness, or the damping stated for it, is not zero (`stops`). A damping in common
     is not inherited by a side without stiffness from one that has some: that side is no stop at all. Where
     neither has stiffness it is stated for both. Under the rule `always` damping belongs to no side, and
-    stiffness alone decides."""
+    stiffness alone decides.
+
+    Parameters
+    ----------
+    h : array_like of shape (n,)
+        Reads the gap coordinate X = h·z - offset(θ). Its largest number is from 1e-100 to 1e100.
+    g : array_like of shape (n,)
+        How the contact force Φ enters the state equations; sizes as those of ``h``.
+    gap_plus : float
+        D⁺: side + is in contact where X > D⁺.
+    gap_minus : float
+        D⁻: side - is in contact where X < -D⁻; D⁺ + D⁻ is 0 or more.
+    stiffness_plus : float or array_like of odd length
+        Of side +, as a Fourier series ``[mean, c1, s1, ...]`` of θ over the base period.
+    stiffness_minus : float or array_like of odd length
+        Of side -.
+    damping : float
+        ζ of both sides: Φ holds ζ X'.
+    offset : float or array_like of odd length
+        Fourier series that is taken from h·z.
+    contact : ContactRule or str
+        When the damping acts.
+    name : str
+        Told in results; different for every clearance of a system.
+    damping_minus : float, optional
+        ζ of side -, where it has its own; not with the rule `always`.
+
+    Raises
+    ------
+    GearlashError
+        For arguments that are no such numbers.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> stop = gl.Clearance([1.0, 0.0], [0.0, -1.0], 0.5, 100.0, 8.0, 0.0, contact="in-contact", name="stop")
+    >>> stop.stops(1), stop.stops(-1)
+    (True, False)
+    """
 
     h: Vector
     g: Vector
@@ -78,7 +114,17 @@ class Clearance(Record):
         return self.damping, self.damping if self.damping_minus is None else self.damping_minus
 
     def stops(self, boundary: int) -> bool:
-        """Does anything act behind a boundary (+1, -1)? Stiffness of that side, or damping stated for it."""
+        """Whether anything acts behind a boundary: stiffness of that side, or damping stated for it.
+
+        Parameters
+        ----------
+        boundary : {1, -1}
+            Side + or side -.
+
+        Returns
+        -------
+        bool
+        """
         own, other = self.stiffness_plus, self.stiffness_minus
         if boundary < 0:
             own, other = other, own
@@ -92,12 +138,40 @@ class Clearance(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class System(Record):
-    """A member of the class with all numbers fixed.
+    """A periodically forced, piecewise-linear system with clearances, all numbers fixed.
 
-    ``omega`` is dθ/dτ, 2π of θ being one mesh cycle; ``matrix`` (n, n) is M without any Φ; ``forcing`` (n,
-    2H+1) holds a Fourier series per state. What is handed over is copied into plain arrays that nothing
-    changes any more. Raises `GearlashError` when it is no such number, shapes disagree, ω ≤ 0, the gap has
-    negative width, or h·g ≠ 0 (the contact force would act on the gap's velocity directly)."""
+    z' = M z + b(θ) + Σ_j g_j Φ_j with θ = ω τ, Φ_j the contact force of clearance j. What is handed over is
+    copied into plain arrays that nothing changes any more.
+
+    Parameters
+    ----------
+    omega : float
+        ω = dθ/dτ, above 0; 2π of θ are one mesh cycle.
+    matrix : array_like of shape (n, n)
+        M, without any contact.
+    forcing : array_like of shape (n, 2H+1)
+        b: a Fourier series ``[mean, c1, s1, ...]`` of θ for every state, over the base period.
+    clearances : tuple of Clearance
+        One to eight for the engine; their h and g have n numbers, and h_j·g_k = 0 for all pairs.
+    cycles : int
+        Mesh cycles of the base period, after which everything repeats; 1 or more.
+
+    Raises
+    ------
+    GearlashError
+        For what is no such number, shapes that disagree, ω ≤ 0, a gap of negative width, or h·g ≠ 0 (the
+        contact force would act on the velocity of a gap directly).
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> stop = gl.Clearance([1.0, 0.0], [0.0, -1.0], 0.5, 100.0, 8.0, 0.0, name="stop")
+    >>> matrix = [[0.0, 1.0], [-1.0, -0.1]]
+    >>> forcing = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]]  # cos θ drives the velocity
+    >>> system = gl.System(0.8, matrix, forcing, (stop,))
+    >>> system.size, round(system.period, 4)
+    (2, 7.854)
+    """
 
     omega: float
     matrix: NDArray[np.float64]
@@ -121,6 +195,7 @@ class System(Record):
 
     @property
     def size(self) -> int:
+        """Number of states n."""
         return self.matrix.shape[0]
 
     @property

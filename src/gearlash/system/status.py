@@ -13,8 +13,11 @@ LONGEST_NAME = 200  # beyond it no nearest name is looked for
 
 
 class GearlashError(Exception):
-    """Any error that gearlash raises on purpose; its text says what to change. It pickles, whatever a
-    subclass wants for its making: workers send errors home."""
+    """Any error that gearlash raises on purpose; its text says what to change.
+
+    It pickles, whatever arguments a subclass is made from: workers send errors to the process that started
+    them.
+    """
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...]]:
         return _made, (type(self), self.args, dict(self.__dict__))
@@ -65,7 +68,7 @@ else:
 
 
 class Status(Named):
-    """Outcome of a computation. Only ``OK`` is a result to rely on without reading on."""
+    """Outcome of a computation; only ``OK`` is a result to rely on without reading on."""
 
     OK = "ok"
     UNCERTAIN = "uncertain"
@@ -85,6 +88,7 @@ class Status(Named):
 
     @property
     def ok(self) -> bool:
+        """Whether it is ``OK``."""
         return self is Status.OK
 
 
