@@ -10,24 +10,22 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches import GrazingPoint, locate_grazing
+from gearlash.branches import GrazingPoint, Passage, follow
 from gearlash.case import Case
-from gearlash.orbits import grazing_checks, orbit_at
-from gearlash.results import Axis, Direction
+from gearlash.orbits import orbit_at
+from gearlash.results import Axis, Direction, Point
 from gearlash.studies.point import point
 from gearlash.studies.sweep import sweep
 from gearlash.studies.transitions import GRAZING, transitions
-from gearlash.system import ContactRule, Family, GearlashError, Status
+from gearlash.system import ContactRule, Family
 
 from .reproduction import RuleEffect, RuleLabel, Touch
 from .rows import SETTINGS
 
 MULTIBODY_SPEEDS = (0.942, 1.047)  # ω of the article's multibody runs
-STEP = 0.01  # of ω, along which the impact-free orbit is followed to its ends
-MOST_STEPS = 60
+REACH = 0.6  # of ω: how far the impact-free orbit is followed to its ends
 OPTION = "model.contact"
 
 
@@ -61,7 +59,7 @@ def effect(
     ends = (None, None)
     if quiet is not None:
         values = family.complete({"D": fixed["D"]})
-        ends = tuple(_end(family, values, quiet.value, quiet.state, side) for side in (-1, 1))
+        ends = tuple(_end(family, values, quiet, quiet.value + way) for way in (-REACH, REACH))
     along = {"omega": fixed["omega"]}
     down = sweep(
         case, Axis("D", np.array(sorted(backlash))), values=along, direction=Direction.DOWN, settings=SETTINGS
@@ -86,28 +84,16 @@ def _label(name: str, p) -> RuleLabel:
     return RuleLabel(name, p.value, p.label or p.status, len(p.back_phase) > 0, p.certificate)
 
 
-def _end(
-    family: Family, values: Mapping[str, float], omega: float, state: NDArray[np.float64], side: int
-) -> Touch | None:
-    """The grazing at one end of the interval in ω in which the impact-free orbit through ``state`` exists."""
-    last = None
-    for i in range(MOST_STEPS):
-        at = omega + side * i * STEP
-        props = flow.propagators(family.system({**values, "omega": at}))
-        orbit = orbit_at(props, state, 1)
-        if orbit is None or not orbit.status.ok or orbit.signature.impacts:
-            break
-        last, state = (at, orbit), orbit.state
-    if last is None:
+def _end(family: Family, values: Mapping[str, float], quiet: Point, to: float) -> Touch | None:
+    """The grazing at the end, on the way to a frequency, of the interval in which an impact-free orbit
+    exists."""
+    member = {**values, "omega": quiet.value}
+    orbit = orbit_at(flow.propagators(family.system(member)), quiet.state, len(quiet.strobes))
+    if orbit is None:
         return None
-    at, orbit = last
-    for check in grazing_checks(orbit)[:2]:
-        try:
-            point = locate_grazing(family, {**values, "omega": at}, "omega", orbit, check)
-        except (GearlashError, np.linalg.LinAlgError):
-            continue
-        if point.status is Status.OK:
-            return _touch(point)
+    for met in follow(family, member, "omega", orbit, to):
+        if isinstance(met, Passage) and isinstance(met.point, GrazingPoint):
+            return _touch(met.point)
     return None
 
 

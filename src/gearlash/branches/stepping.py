@@ -25,6 +25,7 @@ LONG = 0.2  # the same where there is one
 ROUNDING = 1e-7  # of the ranges: below it no direction is told
 TOUCHING = 1e-7  # of the scale: width of a step below which an extremum that only comes near has not crossed
 BORN = 1e-5  # the same for extrema that are born or end near a boundary
+GRID_STEP = 0.1  # of the motion's size: longest step on a coarse grid that needs no transient
 NEWTON = 10  # iterations: from so near a few do
 
 Earlier = tuple[Node, ...]
@@ -116,6 +117,14 @@ class Line:
         if width > BORN * self.scale and any(abs(check.distance) <= near for check in pair.unmatched):
             return Refusal.TOUCHED
         return None
+
+
+def is_near(before: Array, after: Array, size: float) -> bool:
+    """Whether an orbit that Newton's method found from that of a neighbour on a coarse grid is taken for what
+    the neighbour's motion comes to, without a transient that confirms it. ``before`` and ``after`` (n,) are
+    their states, ``size`` that of the motion. Contacts may have changed between the two: a sweep asks for the
+    attractor that is reached, not for one branch, which `Line.judged` tells."""
+    return bool(np.abs(after - before).max() <= GRID_STEP * size)
 
 
 def rates(earlier: Earlier, node: Node) -> dict[GrazingCheck, float]:

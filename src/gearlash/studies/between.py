@@ -19,11 +19,11 @@ from gearlash.results import Point
 from gearlash.system import ContactRule, Family, GearlashError, System
 
 from .model import Source
-from .row import Trail, onward, step
+from .row import Neighbour, continued, neighbour_after
 from .zone import Quiet
 
 HALVINGS = 20  # of a step in which the side of contact changes without an impact being seen
-NOTHING = Trail(None, None)
+NO_NEIGHBOUR = Neighbour(None, None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,7 +122,13 @@ class _Walk:
 
     def at(self, value: float, start: Point) -> Point:
         values = self.family.complete({**self.fixed, self.stretch.name: value})
-        return step(self.family, values, self.stretch.name, onward(NOTHING, start), self.stretch.settings)
+        return continued(
+            self.family,
+            values,
+            self.stretch.name,
+            neighbour_after(NO_NEIGHBOUR, start),
+            self.stretch.settings,
+        )
 
     def quiet(self, point: Point) -> bool:
         return self.stretch.quiet.holds(point)

@@ -22,7 +22,7 @@ from gearlash.system import Family, GearlashError
 
 from .model import Source
 from .point import summary
-from .row import Trail, onward, step
+from .row import Neighbour, continued, neighbour_after
 from .transitions import kind_of_end, unlocated
 from .zone import BASIN, End, Quiet
 
@@ -142,7 +142,7 @@ class _Search:
         value = change.value + np.sign(last - change.value) * ROUGH * max(abs(change.value), 1e-3)
         if min(change.value, value) < far.value <= max(change.value, value):
             return far
-        return self.step(float(value), onward(Trail(self.bracket.start, None), change.before))
+        return self.step(float(value), neighbour_after(Neighbour(self.bracket.start, None), change.before))
 
     def told(self, change: _Change, after: str, beyond: Point | None = None) -> End:
         """The end at a change of the orbit that the sweep follows; ``after``: the label beyond."""
@@ -200,18 +200,20 @@ class _Search:
 
     def found(self, value: float, below: Point, above: Point) -> Point:
         """What a sweep of this direction finds between two points, coming from its side."""
-        trail = Trail(self.bracket.start, None)
+        neighbour = Neighbour(self.bracket.start, None)
         if not self.bracket.cold:
-            trail = onward(trail, above if self.bracket.direction is Direction.DOWN else below)
-        return self.step(value, trail)
+            neighbour = neighbour_after(
+                neighbour, above if self.bracket.direction is Direction.DOWN else below
+            )
+        return self.step(value, neighbour)
 
-    def step(self, value: float, trail: Trail) -> Point:
-        return step(self.family, self.at(value), self.bracket.name, trail, self.bracket.settings)
+    def step(self, value: float, neighbour: Neighbour) -> Point:
+        return continued(self.family, self.at(value), self.bracket.name, neighbour, self.bracket.settings)
 
     def unsolved(self, inside: Point, outside: Point) -> str:
         """What to call a change that no point was solved for."""
         if self.bracket.cold:
-            followed = self.step(outside.value, onward(Trail(None, None), inside))
+            followed = self.step(outside.value, neighbour_after(Neighbour(None, None), inside))
             if self.quiet(followed):
                 return BASIN
         return unlocated(inside, outside)

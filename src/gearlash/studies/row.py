@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearlash.branches.stepping import is_near
 from gearlash.flow import Propagators
 from gearlash.jobs import Part, handing_on, stopping
 from gearlash.orbits import Settings
@@ -16,10 +17,6 @@ from gearlash.system import Family
 
 from .model import Source
 from .point import evaluate
-
-JUMP = (
-    0.1  # of the motion's size: an orbit that lies farther from its neighbour's is confirmed by a transient
-)
 
 
 @dataclass(frozen=True)
@@ -35,16 +32,16 @@ class Segment:
 
 
 @dataclass(frozen=True, eq=False)
-class Trail:
-    """Where a followed attractor was last: a state (n,) at phase zero (None: cold), and the point it belongs
-    to.
+class Neighbour:
+    """Where a followed attractor was last: a state (n,) at phase zero (None: the cold start), and the point
+    that it belongs to.
     """
 
     state: NDArray[np.float64] | None
     point: Point | None
 
 
-class _Bench(threading.local):
+class _Latest(threading.local):
     """What this thread computed last: where frequency, stiffness and damping stay, its propagators are used
     again.
     """
@@ -52,48 +49,51 @@ class _Bench(threading.local):
     propagators: Propagators | None = None
 
 
-_bench = _Bench()
+_latest = _Latest()
 
 
-def work(segment: Segment, trail: Trail) -> Part:
-    """The points of a segment, as far as they go before a stop, and the trail for the next one."""
+def work(segment: Segment, neighbour: Neighbour) -> Part:
+    """The points of a segment, as far as they go before a stop, and the neighbour of the next one."""
     family, found = segment.source.family(), []
-    with handing_on(lambda: Part(tuple(found), trail)):
+    with handing_on(lambda: Part(tuple(found), neighbour)):
         for value in segment.values:
             if stopping():
                 break
             values = {**dict(segment.fixed), segment.name: value}
             if segment.follow:
-                point = step(family, values, segment.name, trail, segment.settings)
-                trail = onward(trail, point)
+                point = continued(family, values, segment.name, neighbour, segment.settings)
+                neighbour = neighbour_after(neighbour, point)
             else:
-                point = _at(family, values, segment.name, trail.state, None, segment.settings)
+                point = _at(family, values, segment.name, neighbour.state, None, segment.settings)
             found.append(point)
-    return Part(tuple(found), trail)
+    return Part(tuple(found), neighbour)
 
 
-def step(family: Family, values: dict[str, float], name: str, trail: Trail, settings: Settings) -> Point:
+def continued(
+    family: Family, values: dict[str, float], name: str, neighbour: Neighbour, settings: Settings
+) -> Point:
     """The attractor at ``values``, followed from a neighbour: its orbit is tried first, and where that fails,
     or leads somewhere else, the motion itself runs on from the neighbour's state.
     """
-    last = trail.point
+    last = neighbour.point
     if last is None or not last.periodic:
-        return _at(family, values, name, trail.state, None, settings)
-    point = _at(family, values, name, trail.state, (last.state, len(last.strobes)), settings)
-    if point.periodic and _jumped(last, point):
-        return _at(family, values, name, trail.state, None, settings)
+        return _at(family, values, name, neighbour.state, None, settings)
+    point = _at(family, values, name, neighbour.state, (last.state, len(last.strobes)), settings)
+    size = max(last.maximum - last.minimum, point.maximum - point.minimum, 1e-3)
+    if point.periodic and not is_near(last.state, point.state, size):
+        return _at(family, values, name, neighbour.state, None, settings)
     return point
 
 
-def onward(trail: Trail, point: Point) -> Trail:
-    """The trail after a point: one that failed or ran away leaves it where it was."""
+def neighbour_after(neighbour: Neighbour, point: Point) -> Neighbour:
+    """The neighbour of what follows a point: one that failed or ran away leaves it as it was."""
     usable = (
         point.computed
         and len(point.state) > 0
         and bool(np.isfinite(point.state).all())
         and len(point.strobes) > 0
     )
-    return Trail(point.state, point) if usable else trail
+    return Neighbour(point.state, point) if usable else neighbour
 
 
 def _at(
@@ -104,11 +104,5 @@ def _at(
     trial: tuple[NDArray[np.float64], int] | None,
     settings: Settings,
 ) -> Point:
-    point, _bench.propagators = evaluate(family, values, name, start, trial, settings, _bench.propagators)
+    point, _latest.propagators = evaluate(family, values, name, start, trial, settings, _latest.propagators)
     return point
-
-
-def _jumped(last: Point, point: Point) -> bool:
-    """Whether Newton's method left the neighbourhood of the orbit it was given."""
-    size = max(last.maximum - last.minimum, point.maximum - point.minimum, 1e-3)
-    return bool(np.abs(point.state - last.state).max() > JUMP * size)

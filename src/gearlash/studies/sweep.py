@@ -16,7 +16,7 @@ from gearlash.system import given
 from .arguments import checked_execution, checked_settings, checked_start, checked_values
 from .model import Model, Source
 from .named import plain_axis
-from .row import Segment, Trail, work
+from .row import Neighbour, Segment, work
 
 SHOWN = 5_000  # points of which, done by one process, each is a task, so that progress shows it
 CHUNK = 8  # points a task: some ten milliseconds of work for a fraction of one of talk
@@ -170,7 +170,7 @@ def _chains(way: Direction, axis: Axis, size: int, form: Segment, begin: np.ndar
     parts = [tuple(map(float, values[i : i + size])) for i in range(0, len(values), size)]
     tasks = [replace(form, follow=way is not Direction.COLD, values=part) for part in parts]
     sizes = [len(part) for part in parts]
-    first = Trail(begin, None)
+    first = Neighbour(begin, None)
     if way is not Direction.COLD:
         return [Chain(way, tuple(tasks), tuple(sizes), first)]
     return [
