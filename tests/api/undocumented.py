@@ -12,18 +12,6 @@ UNDOCUMENTED: dict[str, set[str]] = {
         "locate_grazing",
         "locate_multiplier",
     },
-    "case": {
-        "Case",
-        "CaseContent",
-        "CaseKind",
-        "Entry",
-        "Excitation",
-        "Note",
-        "Problem",
-        "Scales",
-        "Value",
-        "register_kind",
-    },
     "flow": {
         "Carried",
         "Events",
@@ -39,11 +27,6 @@ UNDOCUMENTED: dict[str, set[str]] = {
         "propagators",
         "trace",
         "variational",
-    },
-    "gears": {
-        "gears.HelicalPair",
-        "gears.LineOfAction",
-        "gears.ToothGeometry",
     },
     "orbits": {
         "Aperiodic",

@@ -17,8 +17,8 @@ from hypothesis import strategies as st
 
 from case.corpus import BAD_FILES, HELICAL, SPUR
 from gearlash.case import Case, CaseError, bundled, load, loads
-from gearlash.case.case import from_tables
 from gearlash.case.kinds import kind_named, kinds
+from gearlash.case.loading import from_tables
 from gearlash.case.read import source_text
 from gearlash.cli.inputs import read_case, read_near, read_over, read_start
 from gearlash.system import GearlashError

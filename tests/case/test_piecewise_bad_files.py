@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from case.piecewise_texts import TEXT
 from case.test_bad_files import problems_of
 from gearlash.case import Case, CaseError, loads
-from gearlash.case.case import from_tables
 from gearlash.case.kinds.piecewise.file import CLEARANCE_KEYS, PARAMETER_KEYS, TOP
+from gearlash.case.loading import from_tables
 from gearlash.case.read import parse
 
 STOP, WALL = (f"clearance.{name}.stiffness_plus" for name in ("stop", "wall"))

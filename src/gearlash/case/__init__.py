@@ -4,9 +4,10 @@ case = load("article", {"pinion_speed": "3600 rpm"})
 family, scales = case.family()
 """
 
-from .case import Case, load, loads
+from .case import Case
 from .entries import Entry
 from .errors import CaseError, Problem
+from .loading import load, loads
 from .note import Note
 from .read import bundled
 from .scales import Scales

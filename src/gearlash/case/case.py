@@ -9,7 +9,6 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from gearlash.system import Family, GearlashError, Record, given
@@ -17,12 +16,10 @@ from gearlash.system.told import cut
 
 from .entries import Entry
 from .errors import CaseError
-from .kinds import Content, Draft, Excitation, Kind, kind_named, kind_of
+from .kinds import Content, Draft, Excitation, kind_named
 from .note import Note
-from .read import parse, source_text
 from .scales import Scales
 from .stated import Provenance
-from .texts import name_of_file
 from .value import Value
 
 if TYPE_CHECKING:
@@ -133,7 +130,7 @@ class Case(Record):
         1.5
         """
         content, problems = self.content.override(given.mapping("overrides", overrides))
-        return replace(self, entries=_checked(Draft(content, problems), self.name).entries)
+        return replace(self, entries=checked(Draft(content, problems), self.name).entries)
 
     def resolve(self, name: str, value: str | float) -> tuple[str, float]:
         """The parameter of the family that a name and a value mean.
@@ -169,8 +166,20 @@ class Case(Record):
         return self.content.resolve(self.name, given.a_text("name of a parameter", name), value)
 
     def named(self, name: str, value: object) -> str:
-        """The name of the quantity that a name and a value mean together: ``("error", "6 um")`` is
-        mesh.error; any other name stays as it is."""
+        """The quantity that a name and a value mean together.
+
+        Parameters
+        ----------
+        name : str
+            Path or short name.
+        value : object
+            A text with its unit, or a number.
+
+        Returns
+        -------
+        str
+            ``mesh.error`` for ``("error", "6 um")``, as the unit says; any other name stays as it is.
+        """
         return self.content.named(name, value)
 
     def physical(self, short: str, value: ArrayLike) -> list[tuple[str, NDArray[np.float64], str]]:
@@ -200,12 +209,24 @@ class Case(Record):
         return self.content.physical(short, value)
 
     def values(self) -> list[Value]:
-        """Every value with unit, provenance and reason: stated ones, defaults, then derived numbers."""
+        """Every value with unit, provenance and reason.
+
+        Returns
+        -------
+        list of Value
+            Stated ones, defaults that took effect, then derived numbers.
+        """
         return self.content.values()
 
     def notes(self) -> list[Note]:
-        """Conflicts between stated values and what is known otherwise, and how sides without stiffness are
-        read; shown, never used."""
+        """Remarks on single values, which are shown and never used.
+
+        Returns
+        -------
+        list of Note
+            Conflicts between stated values and what is known otherwise, and how sides without stiffness are
+            read.
+        """
         return self.content.notes()
 
     @property
@@ -222,8 +243,13 @@ class Case(Record):
         return hash(self.hash)
 
     def to_json(self) -> str:
-        """The case as JSON text for another process; `from_json` gives an equal case with an identical
-        family."""
+        """The case as JSON text, for another process.
+
+        Returns
+        -------
+        str
+            Of which `from_json` makes an equal case with an identical family.
+        """
         entries = [
             {
                 "key": e.key,
@@ -243,7 +269,21 @@ class Case(Record):
 
     @classmethod
     def from_json(cls, text: str) -> Case:
-        """The case that `to_json` wrote. Raises `GearlashError` for anything else."""
+        """The case that `to_json` wrote.
+
+        Parameters
+        ----------
+        text : str
+
+        Returns
+        -------
+        Case
+
+        Raises
+        ------
+        GearlashError
+            For any other text, or a kind of case that is not known in this process.
+        """
         try:
             data = json.loads(text)
             if data["format"] != FORMAT:
@@ -260,106 +300,7 @@ class Case(Record):
             raise GearlashError(f"not the JSON of a case: {cut(repr(error), 300)}") from None
 
 
-def load(path_or_name: str | Path, overrides: Mapping[str, object] | None = None) -> Case:
-    """The case in a file, or the bundled case of that name.
-
-    Parameters
-    ----------
-    path_or_name : str or Path
-        A file in TOML, or one of `bundled()`, which wins over a file of that name.
-    overrides : mapping, optional
-        Values that replace those of the file, by path or short name: texts with their unit (``"120 um"``),
-        or numbers for what has no unit.
-
-    Returns
-    -------
-    Case
-
-    Raises
-    ------
-    CaseError
-        With every problem of the file and of the overrides at once.
-
-    Examples
-    --------
-    >>> import gearlash as gl
-    >>> gl.load_case("kahraman-singh").kind
-    'spur-1dof'
-    >>> gl.load_case("article", {"backlash": "100"})
-    Traceback (most recent call last):
-        ...
-    gearlash.case.errors.CaseError: article: 1 problem
-      backlash = '100': expected a length with its unit, such as "100 um"
-    """
-    label, text = source_text(path_or_name)
-    return loads(text, overrides, label=label)
-
-
-def loads(text: str, overrides: Mapping[str, object] | None = None, label: str = "case") -> Case:
-    """The case in a text.
-
-    Parameters
-    ----------
-    text : str
-        TOML, as in a file.
-    overrides : mapping, optional
-        As of `load`.
-    label : str
-        What the text is called in problems, and where it states no name.
-
-    Returns
-    -------
-    Case
-
-    Raises
-    ------
-    CaseError
-        With every problem of the text and of the overrides at once.
-
-    Examples
-    --------
-    >>> from gearlash.case import loads
-    >>> case = loads('''
-    ... kind = "spur-1dof"
-    ... [dimensionless]
-    ... omega = 0.7
-    ... D = 1
-    ... load = 0.2
-    ... error = 0.05
-    ... mesh_damping = 0.05
-    ... ''')
-    >>> case.kind, case.family()[0].defaults["omega"]
-    ('spur-1dof', 0.7)
-    """
-    text, label = given.a_text("text of a case", text), given.a_text("label", label)
-    return from_tables(parse(label, text), overrides, label)
-
-
-def from_tables(
-    raw: Mapping[str, object], overrides: Mapping[str, object] | None = None, label: str = "case"
-) -> Case:
-    """The case in the tables of a parsed file; see `load`."""
-    from .head import KEYS, read_head  # late: a worker that reads case JSON never needs pydantic
-
-    overrides = given.mapping("overrides", overrides)
-    kind, problems = kind_of(raw)
-    if kind is None:
-        raise CaseError(label, problems)
-    head, wrong = read_head(raw, kind.places)
-    draft = kind.read({key: value for key, value in raw.items() if key not in KEYS})
-    meant = frozenset(p.nearest for p in wrong if p.nearest)  # stated in [source] instead
-    content, refused = draft.content.override(overrides)
-    problems = [*problems, *wrong, *draft.problems, *refused]
-    content = _checked(Draft(content, problems, draft.present | meant), label)
-    return _of(kind, head, label, content)
-
-
-def _of(kind: Kind, head: Mapping[str, Any], label: str, content: Content) -> Case:
-    name = head["name"] or name_of_file(Path(label).stem)
-    return Case(name, kind.name, head["description"], head["source"], content.entries, content.structure)
-
-
-def _checked(draft: Draft, label: str) -> Content:
+def checked(draft: Draft, label: str) -> Content:
     """The content of a complete case without contradictions. Raises `CaseError`."""
     content = draft.content
     problems = [*draft.problems, *content.missing(draft.present)] or content.contradictions()

@@ -24,6 +24,13 @@ class Entry:
     provenance : Provenance
     reason : str
         Why this value; empty where nothing was stated.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> entry = gl.load_case("article").entries["D"]
+    >>> entry.path, entry.number, entry.text
+    ('mesh.backlash', 0.0001, '100 um')
     """
 
     key: str

@@ -30,6 +30,12 @@ class Problem:
         The valid name that looks most like the one that is there.
     missing : bool
         Whether something has to be stated and is not.
+
+    Examples
+    --------
+    >>> from gearlash.case import Problem
+    >>> print(Problem("mesh.backlach", "'100 um'", "a name that exists here", "mesh.backlash"))
+    mesh.backlach = '100 um': expected a name that exists here; did you mean 'mesh.backlash'?
     """
 
     path: str

@@ -15,6 +15,12 @@ class Note:
         Of the value, as in a file.
     text : str
         A sentence.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.load_case("article").notes()[0].path
+    'mesh.mean_stiffness'
     """
 
     path: str

@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 
 from gearlash.system import GearlashError, Record, given
 
+from .lengths import Lengths
+
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
@@ -18,7 +20,7 @@ Values: TypeAlias = NDArray[np.float64]
 
 
 @dataclass(frozen=True, repr=False)
-class Scales(Record):
+class Scales(Lengths, Record):
     """The units of a case. Every conversion takes a number or an array and returns an array of its shape.
 
     A case given in dimensionless numbers only has no units: `physical` is False, and every conversion raises
@@ -68,93 +70,215 @@ class Scales(Record):
         return self.omega_n is not None
 
     def pinion_speed(self, omega: ArrayLike) -> Values:
-        """Pinion speed in rad/s of a dimensionless mesh frequency."""
+        """Pinion speed.
+
+        Parameters
+        ----------
+        omega : array_like
+            Dimensionless mesh frequency.
+
+        Returns
+        -------
+        ndarray
+            rad/s.
+        """
         return given.reals("omega", omega) * self._speed_unit
 
     def omega_from_pinion_speed(self, speed: ArrayLike) -> Values:
-        """Dimensionless mesh frequency of a pinion speed in rad/s."""
+        """Dimensionless mesh frequency of a pinion speed.
+
+        Parameters
+        ----------
+        speed : array_like
+            rad/s.
+
+        Returns
+        -------
+        ndarray
+            Dimensionless.
+        """
         return given.reals("speed", speed) / self._speed_unit
 
     def pinion_rpm(self, omega: ArrayLike) -> Values:
-        """Pinion speed in rpm of a dimensionless mesh frequency."""
+        """Pinion speed in revolutions a minute.
+
+        Parameters
+        ----------
+        omega : array_like
+            Dimensionless mesh frequency.
+
+        Returns
+        -------
+        ndarray
+            rpm.
+        """
         return self.pinion_speed(omega) * (30.0 / pi)
 
     def omega_from_rpm(self, rpm: ArrayLike) -> Values:
-        """Dimensionless mesh frequency of a pinion speed in rpm."""
+        """Dimensionless mesh frequency of a pinion speed in revolutions a minute.
+
+        Parameters
+        ----------
+        rpm : array_like
+            rpm.
+
+        Returns
+        -------
+        ndarray
+            Dimensionless.
+        """
         return self.omega_from_pinion_speed(given.reals("rpm", rpm) / (30.0 / pi))
 
     def mesh_hz(self, omega: ArrayLike) -> Values:
-        """Mesh frequency in Hz (cycles per second) of a dimensionless one."""
+        """Mesh frequency in cycles a second.
+
+        Parameters
+        ----------
+        omega : array_like
+            Dimensionless mesh frequency.
+
+        Returns
+        -------
+        ndarray
+            Hz.
+        """
         return given.reals("omega", omega) * (self._known("omega_n") / (2.0 * pi))
 
     def omega_from_hz(self, hz: ArrayLike) -> Values:
-        """Dimensionless mesh frequency of one in Hz."""
+        """Dimensionless mesh frequency of one in cycles a second.
+
+        Parameters
+        ----------
+        hz : array_like
+            Hz.
+
+        Returns
+        -------
+        ndarray
+            Dimensionless.
+        """
         return given.reals("hz", hz) / (self._known("omega_n") / (2.0 * pi))
 
     def time_s(self, tau: ArrayLike) -> Values:
-        """Time in s of a dimensionless one."""
+        """Time in seconds.
+
+        Parameters
+        ----------
+        tau : array_like
+            Dimensionless time.
+
+        Returns
+        -------
+        ndarray
+            s.
+        """
         return given.reals("tau", tau) / self._known("omega_n")
 
     def tau_from_s(self, seconds: ArrayLike) -> Values:
-        """Dimensionless time of a time in s."""
+        """Dimensionless time.
+
+        Parameters
+        ----------
+        seconds : array_like
+            s.
+
+        Returns
+        -------
+        ndarray
+            Dimensionless.
+        """
         return given.reals("seconds", seconds) * self._known("omega_n")
 
-    def length_m(self, displacement: ArrayLike) -> Values:
-        """Any displacement or error amplitude in m."""
-        return given.reals("displacement", displacement) * self._known("length")
-
-    def displacement_from_m(self, metres: ArrayLike) -> Values:
-        """Dimensionless displacement of a length in m."""
-        return given.reals("metres", metres) / self._known("length")
-
-    def length_um(self, displacement: ArrayLike) -> Values:
-        """Any displacement or error amplitude in µm."""
-        return self.length_m(displacement) * 1e6
-
-    def displacement_from_um(self, micrometres: ArrayLike) -> Values:
-        """Dimensionless displacement of a length in µm."""
-        return self.displacement_from_m(given.reals("micrometres", micrometres) / 1e6)
-
-    def backlash_m(self, half_backlash: ArrayLike) -> Values:
-        """Whole backlash b in m of D: both sides of the gap, D + D⁻."""
-        return self.length_m(half_backlash) * (1.0 + self.back_gap)
-
-    def half_backlash_from_m(self, backlash: ArrayLike) -> Values:
-        """D of a whole backlash b in m."""
-        return self.displacement_from_m(given.reals("backlash", backlash) / (1.0 + self.back_gap))
-
-    def backlash_um(self, half_backlash: ArrayLike) -> Values:
-        """Whole backlash b in µm of D."""
-        return self.backlash_m(half_backlash) * 1e6
-
-    def half_backlash_from_um(self, backlash: ArrayLike) -> Values:
-        """D of a whole backlash b in µm."""
-        return self.half_backlash_from_m(given.reals("backlash", backlash) / 1e6)
-
     def velocity(self, velocity: ArrayLike) -> Values:
-        """Velocity in m/s of X′, Y′ or Z′."""
+        """Velocity.
+
+        Parameters
+        ----------
+        velocity : array_like
+            X′, Y′ or Z′, dimensionless.
+
+        Returns
+        -------
+        ndarray
+            m/s.
+        """
         return given.reals("velocity", velocity) * (self._known("length") * self._known("omega_n"))
 
     def acceleration(self, acceleration: ArrayLike) -> Values:
-        """Acceleration in m/s² of X″, Y″ or Z″."""
+        """Acceleration.
+
+        Parameters
+        ----------
+        acceleration : array_like
+            X″, Y″ or Z″, dimensionless.
+
+        Returns
+        -------
+        ndarray
+            m/s².
+        """
         return given.reals("acceleration", acceleration) * (
             self._known("length") * self._known("omega_n") ** 2
         )
 
     def force_N(self, contact_force: ArrayLike) -> Values:
-        """Normal contact force F_n = k_m D_c Φ in N, positive in compression of the drive side."""
+        """Normal contact force F_n = k_m D_c Φ.
+
+        Parameters
+        ----------
+        contact_force : array_like
+            Φ, dimensionless.
+
+        Returns
+        -------
+        ndarray
+            N, positive in compression of the drive side.
+        """
         return given.reals("contact_force", contact_force) * self._force_unit
 
     def contact_force_from_N(self, newtons: ArrayLike) -> Values:
-        """Φ of a normal contact force in N."""
+        """Dimensionless contact force.
+
+        Parameters
+        ----------
+        newtons : array_like
+            Normal contact force F_n, N.
+
+        Returns
+        -------
+        ndarray
+            Φ.
+        """
         return given.reals("newtons", newtons) / self._force_unit
 
     def torque(self, load: ArrayLike) -> Values:
-        """Pinion torque T_p = W R_p in N·m of f_m = c_t W/(k_m D_c)."""
+        """Pinion torque T_p = W R_p of a load f_m = c_t W/(k_m D_c).
+
+        Parameters
+        ----------
+        load : array_like
+            f_m, dimensionless.
+
+        Returns
+        -------
+        ndarray
+            N·m.
+        """
         return given.reals("load", load) * self._torque_unit
 
     def load_from_torque(self, torque: ArrayLike) -> Values:
-        """f_m of a pinion torque in N·m."""
+        """Load f_m of a pinion torque.
+
+        Parameters
+        ----------
+        torque : array_like
+            N·m.
+
+        Returns
+        -------
+        ndarray
+            Dimensionless.
+        """
         return given.reals("torque", torque) / self._torque_unit
 
     @property

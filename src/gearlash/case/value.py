@@ -33,6 +33,13 @@ class Value:
         The assumed values that a derived number was computed from, by path.
     text : str
         What was written.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> teeth = gl.load_case("article").values()[0]
+    >>> teeth.path, teeth.value, str(teeth.provenance), teeth.uncertain
+    ('pinion.teeth', 28, 'given', False)
     """
 
     path: str

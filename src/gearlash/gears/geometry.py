@@ -112,11 +112,31 @@ class ToothGeometry:
         return path / base_pitch
 
     def overlap_ratio(self, face_width: float) -> float:
-        """ε_β of the common face width in m."""
+        """Overlap ratio ε_β.
+
+        Parameters
+        ----------
+        face_width : float
+            Common face width, m.
+
+        Returns
+        -------
+        float
+        """
         return face_width * abs(sin(self.helix_angle)) / (pi * self.normal_module)
 
     def total_contact_ratio(self, face_width: float) -> float:
-        """ε_γ = ε_α + ε_β."""
+        """Total contact ratio ε_γ = ε_α + ε_β.
+
+        Parameters
+        ----------
+        face_width : float
+            Common face width, m.
+
+        Returns
+        -------
+        float
+        """
         return self.transverse_contact_ratio + self.overlap_ratio(face_width)
 
 
@@ -132,6 +152,12 @@ class LineOfAction:
         R_p and R_g, m.
     c_t, c_y, c_z : float
         Factors of rotation, lateral and axial motion, from 0 to 1 (c_z may be negative).
+
+    Examples
+    --------
+    >>> from gearlash.gears import LineOfAction
+    >>> LineOfAction((0.05, 0.1), c_t=1.0, c_y=1.0, c_z=0.0).radii  # spur gears, by their base radii
+    (0.05, 0.1)
     """
 
     radii: tuple[float, float]

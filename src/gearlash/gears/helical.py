@@ -52,6 +52,13 @@ class HelicalPair:
         κ = √(k_i/m_i)/ω_n of Y_p, Z_p, Y_g, Z_g, the order of `BEARINGS`.
     contact : ContactRule
         When the damping of the mesh acts.
+
+    Examples
+    --------
+    >>> from gearlash.gears import HelicalPair
+    >>> pair = HelicalPair(0.8, 0.9, 0.3, (0.5, 0.1), (0.7, 0.6, 0.4, 0.3))
+    >>> pair.bearing_gains.tolist()
+    [-0.45, -0.15, 0.09000000000000001, 0.03]
     """
 
     rotation_factor: float

@@ -41,6 +41,12 @@ class Excitation(NamedTuple):
         What to give, so that something varies with time.
     moving : str
         What to do where something varies with time and moves nothing.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.load_case("article").excitation.give
+    'give ripple or error'
     """
 
     cause: str = "nothing excites this system, as nothing in it varies with time"
@@ -62,6 +68,15 @@ class Content(ABC):
         The stated values by key.
     structure : mapping
         What a file has beside its values, as plain data that JSON knows; empty for most kinds.
+
+    Examples
+    --------
+    The example of `Kind` defines one. That of a case is its `Case.content`:
+
+    >>> import gearlash as gl
+    >>> content = gl.load_case("article").content
+    >>> content.kind.name, content.missing(), content.contradictions()
+    ('helical-pair', [], [])
     """
 
     kind: Kind
@@ -93,38 +108,124 @@ class Content(ABC):
         return self.structure
 
     def missing(self, present: Collection[str] = ()) -> list[Problem]:
-        """What must be stated and is not; ``present`` are paths that the file states in an unusable way."""
+        """What must be stated and is not.
+
+        Parameters
+        ----------
+        present : collection of str
+            Paths that the file states in an unusable way: they are not missing as well.
+
+        Returns
+        -------
+        list of Problem
+        """
         return listed.missing(self.places, self.entries, present)
 
     def contradictions(self) -> list[Problem]:
-        """Stated values that contradict each other; asked only where nothing is missing or wrong."""
+        """Stated values that contradict each other; asked only where nothing is missing or wrong.
+
+        Returns
+        -------
+        list of Problem
+        """
         return []
 
     def override(self, overrides: Mapping[str, object]) -> tuple[Content, list[Problem]]:
-        """With values replaced, by path or short name, and what is wrong with the replacements."""
+        """The content with values replaced.
+
+        Parameters
+        ----------
+        overrides : mapping
+            Path or short name to a text with its unit or a number.
+
+        Returns
+        -------
+        content : Content
+        problems : list of Problem
+            What is wrong with the replacements.
+        """
         entries, problems = listed.override(self.places, self.entries, overrides)
         return replace(self, entries=entries), problems
 
     def resolve(self, label: str, name: str, value: object) -> tuple[str, float]:
-        """Name and value of the family's parameter that is named here by path or short name. Raises
-        `CaseError` (of the case called ``label``) for a bad value and `UnknownNameError` for any other name.
+        """The parameter of the family that a name and a value mean; see `Case.resolve`.
+
+        Parameters
+        ----------
+        label : str
+            What the case is called in problems.
+        name : str
+            Path or short name.
+        value : object
+            A text with its unit, or a number.
+
+        Returns
+        -------
+        name : str
+            Short name.
+        value : float
+            As the family takes it.
+
+        Raises
+        ------
+        CaseError
+            For a value that cannot be used.
+        UnknownNameError
+            For a name that is no parameter of the family.
         """
         return listed.resolve(self.places, self.family().defaults, label, name, value)
 
     def named(self, name: str, value: object) -> str:
-        """The path of the quantity that a name and a value mean together; any other name stays as it is."""
+        """The quantity that a name and a value mean together; see `Case.named`.
+
+        Parameters
+        ----------
+        name : str
+            Path or short name.
+        value : object
+            A text with its unit, or a number.
+
+        Returns
+        -------
+        str
+            A path, or the name as it is.
+        """
         return name
 
     def physical(self, short: str, value: ArrayLike) -> list[tuple[str, NDArray[np.float64], str]]:
-        """(path, values, unit) for every physical way to name a parameter with these values."""
+        """What values of a parameter mean physically; see `Case.physical`.
+
+        Parameters
+        ----------
+        short : str
+            Short name.
+        value : array_like
+            As the family takes it.
+
+        Returns
+        -------
+        list of (str, ndarray, str)
+            Path, values and unit for every physical way to name it.
+        """
         return []
 
     def values(self) -> list[Value]:
-        """Every value with unit, provenance and reason: stated ones, defaults, then what follows."""
+        """Every value with unit, provenance and reason.
+
+        Returns
+        -------
+        list of Value
+            Stated ones, defaults, then what follows from them.
+        """
         return listed.values(self.places, self.entries)
 
     def notes(self) -> list[Note]:
-        """Remarks on single values; shown, never used."""
+        """Remarks on single values, which are shown and never used.
+
+        Returns
+        -------
+        list of Note
+        """
         return []
 
 
@@ -192,18 +293,54 @@ class Kind(ABC):
 
     @abstractmethod
     def content(self, entries: Mapping[str, Entry], structure: Structure) -> Content:
-        """The content of a case of this kind, from a file or from the JSON of another process. Raises
-        `GearlashError` for a structure that cannot be one."""
+        """The content of a case of this kind, from a file or from the JSON of another process.
+
+        Parameters
+        ----------
+        entries : mapping of str to Entry
+            The stated values by key.
+        structure : mapping
+            What the file has beside its values.
+
+        Returns
+        -------
+        Content
+
+        Raises
+        ------
+        GearlashError
+            For a structure that no case of this kind has.
+        """
 
     def read(self, tables: Mapping[str, object]) -> Draft:
-        """The tables of a file, its head (kind, name, description, source) aside."""
+        """What a file of this kind says.
+
+        Parameters
+        ----------
+        tables : mapping
+            Of the parsed file, without its head (kind, name, description, source).
+
+        Returns
+        -------
+        Draft
+        """
         found = self.tables.read(tables)
         entries = listed.entries(self.places, found.stated)
         return Draft(self.content(entries, {}), found.problems, found.present)
 
     def schema(self, source: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-        """JSON Schemas by name: of a whole file by the name of the kind, then of the parts it points to;
-        ``source`` is that of the table [source]."""
+        """JSON Schemas of files of this kind.
+
+        Parameters
+        ----------
+        source : mapping
+            The schema of the table ``[source]``.
+
+        Returns
+        -------
+        dict of str to dict
+            That of a whole file by the name of the kind, then those of the parts it points to.
+        """
         return self.tables.schema(source)
 
     @property

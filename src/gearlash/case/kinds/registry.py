@@ -61,6 +61,18 @@ def register(kind: Kind) -> None:
     ------
     GearlashError
         Where another kind has the name already.
+
+    Examples
+    --------
+    >>> from gearlash.case.kinds import Kind, forget, kinds, register
+    >>> class Pendulum(Kind):
+    ...     name = "pendulum"
+    ...     def content(self, entries, structure):
+    ...         raise NotImplementedError("see the example of Kind")
+    >>> register(Pendulum())
+    >>> kinds()[-1]
+    'pendulum'
+    >>> forget("pendulum")
     """
     given.instance("kind", kind, Kind, "a Kind of gearlash.case.kinds")
     name = given.word("name of a kind", getattr(kind, "name", None))
