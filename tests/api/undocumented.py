@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 UNDOCUMENTED: dict[str, set[str]] = {
-    "article": {
-        "reproduce",
-    },
     "branches": {
         "BifurcationPoint",
         "GrazingPoint",

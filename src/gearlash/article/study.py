@@ -103,7 +103,7 @@ def reproduce(
     scope : Scope, optional
         How far and how finely to look; the default takes minutes.
     workers : int, optional
-        Processes; all cores where nothing is given.
+        Processes; 0 for this one, as many as there are cores where nothing is given.
     claims : sequence of Claim, optional
         Those of the package where nothing is given. They say what is compared and around which values
         pictures are centred; no computation reads a claimed value.
@@ -123,6 +123,17 @@ def reproduce(
         For a case that is not the article's pair.
     UnfinishedError
         Where workers died. Ctrl-C raises `KeyboardInterrupt`.
+
+    Examples
+    --------
+    Four points, and no claims to judge; without arguments it is the whole study.
+
+    >>> import gearlash as gl
+    >>> from gearlash.article import Scope
+    >>> scope = Scope((1.0, 1.01, 2), (0.98, 1.0, 2), rules_backlash=(1.0,))
+    >>> done = gl.reproduce(gl.load_case("article"), scope, workers=0, claims=())
+    >>> done.frequency.dataset["label"].sel(direction="cold").values.tolist()
+    ['1-0-0', '1-0-0']
     """
     check_pair(given.instance("case", case, Case, "a case, as from gearlash.load_case"))
     scope, claims = scope or Scope(), load() if claims is None else tuple(claims)
