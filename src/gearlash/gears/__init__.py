@@ -3,12 +3,16 @@
 Nothing here knows a case file or a unit: lengths in m, angles in rad, masses in kg, or dimensionless numbers.
 """
 
-from . import contact_lines, helical, iso6336, spur
+from . import contact_lines, helical, inspection, iso6336, spur
+from .cylindrical_gear import CylindricalGear
+from .cylindrical_pair import CylindricalPair
 from .geometry import LineOfAction, Projection, ToothGeometry, YAxis, line_of_action
 from .helical import HelicalPair
 from .inertia import disc_face_width, equivalent_mass, solid_disc
 
 __all__ = [
+    "CylindricalGear",
+    "CylindricalPair",
     "HelicalPair",
     "LineOfAction",
     "Projection",
@@ -18,6 +22,7 @@ __all__ = [
     "disc_face_width",
     "equivalent_mass",
     "helical",
+    "inspection",
     "iso6336",
     "line_of_action",
     "solid_disc",
