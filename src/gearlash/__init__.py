@@ -312,7 +312,7 @@ _PUBLIC = {
         "transitions",
     ),
     "gearlash.studies.zone": ("Physical",),
-    # the article's study
+    # the claims of a publication, judged
     "gearlash.article": ("reproduce",),
 }
 _RENAMED = {

@@ -40,10 +40,10 @@ def load(path_or_name: str | Path, overrides: Mapping[str, object] | None = None
     >>> import gearlash as gl
     >>> gl.load_case("kahraman-singh").kind
     'spur-1dof'
-    >>> gl.load_case("article", {"backlash": "100"})
+    >>> gl.load_case("wind-turbine", {"backlash": "100"})
     Traceback (most recent call last):
         ...
-    gearlash.case.errors.CaseError: article: 1 problem
+    gearlash.case.errors.CaseError: wind-turbine: 1 problem
       backlash = '100': expected a length with its unit, such as "100 um"
     """
     label, text = source_text(path_or_name)

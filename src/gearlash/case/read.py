@@ -36,8 +36,8 @@ def bundled() -> list[str]:
     Examples
     --------
     >>> import gearlash as gl
-    >>> gl.bundled()[0]
-    'article'
+    >>> gl.bundled()[-1]
+    'wind-turbine'
     """
     names = (entry.name for entry in resources.files("gearlash.case").joinpath("data").iterdir())
     return sorted(name.removesuffix(".toml") for name in names if name.endswith(".toml"))

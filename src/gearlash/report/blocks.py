@@ -191,7 +191,7 @@ class Page:
     Attributes
     ----------
     names : dict of str to str
-        What each figure, table and section is called ("Table 2"), by its id.
+        What each figure, table and section is called ("Table 3"), by its id.
 
     Raises
     ------
