@@ -110,15 +110,17 @@ def calls() -> tuple[Call, ...]:
         Call("Axis.even", gl.Axis.even, {"name": "omega", "lower": 0.8, "upper": 0.9, "count": 3}),
         Call("Signature.parse", gl.Signature.parse, {"text": "1-1-0"}),
         Call("propagators", gl.propagators, {"system": system, "reuse": props}),
-        Call("march", gl.march, {"props": props, "z": [0.0, 0.0], "stretches": 3, "stretch": 2}),
+        Call("march", gl.march, {"system": props, "start": [0.0, 0.0], "stretches": 3, "stretch": 2}),
         Call("march_many", gl.march_many, {
-            "props": props, "z": [[0.0, 0.0], [0.1, 0.0]], "stretches": 3, "stretch": 2, "threads": 1}),
+            "system": props, "start": [[0.0, 0.0], [0.1, 0.0]], "stretches": 3, "stretch": 2, "threads": 1}),
         Call("trace", gl.trace, {
-            "props": props, "z": [0.0, 0.0], "cycles": 2.0, "phase": 0.5, "hold": flow.Hold(1, 0.1, 0.2)}),
-        Call("variational", gl.variational, {"props": props, "z": [0.0, 0.0], "cycles": 1.0, "phase": 0.0}),
-        Call("carry", flow.carry, {"props": props, "z": [0.0, 0.0], "cycles": 1.0, "jacobian": True}),
+            "system": props, "start": [0.0, 0.0], "cycles": 2.0, "phase": 0.5,
+            "hold": flow.Hold(1, 0.1, 0.2)}),
+        Call("variational", gl.variational, {
+            "system": system, "start": [0.0, 0.0], "cycles": 1.0, "phase": 0.0}),
+        Call("carry", flow.carry, {"system": props, "start": [0.0, 0.0], "cycles": 1.0, "jacobian": True}),
         Call("growth", flow.growth, {
-            "props": props, "z": [0.0, 0.0], "tangent": [1.0, 0.0], "periods": 4, "stretch": 2}),
+            "system": props, "start": [0.0, 0.0], "tangent": [1.0, 0.0], "periods": 4, "stretch": 2}),
         Call("first_grazing", gl.first_grazing, {
             "model": family, "name": "omega", "start": swept.points[0], "direction": "up",
             "values": {"f": 1.0},

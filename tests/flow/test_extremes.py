@@ -173,7 +173,7 @@ def _dissipated(part: System, trace, clearance: int, place: float) -> float:
     if c.contact is ContactRule.ALWAYS:
         return -c.damping * whole
     mine = np.array([kind[0] == clearance for kind in kinds(trace.events)], dtype=bool)
-    times = (trace.events.phase[mine] - trace.start) * part.period
+    times = (trace.events.phase[mine] - trace.phase) * part.period
     into = trace.events.engaging[mine]
     acting = float(np.sum(np.where(into, -times, times)))
     inside = place > c.gap_plus or place < -c.gap_minus

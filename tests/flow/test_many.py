@@ -140,19 +140,19 @@ def test_a_call_is_short_enough_to_be_interrupted(monkeypatch: pytest.MonkeyPatc
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        ({"z": np.zeros(2)}, "expected (motions, 2)"),
-        ({"z": np.zeros((3, 5))}, "expected (motions, 2)"),
-        ({"z": [[1.0, 2.0], [3.0]]}, "expected numbers of shape (motions, 2)"),
-        ({"z": [[np.nan, 0.0]]}, "NaN"),
+        ({"start": np.zeros(2)}, "expected (motions, 2)"),
+        ({"start": np.zeros((3, 5))}, "expected (motions, 2)"),
+        ({"start": [[1.0, 2.0], [3.0]]}, "expected numbers of shape (motions, 2)"),
+        ({"start": [[np.nan, 0.0]]}, "NaN"),
         ({"threads": 0}, "threads is 0"),
         ({"threads": 1.5}, "threads is 1.5"),
         ({"stretches": -1}, "stretches is -1"),
         ({"stretch": 0}, "stretch is 0"),
-        ({"props": oscillator()}, "not a System"),
+        ({"system": "kahraman-singh"}, "system: expected a System"),
     ],
 )
 def test_arguments_that_do_not_fit(arguments: dict, told: str):
-    fitting = {"props": flow.propagators(oscillator()), "z": np.zeros((3, 2)), "stretches": 5}
+    fitting = {"system": flow.propagators(oscillator()), "start": np.zeros((3, 2)), "stretches": 5}
     with pytest.raises(GearlashError) as raised:
         flow.march_many(**(fitting | arguments))
     assert told in str(raised.value)
@@ -161,16 +161,19 @@ def test_arguments_that_do_not_fit(arguments: dict, told: str):
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        ({"z": np.zeros(3)}, "state has shape (3,), expected (2,)"),
-        ({"z": "rest"}, "expected numbers of shape (2,), not 'rest'"),
+        ({"start": np.zeros(3)}, "start has shape (3,), expected (2,)"),
+        ({"start": "rest"}, "expected numbers of shape (2,), not 'rest'"),
         ({"stretches": 1.5}, "stretches is 1.5: expected a whole number, 0 or more"),
         ({"stretches": 10**15}, "GiB, more than there is"),
         ({"stretch": "2"}, "stretch is '2': expected a whole number, 1 or more"),
-        ({"props": load("article-first-harmonic")}, "expected propagators of a system"),
+        (
+            {"system": load("article-first-harmonic")},
+            "expected a System, as from family.system()",
+        ),
     ],
 )
 def test_arguments_of_one_march_that_do_not_fit(arguments: dict, told: str):
-    fitting = {"props": flow.propagators(oscillator()), "z": np.zeros(2), "stretches": 5}
+    fitting = {"system": flow.propagators(oscillator()), "start": np.zeros(2), "stretches": 5}
     with pytest.raises(GearlashError) as raised:
         flow.march(**(fitting | arguments))
     assert told in str(raised.value)

@@ -15,7 +15,7 @@ from .march import (
     trace,
     variational,
 )
-from .propagators import Propagators, propagators
+from .propagators import Propagators, propagators, propagators_of
 
 __all__ = [
     "ROUGH",
@@ -39,6 +39,7 @@ __all__ = [
     "march_many",
     "orthonormal_growth",
     "propagators",
+    "propagators_of",
     "trace",
     "variational",
 ]

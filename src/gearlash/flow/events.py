@@ -25,9 +25,33 @@ SLACK = 1e-9  # mesh cycles beyond its ends at which a trace is still read
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Events(Record):
-    """Contact events in order: phase (mesh cycles, θ/2π), state (m, n), velocity X' of the gap, force Φ
-    of the contact that begins or ends, clearance (its index), boundary (+1: Σ1 at +D, -1: Σ2 at -D),
-    engaging (True: into contact)."""
+    """Contact events in order.
+
+    Attributes
+    ----------
+    phase : array (m,)
+        In mesh cycles, θ/2π.
+    state : array (m, n)
+        The state there.
+    velocity : array (m,)
+        X', the velocity of the gap.
+    force : array (m,)
+        Φ of the contact that begins or ends.
+    clearance : array (m,) of int
+        Number of the clearance.
+    boundary : array (m,) of int
+        +1: Σ1 at +D; -1: Σ2 at -D.
+    engaging : array (m,) of bool
+        Whether contact begins.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> events = gl.trace(family.system({"omega": 0.9}), [1.1, -0.5], 1.0).events
+    >>> print(len(events), events.boundary, events.engaging)
+    1 [1] [False]
+    """
 
     _told: ClassVar = ("phase", "clearance", "boundary", "engaging")
 
@@ -41,6 +65,24 @@ class Events(Record):
 
     @staticmethod
     def build(system: System, phase: Array, state: Array, kind: Array) -> Events:
+        """Events with velocities and forces.
+
+        Parameters
+        ----------
+        system : System
+            Whose they are.
+        phase : array (m,)
+            In mesh cycles.
+        state : array (m, n)
+            The states there.
+        kind : array (m, 3)
+            Clearance, boundary, and 1 where contact begins.
+
+        Returns
+        -------
+        Events
+            All of it.
+        """
         clearance, boundary = kind[:, 0].astype(np.int64), kind[:, 1].astype(np.int64)
         engaging = kind[:, 2] == 1.0
         velocity, force = np.empty(len(phase)), np.empty(len(phase))
@@ -54,7 +96,23 @@ class Events(Record):
         return Events(phase, state, velocity, force, clearance, boundary, engaging)
 
     def where(self, mask: Array) -> Events:
-        """The events selected by a boolean mask (m,), or by their indices."""
+        """Select some events.
+
+        Parameters
+        ----------
+        mask : array (m,) of bool, or array of int
+            Which: a truth value for each, or their numbers.
+
+        Returns
+        -------
+        Events
+            Those.
+
+        Raises
+        ------
+        GearlashError
+            For a mask of another length, and numbers that are out of range.
+        """
         try:
             mask = np.asarray(mask)
         except (TypeError, ValueError):
@@ -69,7 +127,18 @@ class Events(Record):
         return Events(*(part[mask] for part in parts))
 
     def of(self, clearance: int) -> Events:
-        """The events of one clearance."""
+        """Select the events of one clearance.
+
+        Parameters
+        ----------
+        clearance : int
+            Its number, from 0.
+
+        Returns
+        -------
+        Events
+            Those.
+        """
         return self.where(self.clearance == given.whole("clearance", clearance, 0))
 
     def __len__(self) -> int:
@@ -78,8 +147,29 @@ class Events(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Extrema(Record):
-    """Simple zeros of X' of one clearance: phase (mesh cycles), displacement X, curvature X'' (d²/dτ²),
-    state (m, n), region (0: side +, 1: free, 2: side -)."""
+    """Extrema of the gap of one clearance: simple zeros of X'.
+
+    Attributes
+    ----------
+    phase : array (m,)
+        In mesh cycles.
+    displacement : array (m,)
+        X.
+    curvature : array (m,)
+        X'', d²X/dτ².
+    state : array (m, n)
+        The state there.
+    region : array (m,) of int
+        0: contact on side +, 1: none, 2: contact on side -.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> extrema = gl.trace(family.system({"omega": 0.9}), [1.1, -0.5], 1.0).extrema
+    >>> print(extrema.phase.round(4), extrema.displacement.round(4))
+    [0.485] [0.283]
+    """
 
     phase: Array
     displacement: Array
@@ -93,8 +183,31 @@ class Extrema(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Samples(Record):
-    """The motion at chosen phases: state (m, n); of one clearance gap X, velocity X', contact force Φ, and
-    region (0: side +, 1: free, 2: side -)."""
+    """A motion at chosen phases: its states, and what one clearance does.
+
+    Attributes
+    ----------
+    phase : array (m,)
+        In mesh cycles.
+    state : array (m, n)
+        The state there.
+    displacement : array (m,)
+        X, the gap.
+    velocity : array (m,)
+        X', its velocity.
+    force : array (m,)
+        Φ, the contact force.
+    region : array (m,) of int
+        0: contact on side +, 1: none, 2: contact on side -.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> samples = gl.trace(family.system({"omega": 0.9}), [1.1, -0.5], 1.0).samples(5)
+    >>> print(samples.displacement.round(3), samples.region)
+    [1.1   0.455 0.284 0.417 0.717] [0 1 1 1 1]
+    """
 
     phase: Array
     state: Array
@@ -106,17 +219,55 @@ class Samples(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Trace(Record):
-    """A motion as polynomials: piece i starts at `positions[i]` (cells after phase `base`), has length
-    `lengths[i]` (cells), and is `polynomials[i]` (degree+1, n) in its own local time from 0 to 1. `modes`
-    (pieces, clearances) says in which contact it runs: 0 side +, 1 free, 2 side -; with the rule `no-tension`
-    also 3, 4: beyond + or -, but nothing presses. What is told of "the gap" is of the first clearance, unless
-    another is named."""
+    """A motion as polynomials, with its contact events.
 
-    _told: ClassVar = ("status", "start", "cycles", "undecided")
+    Piece i is a polynomial in a local time of its own, which runs from 0 to 1. What is said of "the gap" is
+    of the first clearance, unless another one is named.
+
+    Attributes
+    ----------
+    propagators : Propagators
+        Of the system.
+    base : float
+        Phase, in mesh cycles, from which positions are counted.
+    phase : float
+        Where the motion begins, in mesh cycles.
+    cycles : float
+        How far it was asked for, in mesh cycles.
+    positions : array (pieces,)
+        Where pieces begin, in cells from ``base`` on.
+    lengths : array (pieces,)
+        How long they are, in cells.
+    modes : array (pieces, clearances) of int
+        0: contact on side +, 1: none, 2: contact on side -. With the rule `no-tension` also 3 and 4: beyond
+        the boundary on side + or -, but the force is zero.
+    polynomials : array (pieces, degree + 1, n)
+        Coefficients of the state, by rising powers of local time.
+    events : Events
+        Every contact that begins or ends.
+    end : array (n,)
+        The state at the end.
+    undecided : int
+        Places where it could not be decided within rounding whether a boundary is touched.
+    status : Status
+        Whether the motion was carried to its end.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> trace = gl.trace(family.system({"omega": 0.9}), [1.1, -0.5], 1.0)
+    >>> trace.status.ok, len(trace.events)
+    (True, 1)
+    >>> print(trace.at([0.0, 0.5, 1.0]).displacement.round(4))
+    [1.1    0.2835 0.717 ]
+    """
+
+    _told: ClassVar = ("status", "phase", "cycles", "undecided")
 
     propagators: Propagators
     base: float
-    start: float
+    phase: float
     cycles: float
     positions: Array
     lengths: Array
@@ -129,18 +280,30 @@ class Trace(Record):
 
     @property
     def regions(self) -> Array:
-        """Per piece (pieces,) the side in contact of the first clearance: 0 side +, 1 free, 2 side -."""
+        """The side in contact of the first clearance, per piece (pieces,): 0 side +, 1 none, 2 side -."""
         return self.regions_of(0)
 
     def regions_of(self, clearance: int) -> Array:
-        """Per piece (pieces,) the side in contact of a clearance."""
+        """Tell the side in contact of a clearance.
+
+        Parameters
+        ----------
+        clearance : int
+            Its number, from 0.
+
+        Returns
+        -------
+        array (pieces,) of int
+            Per piece: 0 side +, 1 none, 2 side -.
+        """
         modes = self.modes[:, self.which(clearance)]
         return np.where(modes > MINUS, FREE, modes)
 
     @property
     def free(self) -> Array:
-        """Which pieces (pieces,) run without contact in the first clearance: in its gap, or where there is
-        nothing to hit."""
+        """Whether pieces (pieces,) run without contact in the first clearance.
+
+        They are in its gap, or where there is nothing to hit."""
         return self.regions == FREE
 
     @cached_property
@@ -149,7 +312,18 @@ class Trace(Record):
         return self.gap_of(0)
 
     def gap_of(self, clearance: int) -> Array:
-        """The same of any clearance."""
+        """Give the gap of a clearance as polynomials.
+
+        Parameters
+        ----------
+        clearance : int
+            Its number, from 0.
+
+        Returns
+        -------
+        array (pieces, degree + 1)
+            Taylor coefficients of X in local time, per piece.
+        """
         chosen = self.propagators.system.clearances[self.which(clearance)]
         out = self.polynomials @ chosen.h
         return out - _local_series(self.propagators, chosen.offset, self.positions, self.lengths)
@@ -160,7 +334,18 @@ class Trace(Record):
         return self.extrema_of(0)
 
     def extrema_of(self, clearance: int) -> Extrema:
-        """The same of any clearance."""
+        """Find every place where X' of a clearance vanishes with a sign change.
+
+        Parameters
+        ----------
+        clearance : int
+            Its number, from 0.
+
+        Returns
+        -------
+        Extrema
+            In order.
+        """
         props = self.propagators
         found = np.empty((64 + 8 * len(self.positions), 4))
         regions = self.regions_of(clearance)
@@ -178,15 +363,30 @@ class Trace(Record):
         return Extrema(phase, found[:, 1], found[:, 2] / duration**2, state, regions[index])
 
     def at(self, phase: ArrayLike, clearance: int = 0) -> Samples:
-        """The motion at phases (mesh cycles, within the trace), one or many.
+        """Evaluate the motion at some phases.
 
-        Raises `GearlashError` for a phase outside the trace: its polynomials say nothing there.
+        Parameters
+        ----------
+        phase : float, or array_like (m,)
+            In mesh cycles, within the trace.
+        clearance : int, default 0
+            Whose gap, velocity and force.
+
+        Returns
+        -------
+        Samples
+            The motion there.
+
+        Raises
+        ------
+        GearlashError
+            For a phase outside the trace: its polynomials say nothing there.
         """
         system = self.propagators.system
         phase, clearance = given.row("phase", phase), self.which(clearance)
-        last = self.start + self.cycles
-        if phase.size and not (phase.min() >= self.start - SLACK and phase.max() <= last + SLACK):
-            span = f"{self.start:g} to {last:g}"
+        last = self.phase + self.cycles
+        if phase.size and not (phase.min() >= self.phase - SLACK and phase.max() <= last + SLACK):
+            span = f"{self.phase:g} to {last:g}"
             raise GearlashError(f"phases {phase.min():g} to {phase.max():g}: the trace goes from {span}")
         cell = (phase - self.base) * self.propagators.cells_per_cycle
         index = np.clip(np.searchsorted(self.positions, cell, side="right") - 1, 0, len(self.positions) - 1)
@@ -198,12 +398,39 @@ class Trace(Record):
         return Samples(phase, state, x, velocity, force, region)
 
     def samples(self, points: int) -> Samples:
-        """The motion at ``points`` equally spaced phases from start to end, both included."""
+        """Evaluate the motion at equally spaced phases, both ends included.
+
+        Parameters
+        ----------
+        points : int
+            How many, 1 to 10,000,000.
+
+        Returns
+        -------
+        Samples
+            The motion there.
+        """
         points = given.whole("points", points, 1, MOST_SAMPLES)
-        return self.at(self.start + np.linspace(0.0, self.cycles, points))
+        return self.at(self.phase + np.linspace(0.0, self.cycles, points))
 
     def which(self, clearance: int) -> int:
-        """The index of a clearance, if the system has it."""
+        """Check the number of a clearance.
+
+        Parameters
+        ----------
+        clearance : int
+            Its number, from 0.
+
+        Returns
+        -------
+        int
+            The same.
+
+        Raises
+        ------
+        GearlashError
+            Where the system has no such clearance.
+        """
         return given.whole("clearance", clearance, 0, len(self.propagators.system.clearances) - 1)
 
 

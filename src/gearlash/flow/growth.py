@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearlash.system import Record, Status, given
+from gearlash.system import Record, Status, System, given
 
 from .march import LONGEST, STATUS, block_of, columns_of, run_all, start_state
-from .propagators import Propagators
+from .propagators import Propagators, propagators_of
 
 Array = NDArray[np.float64]
 
@@ -33,11 +33,14 @@ class Growth(Record):
     status: Status
 
 
-def growth(props: Propagators, z: ArrayLike, tangent: ArrayLike, periods: int, stretch: int) -> Growth:
+def growth(
+    system: System | Propagators, start: ArrayLike, tangent: ArrayLike, periods: int, stretch: int
+) -> Growth:
     """Marches from phase zero over ``periods`` base periods, in stretches of ``stretch`` of them and what is
     left. Ends early, with its status, where the motion could not be carried on. In a period of very many
     cells the tangent is given its length again several times, so that it neither vanishes nor overflows."""
-    state = start_state(props, z)
+    props = propagators_of(system)
+    state = start_state(props, start)
     frame = given.numbers("tangent", tangent, (len(state),))[None]
     periods, stretch = given.whole("periods", periods, 0, LONGEST), given.whole("stretch", stretch)
     states, sums = np.empty((periods + 1, len(state))), np.zeros(periods)

@@ -10,15 +10,15 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import GearlashError, Record, Status, given
+from gearlash.system import GearlashError, Record, Status, System, given
 
 from ._blocks import LANES
 from ._eight import MOST, Lanes
 from ._motion import OK
 from ._tables import ALWAYS, FREE, MINUS, PLUS, Array, Shape
 from .arguments import empty
-from .march import LONGEST, NO_HOLD, STATUS, block_of, columns_of, known, room_of, run_all
-from .propagators import Propagators
+from .march import LONGEST, NO_HOLD, STATUS, block_of, columns_of, room_of, run_all
+from .propagators import Propagators, propagators_of
 
 TOGETHER = 16_000  # base periods in one call, at the most (but eight motions)
 MOST_THREADS = 1024
@@ -27,8 +27,28 @@ CELLS = 2_500_000  # that motions side by side pass in one call, at the most (bu
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ManyStrobes(Record):
-    """Of several motions: states (stretches+1, motions, n) at equal phases, contacts (stretches, motions,
-    4·clearances) as in `Strobes`, and of each motion how many places stayed undecided, and its status."""
+    """Several motions of one system, sampled at equal phases.
+
+    Attributes
+    ----------
+    states : array (stretches + 1, motions, n)
+        The states at the start and at the end of every stretch; NaN behind the end of a motion that ended
+        early.
+    contacts : array (stretches, motions, 4·clearances) of int
+        As in `Strobes`.
+    undecided : array (motions,) of int
+        Of each motion: places where it could not be decided within rounding whether a boundary is touched.
+    statuses : tuple of Status
+        Of each motion.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> many = gl.march_many(family.system(), [[1.1, 0.0], [1.2, 0.0], [1.3, 0.0]], 5)
+    >>> many.states.shape, [str(status) for status in many.statuses]
+    ((6, 3, 2), ['ok', 'ok', 'ok'])
+    """
 
     _told: ClassVar = ("states", "contacts")
 
@@ -39,15 +59,53 @@ class ManyStrobes(Record):
 
 
 def march_many(
-    props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1, *, threads: int = 1
+    system: System | Propagators,
+    start: ArrayLike,
+    stretches: int,
+    stretch: int = 1,
+    *,
+    threads: int = 1,
 ) -> ManyStrobes:
-    """`march` of several motions, z (motions, n), on one or more threads. Every motion is the same, byte for
-    byte, as alone. Where one ends early, its later states are NaN.
+    """March several motions of one system from phase zero; each as `march` carries it, byte for byte.
 
-    Motions of systems with one clearance and the rule `always` go side by side, 64 at a time: the more, the
-    faster. The first such call on a machine compiles the kernel for that, which takes some 25 s. Raises
-    `GearlashError` for arguments that do not fit."""
-    states = given.numbers("z", z, ("motions", known(props).system.size))
+    Motions of systems with one clearance and the rule `always` are carried side by side, 64 at a time: the
+    more there are, the faster is each. The first such call on a machine compiles the kernel for that.
+
+    Parameters
+    ----------
+    system : System or Propagators
+        The system. Its propagators are made of it in every call, unless they are what is given.
+    start : array_like (motions, n)
+        States at phase zero.
+    stretches : int
+        How many; 0 or more.
+    stretch : int, default 1
+        Base periods of each, 1 to 10,000,000. A stretch cannot be interrupted.
+    threads : int, default 1
+        On how many threads, 1 to 1024.
+
+    Returns
+    -------
+    ManyStrobes
+        States at the ends of stretches, contacts in between, and a status for each motion.
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit, and systems that would need too many cells or too much memory.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> import numpy as np
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> props = gl.propagators(family.system({"omega": 0.9}))
+    >>> many = gl.march_many(props, [[1.1, 0.0], [-1.1, 0.5]], 300)
+    >>> bool(np.array_equal(many.states[:, 1], gl.march(props, [-1.1, 0.5], 300).states))
+    True
+    """
+    props = propagators_of(system)
+    states = given.numbers("start", start, ("motions", props.system.size))
     stretches, stretch = given.whole("stretches", stretches, 0), given.whole("stretch", stretch, 1, LONGEST)
     threads = given.whole("threads", threads, 1, MOST_THREADS)
     job = _Job.of(props, states, stretches, stretch)

@@ -10,7 +10,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import Record, Status, given
+from gearlash.system import Record, Status, System, given
 
 from . import _march
 from ._motion import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
@@ -18,7 +18,7 @@ from ._record import Record as Kept
 from ._tables import ORDER, Array, Shape, aligned, aligned_ints, sizes_of
 from .arguments import empty
 from .events import Events, Trace
-from .propagators import Propagators
+from .propagators import Propagators, propagators_of
 
 STATUS = {
     OK: Status.OK,
@@ -35,9 +35,27 @@ ROOMS = 32  # shapes whose work space a thread keeps: along a map the number of 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Strobes(Record):
-    """States (stretches+1, n) at equal phases, and per stretch the contacts (stretches, 4·clearances):
-    of each clearance engagements at + and at -, releases at + and at -; `undecided` counts places where
-    touching lies within rounding."""
+    """A motion sampled at equal phases, and the contacts that it made in between.
+
+    Attributes
+    ----------
+    states : array (stretches + 1, n)
+        The state at the start and at the end of every stretch.
+    contacts : array (stretches, 4·clearances) of int
+        Of each clearance and stretch: engagements at + and at -, releases at + and at -.
+    undecided : int
+        Places where it could not be decided within rounding whether a boundary is touched.
+    status : Status
+        Whether the motion was carried to its end; where not, the later rows are missing.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> strobes = gl.march(family.system({"omega": 0.9}), family.start({"omega": 0.9}), 20)
+    >>> strobes.states.shape, strobes.contacts.shape, strobes.status.ok
+    ((21, 2), (20, 4), True)
+    """
 
     _told: ClassVar = ("status", "undecided", "states", "contacts")
 
@@ -49,8 +67,29 @@ class Strobes(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Carried(Record):
-    """A state (n,) carried from one phase to another; `jacobian` (n, n) with respect to the start, or
-    None; `contacts` (4·clearances,) as in `Strobes`."""
+    """A state carried from one phase to another.
+
+    Attributes
+    ----------
+    state : array (n,)
+        Where the motion came to.
+    jacobian : array (n, n), or None
+        Its derivative with respect to the start, where that was asked for.
+    contacts : array (4·clearances,) of int
+        Of each clearance: engagements at + and at -, releases at + and at -.
+    undecided : int
+        Places where it could not be decided within rounding whether a boundary is touched.
+    status : Status
+        Whether the motion was carried to its end.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> carried = gl.variational(family.system(), family.start(), 1.0)
+    >>> carried.state.shape, carried.jacobian.shape
+    ((2,), (2, 2))
+    """
 
     _told: ClassVar = ("status", "undecided", "state", "contacts")
 
@@ -63,36 +102,82 @@ class Carried(Record):
 
 @dataclass(frozen=True, repr=False)
 class Hold(Record):
-    """A boundary (+1, -1) that is not treated as crossed between two phases (mesh cycles, absolute): the
-    one-sided, smooth system in which a grazing extremum may pass through it."""
+    """A boundary that is not treated as crossed between two phases.
+
+    What is left is the one-sided, smooth system in which a grazing extremum may pass through the boundary.
+
+    Parameters
+    ----------
+    boundary : int
+        +1 or -1: the side of the clearance.
+    begin, end : float
+        Phases, in mesh cycles from phase zero, between which it is held.
+    clearance : int, default 0
+        Number of the clearance.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> system, start = family.system({"omega": 0.9}), [1.1, -0.5]
+    >>> len(gl.trace(system, start, 0.5).events)
+    1
+    >>> len(gl.trace(system, start, 0.5, hold=gl.Hold(1, 0.0, 0.5)).events)
+    0
+    """
 
     boundary: int
-    start: float
-    stop: float
+    begin: float
+    end: float
     clearance: int = 0
 
 
-def start_state(props: Propagators, z: ArrayLike) -> Array:
-    """A fresh float64 copy of a state. Raises `GearlashError` for a wrong shape or a number that is not
+def start_state(props: Propagators, start: ArrayLike) -> Array:
+    """A copy of a state (n,) in float64. Raises `GearlashError` for another shape, or a number that is not
     finite."""
-    size = known(props).system.size
-    if type(z) is np.ndarray and z.dtype == np.float64 and z.shape == (size,):  # asked for very often
-        state = z.copy()
+    size = props.system.size
+    if type(start) is np.ndarray and start.dtype == np.float64 and start.shape == (size,):  # asked for often
+        state = start.copy()
         if all(map(isfinite, state.tolist())):
             return state
-    return given.numbers("state", z, (size,))
+    return given.numbers("start", start, (size,))
 
 
-def known(props: Propagators) -> Propagators:
-    """Raises `GearlashError` for what are no propagators."""
-    expected = "propagators of a system, made once with gearlash.propagators(system)"
-    return given.instance("props", props, Propagators, expected)
+def march(system: System | Propagators, start: ArrayLike, stretches: int, stretch: int = 1) -> Strobes:
+    """March from phase zero, and sample the motion once a stretch of base periods.
 
+    Parameters
+    ----------
+    system : System or Propagators
+        The system. Its propagators are made of it in every call, unless they are what is given.
+    start : array_like (n,)
+        State at phase zero.
+    stretches : int
+        How many; 0 or more.
+    stretch : int, default 1
+        Base periods of each, 1 to 10,000,000. A stretch cannot be interrupted.
 
-def march(props: Propagators, z: ArrayLike, stretches: int, stretch: int = 1) -> Strobes:
-    """Marches from phase zero, sampling every ``stretch`` base periods (σ_t), ``stretches`` times; a stretch
-    cannot be interrupted. Raises `GearlashError` for arguments that do not fit."""
-    state = start_state(props, z)
+    Returns
+    -------
+    Strobes
+        States at the ends of stretches, contacts in between. Where its status is not `OK`, they end early.
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit, and systems that would need too many cells or too much memory.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> props = gl.propagators(family.system({"omega": 0.9}))
+    >>> strobes = gl.march(props, family.start({"omega": 0.9}), 200)
+    >>> print(strobes.contacts[-1])
+    [1 0 1 0]
+    """
+    props = propagators_of(system)
+    state = start_state(props, start)
     stretches, stretch = given.whole("stretches", stretches, 0), given.whole("stretch", stretch, 1, LONGEST)
     states = empty(stretches + 1, len(state))
     states[0] = state
@@ -115,36 +200,116 @@ def block_of(props: Propagators, stretch: int) -> int:
 
 
 def carry(
-    props: Propagators,
-    z: ArrayLike,
+    system: System | Propagators,
+    start: ArrayLike,
     cycles: float,
     phase: float = 0.0,
     *,
     jacobian: bool = False,
     hold: Hold | None = None,
 ) -> Carried:
-    """Carries a state from ``phase`` over ``cycles`` mesh cycles; the Jacobian is exact where no contact is
-    touched."""
-    state = start_state(props, z)
+    """Carry a state from ``phase`` over ``cycles``, both in mesh cycles; with its Jacobian if that is wanted,
+    which is exact where no boundary is just touched. Arguments as of `trace`."""
+    props = propagators_of(system)
+    state = start_state(props, start)
     tangents = np.eye(state.size) if given.truth("jacobian", jacobian) else None
-    base, start, length = positions(props, phase, cycles)
-    status, _, counts = run_one(props, state, start, length, 1, tangents=tangents, hold=hold, base=base)
+    base, first, length = positions(props, phase, cycles)
+    status, _, counts = run_one(props, state, first, length, 1, tangents=tangents, hold=hold, base=base)
     flow, undecided = None if tangents is None else np.ascontiguousarray(tangents.T), int(counts[0, -1])
     return Carried(state, flow, counts[0, :-1], undecided, with_doubt(status, undecided))
 
 
-def variational(props: Propagators, z: ArrayLike, cycles: float, phase: float = 0.0) -> Carried:
-    """`carry` with the Jacobian."""
-    return carry(props, z, cycles, phase, jacobian=True)
+def variational(system: System | Propagators, start: ArrayLike, cycles: float, phase: float = 0.0) -> Carried:
+    """Carry a state over some mesh cycles, together with its derivative with respect to the start.
+
+    The Jacobian solves the variational equation, jumps at contacts included. It is exact to rounding where no
+    boundary is just touched.
+
+    Parameters
+    ----------
+    system : System or Propagators
+        The system. Its propagators are made of it in every call, unless they are what is given.
+    start : array_like (n,)
+        State at ``phase``.
+    cycles : float
+        How far, in mesh cycles: 0 to 1e7.
+    phase : float, default 0.0
+        Where it begins, in mesh cycles from phase zero: -1e7 to 1e7.
+
+    Returns
+    -------
+    Carried
+        The state at the end, and the Jacobian (n, n).
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit, and systems that would need too many cells or too much memory.
+
+    References
+    ----------
+    M. di Bernardo et al., Piecewise-smooth Dynamical Systems, Springer, 2008, chapter 2,
+    doi:10.1007/978-1-84628-708-4.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> import numpy as np
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> system = family.system({"omega": 0.9})
+    >>> flow = gl.variational(system, [1.1, -0.5], 1.0)
+    >>> round(float(np.linalg.det(flow.jacobian)), 6)  # exp(-2 ζ T) with ζ = 0.05, T = 2π/0.9
+    0.497514
+    """
+    return carry(system, start, cycles, phase, jacobian=True)
 
 
 def trace(
-    props: Propagators, z: ArrayLike, cycles: float, phase: float = 0.0, *, hold: Hold | None = None
+    system: System | Propagators,
+    start: ArrayLike,
+    cycles: float,
+    phase: float = 0.0,
+    *,
+    hold: Hold | None = None,
 ) -> Trace:
-    """The motion over ``cycles`` mesh cycles as exact pieces, with every contact event."""
-    state = start_state(props, z)
+    """Compute a motion over some mesh cycles as polynomials, with every contact event.
+
+    Parameters
+    ----------
+    system : System or Propagators
+        The system. Its propagators are made of it in every call, unless they are what is given.
+    start : array_like (n,)
+        State at ``phase``.
+    cycles : float
+        How far, in mesh cycles: 0 to 1e7.
+    phase : float, default 0.0
+        Where it begins, in mesh cycles from phase zero: -1e7 to 1e7.
+    hold : Hold, optional
+        A boundary that is not treated as crossed for a while.
+
+    Returns
+    -------
+    Trace
+        The motion: to be read at any phase, with its contact events and extrema. Where its status is not
+        `OK`, it ends early.
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit, and systems that would need too many cells or too much memory.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> trace = gl.trace(family.system({"omega": 0.9}), [1.1, -0.5], 1.0)
+    >>> print(trace.events.phase.round(4), trace.events.engaging)
+    [0.0292] [False]
+    """
+    props = propagators_of(system)
+    state = start_state(props, start)
     begin, n = state.copy(), state.size
-    base, start, length = positions(props, phase, cycles)
+    base, first, length = positions(props, phase, cycles)
     capacity = int(2 * length + 64)
     while True:
         state[:] = begin
@@ -155,29 +320,35 @@ def trace(
             np.empty((capacity, 4)),
             np.empty((capacity, n)),
         )
-        status, _, counts = run_one(props, state, start, length, 1, hold=hold, base=base, record=record)
+        status, _, counts = run_one(props, state, first, length, 1, hold=hold, base=base, record=record)
         if status is not Status.TOO_MANY_EVENTS or capacity > MOST_PIECES:
             break
         capacity *= 4
+    undecided = int(counts[0, -1])
+    return _trace_of(props, record, base, phase, cycles, state, undecided, with_doubt(status, undecided))
+
+
+def _trace_of(
+    props: Propagators, record: Kept, base: float, phase: float, cycles: float, end: Array, undecided: int,
+    status: Status,
+) -> Trace:  # fmt: skip
+    """What a kernel has kept, as a `Trace`."""
     used, piece, poly, event, states = record
     pieces, events = int(used[0]), int(used[1])
-    per_cycle = props.cells_per_cycle
-    found = Events.build(
-        props.system, base + event[:events, 0] / per_cycle, states[:events].copy(), event[:events, 1:]
-    )
+    places = base + event[:events, 0] / props.cells_per_cycle
     return Trace(
         propagators=props,
         base=base,
-        start=phase,
+        phase=phase,
         cycles=cycles,
         positions=piece[:pieces, 0].copy(),
         lengths=piece[:pieces, 1].copy(),
         modes=piece[:pieces, 2:].astype(np.int64),
         polynomials=poly[:pieces].copy(),
-        events=found,
-        end=state,
-        undecided=int(counts[0, -1]),
-        status=with_doubt(status, int(counts[0, -1])),
+        events=Events.build(props.system, places, states[:events].copy(), event[:events, 1:]),
+        end=end,
+        undecided=undecided,
+        status=status,
     )
 
 
@@ -337,9 +508,9 @@ def _snapped(position: float) -> float:
 def _hold(props: Propagators, hold: Hold | None, base: float) -> Array:
     if hold is None:
         return NO_HOLD
-    given.instance("hold", hold, Hold, "a Hold: boundary, start, stop, clearance")
+    given.instance("hold", hold, Hold, "a Hold: boundary, begin, end, clearance")
     given.whole("clearance of the hold", hold.clearance, 0, len(props.rules) - 1)
-    window = (np.array([hold.start, hold.stop]) - base) * props.cells_per_cycle
+    window = (np.array([hold.begin, hold.end]) - base) * props.cells_per_cycle
     return np.array([float(hold.clearance), float(hold.boundary), *window])
 
 

@@ -90,9 +90,41 @@ class Tables:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Propagators(Record):
-    """The exact maps of one system over the cells of its base period, region by region as they are met.
+    """The exact maps of one system over the cells of its base period, made by `propagators`.
 
-    ``key`` names everything that the homogeneous part depends on."""
+    Tables of a region of contact are built when a motion first comes there; what was built stays. Pickling
+    and copying keep the system; in another process the tables are built again.
+
+    Attributes
+    ----------
+    system : System
+        What they belong to.
+    shape : NamedTuple
+        Sizes, and where in the tables what lies. It changes from version to version, as does all that
+        follows here.
+    rules : array (clearances,) of int
+        Contact rules, as kernels have them.
+    units : array (units, 3) of int
+        Unit inputs: kind, clearance or state, Fourier slot.
+    centres : array (clearances, n)
+        States that put the gap of one clearance to 1 and those of the others to 0, or zeros.
+    key : tuple
+        Everything that the homogeneous part depends on.
+    store : dict
+        The tables of now.
+    responses : dict
+        By region: what its tables are summed from.
+    lock : threading.Lock
+        Held while a region is added.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> props = gl.propagators(family.system({"omega": 0.9}))
+    >>> props.cells, round(props.cell_duration * props.cells, 6)
+    (4, 6.981317)
+    """
 
     _told: ClassVar = ("system", "cells")
 
@@ -117,6 +149,7 @@ class Propagators(Record):
 
     @property
     def tables(self) -> Tables:
+        """What kernels read now."""
         return self.store["now"]
 
     @property
@@ -131,18 +164,31 @@ class Propagators(Record):
 
     @property
     def cells_per_cycle(self) -> float:
+        """Cells in one mesh cycle; no whole number, perhaps, where a base period has several."""
         return self.cells / self.system.cycles
 
     @cached_property
     def trace(self) -> float | None:
-        """Trace of the field where it is the same in all regions (stiffness does not enter it, because
-        h·g = 0, and neither does damping that acts always); None where contact damping comes and goes."""
+        """Trace of the field's matrix where it is the same in all regions, else None.
+
+        Stiffness does not enter it, because h·g = 0, and damping that acts always is the same everywhere;
+        contact damping that comes and goes makes it another one."""
         regions = {float(np.trace(matrix_of(self.system, sides))) for sides in extreme_regions(self.system)}
         return max(regions) if max(regions) - min(regions) <= 1e-13 * (1.0 + abs(max(regions))) else None
 
     def build(self, code: int) -> None:
-        """Adds the tables of the region with this number. Raises `GearlashError` where the grid of cells does
-        not carry it."""
+        """Add the tables of a region.
+
+        Parameters
+        ----------
+        code : int
+            Its number: Σ side·3^c, with side 0 for contact on side +, 1 for none, 2 for contact on side -.
+
+        Raises
+        ------
+        GearlashError
+            Where the grid of cells does not carry it, or it would take too much memory.
+        """
         with self.lock:
             if self.tables.slot_of[code] >= 0:
                 return
@@ -162,11 +208,38 @@ class Propagators(Record):
 
 
 def propagators(system: System, reuse: Propagators | None = None) -> Propagators:
-    """Cell maps of ``system`` with a Taylor remainder of at most 1e-15 per unit column, proved by a majorant.
+    """Build the exact maps of a system over the cells of its base period.
 
-    ``reuse``: propagators of another member of the family; where frequency, stiffness and damping are the
-    same, only the forced parts are summed anew. Raises `GearlashError` for a system that would need too many
-    cells or regions."""
+    Every column of a map has a Taylor remainder of at most 1e-15, proved by a majorant. All functions of one
+    system take these maps in place of the system, and need not build them again then.
+
+    Parameters
+    ----------
+    system : System
+        The system.
+    reuse : Propagators, optional
+        Those of another member of the family: where frequency, stiffness and damping are the same, only what
+        load, offset and gap do is summed anew.
+
+    Returns
+    -------
+    Propagators
+        The maps, region by region as motions come to them.
+
+    Raises
+    ------
+    GearlashError
+        For a system that would need too many cells, too much memory, or has too many clearances.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> props = gl.propagators(family.system({"omega": 0.9}))
+    >>> other = gl.propagators(family.system({"omega": 0.9, "load": 0.2}), reuse=props)
+    >>> other.cells == props.cells
+    True
+    """
     given.instance("system", system, System, "a System, as from family.system()")
     if reuse is not None:
         given.instance("reuse", reuse, Propagators, "propagators of another member of the family")
@@ -185,6 +258,14 @@ def propagators(system: System, reuse: Propagators | None = None) -> Propagators
         if found is not None:
             return found
         cells, tried = ceil((FINER if tried < NEAR else FAR_FINER) * cells), tried + 1
+
+
+def propagators_of(system: System | Propagators) -> Propagators:
+    """The propagators of a system; they may be what is given."""
+    if isinstance(system, Propagators):
+        return system
+    expected = "a System, as from family.system(), or its propagators"
+    return propagators(given.instance("system", system, System, expected))
 
 
 def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagators | None:

@@ -9,11 +9,10 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
-from gearlash.flow import Propagators
+from gearlash.flow import Propagators, propagators_of
 from gearlash.flow.march import LONGEST, start_state
 from gearlash.system import GearlashError, Record, Status, System, given, shown
 
-from .arguments import propagators_of
 from .floquet import fastest_shrinking
 from .neutral import FLAT, affine, lossless, repeated
 from .results import Aperiodic, Attractor, Neutral, Orbit, Unresolved

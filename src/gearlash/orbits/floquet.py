@@ -8,11 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
-from gearlash.flow import Propagators
+from gearlash.flow import Propagators, propagators_of
 from gearlash.flow.march import LONGEST, start_state
 from gearlash.system import ContactRule, GearlashError, Status, System, given
 
-from .arguments import propagators_of
 from .subspaces import by_subspaces, ordered
 
 Complex = NDArray[np.complex128]

@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
-from gearlash.flow import Propagators
+from gearlash.flow import Propagators, propagators_of
 from gearlash.flow.march import LONGEST, start_state
 from gearlash.system import Record, Status, System, given
 
-from .arguments import propagators_of
 from .certificate import MOVING
 from .floquet import cut, mean_trace
 from .wandering import ROUNDING

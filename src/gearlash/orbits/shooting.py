@@ -11,11 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
-from gearlash.flow import Lap, Propagators
+from gearlash.flow import Lap, Propagators, propagators_of
 from gearlash.flow.march import LONGEST, start_state
 from gearlash.system import Record, Status, System, given
-
-from .arguments import propagators_of
 
 TOLERANCE = 1e-11  # of the residual; above it a status is not ok
 GOAL = 2e-14  # Newton goes on to here, or until rounding stops it

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
-from gearlash.flow import Propagators
+from gearlash.flow import Propagators, propagators_of
 from gearlash.system import System, given
 
-from .arguments import propagators_of
 from .results import Orbit
 from .shooting import ITERATIONS, TOLERANCE, minimal, shoot
 

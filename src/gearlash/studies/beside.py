@@ -149,7 +149,7 @@ class _Kick:
         own = float(np.sqrt(abs(clearance.h @ system.matrix @ clearance.g) * abs(stiffness)))
         x = found.trace.extrema_of(index).displacement
         if not len(x):  # a motion at rest
-            x = found.trace.at([found.trace.start], index).displacement
+            x = found.trace.at([found.trace.phase], index).displacement
         edges = (clearance.gap_plus, -clearance.gap_minus)
         apart = min(abs(float(one) - edge) for one in (x.min(), x.max()) for edge in edges)
         wide = clearance.gap_plus + clearance.gap_minus

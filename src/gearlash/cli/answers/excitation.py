@@ -55,7 +55,7 @@ def at_rest(attractor: Attractor) -> bool:
     import numpy as np
 
     trace = attractor.trace
-    states = trace.at(trace.start + np.linspace(0.0, trace.cycles, PHASES)).state
+    states = trace.at(trace.phase + np.linspace(0.0, trace.cycles, PHASES)).state
     size = max(1.0, float(np.abs(states).max()))
     return bool(np.isfinite(states).all()) and float(np.ptp(states, axis=0).max()) <= STILL * size
 
