@@ -3,7 +3,7 @@
 Nothing here knows a case file or a unit: lengths in m, angles in rad, masses in kg, or dimensionless numbers.
 """
 
-from . import backlash, contact_lines, gear_fits, helical, inspection, iso6336, spur
+from . import backlash, contact_lines, gear_body, gear_fits, helical, inspection, iso6336, materials, spur
 from .cylindrical_gear import CylindricalGear
 from .cylindrical_pair import CylindricalPair
 from .geometry import LineOfAction, Projection, ToothGeometry, YAxis, line_of_action
@@ -22,11 +22,13 @@ __all__ = [
     "contact_lines",
     "disc_face_width",
     "equivalent_mass",
+    "gear_body",
     "gear_fits",
     "helical",
     "inspection",
     "iso6336",
     "line_of_action",
+    "materials",
     "solid_disc",
     "spur",
 ]
