@@ -1,7 +1,7 @@
-"""Figures, fit for a paper: vector, labelled with units, legible in grey print, the same bytes from the
-same data.
+"""Figures fit for a publication: vector, labelled with units, legible in grey print.
 
-Each returns a matplotlib `Figure`; `save` writes it as SVG and PDF.
+Each function returns a matplotlib `Figure`, and `save` writes it as SVG and PDF. The same data give the same
+bytes.
 """
 
 from .bifurcation import diagram

@@ -35,8 +35,38 @@ def diagram(
     units: Units | None = None,
     force: ForceAxis | None = None,
 ) -> Figure:
-    """The whole diagram of a sweep dataset over one axis with a dimension ``direction``. ``force``: symbol
-    and sign of the contact force; Φ if left out."""
+    """The bifurcation diagram of sweeps: labels, sections and largest exponent over the parameter.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Of `gearlash.sweep_dataset`.
+    marks : sequence of Mark
+        Special points on the axis.
+    units : Units, optional
+        Second axes in physical units: `Units.of` a case.
+    force : ForceAxis, optional
+        Symbol and sign of the contact force; Φ where nothing is given.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    GearlashError
+        For a dataset without any motion; `UnknownNameError` for one without directions.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash import plots
+    >>> case = gl.load_case("kahraman-singh")
+    >>> done = gl.sweep(case, gl.Axis.even("omega", 0.5, 0.6, 3))
+    >>> figure = plots.diagram(gl.sweep_dataset(case, [done]))
+    >>> len(figure.axes)
+    6
+    """
     force = force or ForceAxis()
     rows = branches(dataset)
     axis = axis_name(dataset)

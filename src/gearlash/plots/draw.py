@@ -20,9 +20,33 @@ from .units import Units
 
 
 def draw(result: Any, model: Case | Family | None = None) -> Figure:
-    """A motion (what `gearlash.attractor` returns) as its phase portrait, sweeps and zones as a bifurcation
-    diagram, a map as a plane. ``model`` is the case or family that was asked about: of a case the figure has
-    axes with units; sweeps, zones and maps need it. Raises `GearlashError` for anything else."""
+    """The figure that goes with a result.
+
+    Parameters
+    ----------
+    result : Orbit, Aperiodic, Motion, Sweep, sequence of Sweep, Zones or PlaneMap
+        A motion is drawn as its phase portrait, sweeps and zones as a bifurcation diagram, a map as a plane.
+    model : Case or Family, optional
+        What was asked about. Sweeps, zones and maps need it; of a case the figure has axes with units.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    GearlashError
+        For anything else, or where ``model`` is missing.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash import plots
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.attractor(family.system(), family.start())
+    >>> len(plots.draw(found).axes)
+    1
+    """
     if model is not None:
         given.instance("model", model, (Case, Family), "a case, as from gearlash.load_case, or a Family")
     units = Units.of(model) if isinstance(model, Case) else Units()

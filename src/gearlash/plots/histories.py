@@ -25,7 +25,30 @@ MOST = 12  # mesh cycles of a motion that does not repeat
 
 @style.styled
 def history(motion: Motion, units: Units | None = None, parameter: str = "omega") -> Figure:
-    """One motion in the width of a column."""
+    """Displacement and mesh force of one motion over time, as wide as a column.
+
+    Parameters
+    ----------
+    motion : Motion
+        As from `gearlash.motion`.
+    units : Units, optional
+        Second axes in physical units: `Units.of` a case.
+    parameter : str
+        Short name of the parameter whose value stands in the heading.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash import plots
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.attractor(family.system(), family.start())
+    >>> len(plots.history(gl.motion(found)).axes)
+    2
+    """
     figure = style.figure(style.COLUMN, 84.0)
     upper, lower = figure.subplots(2, 1, sharex=True)
     _columns(figure, [(upper, lower)], [motion], units or Units(), parameter)
@@ -34,7 +57,31 @@ def history(motion: Motion, units: Units | None = None, parameter: str = "omega"
 
 @style.styled
 def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str = "omega") -> Figure:
-    """Before, at and after an event: side by side, or one below the other where a period is long."""
+    """Histories before, at and after an event: side by side, or below each other where a period is long.
+
+    Parameters
+    ----------
+    motions : sequence of Motion
+        Before, at and after, in this order.
+    units : Units, optional
+        Second axes in physical units: `Units.of` a case.
+    parameter : str
+        Short name of the parameter whose value stands in the heading.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash import plots
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.attractor(family.system(), family.start())
+    >>> motion = gl.motion(found)
+    >>> len(plots.history_triple([motion, motion, motion]).axes)
+    6
+    """
     count, units = len(motions), units or Units()
     if max(_shown(m) for m in motions) <= LONG:
         figure = style.figure(style.PAGE, 92.0)

@@ -22,9 +22,25 @@ ROW, NARROW_ROW, MANY = 8.5, 6.5, 12  # mm; where all panels together have more 
 
 @dataclass(frozen=True)
 class Bar:
-    """One interval: ``title`` at the left, ``label`` (P-Q-R, or words) on it, what is said at its two ends.
+    """One interval of a parameter.
 
-    ``kind`` is ``reported``, ``computed`` or ``coexisting``; only computed and coexisting ones are coloured.
+    Parameters
+    ----------
+    title : str
+        At the left.
+    lower, upper : float
+    kind : {"reported", "computed", "coexisting"}
+        Reported ones are hatched, the others have the colour of their motion.
+    label : str
+        P-Q-R or words, on the bar.
+    lower_text, upper_text : str
+        At its two ends.
+
+    Examples
+    --------
+    >>> from gearlash.plots import Bar
+    >>> Bar("window", 0.97, 1.11, "computed", "1-0-0").upper
+    1.11
     """
 
     title: str
@@ -38,7 +54,21 @@ class Bar:
 
 @dataclass(frozen=True)
 class Panel:
-    """The intervals of one parameter under one heading."""
+    """The intervals of one parameter under one heading.
+
+    Parameters
+    ----------
+    parameter : str
+        Short name.
+    title : str
+    bars : tuple of Bar
+
+    Examples
+    --------
+    >>> from gearlash.plots import Bar, Panel
+    >>> len(Panel("omega", "At D = 1", (Bar("window", 0.97, 1.11, "computed"),)).bars)
+    1
+    """
 
     parameter: str
     title: str
@@ -47,7 +77,25 @@ class Panel:
 
 @style.styled
 def zones(panels: Sequence[Panel], units: Units | None = None) -> Figure:
-    """One panel a zone, one bar an interval, physical scale on top."""
+    """Intervals of parameters as bars, one panel for each parameter.
+
+    Parameters
+    ----------
+    panels : sequence of Panel
+    units : Units, optional
+        Second axes in physical units: `Units.of` a case.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> from gearlash import plots
+    >>> panel = plots.Panel("omega", "At D = 1", (plots.Bar("window", 0.97, 1.11, "computed"),))
+    >>> plots.zones([panel]).axes[0].get_title(loc="left")
+    'At D = 1'
+    """
     rows = [len(p.bars) for p in panels]
     row = NARROW_ROW if sum(rows) > MANY else ROW
     figure = style.figure(style.PAGE, sum(row * n + 27.0 for n in rows))

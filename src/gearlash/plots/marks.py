@@ -18,8 +18,23 @@ OTHER_LINE, OTHER_TICK = (0, (2, 3)), "|"
 
 @dataclass(frozen=True)
 class Mark:
-    """A special point of a sweep: value, kind, text beside the line; one without text is a tick in the
-    band only.
+    """A special point on the axis of a diagram.
+
+    Parameters
+    ----------
+    value : float
+    kind : str
+        ``grazing``, ``doubling``, ``fold``, or any other: it decides the line.
+    text : str
+        Beside the line; without a text there is no line, only a tick above the panels.
+    strong : bool
+        Line and text are bold.
+
+    Examples
+    --------
+    >>> from gearlash.plots import Mark
+    >>> Mark(1.112, "grazing", "1-0 → 1-1").strong
+    False
     """
 
     value: float

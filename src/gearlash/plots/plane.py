@@ -31,8 +31,33 @@ Array = NDArray[np.float64]
 
 @style.styled
 def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
-    """The map of a dataset of `results.plane_dataset`: a region for every label, named where there is room.
-    Raises `UnknownNameError` for a dataset that is no map."""
+    """A map of two parameters: a region for every label, named where there is room.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Of `gearlash.plane_dataset`.
+    units : Units, optional
+        Second axes in physical units: `Units.of` a case.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    UnknownNameError
+        For a dataset that is no map.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash import plots
+    >>> case = gl.load_case("kahraman-singh")
+    >>> done = gl.map_plane(case, gl.Axis.even("omega", 0.5, 0.6, 2), gl.Axis.even("load", 0.1, 0.2, 2))
+    >>> len(plots.plane(gl.plane_dataset(case, done)).axes)
+    1
+    """
     if "x" not in dataset.attrs or "label_name" not in dataset.dims:
         raise UnknownNameError("dimension", "label_name", [str(d) for d in dataset.dims])
     x, y, units = str(dataset.attrs["x"]), str(dataset.attrs["y"]), units or Units()

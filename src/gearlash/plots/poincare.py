@@ -24,9 +24,32 @@ IN_CYCLE = r"phase in the mesh cycle  $\theta/2\pi$"
 
 @style.styled
 def sections(motions: Sequence[Motion], parameter: str = "omega", force: ForceAxis | None = None) -> Figure:
-    """σ_t in (X, X'); contact force at every crossing of Σ1 (σ_d) and of Σ2 (σ_b) over its phase in the mesh
-    cycle: filled where contact begins, hollow where it ends. ``force``: symbol and sign of the force; Φ if
-    left out."""
+    """The three Poincaré sections of one or several motions, side by side.
+
+    σ_t in (X, X′); the contact force at every crossing of Σ1 (σ_d) and of Σ2 (σ_b) over its phase in the mesh
+    cycle, filled where contact begins, hollow where it ends.
+
+    Parameters
+    ----------
+    motions : sequence of Motion
+    parameter : str
+        Short name of the parameter whose value stands in the heading.
+    force : ForceAxis, optional
+        Symbol and sign of the contact force; Φ where nothing is given.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash import plots
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.attractor(family.system(), family.start())
+    >>> len(plots.sections([gl.motion(found)]).axes)
+    2
+    """
     force = force or ForceAxis()
     back = any((m.hit_boundary < 0).any() for m in motions)
     figure = style.figure(style.PAGE if back else 132.0, 70.0)

@@ -38,7 +38,30 @@ TOUCH: dict[str, Any] = {
 
 @style.styled
 def portrait(motion: Motion, units: Units | None = None, parameter: str = "omega") -> Figure:
-    """One motion in the width of a column."""
+    """The phase portrait of one motion, as wide as a column.
+
+    Parameters
+    ----------
+    motion : Motion
+        As from `gearlash.motion`.
+    units : Units, optional
+        Second axes in physical units: `Units.of` a case.
+    parameter : str
+        Short name of the parameter whose value stands in the heading.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash import plots
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.attractor(family.system(), family.start())
+    >>> plots.portrait(gl.motion(found)).axes[0].get_title(loc="left")
+    '1-0'
+    """
     figure = style.figure(style.COLUMN, 84.0)
     axes = figure.subplots()
     draw(axes, motion)
@@ -52,8 +75,30 @@ def portrait(motion: Motion, units: Units | None = None, parameter: str = "omega
 
 @style.styled
 def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str = "omega") -> Figure:
-    """Before, at and after an event: whole portraits above, the same places beside the touched boundary
-    below.
+    """Phase portraits before, at and after an event, with the touched place enlarged below.
+
+    Parameters
+    ----------
+    motions : sequence of Motion
+        Before, at and after, in this order.
+    units : Units, optional
+        Second axes in physical units: `Units.of` a case.
+    parameter : str
+        Short name of the parameter whose value stands in the heading.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash import plots
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.attractor(family.system(), family.start())
+    >>> motion = gl.motion(found)
+    >>> len(plots.portrait_triple([motion, motion, motion]).axes)
+    6
     """
     figure = style.figure(style.PAGE, 132.0)
     whole, close = figure.subplots(2, len(motions), height_ratios=[1.15, 1.0], squeeze=False)
@@ -80,7 +125,29 @@ def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str
 
 @style.styled
 def gallery(motions: Sequence[Motion], units: Units | None = None, parameter: str = "omega") -> Figure:
-    """Motions that exist side by side, under the same scales; three in a row."""
+    """Phase portraits of coexisting motions under the same scales, three in a row.
+
+    Parameters
+    ----------
+    motions : sequence of Motion
+    units : Units, optional
+        Second axes in physical units: `Units.of` a case.
+    parameter : str
+        Short name of the parameter whose value stands in the heading.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash import plots
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.attractor(family.system(), family.start())
+    >>> len(plots.gallery([gl.motion(found), gl.motion(found)]).axes)
+    2
+    """
     columns = min(3, len(motions))
     rows = -(-len(motions) // columns)
     figure = style.figure(style.PAGE if columns > 1 else style.COLUMN, 72.0 * rows + 12.0)

@@ -1,7 +1,7 @@
-"""The one look of all figures: sizes of a paper, a palette safe for colour-blind readers, files without
+"""The one look of all figures: sizes of a journal page, a palette for colour-blind readers, files without
 dates.
 
-Palette: M. Okabe and K. Ito, Color Universal Design, 2008. Nothing is told by colour alone: markers, line
+Palette: M. Okabe and K. Ito, Color Universal Design, 2008. Nothing is shown by colour alone: markers, line
 styles, hatches or words say the same, so that a grey print can be read.
 """
 
@@ -136,7 +136,7 @@ def _minor_ticks(made: Figure) -> None:
 
 
 class Shown(Figure):
-    """A figure that a notebook shows as it is, whatever it was told about matplotlib."""
+    """A figure that a notebook shows as it is, whatever its settings of matplotlib are."""
 
     def _repr_svg_(self) -> str:
         return to_bytes(self, "svg").decode()
@@ -161,7 +161,26 @@ def align_labels(panels: Sequence[Axes], left: float = 11.0) -> None:
 
 
 def to_bytes(made: Figure, form: str, dpi: float = RASTER_DPI) -> bytes:
-    """The figure as a file of format ``svg``, ``pdf`` or ``png``. The same figure gives the same bytes."""
+    """The content of a file with this figure; the same figure gives the same bytes.
+
+    Parameters
+    ----------
+    made : matplotlib.figure.Figure
+    form : {"svg", "pdf", "png"}
+    dpi : float
+        Dots an inch of a PNG, and of the dense layers of points in the others.
+
+    Returns
+    -------
+    bytes
+
+    Examples
+    --------
+    >>> from gearlash import plots
+    >>> figure = plots.zones([plots.Panel("omega", "", (plots.Bar("window", 0.9, 1.1, "computed"),))])
+    >>> plots.to_bytes(figure, "svg")[:5]
+    b'<?xml'
+    """
     empty: dict[str, dict[str, None]] = {
         "svg": dict.fromkeys(("Date", "Creator", "Format", "Type")),
         "pdf": dict.fromkeys(("CreationDate", "Creator", "Producer")),
@@ -190,7 +209,31 @@ def _quiet(name: str) -> Iterator[None]:
 def save(
     made: Figure, stem: str | Path, forms: tuple[str, ...] = ("svg", "pdf"), dpi: float = RASTER_DPI
 ) -> list[Path]:
-    """Writes ``stem``.svg, ``stem``.pdf, ...; returns their paths."""
+    """Writes a figure in several formats: all of them, or none where one cannot be written.
+
+    Parameters
+    ----------
+    made : matplotlib.figure.Figure
+    stem : str or Path
+        Path of the files without the ending.
+    forms : tuple of str
+        Of ``svg``, ``pdf`` and ``png``.
+    dpi : float
+        Dots an inch of a PNG, and of the dense layers of points in the others.
+
+    Returns
+    -------
+    list of Path
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from gearlash import plots
+    >>> figure = plots.zones([plots.Panel("omega", "", (plots.Bar("window", 0.9, 1.1, "computed"),))])
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     [path.name for path in plots.save(figure, folder + "/zone", forms=("svg",))]
+    ['zone.svg']
+    """
     stem = Path(stem)
     paths = [stem.with_name(f"{stem.name}.{form}") for form in forms]
     write_together({path: to_bytes(made, form, dpi) for path, form in zip(paths, forms, strict=True)})

@@ -50,10 +50,24 @@ def plain(text: str) -> str:
 
 @dataclass(frozen=True)
 class ForceAxis:
-    """How a figure draws the contact force on sections: its symbol, and its sign, that of Φ times ±1.
+    """How a figure draws the contact force on sections.
 
-    Φ is positive where the drive side is compressed; papers that count the force the other way round have a
-    symbol of their own for it."""
+    Φ is positive where the drive side is compressed; publications that count the force the other way round
+    have a symbol of their own for it.
+
+    Parameters
+    ----------
+    symbol : str
+        As matplotlib takes it.
+    sign : float
+        +1: Φ; -1: −Φ.
+
+    Examples
+    --------
+    >>> from gearlash.plots import ForceAxis
+    >>> ForceAxis(r"$F$", -1.0).sign
+    -1.0
+    """
 
     symbol: str = r"$\Phi$"
     sign: float = 1.0
@@ -61,8 +75,23 @@ class ForceAxis:
 
 @dataclass(frozen=True)
 class Twin:
-    """A second scale of an axis: dimensionless → physical by one factor, words, unit, and whether it rests
-    on an assumed value."""
+    """A second scale of an axis, which is a multiple of the dimensionless one.
+
+    Parameters
+    ----------
+    factor : float
+        Physical over dimensionless values.
+    words, unit : str
+    assumed : bool
+        Whether it rests on an assumed value: its label then carries †.
+
+    Examples
+    --------
+    >>> from gearlash.plots import Twin
+    >>> speed = Twin(3820.0, "pinion speed", "rpm")
+    >>> speed.label, float(speed(0.5)), float(speed.back(1910.0))
+    ('pinion speed  [rpm]', 1910.0, 0.5)
+    """
 
     factor: float
     words: str
@@ -78,12 +107,38 @@ class Twin:
         return np.asarray(values, dtype=np.float64) * self.factor
 
     def back(self, values: ArrayLike) -> Array:
+        """From physical to dimensionless values.
+
+        Parameters
+        ----------
+        values : array_like
+
+        Returns
+        -------
+        ndarray
+        """
         return np.asarray(values, dtype=np.float64) / self.factor
 
 
 @dataclass(frozen=True)
 class Units:
-    """The second axes a case can have: None where its scales do not reach. `Units()` has none at all."""
+    """The second axes that a case can have; `Units()` has none.
+
+    Parameters
+    ----------
+    speed, backlash, length, force, milliseconds : Twin, optional
+        Pinion speed of ω, backlash b of D, length of X, normal force of Φ, time of τ; None where the scales
+        of the case do not reach.
+    others : mapping of str to Twin
+        Those of further parameters, by short name.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash.plots import Units
+    >>> Units.of(gl.load_case("wind-turbine")).speed.unit
+    'rpm'
+    """
 
     speed: Twin | None = None
     backlash: Twin | None = None
@@ -94,7 +149,17 @@ class Units:
 
     @staticmethod
     def of(case: Case) -> Units:
-        """All that the case's scales give; a scale that rests on an assumed value carries †."""
+        """All second axes that the scales of a case give.
+
+        Parameters
+        ----------
+        case : Case
+
+        Returns
+        -------
+        Units
+            A scale that rests on an assumed value carries †.
+        """
         given.instance("case", case, Case, "a case, as from gearlash.load_case")
         scales = case.scales
         if not scales.physical:
@@ -119,7 +184,17 @@ class Units:
         return any(scale.assumed for scale in (*own, *self.others.values()) if scale is not None)
 
     def of_parameter(self, parameter: str) -> Twin | None:
-        """The physical scale of a swept parameter."""
+        """The physical scale of a parameter.
+
+        Parameters
+        ----------
+        parameter : str
+            Short name.
+
+        Returns
+        -------
+        Twin or None
+        """
         return {"omega": self.speed, "D": self.backlash}.get(parameter) or self.others.get(parameter)
 
 

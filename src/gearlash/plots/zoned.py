@@ -54,8 +54,33 @@ def zone_bands(
     present: float | None = None,
     units: Units | None = None,
 ) -> Figure:
-    """Zones of one or several kinds over the sweeps that they were found from (``dataset``, complete);
-    ``present`` is the value of the case itself."""
+    """Zones of one or several kinds, over the sweeps that they were found from.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Of `gearlash.sweep_dataset`, with complete sweeps.
+    found : sequence of Zones
+    title : str
+        What the zones are of.
+    present : float, optional
+        The value of the case itself, for a line there.
+    units : Units, optional
+        Second axes in physical units: `Units.of` a case.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash import plots
+    >>> case = gl.load_case("kahraman-singh")
+    >>> found = gl.zones(case, gl.Axis.even("omega", 0.5, 0.55, 3), "impact-free")
+    >>> len(plots.zone_bands(gl.sweep_dataset(case, found.sweeps), [found]).axes)
+    3
+    """
     rows, axis, bands = branches(dataset), axis_name(dataset), list(_bands(found))
     heights = [ROW * len(bands), 4.6 * len(rows), 52.0]
     figure = style.figure(style.PAGE, sum(heights) + 46.0)
