@@ -34,7 +34,7 @@ class BifurcationPoint(Record):
     """Where a multiplier is ``multiplier`` (±1): value of parameter ``name`` with its error estimate, state
     (n,) at phase zero, label of the orbit there, all its multipliers."""
 
-    _told: ClassVar = ("name", "value", "error", "status", "kind", "label", "residual")
+    _printed: ClassVar = ("name", "value", "error", "status", "kind", "label", "residual")
 
     name: str
     value: float

@@ -20,10 +20,10 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.flow import Hold, Propagators
 from gearlash.orbits import GrazingCheck, Orbit
+from gearlash.orbits.contact_force import force_extrema
 from gearlash.orbits.extrema import gap_extrema
 from gearlash.orbits.floquet import ordered, rate
 from gearlash.orbits.grazing import KINDS, Surface
-from gearlash.orbits.pressing import force_extrema
 from gearlash.system import Family, Record, Status, given
 
 from .critical import distance_to_unit
@@ -48,7 +48,7 @@ class GrazingPoint(Record):
     ``clearance`` is the index of the gap, ``clearance_name`` its name; for ``surface`` "force" the touch is
     Φ = 0 and ``a0`` = Φ''."""
 
-    _told: ClassVar = (
+    _printed: ClassVar = (
         "name",
         "value",
         "error",

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.flow import Carried, Hold, Propagators
 from gearlash.flow.events import gap_displacement, gap_velocity
+from gearlash.orbits.contact_force import force_series
 from gearlash.orbits.grazing import Surface, force_gradient
-from gearlash.orbits.pressing import force_series
 
 Array = NDArray[np.float64]
 STEP = 1e-5  # mesh cycles: for derivatives in time

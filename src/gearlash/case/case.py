@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from gearlash.system import Family, GearlashError, Record, given
-from gearlash.system.told import cut
+from gearlash.system.short_text import cut
 
 from .entries import Entry
 from .errors import CaseError
@@ -58,7 +58,7 @@ class Case(Record):
     (0.9424, 3600)
     """
 
-    _told: ClassVar = ("name", "kind", "description", "hash")
+    _printed: ClassVar = ("name", "kind", "description", "hash")
 
     name: str
     kind: str

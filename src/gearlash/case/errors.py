@@ -6,8 +6,8 @@ import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from gearlash.system import GearlashError, told
-from gearlash.system.told import cut
+from gearlash.system import GearlashError, short_text
+from gearlash.system.short_text import cut
 
 _LONGEST = {"path": 120, "value": 120, "expected": 600, "nearest": 60}
 MOST_SHOWN = 20
@@ -113,7 +113,7 @@ def nearest_name(name: object, valid: Iterable[str]) -> str | None:
 def shown(value: object) -> str:
     """A value as it appears in a problem: texts and numbers as they stand, cut to a readable length."""
     if isinstance(value, str):
-        return cut(repr(value[: told.LONGEST]))
+        return cut(repr(value[: short_text.LONGEST]))
     if isinstance(value, int) and value.bit_length() < 10_000:  # Python turns no longer ones into digits
         return cut(repr(value))
-    return told.shown(value)
+    return short_text.shown(value)

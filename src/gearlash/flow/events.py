@@ -53,7 +53,7 @@ class Events(Record):
     1 [1] [False]
     """
 
-    _told: ClassVar = ("phase", "clearance", "boundary", "engaging")
+    _printed: ClassVar = ("phase", "clearance", "boundary", "engaging")
 
     phase: Array
     state: Array
@@ -263,7 +263,7 @@ class Trace(Record):
     [1.1    0.2835 0.717 ]
     """
 
-    _told: ClassVar = ("status", "phase", "cycles", "undecided")
+    _printed: ClassVar = ("status", "phase", "cycles", "undecided")
 
     propagators: Propagators
     base: float

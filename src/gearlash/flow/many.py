@@ -50,7 +50,7 @@ class ManyStrobes(Record):
     ((6, 3, 2), ['ok', 'ok', 'ok'])
     """
 
-    _told: ClassVar = ("states", "contacts")
+    _printed: ClassVar = ("states", "contacts")
 
     states: Array
     contacts: Array

@@ -57,7 +57,7 @@ class Strobes(Record):
     ((21, 2), (20, 4), True)
     """
 
-    _told: ClassVar = ("status", "undecided", "states", "contacts")
+    _printed: ClassVar = ("status", "undecided", "states", "contacts")
 
     states: Array
     contacts: Array
@@ -91,7 +91,7 @@ class Carried(Record):
     ((2,), (2, 2))
     """
 
-    _told: ClassVar = ("status", "undecided", "state", "contacts")
+    _printed: ClassVar = ("status", "undecided", "state", "contacts")
 
     state: Array
     jacobian: Array | None

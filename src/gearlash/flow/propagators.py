@@ -126,7 +126,7 @@ class Propagators(Record):
     (4, 6.981317)
     """
 
-    _told: ClassVar = ("system", "cells")
+    _printed: ClassVar = ("system", "cells")
 
     system: System
     shape: Shape

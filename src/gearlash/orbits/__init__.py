@@ -1,13 +1,14 @@
 """Attractors and what they are: sections, signature, periodic orbits, multipliers, exponents, grazing
 conditions."""
 
-from .attractor import Settings, attractor
+from .attractor import attractor
 from .certificate import Certificate, Verdict
 from .floquet import multipliers
 from .grazing import GrazingCheck, grazing_checks
 from .lyapunov import Exponents, lyapunov
 from .results import Aperiodic, Attractor, Neutral, Orbit, Unresolved
 from .sections import Section, Sections, sections
+from .settings import Settings
 from .shooting import Shot, shoot
 from .signature import Signature
 from .solve import orbit_at

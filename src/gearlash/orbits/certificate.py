@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from gearlash.flow import Events, Propagators, Trace
 from gearlash.system import Clearance, ContactRule, Named, Record, Status
 
+from .contact_force import least_force
 from .extrema import gap_extrema
-from .pressing import least_force
 from .shooting import TOLERANCE, Shot
 from .tangents import Tangents, norms, round_orbit
 
@@ -32,22 +32,44 @@ MOVING = (Status.OK, Status.UNCERTAIN)
 
 
 class Verdict(Named):
-    """Of a certificate."""
+    """What a certificate comes to."""
 
     CERTIFIED = "certified"
+    """Everything that is said of the motion holds within its error."""
     UNCERTAIN = "uncertain"
+    """Something is within the error: the reasons say what, with numbers."""
     FAILED = "failed"
+    """There is no motion to speak of: it does not close, or could not be followed."""
 
 
 @dataclass(frozen=True, repr=False)
 class Certificate(Record):
-    """``verdict``, and ``reasons`` with their numbers why it is not `certified`."""
+    """What the program vouches for, of one motion.
+
+    A certified orbit closes, with this signature and this stability: what it says of contacts holds with
+    Taylor remainder and rounding bounded, and the error of the state that it is held against is a first-order
+    estimate with a margin of ten, not an enclosure. It does not say that there is no other motion.
+
+    Attributes
+    ----------
+    verdict : Verdict
+    reasons : tuple of str
+        Why it is not certified, with numbers; empty where it is.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> print(gl.attractor(family.system(), family.start()).certificate)
+    certified
+    """
 
     verdict: Verdict
     reasons: tuple[str, ...] = ()
 
     @property
     def certified(self) -> bool:
+        """Whether the verdict is `Verdict.CERTIFIED`."""
         return self.verdict is Verdict.CERTIFIED
 
     @property
@@ -60,7 +82,17 @@ class Certificate(Record):
 
     @staticmethod
     def of(reasons: Iterator[str]) -> Certificate:
-        """Certified where there is no reason against it."""
+        """The certificate of a motion against which there are these reasons, or none.
+
+        Parameters
+        ----------
+        reasons : iterable of str
+
+        Returns
+        -------
+        Certificate
+            Certified without any reason, else uncertain.
+        """
         found = tuple(reasons)
         return Certificate(Verdict.UNCERTAIN if found else Verdict.CERTIFIED, found)
 

@@ -26,8 +26,40 @@ MOVING = (Status.OK, Status.UNCERTAIN)
 
 
 def multipliers(system: System | Propagators, start: ArrayLike, period: int) -> NDArray[np.complex128]:
-    """All multipliers (n,) of a periodic orbit through ``start``, by modulus, descending. One smaller than
-    the least float is zero; its logarithm is in `spectrum`."""
+    """All Floquet multipliers of a periodic orbit, the small ones to full relative accuracy.
+
+    An `Orbit` has its own in ``multipliers``.
+
+    Parameters
+    ----------
+    system : System or Propagators
+    start : array_like of shape (n,)
+        State of the orbit at phase zero.
+    period : int
+        Base periods after which it closes; 1 or more.
+
+    Returns
+    -------
+    ndarray of complex, shape (n,)
+        By modulus, descending. One smaller than the least float is zero.
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit.
+
+    References
+    ----------
+    D. Watkins, "Product eigenvalue problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> orbit = gl.attractor(family.system({"omega": 0.8}), family.start())
+    >>> abs(gl.multipliers(orbit.propagators, orbit.state, 1)).round(4).tolist()
+    [0.6752, 0.6752]
+    """
     props = propagators_of(system)
     return spectrum(props, start_state(props, start), period)[0]
 

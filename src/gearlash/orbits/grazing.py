@@ -18,8 +18,8 @@ from gearlash.flow import Trace
 from gearlash.flow.events import gap_velocity
 from gearlash.system import ContactRule, Record, System, evaluate, given
 
+from .contact_force import force_extrema
 from .extrema import gap_extrema
-from .pressing import force_extrema
 from .results import Aperiodic, Attractor, Orbit
 
 Surface = Literal["gap", "force"]
@@ -38,13 +38,45 @@ KINDS = {
 
 @dataclass(frozen=True, repr=False)
 class GrazingCheck(Record):
-    """One extremum beside one boundary (+1: Σ1, -1: Σ2) of one clearance (its index and name).
+    """The four conditions of grazing at one extremum of a motion beside one boundary.
 
-    For the surface "gap" the extremum is one of X, ``distance`` is H = X ∓ D there (condition 1 wants 0),
-    ``gradient`` = |∇H| (2: not 0), ``velocity`` = X' (3: 0, by construction of the extremum), ``a0`` = X''
-    (4: not 0). On Σ1 a0 > 0 is loss of contact, seen from S1, and a0 < 0 engagement, seen from S2; on Σ2 the
-    signs are mirrored: `kind` says which. For the surface "force" (rule `no-tension`) the
-    same with H = Φ, H' = Φ' and a0 = Φ''."""
+    A motion grazes H = 0 where H = 0, ∇H ≠ 0, H' = 0 and H'' ≠ 0. On Σ1 a0 > 0 is loss of contact, seen from
+    S1, and a0 < 0 engagement, seen from S2; on Σ2 the signs are mirrored: `kind` says which.
+
+    Attributes
+    ----------
+    phase : float
+        Of the extremum, in mesh cycles.
+    boundary : {1, -1}
+        Σ1 or Σ2.
+    displacement : float
+        X there.
+    distance : float
+        H: X ∓ D of the surface "gap", Φ of the surface "force". The first condition wants 0.
+    gradient : float
+        |∇H|; the second condition wants it not to be 0.
+    velocity : float
+        H', 0 by construction of the extremum: the third condition.
+    a0 : float
+        H'' per unit of τ squared; the fourth condition wants it not to be 0.
+    index : int
+        Of the extremum among those of its clearance.
+    clearance : int
+        Index of the clearance.
+    name : str
+        Name of the clearance.
+    surface : {"gap", "force"}
+        Whether H is the distance to the boundary of the gap or, with the rule `no-tension`, the force.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> orbit = gl.attractor(family.system({"omega": 0.8}), family.start())
+    >>> nearest = gl.grazing_checks(orbit)[0]
+    >>> round(nearest.distance, 4), nearest.kind
+    (0.0132, 'loss of contact on the drive side (minimum of X in S1)')
+    """
 
     phase: float
     boundary: int
@@ -60,11 +92,22 @@ class GrazingCheck(Record):
 
     @property
     def kind(self) -> str:
+        """Which contact would be lost or made, in words."""
         return KINDS[(self.surface, self.boundary, 1 if self.a0 > 0 else -1)]
 
     def holds(self, tolerance: float = 1e-9) -> bool:
-        """Whether all four conditions hold within ``tolerance`` (lengths in units of the reference
-        length)."""
+        """Whether all four conditions hold.
+
+        Parameters
+        ----------
+        tolerance : float
+            Within which distance and velocity count as 0, and beyond which a0 does not; lengths in units of
+            the reference length.
+
+        Returns
+        -------
+        bool
+        """
         return (
             abs(self.distance) <= tolerance
             and self.gradient > 0.0
@@ -76,8 +119,42 @@ class GrazingCheck(Record):
 def grazing_checks(
     attractor: Attractor, within: float = np.inf, clearance: int | None = None
 ) -> tuple[GrazingCheck, ...]:
-    """The conditions at every extremum whose distance to a boundary is at most ``within``, nearest first; of
-    all clearances, or of one. A side that does not act (`Clearance.stops`) has no boundary."""
+    """The conditions of grazing at every extremum of a motion, the nearest to a boundary first.
+
+    A side that does not act (`Clearance.stops`) has no boundary. With the rule `no-tension` the extrema of
+    the force are looked at, too.
+
+    Parameters
+    ----------
+    attractor : Orbit, Aperiodic, Neutral or Unresolved
+        What `attractor` returned.
+    within : float
+        Distance to a boundary up to which an extremum counts; infinity for all of them.
+    clearance : int, optional
+        Index of one clearance; all of them without.
+
+    Returns
+    -------
+    tuple of GrazingCheck
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit.
+
+    References
+    ----------
+    M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008, ch. 6,
+    doi:10.1007/978-1-84628-708-4.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> orbit = gl.attractor(family.system({"omega": 0.8}), family.start())
+    >>> [round(check.distance, 4) for check in gl.grazing_checks(orbit, within=0.1)]
+    [0.0132]
+    """
     trace, count = motion_of(attractor).trace, len(attractor.propagators.system.clearances)
     within = given.limit("within", within)
     if clearance is not None:
@@ -128,7 +205,7 @@ def _of_force(trace: Trace, j: int) -> Iterator[GrazingCheck]:
     c = system.clearances[j]
     for i in range(len(extrema)):
         boundary = int(extrema.boundary[i])
-        if extrema.pressing[i] and boundary * extrema.curvature[i] < 0.0:
+        if extrema.in_contact[i] and boundary * extrema.curvature[i] < 0.0:
             continue  # the largest force: nothing ends there
         yield GrazingCheck(
             phase=float(extrema.phase[i]),

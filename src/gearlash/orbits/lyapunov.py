@@ -19,7 +19,7 @@ from gearlash.system import Record, Status, System, given
 
 from .certificate import MOVING
 from .floquet import cut, mean_trace
-from .wandering import ROUNDING
+from .transient import ROUNDING
 
 BATCHES = 20
 STUDENT = 2.093  # 95 % two-sided, 19 degrees of freedom
@@ -29,13 +29,33 @@ AGREES = 1e-6  # of the exponents' size: a larger defect of their sum is no roun
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Exponents(Record):
-    """Exponents (k,) per unit of τ, descending, with the half-width (k,) of their 95 % intervals from batch
-    means, at least what rounding may do, over ``periods`` base periods, and the state (n,) at the end. For
-    k = n, `trace_defect` is the sum of the exponents minus the mean trace of the field over the same motion
-    (exactly zero in theory); it is NaN otherwise.
+    """Lyapunov exponents of a motion, with their error bars.
 
-    Status `uncertain`: a contact lay within rounding of touching somewhere on the way. Status `inexact`: the
-    defect is more than rounding, or an exponent is no number; the values are not to be relied on."""
+    Attributes
+    ----------
+    values : ndarray of shape (k,)
+        Exponents per unit of τ, descending.
+    errors : ndarray of shape (k,)
+        Half-widths of their 95 % intervals from batch means; at least what rounding may do.
+    periods : int
+        Base periods that they were averaged over.
+    trace_defect : float
+        For k = n the sum of the exponents minus the mean trace of the field over the same motion, which is
+        zero in theory; NaN otherwise.
+    final_state : ndarray of shape (n,)
+        The state at the end.
+    status : Status
+        Uncertain: a contact lay within rounding of touching somewhere on the way. Inexact: the defect is more
+        than rounding, or an exponent is no number; the values are not to be relied on.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.lyapunov(family.system({"omega": 0.8}), family.start(), 100)
+    >>> found.values.round(3).tolist(), abs(found.trace_defect) < 1e-12
+    ([-0.05, -0.05], True)
+    """
 
     values: NDArray[np.float64]
     errors: NDArray[np.float64]
@@ -46,11 +66,52 @@ class Exponents(Record):
 
 
 def lyapunov(
-    system: System | Propagators, start: ArrayLike, periods: int, count: int | None = None, settle: int = 20
+    system: System | Propagators,
+    start: ArrayLike,
+    periods: int,
+    *,
+    count: int | None = None,
+    settle: int = 20,
 ) -> Exponents:
-    """The ``count`` largest exponents (default all) from ``periods`` base periods after ``settle`` for the
-    frame. The frame is made orthogonal once in a base period, or as much more often as the tangent flow needs
-    it: where that spreads lengths by more than e^10 in between, small directions would be lost to rounding.
+    """The largest Lyapunov exponents of a motion, by QR averages with error bars.
+
+    The frame is made orthogonal once in a base period, or as much more often as the tangent flow needs it:
+    where that spreads lengths by more than e^10 in between, small directions would be lost to rounding. At
+    contacts the tangent flow is the exact one, with its jumps.
+
+    Parameters
+    ----------
+    system : System or Propagators
+    start : array_like of shape (n,)
+        State at phase zero, on the motion.
+    periods : int
+        Base periods to average over, 1 or more: twenty batches of equal length.
+    count : int, optional
+        How many exponents, 1 to n; all without.
+    settle : int
+        Base periods before, in which the frame turns into its directions; 0 or more.
+
+    Returns
+    -------
+    Exponents
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit.
+
+    References
+    ----------
+    G. Benettin et al., Meccanica 15 (1980) 9-30, doi:10.1007/BF02128236.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("article").family()
+    >>> values = {"omega": 0.78, "D": 0.3}
+    >>> found = gl.lyapunov(family.system(values), family.start(values), 400, count=1, settle=200)
+    >>> bool(found.values[0] > found.errors[0])  # chaos
+    True
     """
     props = propagators_of(system)
     z = start_state(props, start)

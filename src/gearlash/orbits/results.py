@@ -31,7 +31,7 @@ class Orbit(Record):
     `status`.
     """
 
-    _told: ClassVar = ("label", "status", "period", "residual", "leading", "state", "message")
+    _printed: ClassVar = ("label", "status", "period", "residual", "leading", "state", "message")
 
     propagators: Propagators
     shot: Shot
@@ -152,7 +152,7 @@ class Aperiodic(Record):
     seen to persist. A chaotic transient longer than ``periods_used`` looks the same. ``undecided`` counts the
     contacts of the search that lay within rounding of touching."""
 
-    _told: ClassVar = ("label", "status", "largest_exponent", "exponent_error", "periods_used", "message")
+    _printed: ClassVar = ("label", "status", "largest_exponent", "exponent_error", "periods_used", "message")
 
     propagators: Propagators
     final_state: NDArray[np.float64]

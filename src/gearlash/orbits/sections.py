@@ -18,9 +18,30 @@ ENTERING, LEAVING = 1, -1
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Section(Record):
-    """Points of one section: phase (mesh cycles), state (m, n), displacement X, velocity X', contact force
-    Φ (positive where the drive side is compressed), and direction: +1 into contact, -1 out of it (0 on
-    σ_t)."""
+    """Points of one Poincaré section.
+
+    Attributes
+    ----------
+    phase : ndarray of shape (m,)
+        In mesh cycles.
+    state : ndarray of shape (m, n)
+    displacement : ndarray of shape (m,)
+        X of the clearance.
+    velocity : ndarray of shape (m,)
+        X' per unit of τ.
+    force : ndarray of shape (m,)
+        Contact force Φ, positive where the drive side is compressed.
+    direction : ndarray of int, shape (m,)
+        1 into contact, -1 out of it, 0 on σ_t.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("article", {"omega": 0.55}).family()
+    >>> drive = gl.sections(gl.attractor(family.system(), family.start())).drive
+    >>> len(drive), len(drive.entering), len(drive.leaving)
+    (2, 1, 1)
+    """
 
     phase: NDArray[np.float64]
     state: NDArray[np.float64]
@@ -34,7 +55,7 @@ class Section(Record):
 
     @property
     def entering(self) -> Section:
-        """The impacts: crossings into contact only."""
+        """The impacts: crossings into contact."""
         return self._where(self.direction == ENTERING)
 
     @property
@@ -55,8 +76,27 @@ class Section(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Sections(Record):
-    """σ_t (every base period), σ_d (all contact events at Σ1: X = +D) and σ_b (all at Σ2: X = -D). With the
-    rule `no-tension` contact ends where the force does, so beyond the boundary."""
+    """The three Poincaré sections of a motion, in the gap of one clearance.
+
+    With the rule `no-tension` contact ends where the force does, so beyond the boundary.
+
+    Attributes
+    ----------
+    time : Section
+        σ_t: once in every base period, at phase zero.
+    drive : Section
+        σ_d: all contact events at Σ1, X = +D.
+    back : Section
+        σ_b: all contact events at Σ2, X = -D.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("article", {"omega": 0.55}).family()
+    >>> found = gl.sections(gl.attractor(family.system(), family.start()))
+    >>> len(found.time), len(found.drive), len(found.back)
+    (1, 2, 0)
+    """
 
     time: Section
     drive: Section
@@ -64,7 +104,33 @@ class Sections(Record):
 
 
 def sections(attractor: Attractor, clearance: int = 0) -> Sections:
-    """The sections of one orbit, or of the stretch kept of another motion, in the gap of a clearance."""
+    """The Poincaré sections of a motion, in the gap of one clearance.
+
+    Parameters
+    ----------
+    attractor : Orbit, Aperiodic, Neutral or Unresolved
+        What `attractor` returned: of an orbit one period is taken, of another motion the 200 base periods
+        that are kept of it.
+    clearance : int
+        Index of the clearance.
+
+    Returns
+    -------
+    Sections
+
+    Raises
+    ------
+    GearlashError
+        For what is no attractor, or an index that no clearance has.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.sections(gl.attractor(family.system({"omega": 0.8}), family.start()))
+    >>> found.time.displacement.round(4).tolist(), len(found.drive)
+    ([1.0812], 0)
+    """
     clearance = motion_of(attractor).trace.which(clearance)
     drive, back = (_crossings(attractor, clearance, boundary) for boundary in (1, -1))
     return Sections(_strobes(attractor, clearance), drive, back)

@@ -29,20 +29,46 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Shot(Record):
-    """A solution of P^period(z) = z: state (n,), period in base periods, residual, monodromy (n, n), and
-    ``error``: an estimate, to first order, of the largest error of a component of the state, from what the
-    return misses and its rounding; ``errors`` (n,) the same of every component. What grows and dies out again
-    within the period is not in it: the certificate sees that.
+    """A solution of P^period(z) = z by Newton's method, stable or not.
 
     The residual is the largest component of P^period(z) - z, each relative to what rounding acts on there:
     |DP^period| s + s, with s the size of every component along the orbit. So it depends neither on the units
     of the components nor on where phase zero lies, however stiff a contact it falls into.
 
-    ``contacts`` (4·clearances,) as in `flow.Strobes`, over the whole period, where they were counted;
-    ``strobes`` (period, n) the states at phase zero, where they were marched.
+    Attributes
+    ----------
+    state : ndarray of shape (n,)
+        At phase zero.
+    period : int
+        In base periods.
+    residual : float
+    monodromy : ndarray of shape (n, n)
+        DP^period at the state.
+    error : float
+        Estimate, to first order, of the largest error of a component of the state, from what the return
+        misses and its rounding. What grows and dies out again within the period is not in it: the certificate
+        sees that.
+    iterations : int
+        Of Newton's method.
+    status : Status
+        Not converged where the residual is above 1e-11.
+    contacts : ndarray of int, shape (4·clearances,), optional
+        As in `Strobes`, over the whole period, where they were counted.
+    strobes : ndarray of shape (period, n), optional
+        The states at phase zero of every base period, where they were marched.
+    errors : ndarray of shape (n,), optional
+        As ``error``, of every component.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> shot = gl.attractor(family.system({"omega": 0.8}), family.start()).shot
+    >>> shot.period, shot.residual < 1e-14, str(shot.status)
+    (1, True, 'ok')
     """
 
-    _told: ClassVar = ("status", "period", "residual", "error", "iterations", "state")
+    _printed: ClassVar = ("status", "period", "residual", "error", "iterations", "state")
 
     state: NDArray[np.float64]
     period: int
@@ -105,13 +131,45 @@ def shoot(
     system: System | Propagators,
     start: ArrayLike,
     period: int,
+    *,
     iterations: int = ITERATIONS,
     reach: float | None = None,
 ) -> Shot:
-    """Newton's method from ``start`` (n,) for a fixed point of the ``period``-fold map. Steps that make the
-    residual grow tenfold end the search with status `not-converged`. With ``reach`` a guess is expected to be
-    near: the search ends too where the first step is longer, or does not make the residual smaller, and where
-    two steps have not halved it."""
+    """A fixed point of the stroboscopic map by Newton's method, stable or not.
+
+    The Jacobian is the exact one. Steps that make the residual grow tenfold end the search.
+
+    Parameters
+    ----------
+    system : System or Propagators
+    start : array_like of shape (n,)
+        Guess at phase zero.
+    period : int
+        Base periods after which the orbit closes; 1 or more.
+    iterations : int
+        At the most; 1 or more.
+    reach : float, optional
+        With it the guess is expected to be near: the search ends, too, where the first step is longer, or
+        does not make the residual smaller, and where two steps have not halved it.
+
+    Returns
+    -------
+    Shot
+        Status not converged where the residual is above 1e-11.
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> shot = gl.shoot(family.system({"omega": 0.8}), [1.08, 0.07], 1)
+    >>> shot.state.round(4).tolist(), shot.iterations
+    ([1.0812, 0.0678], 1)
+    """
     props = propagators_of(system)
     z: Array = start_state(props, start)
     period = given.whole("period", period, 1, LONGEST // props.system.cycles)

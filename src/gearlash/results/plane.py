@@ -43,7 +43,7 @@ class PlaneMap(Record):
     parameters that were set beside the case's own.
     """
 
-    _told: ClassVar = ("x", "y", "shares", "statuses", "complete", "message", "fixed")
+    _printed: ClassVar = ("x", "y", "shares", "statuses", "complete", "message", "fixed")
 
     x: Axis
     y: Axis

@@ -44,7 +44,7 @@ class Point(Record):
     (`results.forces`).
     """
 
-    _told: ClassVar = (
+    _printed: ClassVar = (
         "value",
         "label",
         "status",

@@ -14,7 +14,7 @@ import numpy as np
 
 from gearlash.case.files import UnreadableError, check_file
 from gearlash.system import GearlashError, given
-from gearlash.system.told import cut
+from gearlash.system.short_text import cut
 
 from .groups import join, split
 

@@ -28,7 +28,7 @@ class Sweep(Record):
     `not-computed`. ``fixed`` are the parameters that were set beside the case's own.
     """
 
-    _told: ClassVar = ("axis", "direction", "shares", "statuses", "complete", "message", "fixed")
+    _printed: ClassVar = ("axis", "direction", "shares", "statuses", "complete", "message", "fixed")
 
     axis: Axis
     direction: Direction

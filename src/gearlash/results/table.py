@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from gearlash.system import GearlashError, given
-from gearlash.system.told import cut
+from gearlash.system.short_text import cut
 
 from .groups import POINTWISE, split
 from .plane_dataset import CODES

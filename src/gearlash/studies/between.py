@@ -14,7 +14,7 @@ import numpy as np
 from gearlash import flow
 from gearlash.jobs import Part, stopping
 from gearlash.orbits import Orbit, Settings, grazing_checks, orbit_at
-from gearlash.orbits.dips import Sample, dip
+from gearlash.orbits.minimum import Sample, bracketed_minimum
 from gearlash.results import Point
 from gearlash.system import ContactRule, Family, GearlashError, System
 
@@ -117,7 +117,7 @@ class _Walk:
                 return self.room(point)
 
             samples: list[Sample] = [(nodes[j].value, room[j]) for j in (i - 1, i, i + 1)]
-            dip(distance, *samples)
+            bracketed_minimum(distance, *samples)
             yield from seen
 
     def at(self, value: float, start: Point) -> Point:

@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.case import Case
 from gearlash.orbits import Orbit, orbit_at
-from gearlash.orbits.dips import Sample, dip
-from gearlash.orbits.pressing import force_extrema
+from gearlash.orbits.contact_force import force_extrema
+from gearlash.orbits.minimum import Sample, bracketed_minimum
 from gearlash.results.impact_free import Ending, ImpactFree
 from gearlash.system import ContactRule, GearlashError, Parameter, System, given
 
@@ -202,7 +202,7 @@ def _hidden(margin: Margin, path: list[Sample]) -> End | None:
         return None
     if not 0.0 < path[1][1] <= min(path[0][1], path[2][1]) < inf:
         return None
-    lowest = dip(margin, *path)
+    lowest = bracketed_minimum(margin, *path)
     return _narrowed(margin, path[0], lowest) if lowest[1] <= 0.0 else None
 
 

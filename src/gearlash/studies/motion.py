@@ -43,7 +43,7 @@ class Motion(Record):
     study (nan if none). All dimensionless.
     """
 
-    _told: ClassVar = ("label", "status", "value", "period", "omega", "cycles")
+    _printed: ClassVar = ("label", "status", "value", "period", "omega", "cycles")
 
     omega: float
     gap_plus: float

@@ -77,7 +77,7 @@ class Transition(Record):
     A ``change of basin`` is no end of a motion: the orbit of one side exists at the other too, where the
     sweep found another one, so all that is known is that it changed over between the two points."""
 
-    _told: ClassVar = ("name", "kind", "value", "label_below", "label_above")
+    _printed: ClassVar = ("name", "kind", "value", "label_below", "label_above")
 
     name: str
     kind: str

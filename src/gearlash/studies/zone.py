@@ -113,7 +113,7 @@ class Zone(Interval):
     ``tenants`` are all motions that were seen in it; where two were seen at one value, attractors coexist.
     """
 
-    _told: ClassVar = ("name", "quiet", "every", "lower", "upper")
+    _printed: ClassVar = ("name", "quiet", "every", "lower", "upper")
 
     name: str
     quiet: Quiet
@@ -159,7 +159,7 @@ class Zones(Record):
     interruption narrower than that may have been missed. ``complete`` is False where something was not
     computed, ``message`` says why."""
 
-    _told: ClassVar = ("quiet", "axis", "zones", "wider", "complete", "message")
+    _printed: ClassVar = ("quiet", "axis", "zones", "wider", "complete", "message")
 
     quiet: Quiet
     axis: Axis

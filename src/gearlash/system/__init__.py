@@ -6,8 +6,8 @@ from .family import Family, Parameter
 from .harmonics import Fourier, constant, cosines, derivative, evaluate, padded
 from .piecewise import Clearance, ContactRule, System
 from .record import Record
+from .short_text import shown
 from .status import BuildError, GearlashError, Named, Status, UnknownNameError
-from .told import shown
 
 __all__ = [
     "BuildError",

@@ -16,8 +16,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from .given import masked
+from .short_text import shown
 from .status import GearlashError, Status, UnknownNameError
-from .told import shown
 
 Check = Callable[[Any], Any]
 ARRAYS = "Array", "Vector", "Fourier", "Complex"  # names that the rooms give to arrays

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from . import given
 from .piecewise import System
 from .record import Record
+from .short_text import cut
 from .status import BuildError, GearlashError
-from .told import cut
 
 LONGEST_VALUES = 300  # characters of parameter values in an error text
 

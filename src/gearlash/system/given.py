@@ -22,8 +22,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from .short_text import shown
 from .status import GearlashError, UnknownNameError
-from .told import shown
 
 Array = NDArray[np.float64]
 Kind = TypeVar("Kind", bound=StrEnum)

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any, ClassVar
 
 from .annotated import hold
-from .told import brief, cut
+from .short_text import brief, cut
 
 LONGEST = 380  # characters of a repr
 
@@ -18,7 +18,7 @@ class Record:
     """Base of frozen dataclasses (declared with ``repr=False``). What was computed from the fields and kept
     does not travel: it is computed again where it is asked for."""
 
-    _told: ClassVar[tuple[str, ...]] = ()
+    _printed: ClassVar[tuple[str, ...]] = ()
     """Names of the attributes that are printed; the fields where there are none."""
 
     def __post_init__(self) -> None:
@@ -49,7 +49,7 @@ def _names(record: Record) -> list[str]:
 
 
 def _rows(record: Record) -> list[tuple[str, Any]]:
-    return [(name, getattr(record, name)) for name in record._told or _names(record)]
+    return [(name, getattr(record, name)) for name in record._printed or _names(record)]
 
 
 def _inside(value: Any) -> str:

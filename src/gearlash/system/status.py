@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from enum import EnumType, StrEnum
 from typing import TYPE_CHECKING, Any
 
-from .told import shown
+from .short_text import shown
 
 LONGEST_NAME = 200  # beyond it no nearest name is looked for
 

@@ -57,7 +57,7 @@ class BranchPoint(Record):
     those ``born`` and ``died`` since the point before; ``residual`` and ``error`` of the state as of `Shot`;
     ``certificate``."""
 
-    _told: ClassVar = ("value", "label", "stable", "unstable", "arclength", "status")
+    _printed: ClassVar = ("value", "label", "stable", "unstable", "arclength", "status")
 
     value: float
     arclength: float
@@ -104,7 +104,7 @@ class SpecialPoint(Record):
     its system is linear there: a doubling or torus is then degenerate, and what is born in it appears at the
     amplitude that grazes."""
 
-    _told: ClassVar = ("kind", "value", "error", "label_before", "label_after", "told", "status")
+    _printed: ClassVar = ("kind", "value", "error", "label_before", "label_after", "told", "status")
 
     kind: Kind
     value: float
@@ -148,7 +148,7 @@ class Branch(Record):
     ``special`` points in the same order; the two ``ends``; ``scale`` of the unknowns, in which arclength is
     told; ``unexplained``: steps on which something changed that no special point was found for."""
 
-    _told: ClassVar = ("name", "lower", "upper", "points", "special", "ends")
+    _printed: ClassVar = ("name", "lower", "upper", "points", "special", "ends")
 
     name: str
     values: Mapping[str, float]

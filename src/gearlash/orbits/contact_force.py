@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 NODES = np.linspace(0.0, 1.0, 9)  # of a piece, which is shorter than a fifth of the fastest oscillation
 HALVINGS = 54
-PRESSING = {0: 1, 2: -1, 3: 1, 4: -1}  # mode of a trace's piece → the boundary whose force acts, or would
+SIDE_OF_MODE = {0: 1, 2: -1, 3: 1, 4: -1}  # mode of a trace's piece → the boundary whose force acts, or would
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class ForceExtrema:
     state: Array
     displacement: Array
     boundary: NDArray[np.int64]
-    pressing: NDArray[np.bool_]
+    in_contact: NDArray[np.bool_]
 
     def __len__(self) -> int:
         return len(self.phase)
@@ -83,8 +83,8 @@ def force_extrema(trace: Trace, clearance: int) -> ForceExtrema:
     powers = np.vander(local, trace.polynomials.shape[1], increasing=True)
     state = np.einsum("mj,mjn->mn", powers, trace.polynomials[piece])
     gap = np.einsum("mj,mj->m", powers, trace.gap_of(clearance)[piece])
-    pressing = trace.modes[piece, clearance] <= 2
-    return ForceExtrema(phase, force, curvature, state, gap, side, pressing)
+    in_contact = trace.modes[piece, clearance] <= 2
+    return ForceExtrema(phase, force, curvature, state, gap, side, in_contact)
 
 
 def least_force(trace: Trace, clearance: int) -> float:
@@ -105,8 +105,8 @@ def least_force(trace: Trace, clearance: int) -> float:
 def _overlapping(trace: Trace, clearance: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Pieces in which a side overlaps, and that side (±1)."""
     modes = trace.modes[:, clearance]
-    piece = np.flatnonzero(np.isin(modes, list(PRESSING)))
-    return piece, np.array([PRESSING[int(mode)] for mode in modes[piece]], dtype=np.int64)
+    piece = np.flatnonzero(np.isin(modes, list(SIDE_OF_MODE)))
+    return piece, np.array([SIDE_OF_MODE[int(mode)] for mode in modes[piece]], dtype=np.int64)
 
 
 def _derivatives(coefficients: Array, local: Array, duration: Array) -> list[Array]:

@@ -1,24 +1,28 @@
-"""Closer looks at a distance that is known at some values, where it is least: does it vanish there?"""
+"""The minimum of a function between two values, without derivatives: does a distance vanish there?"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-LOOKS = 12  # at one dip
+EVALUATIONS = 12  # at one minimum, at the most
 ALWAYS = 3  # of them, whatever they find
-LITTLE = 0.1  # of what is left: a look that gains less is the last
+LITTLE = 0.1  # of what is left: an evaluation that gains less is the last
 GOLDEN = 0.382
-NEAR = 0.1  # of the wider side: a look nearer to the middle says nothing new
+NEAR = 0.1  # of the wider side: a value nearer to the middle says nothing new
 
 Sample = tuple[float, float]  # value of the parameter, distance there
 
 
-def dip(distance: Callable[[float], float], left: Sample, middle: Sample, right: Sample) -> Sample:
-    """The least distance that is found between ``left`` and ``right`` (ascending or descending values), of
-    which ``middle`` is the lowest so far: by parabolas, kept apart by golden sections (R. P. Brent,
-    Algorithms for Minimization without Derivatives, 1973, ch. 5), and only until it is no longer positive, or
-    is seen to stay so."""
-    for look in range(LOOKS):
+def bracketed_minimum(
+    distance: Callable[[float], float], left: Sample, middle: Sample, right: Sample
+) -> Sample:
+    """The least distance found between ``left`` and ``right`` (ascending or descending values), where
+    ``middle`` is the lowest so far.
+
+    By parabolas, kept apart by golden sections (R. P. Brent, Algorithms for Minimization without Derivatives,
+    1973, ch. 5). It ends once the distance is no longer positive, or an evaluation gains little.
+    """
+    for look in range(EVALUATIONS):
         at = _next(left, middle, right)
         found = at, distance(at)
         before = middle[1]

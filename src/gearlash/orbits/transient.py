@@ -33,7 +33,7 @@ class Average(NamedTuple):
     periods: int
 
 
-class Wandering:
+class Transient:
     """A motion from ``start`` (n,) at phase zero. ``used`` base periods were marched so far."""
 
     def __init__(self, props: Propagators, start: Array):
@@ -53,7 +53,7 @@ class Wandering:
     def state(self) -> Array:
         return self._table[self._filled - 1]
 
-    def watch(self) -> None:
+    def record_growth(self) -> None:
         """From here on the growth of a tangent is recorded."""
         if self._tangent is None:
             n = len(self.state)
