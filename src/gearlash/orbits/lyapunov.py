@@ -107,8 +107,8 @@ def lyapunov(
     Examples
     --------
     >>> import gearlash as gl
-    >>> family, _ = gl.load_case("article").family()
-    >>> values = {"omega": 0.78, "D": 0.3}
+    >>> family, _ = gl.load_case("shaw-holmes").family()
+    >>> values = {"omega": 0.88}
     >>> found = gl.lyapunov(family.system(values), family.start(values), 400, count=1, settle=200)
     >>> bool(found.values[0] > found.errors[0])  # chaos
     True

@@ -37,7 +37,7 @@ class Section(Record):
     Examples
     --------
     >>> import gearlash as gl
-    >>> family, _ = gl.load_case("article", {"omega": 0.55}).family()
+    >>> family, _ = gl.load_case("blankenship-kahraman").family()
     >>> drive = gl.sections(gl.attractor(family.system(), family.start())).drive
     >>> len(drive), len(drive.entering), len(drive.leaving)
     (2, 1, 1)
@@ -92,7 +92,7 @@ class Sections(Record):
     Examples
     --------
     >>> import gearlash as gl
-    >>> family, _ = gl.load_case("article", {"omega": 0.55}).family()
+    >>> family, _ = gl.load_case("blankenship-kahraman").family()
     >>> found = gl.sections(gl.attractor(family.system(), family.start()))
     >>> len(found.time), len(found.drive), len(found.back)
     (1, 2, 0)

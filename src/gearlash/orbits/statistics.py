@@ -78,7 +78,7 @@ class MotionStatistics(Record):
     Examples
     --------
     >>> import gearlash as gl
-    >>> family, _ = gl.load_case("article", {"omega": 0.55}).family()
+    >>> family, _ = gl.load_case("blankenship-kahraman").family()
     >>> found = gl.motion_statistics(gl.attractor(family.system(), family.start()))
     >>> found.minimum < found.maximum, 0.0 < found.share_without_contact < 1.0
     (True, True)

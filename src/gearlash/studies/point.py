@@ -63,9 +63,9 @@ def point(
     Examples
     --------
     >>> import gearlash as gl
-    >>> found = gl.point(gl.load_case("article"), {"pinion_speed": "3600 rpm"})
+    >>> found = gl.point(gl.load_case("wind-turbine"), {"pinion_speed": "1800 rpm"})
     >>> str(found.label), str(found.certificate)
-    ('1-1-0', 'certified')
+    ('1-0-0', 'certified')
     """
     family = Source.of(model).family()
     numbers = plain_values(model, family, values)
