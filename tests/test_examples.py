@@ -26,6 +26,7 @@ MODULES = (
     "gearlash.gears.involute",
     "gearlash.gears.iso6336",
     "gearlash.gears.materials",
+    "gearlash.gears.mesh_stiffness",
     "gearlash.gears.spur",
     "gearlash.plots",
     "gearlash.report",

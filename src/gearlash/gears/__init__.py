@@ -3,7 +3,18 @@
 Nothing here knows a case file or a unit: lengths in m, angles in rad, masses in kg, or dimensionless numbers.
 """
 
-from . import backlash, contact_lines, gear_body, gear_fits, helical, inspection, iso6336, materials, spur
+from . import (
+    backlash,
+    contact_lines,
+    gear_body,
+    gear_fits,
+    helical,
+    inspection,
+    iso6336,
+    materials,
+    mesh_stiffness,
+    spur,
+)
 from .cylindrical_gear import CylindricalGear
 from .cylindrical_pair import CylindricalPair
 from .geometry import LineOfAction, Projection, ToothGeometry, YAxis, line_of_action
@@ -29,6 +40,7 @@ __all__ = [
     "iso6336",
     "line_of_action",
     "materials",
+    "mesh_stiffness",
     "solid_disc",
     "spur",
 ]
