@@ -26,7 +26,7 @@ says a unit; lengths are over D_c, forces over k_m D_c, times over 1/ω_n. Every
 is a peak, peak-to-peak or rms. `rests_on` names assumed values behind a physical number; in a terminal
 such a number carries †.
 
-Input that cannot be used gives a `problem` object and exit code 2; a wrong option is told on standard
+Input that cannot be used gives a `problem` object and exit code 2; a wrong option is reported on standard
 error only.
 """
 FOLDER = """\

@@ -15,6 +15,12 @@ PAGE = (Path(__file__).resolve().parents[2] / "docs" / "python.md").read_text(en
 SCRIPTS = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
 
 
+def test_functions_named_on_the_page_exist():
+    named = set(re.findall(r"`gl\.(\w+)", PAGE))
+    assert len(named) > 15
+    assert named <= set(gl.__all__)
+
+
 @pytest.fixture
 def ran(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> dict[str, Any]:
     """The names of a script after it has run in an empty folder."""
