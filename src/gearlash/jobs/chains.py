@@ -143,7 +143,7 @@ class _Round:
         return INTERRUPTED if stopping() else "stopped"
 
     def submit(self, index: int, step: int, carry: Carry) -> None:
-        """Done at once where this process does the work: a signal may end that, and only that."""
+        """Begins a task. Where this process does the work it is done at once, and a signal may end it."""
         arguments = (_timed, self.work, self.chains[index].tasks[step], carry)
         if not self.inline:
             self.flying[self.taken(*arguments)] = (index, step)
@@ -157,7 +157,7 @@ class _Round:
         self.flying[future] = (index, step)
 
     def taken(self, *arguments: Any) -> Future[Any]:
-        """What the executor makes of a task. Raises `NoWorkersError` if it was shut down before."""
+        """Gives a task to the executor. Raises `NoWorkersError` if the executor was shut down before."""
         try:
             return self.executor.submit(*arguments)
         except BrokenExecutor:
@@ -192,7 +192,7 @@ class _Round:
         self.progress(Progress(done, total, now - self.began, remaining(self.loads, self.workers)))
 
     def end(self, reason: str) -> None:
-        """Takes back what has not begun, asks what is at work to stop, and keeps what that returns."""
+        """Cancels what has not begun, asks the tasks at work to stop, and keeps what they return."""
         left = [future for future in self.flying if not future.cancel()]
         if isinstance(self.executor, Pool):
             if left:
@@ -213,7 +213,7 @@ class _Round:
 
 
 def _kept(future: Future[Any]) -> bool:
-    """Not so if a stop ended the task before it had anything to hand on."""
+    """Whether a task has results: it has none where a stop ended it before the first."""
     error = future.exception()
     return isinstance(error, Interrupted) or not isinstance(error, KeyboardInterrupt)
 

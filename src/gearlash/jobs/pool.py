@@ -45,7 +45,7 @@ class NoWorkersError(GearlashError):
 
 
 class Pool(Executor):
-    """``workers`` processes at the most, started as there is work for them.
+    """At most so many ``workers`` processes, started when there is work for them.
 
     ``prepare(*arguments)`` runs once in each before its first task. Workers leave Ctrl-C to this process,
     which asks them through `stop`.
@@ -71,7 +71,7 @@ class Pool(Executor):
         self._failure: NoWorkersError | None = None
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """The future of a task. Raises what `pickle` raises for one that cannot be sent."""
+        """Gives a task to the workers. Raises what `pickle` raises where the task cannot be sent."""
         content = pickle.dumps((fn, args, kwargs))
         future: Future[Any] = Future()
         with self._lock:
@@ -90,7 +90,7 @@ class Pool(Executor):
         self._tell(True)
 
     def resume(self) -> None:
-        """Takes `stop` back, before new work."""
+        """Ends a stop, so that new work can be done."""
         self._tell(False)
 
     def abandon(self) -> None:
@@ -133,7 +133,7 @@ class Pool(Executor):
             member.tell(stop)
 
     def _drain(self, error: Exception | None) -> None:
-        """Nothing waits any more: it is cancelled, or has this error."""
+        """Empties the queue: the tasks that wait are cancelled, or fail with this error."""
         while not self._tasks.empty():
             task = self._tasks.get()
             if task is None:
@@ -146,8 +146,8 @@ class Pool(Executor):
                 task[0].set_exception(error)
 
     def _ended(self, member: _Member, failure: NoWorkersError | None) -> None:
-        """A worker is no more. One that did not even start is not replaced: the next would fail like it, and
-        the others do its work, if there are any."""
+        """A worker has ended. One that did not even start is not replaced, as the next one would fail in the
+        same way; the other workers, if there are any, do its work."""
         with self._lock:
             self._members.remove(member)
             if failure is not None:
@@ -166,7 +166,7 @@ class _Member(threading.Thread):
         super().__init__(name="gearlash worker", daemon=True)
         self.pool = pool
         self.process: subprocess.Popen[bytes] | None = None
-        self.begun = self.at_work = self.told = False
+        self.begun = self.at_work = self.stop_sent = False
         self.writing = threading.Lock()
 
     def run(self) -> None:
@@ -184,7 +184,7 @@ class _Member(threading.Thread):
             self.pool._ended(self, failure)
 
     def begin(self) -> None:
-        """Raises `NoWorkersError` where the process does not come to its first task."""
+        """Starts the process and prepares it. Raises `NoWorkersError` if it ends before its first task."""
         _hold_back_signals()
         try:
             self.process = start()
@@ -240,11 +240,11 @@ class _Member(threading.Thread):
         return frames.receive(process.stdout)
 
     def tell(self, stop: bool) -> None:
-        """Passes a stop on, or its end, if the process does not know yet."""
+        """Tells the process that a stop begins or ends, unless it was told before."""
         with self.writing:
-            if self.process is None or self.process.stdin is None or self.told == stop:
+            if self.process is None or self.process.stdin is None or self.stop_sent == stop:
                 return
-            self.told = stop
+            self.stop_sent = stop
             try:
                 frames.send(self.process.stdin, frames.STOP if stop else frames.RESUME)
             except (OSError, ValueError):  # it has ended, which its task will say
@@ -264,7 +264,7 @@ class _Member(threading.Thread):
             self.process.kill()
 
     def end(self) -> None:
-        """Its input ends, and with that the process."""
+        """Closes the input of the process, which ends it."""
         process = self.process
         if process is None:
             return
@@ -299,7 +299,7 @@ def _manner() -> list[str]:
 
 
 def _hold_back_signals() -> None:
-    """Of this thread, and so of processes that it starts, from their first moment on."""
+    """Blocks signals in this thread, and so in the processes that it starts, from their beginning."""
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_BLOCK, {getattr(signal, name) for name in HELD_BACK})
 

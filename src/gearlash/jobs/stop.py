@@ -1,8 +1,9 @@
 """Asking work to end early, across threads and processes.
 
-Two ways, one after the other: a flag that tasks look at between two points (`stopping`), and
-KeyboardInterrupt for a point that takes long. Who answers signals raises it only where it can be taken: while
-a task runs (`interruptible`); a task that has something already hands it on with it (`handing_on`).
+There are two ways, one after the other: a flag that tasks look at between two points (`stopping`), and
+KeyboardInterrupt for a point that takes long. A handler of signals raises KeyboardInterrupt only while a task
+runs that can be ended anywhere (`interruptible`). A task that has results by then passes them on with the
+exception (`handing_on`).
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ GUARD = 'a script that starts workers must do so under `if __name__ == "__main__
 
 
 def cannot_travel(thing: Any) -> str:
-    """Why not; empty if it can."""
+    """Why a thing cannot be sent to worker processes of this package; an empty text if it can."""
     content = _pickled(thing)
     if isinstance(content, str):
         return content
@@ -24,13 +24,13 @@ def cannot_travel(thing: Any) -> str:
 
 
 def cannot_pickle(thing: Any) -> str:
-    """Why it does not; empty if it does."""
+    """Why a thing cannot be pickled; an empty text if it can."""
     content = _pickled(thing)
     return content if isinstance(content, str) else ""
 
 
 def _pickled(thing: Any) -> bytes | str:
-    """As bytes, or why not: what a user's object raises when it is asked for them may be anything."""
+    """A thing as bytes, or the reason why it cannot be pickled: a user's object may raise anything."""
     try:
         return pickle.dumps(thing)
     except Exception as error:  # noqa: BLE001

@@ -53,7 +53,7 @@ _at_work = False
 
 
 def in_worker() -> bool:
-    """Is this process a worker? It starts none of its own."""
+    """Whether this process is a worker, which starts no workers of its own."""
     return _at_work
 
 

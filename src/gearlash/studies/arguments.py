@@ -17,13 +17,13 @@ from .named import plain_values
 
 
 def checked_settings(settings: Settings | None) -> Settings:
-    """These, or the usual ones."""
+    """The settings that were given, or the usual ones."""
     expected = "Settings, such as gearlash.Settings(max_period=128)"
     return Settings() if settings is None else given.instance("settings", settings, Settings, expected)
 
 
 def checked_start(family: Family, start: ArrayLike | None) -> NDArray[np.float64] | None:
-    """A start for every point, or None: the cold one."""
+    """The state (n,) that was given as a start, or None for the cold start."""
     if start is None:
         return None
     try:
@@ -35,8 +35,8 @@ def checked_start(family: Family, start: ArrayLike | None) -> NDArray[np.float64
 def checked_values(
     model: Model, family: Family, values: Mapping[str, float | str] | None, axes: Sequence[Axis]
 ) -> dict[str, float]:
-    """Parameters that are set beside the axes. Raises `GearlashError` for names and values that do
-    not fit."""
+    """Parameters that are set beside the axes, by short name. Raises `GearlashError` for names and values
+    that do not fit."""
     found = plain_values(model, family, values)
     for axis in axes:
         if axis.name in found:
@@ -46,8 +46,8 @@ def checked_values(
 
 
 def checked_execution(source: Source, execution: Execution | None) -> Execution:
-    """This way of carrying out a study, or the usual one. Raises `GearlashError` where its workers cannot get
-    the model."""
+    """The execution that was given, or the usual one. Raises `GearlashError` where its workers cannot get the
+    model."""
     expected = "an Execution, such as gearlash.Execution(executor=workers)"
     found = Execution() if execution is None else given.instance("execution", execution, Execution, expected)
     check_travels(source, found.executor)
