@@ -59,7 +59,9 @@ def test_many_motions(ran: dict[str, Any], capsys: pytest.CaptureFixture[str]):
     assert min(np.bincount(ran["which"])) > 100
 
 
-def test_the_page_names_what_exists():
-    named = set(re.findall(r"`gl\.(\w+)", PAGE))
-    assert len(named) >= 7
-    assert named <= set(gl.__all__)
+def test_every_command_has_its_functions_on_the_page():
+    table = PAGE.partition("## The commands as functions")[2].partition("\n## ")[0]
+    rows = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", table, re.MULTILINE))
+    commands = {path.stem for path in (Path(gl.__file__).parent / "cli" / "commands").glob("[a-z]*.py")}
+    assert set(rows) == commands
+    assert all(re.search(r"`gl\.\w+", functions) for functions in rows.values())
