@@ -63,7 +63,7 @@ def random_pair(seed: int, rule: ContactRule, fine: bool = False) -> Branch:
     values = {"omega": float(rng.uniform(1.3, 1.6))}
     settings = ContinuationSettings(certify=False, longest=0.1)
     if fine:
-        settings = ContinuationSettings(certify=False, longest=0.01, angle=0.05)
+        settings = ContinuationSettings(certify=False, longest=0.02, angle=0.1)
     return continue_orbit(family, values, "omega", orbit(family, **values), 0.6, 1.7, settings)
 
 

@@ -2,6 +2,7 @@
 
 from .points import Branch, BranchEnd, BranchPoint, Ending, Kind, SpecialPoint
 from .settings import ContinuationSettings
+from .switching import Switched, switched
 from .whole import continue_orbit
 
 __all__ = [
@@ -12,5 +13,7 @@ __all__ = [
     "Ending",
     "Kind",
     "SpecialPoint",
+    "Switched",
     "continue_orbit",
+    "switched",
 ]

@@ -41,8 +41,9 @@ class Between:
         guess, part = self._guess(left, right, place), self._part(left, right, place)
         slope = (1.0 - part) * left.slope + part * right.slope
         found = node_near(
-            left.equations, guess, self.chord, float(self.chord @ self.left.u) + place, left, slope
-        )
+            left.equations, guess, self.chord, float(self.chord @ self.left.u) + place, left, slope,
+            exact=False,
+        )  # fmt: skip
         if found.node is None:
             return None
         node = found.node.linked(self.left)

@@ -80,32 +80,46 @@ class Evaluated:
 
 @dataclass(frozen=True, eq=False)
 class Equations:
-    """For orbits of ``period`` base periods, cut into ``segments``; ``size`` (n,): scale of the states."""
+    """For orbits of ``period`` base periods, cut into ``segments``; ``size`` (n,): scale of the states;
+    ``phase`` (mesh cycles) at which every base period is begun."""
 
     line: Line
     period: int
     segments: int
     size: Array
+    phase: float = 0.0
 
     @staticmethod
-    def of(line: Line, orbit: Orbit) -> Equations:
+    def of(line: Line, orbit: Orbit, phase: float = 0.0) -> Equations:
         period = orbit.shot.period
         segments = max(d for d in range(1, MOST_SEGMENTS + 1) if period % d == 0)
         starts = orbit.trace.polynomials[:, 0]
         moved = starts.max(axis=0) - starts.min(axis=0)
         least = LEAST * max(float(np.abs(starts).max()), LEAST)
         size = np.maximum(moved, least) * np.sqrt(moved.size * segments)
-        return Equations(line, period, segments, size)
+        return Equations(line, period, segments, size, phase)
 
     @cached_property
     def scale(self) -> Array:
         """(m·n+1,) of all unknowns."""
         return np.append(np.tile(self.size, self.segments), self.line.unit)
 
-    def unknowns(self, strobes: Array, value: float) -> Array:
-        """Scaled, from the states (period, n) at phase zero of every base period."""
-        states = strobes[:: self.period // self.segments]
-        return np.append(states.ravel(), value) / self.scale
+    def unknowns(self, orbit: Orbit, value: float) -> Array:
+        """Scaled, of an orbit of this period."""
+        states, every = orbit.strobes, self.period // self.segments
+        if self.phase != 0.0:
+            cycles = orbit.propagators.system.cycles
+            states = orbit.trace.at(self.phase + cycles * np.arange(self.period)).state
+        return np.append(states[::every].ravel(), value) / self.scale
+
+    def at_zero(self, here: Evaluated) -> Array:
+        """The state (n,) at phase zero."""
+        states = self.states(here.u)
+        if self.phase == 0.0:
+            return states[0]
+        cycles, left = here.props.system.cycles, self.period // self.segments - 1
+        ahead = (left + 1) * cycles - self.phase
+        return flow.carry(here.props, states[-1], ahead, self.phase).state
 
     def value(self, u: Array) -> float:
         return float(u[-1]) * self.line.unit
@@ -117,11 +131,10 @@ class Equations:
     def evaluate(self, u: Array, props: Propagators | None = None) -> Evaluated | None:
         """None where the motion could not be carried, or runs away. Raises what `UNBUILT` names."""
         props = self.line.system_at(self.value(u)) if props is None else props
-        states, length = self.states(u), float(self.period // self.segments)
-        laps = [flow.lap(props, z, 1, length) for z in states]
-        if any(lap.status not in MOVING or not np.isfinite(lap.jacobian).all() for lap in laps):
+        states, carried = self.states(u), self.carried(props, u)
+        if carried is None:
             return None
-        ends, blocks = np.array([lap.end for lap in laps]), np.array([lap.jacobian for lap in laps])
+        ends, blocks = carried
         missed = ends - np.roll(states, -1, axis=0)
         size = size_of(np.concatenate([states, ends]))
         unit = np.abs(blocks) @ size + size
@@ -129,6 +142,23 @@ class Equations:
         if not isfinite(residual):
             return None
         return Evaluated(u, props, (missed / self.size).ravel(), blocks, residual)
+
+    def carried(self, props: Propagators, u: Array) -> tuple[Array, Array] | None:
+        """The ends (m, n) of the segments and their Jacobians (m, n, n)."""
+        length = float(self.period // self.segments)
+        ends, blocks = [], []
+        for z in self.states(u):
+            if self.phase == 0.0:
+                lap = flow.lap(props, z, 1, length)
+                end, block = lap.end, lap.jacobian
+            else:
+                lap = flow.variational(props, z, length * props.system.cycles, self.phase)
+                end, block = lap.state, lap.jacobian
+            if lap.status not in MOVING or block is None or not np.isfinite(block).all():
+                return None
+            ends.append(end)
+            blocks.append(block)
+        return np.array(ends), np.array(blocks)
 
     def matrix(self, here: Evaluated, slope: Array, row: Array) -> Array:
         """(m·n+1, m·n+1): derivative of the defect by the scaled unknowns, bordered by a row."""
@@ -141,6 +171,29 @@ class Equations:
         out[:-1, -1] = slope
         out[-1] = row
         return out
+
+    def solve(self, here: Evaluated, slope: Array, row: Array, right: Array) -> Array:
+        """The solution of ``matrix`` for a right side, by eliminating all segments but the first: a system of
+        n+1 unknowns is left. Raises `LinAlgError` where that is singular."""
+        m, n = self.segments, len(self.size)
+        blocks = here.blocks * self.size / self.size[:, None]
+        columns = np.stack([slope, -right[:-1]], axis=1).reshape(m, n, 2)  # of the parameter, and constant
+        rows = row[:-1].reshape(m, n)
+        flow, drift = np.eye(n), np.zeros((n, 2))  # of each segment's state, by the first one and these two
+        left = np.zeros(n + 2)
+        left[n:] = row[-1], -right[-1]
+        states = []
+        for block, column, part in zip(blocks, columns, rows, strict=True):
+            states.append((flow, drift))
+            left[:n] += part @ flow
+            left[n:] += part @ drift
+            flow, drift = block @ flow, block @ drift + column
+        reduced = np.zeros((n + 1, n + 1))
+        reduced[:n, :n], reduced[:n, n], reduced[n] = flow - np.eye(n), drift[:, 0], left[: n + 1]
+        found = np.linalg.solve(reduced, -np.append(drift[:, 1], left[n + 1]))
+        first, along = found[:n], float(found[n])
+        parts = [flow @ first + drift[:, 0] * along + drift[:, 1] for flow, drift in states]
+        return np.append(np.concatenate(parts), along)
 
     def slope(self, here: Evaluated) -> Array:
         """(m·n,): derivative of the defect along the scaled parameter, by a difference. Its error is about

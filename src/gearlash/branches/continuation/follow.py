@@ -12,18 +12,21 @@ from math import acos
 import numpy as np
 
 from .changes import halves
+from .corner import Corner, corner
 from .equations import Array
 from .node import Found, Node, node_near
 from .points import BranchEnd, Ending, Kind
 from .resolve import Item, Passed, Resolver
+from .section import begun_elsewhere
 from .settings import ContinuationSettings
 
-KINK = 1.2  # rad: where a contact comes or goes at phase zero, the states there turn, the orbit does not
+KINK = 1.2  # rad: where a contact comes or goes just where periods are begun, states turn, the orbit does not
 GROW, SHRINK = 2.0, 0.5
 GOOD_CONTRACTION, MOST_CONTRACTION = 0.05, 0.4
 OFF = 0.5  # of a step: how far beside its end the next orbit may lie
 FAR = 1e6  # times the size of the first orbit: it runs away
 SINGLE = 1e-4  # of a step: halves of an orbit so near to each other are the same
+FLAT = 1e-6  # what is no change of the parameter along a branch, and no distance of a multiplier from 1
 BACK = 0.02  # of a step: how near the first orbit is passed where a loop closes
 
 
@@ -40,25 +43,42 @@ class Follower:
         for count in range(self.settings.most_points):
             step = self.step(before, node, length)
             if isinstance(step, BranchEnd):
-                yield step
-                return
+                beyond = corner(before, node) if step.ending is Ending.SHORT else None
+                if beyond is None or beyond.after is None:
+                    yield from self.stopped(node, step, beyond)
+                    return
+                yield Passed(node, beyond.after, beyond.located)
+                yield beyond.after
+                before, node, length = None, beyond.after, self.settings.first
+                continue
             after, length, ending = step
-            closed = count > 2 and self.closes(node, after)
-            if closed:
+            if count > 2 and self.closes(node, after):
                 ending = BranchEnd(Ending.CLOSED, self.start.value)
-            previous = node
-            for item in Resolver().resolve(before, node, after):
+            degenerate = of_linear_doubling(after)
+            if degenerate:
+                ending = BranchEnd(Ending.LINEAR, after.value)
+            for item in Resolver(touches=degenerate).resolve(before, node, after):
                 yield item
                 if isinstance(item, Passed) and item.located.kind is Kind.JOINS:
-                    yield BranchEnd(Ending.JOINED, item.located.node.value)
-                    return
+                    ending = BranchEnd(Ending.JOINED, item.located.node.value)
+                    break
                 if isinstance(item, Node):
-                    before, previous = previous, item
-            node = previous
+                    before, node = node, item
             if ending is not None:
                 yield ending
                 return
+            moved = begun_elsewhere(node)
+            if moved is not None:
+                before, node = None, moved
         yield BranchEnd(Ending.POINTS, node.value, f"{self.settings.most_points} points")
+
+    def stopped(self, node: Node, end: BranchEnd, beyond: Corner | None) -> Iterator[Item | BranchEnd]:
+        """A branch that ends, in a touch with a corner or because no step is short enough."""
+        if beyond is None:
+            yield end
+            return
+        yield Passed(node, node, beyond.located)
+        yield BranchEnd(Ending.CORNER, beyond.located.node.value, beyond.located.told)
 
     def step(
         self, before: Node | None, node: Node, length: float
@@ -70,7 +90,9 @@ class Follower:
             limit = self.limit(node, guess)
             if limit is None:
                 target = float(node.direction @ node.u) + length
-                found = node_near(node.equations, guess, node.direction, target, node)
+                found = node_near(
+                    node.equations, guess, node.direction, target, node, slope_ahead(before, node, length)
+                )
             else:
                 found = self.at_limit(node, guess, limit)
             refused = self.refused(node, found, guess, length)
@@ -95,7 +117,7 @@ class Follower:
         part = (end - node.u[-1]) / (guess[-1] - node.u[-1])
         there = node.u + part * (guess - node.u)
         there[-1] = end
-        return node_near(node.equations, there, row, end, node)
+        return node_near(node.equations, there, row, end, node, node.slope)
 
     def refused(self, node: Node, found: Found, guess: Array, length: float) -> str:
         """Why a step is not taken, or nothing."""
@@ -134,22 +156,37 @@ class Follower:
 
     def closes(self, left: Node, right: Node) -> bool:
         """Whether the first orbit, begun at any of its base periods, lies between two neighbours."""
-        chord = right.u - left.u
-        length = float(np.linalg.norm(chord))
-        if right.direction @ self.start.direction < 0.0 and self.start.equations.segments == 1:
-            return False
-        for u in self.shifted:
-            along = float(chord @ (u - left.u)) / length
-            beside = np.linalg.norm(u - left.u - along * chord / length)
+        scale = self.start.equations.size
+        strobes = self.start.orbit.strobes
+        first, last = (_place(each.orbit.strobes, each, scale) for each in (left, right))
+        chord, length = last - first, float(np.linalg.norm(last - first))
+        for shift in range(len(strobes)):
+            away = _place(np.roll(strobes, -shift, axis=0), self.start, scale) - first
+            along = float(chord @ away) / length
+            beside = float(np.linalg.norm(away - along * chord / length))
             if 0.0 < along <= length and beside <= BACK * length:
                 return True
         return False
 
-    @property
-    def shifted(self) -> list[Array]:
-        equations, orbit = self.start.equations, self.start.orbit
-        states = orbit.strobes
-        return [equations.unknowns(np.roll(states, -k, axis=0), self.start.value) for k in range(len(states))]
+
+def _place(strobes: Array, node: Node, scale: Array) -> Array:
+    """States at phase zero and the parameter, scaled."""
+    return np.append((strobes / scale).ravel(), node.u[-1])
+
+
+def of_linear_doubling(node: Node) -> bool:
+    """Whether an orbit is one of those of every amplitude that a linear motion has where it doubles."""
+    if any(map(any, node.orbit.signature.counts)) or abs(float(node.direction[-1])) > FLAT:
+        return False
+    return float(np.abs(node.spectrum.multipliers - 1.0).min()) <= FLAT
+
+
+def slope_ahead(before: Node | None, node: Node, length: float) -> Array:
+    """The derivative along the parameter, as the last two orbits tell it."""
+    if before is None:
+        return node.slope
+    last = float(np.linalg.norm(node.u - before.u))
+    return node.slope + min(1.0, length / max(last, 1e-300)) * (node.slope - before.slope)
 
 
 def angle(left: Node, right: Node) -> float:

@@ -24,13 +24,14 @@ CLOSE = 1e-13  # of the parameter: a step of the secant method that is the last
 @dataclass(frozen=True, eq=False)
 class Located:
     """A zero of a test function: its place on the chord, the orbit there, error of the parameter, kind (None
-    where the zero is no special point: two real reciprocal multipliers)."""
+    where the zero is no special point: two real reciprocal multipliers), and what else is to be told."""
 
     change: Change
     place: float
     node: Node
     error: float
     kind: Kind | None
+    told: str = ""
 
 
 def locate(piece: Between, change: Change) -> Located | None:
@@ -133,10 +134,11 @@ def _at_minus_one(orbit: Orbit) -> float:
 def _as_doubled(piece: Between, orbit: Orbit, value: float) -> Node | None:
     """The single orbit, run through twice, as a point of the doubled branch."""
     equations = piece.left.equations
-    strobes = np.concatenate([orbit.strobes, orbit.strobes])
-    here = equations.evaluate(equations.unknowns(strobes, value), orbit.propagators)
     twice = orbit_at(orbit.propagators, orbit.state, equations.period, iterations=1)
-    if here is None or twice is None:
+    if twice is None:
+        return None
+    here = equations.evaluate(equations.unknowns(twice, value), orbit.propagators)
+    if here is None:
         return None
     chord = piece.chord.copy()
     chord[-1] = 0.0

@@ -88,7 +88,7 @@ def _step(
 ) -> tuple[Array, float]:
     """Of Newton's method, and its length."""
     right = np.append(-here.defect, target - row @ here.u)
-    step: Array = np.linalg.solve(equations.matrix(here, slope, row), right).astype(np.float64)
+    step = equations.solve(here, slope, row, right)
     return step, float(np.linalg.norm(step))
 
 
@@ -96,5 +96,5 @@ def tangent(equations: Equations, here: Evaluated, slope: Array, toward: Array) 
     """Unit vector along the branch, with a positive component along ``toward``."""
     right = np.zeros(len(here.u))
     right[-1] = 1.0
-    found = np.linalg.solve(equations.matrix(here, slope, toward), right)
+    found = equations.solve(here, slope, toward, right)
     return found / np.linalg.norm(found)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gearlash.orbits import Orbit, orbit_at
 from gearlash.orbits.floquet import ordered
+from gearlash.system import GearlashError
 
 from .equations import Array, Equations, Evaluated
 from .extrema import Extrema
@@ -51,9 +52,10 @@ class Node:
 
     @cached_property
     def modes(self) -> NDArray[np.int64]:
-        """(P, clearances): in which contact the motion is at phase zero of every base period."""
+        """(P, clearances): in which contact the motion is where its base periods are begun."""
         trace, cells = self.orbit.trace, self.here.props.cells
-        starts = np.arange(self.equations.period) * float(cells)
+        begun = self.equations.phase * self.here.props.cells_per_cycle
+        starts = begun + np.arange(self.equations.period) * float(cells)
         pieces = np.searchsorted(trace.positions, starts, side="right") - 1
         return trace.modes[np.maximum(pieces, 0)]
 
@@ -78,21 +80,27 @@ def node_near(
     target: float,
     before: Node | None,
     slope: Array | None = None,
+    *,
+    exact: bool = True,
 ) -> Found:
     """The orbit of the branch with row·u = ``target``; its direction agrees with that of ``before``, whose
-    extrema it continues (without one: with the row)."""
+    extrema it continues (without one: with the row). ``exact``: the derivative along the parameter is taken
+    at the orbit itself; else the one that Newton's method went by is kept."""
     corrected = correct(equations, guess, row, target, slope)
     if corrected.here is None:
         return Found(None, corrected, corrected.failure)
     here = corrected.here
-    orbit = orbit_at(here.props, equations.states(here.u)[0], equations.period, iterations=1)
+    orbit = orbit_at(here.props, equations.at_zero(here), equations.period, iterations=1)
     if orbit is None:
         return Found(None, corrected, "the orbit does not close over its whole period")
     toward = row if before is None else before.direction
     try:
-        direction = tangent(equations, here, corrected.slope, toward)
+        slope = equations.slope(here) if exact or slope is None else corrected.slope
+        direction = tangent(equations, here, slope, toward)
     except np.linalg.LinAlgError:
         return Found(None, corrected, "the branch has no direction: two branches meet")
+    except GearlashError as error:
+        return Found(None, corrected, f"there is no system that could be built: {error}")
     extrema = Extrema.of(orbit)
     extrema = extrema if before is None else extrema.after(before.extrema)
-    return Found(Node(equations, here, corrected.slope, direction, orbit, extrema), corrected)
+    return Found(Node(equations, here, slope, direction, orbit, extrema), corrected)

@@ -39,6 +39,9 @@ class Ending(StrEnum):
     CLOSED = "closed loop: the branch comes back to where it began"
     JOINED = "joins the orbit of half its period"
     CORNER = "touch from the gap under no-tension, where the map has a corner"
+    LINEAR = (
+        "the touch where a linear motion is born at its doubling: at this value it has every lower amplitude"
+    )
     SHORT = "no step is short enough"
     FAR = "the motion grows without bound"
     UNBUILT = "beyond it no system can be built"
@@ -51,11 +54,11 @@ class BranchPoint(Record):
     """One orbit of a branch.
 
     ``value`` of the parameter; ``arclength`` from the first orbit, in scaled unknowns, negative towards the
-    lower end; ``state`` (n,) at phase zero and ``strobes`` (P, n) of every base period; ``direction`` (n+1,)
-    of the branch, of the state and the parameter, not scaled; ``signature`` P-Q-R; all ``multipliers`` (n,);
-    ``extrema`` with their distances from their boundaries, each with a number of its own along the branch,
-    those ``born`` and ``died`` since the point before; ``residual`` and ``error`` of the state as of `Shot`;
-    ``certificate``."""
+    first end; ``state`` (n,) at phase zero and ``strobes`` (P, n) of every base period; ``turn``: how fast
+    the parameter changes along the branch, scaled, between -1 and 1 and zero at a fold; ``signature`` P-Q-R;
+    all ``multipliers`` (n,); ``extrema`` with their distances from their boundaries, each with a number of
+    its own along the branch, those ``born`` and ``died`` since the point before; ``residual`` and ``error``
+    of the state as of `Shot`; ``certificate``."""
 
     _printed: ClassVar = ("value", "label", "stable", "unstable", "arclength", "status")
 
@@ -63,7 +66,7 @@ class BranchPoint(Record):
     arclength: float
     state: Array
     strobes: Array
-    direction: Array
+    turn: float
     signature: Signature
     multipliers: NDArray[np.complex128]
     extrema: tuple[Extremum, ...]

@@ -10,6 +10,7 @@ import numpy as np
 from gearlash.orbits import Certificate, Orbit, Verdict, orbit_at
 from gearlash.system import Family, GearlashError, Status, given
 
+from .corner import PASSES, abrupt
 from .equations import UNBUILT, Equations, Line
 from .follow import Follower
 from .node import Node, node_near
@@ -73,7 +74,7 @@ def first_node(line: Line, orbit: Orbit, value: float) -> Node:
         raise GearlashError(f"there is no periodic orbit of this family near the start, at {value:.10g}")
     given.whole("period of the orbit, in base periods", found.shot.period, 1, LONGEST_PERIOD)
     equations = Equations.of(line, found)
-    u = equations.unknowns(found.strobes, value)
+    u = equations.unknowns(found, value)
     row = np.zeros(len(u))
     row[-1] = 1.0
     node = node_near(equations, u, row, u[-1], None)
@@ -129,15 +130,13 @@ class _Way:
 
 
 def _point(node: Node, arclength: float, settings: ContinuationSettings) -> BranchPoint:
-    orbit, scale = node.orbit, node.equations.scale
-    n = len(orbit.state)
-    direction = node.direction * scale
+    orbit = node.orbit
     return BranchPoint(
         value=node.value,
         arclength=arclength,
         state=orbit.state,
         strobes=orbit.strobes,
-        direction=np.append(direction[:n], direction[-1]),
+        turn=float(node.direction[-1]),
         signature=orbit.signature,
         multipliers=node.spectrum.multipliers,
         extrema=node.extrema.all,
@@ -157,6 +156,10 @@ def _special(passed: Passed, last: Node, arclength: float, settings: Continuatio
     here = arclength + float(np.linalg.norm(node.u - last.u))
     point = _point(node, here, replace(settings, certify=False))
     extremum = node.extrema.by_number[change.number] if located.kind is Kind.GRAZING else None
+    told = str(located.kind) if extremum is None else grazing_kind(extremum)
+    corner = located.told
+    if extremum is not None and not corner and abrupt(node.here.props.system, extremum):
+        corner = PASSES
     linear = not any(map(any, point.signature.counts))
     away = [float(np.linalg.norm(side.u - node.u)) for side in (left, right)]
     return SpecialPoint(
@@ -172,13 +175,13 @@ def _special(passed: Passed, last: Node, arclength: float, settings: Continuatio
         unstable_after=right.spectrum.unstable.total,
         extremum=extremum,
         linear=linear,
-        told=str(located.kind) if extremum is None else grazing_kind(extremum),
+        told="; ".join(filter(None, (told, corner))),
         status=Status.OK,
     )
 
 
 def _turned_point(point: BranchPoint) -> BranchPoint:
-    return replace(point, arclength=-point.arclength, direction=-point.direction)
+    return replace(point, arclength=-point.arclength, turn=-point.turn)
 
 
 def _turned(each: SpecialPoint) -> SpecialPoint:

@@ -1,0 +1,147 @@
+"""From a special point of a branch to an orbit of the other branch that begins there.
+
+The other branch leaves along the null vector of the equations. The first orbit on it is solved for at a small
+distance along that vector, the parameter being free: so nothing need be known of the side to which it goes.
+Source: Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory (2004), sect. 10.2,
+doi:10.1007/978-1-4757-3978-7.
+
+Where the orbit meets no boundary its system is linear, and a doubling is degenerate: at that value orbits of
+every amplitude exist, up to the one that touches a boundary. The branch that can be followed begins there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearlash import flow
+from gearlash.orbits import Orbit, orbit_at
+from gearlash.system import Family, GearlashError
+
+from .changes import halves
+from .equations import Array, Equations, Line
+from .extrema import Extrema
+from .node import Node, node_near
+from .points import Branch, Kind, SpecialPoint
+
+SIZES = (1e-2, 3e-3, 1e-3, 1e-4)  # of the scale: first distances along the null vector
+BEYOND = (1e-2, 1e-3, 1e-4)  # of the amplitude that touches: how far above it an orbit is solved for
+APART = 0.2  # of that distance: an orbit that lies nearer to the old branch is on it
+HALVINGS = 60
+LARGEST = 1e6  # of the scale: amplitude up to which a touch is sought
+
+
+@dataclass(frozen=True, eq=False)
+class Switched:
+    """An orbit of the other branch, at a value of the parameter."""
+
+    value: float
+    orbit: Orbit
+
+
+def switched(family: Family, branch: Branch, special: SpecialPoint) -> tuple[Switched, ...]:
+    """Orbits of the branches that meet this one at a special point: of twice the period at a doubling, of
+    half of it where the orbit joins that, and both sides of the other branch at a branch point. Empty where
+    none was found near by. Raises `GearlashError` for a kind of point at which no branch of periodic orbits
+    begins."""
+    line = Line(family, branch.values, branch.name, branch.lower, branch.upper)
+    props = line.system_at(special.value)
+    period = special.point.period // props.system.cycles
+    state = special.point.state
+    if special.kind is Kind.JOINS:
+        single = orbit_at(props, state, period // 2)
+        return () if single is None else (Switched(special.value, single),)
+    if special.kind is Kind.DOUBLING:
+        start = _start(line, special, 2 * period)
+        node = _linear(start) if special.linear else _beside(start, 1.0)
+        return () if node is None else (Switched(node.value, node.orbit),)
+    if special.kind in (Kind.BRANCH_POINT, Kind.SYMMETRIC):
+        start = _start(line, special, period)
+        nodes = [_beside(start, sign) for sign in (1.0, -1.0)]
+        return tuple(Switched(node.value, node.orbit) for node in nodes if node is not None)
+    raise GearlashError(f"at a {special.kind} no other branch of periodic orbits begins")
+
+
+@dataclass(frozen=True, eq=False)
+class _Start:
+    """The orbit of the special point run through for the period of the other branch, with the null vector
+    (m·n+1,) of the equations and the old branch's direction."""
+
+    node: Node
+    null: Array
+
+    @property
+    def doubled(self) -> bool:
+        return bool(self.node.equations.period % 2 == 0 and np.linalg.norm(halves(self.node)) < 1e-6)
+
+
+def _start(line: Line, special: SpecialPoint, period: int) -> _Start:
+    props = line.system_at(special.value)
+    orbit = orbit_at(props, special.point.state, period, iterations=1)
+    if orbit is None:
+        raise GearlashError(
+            f"the orbit of the special point is not one of this family, at {special.value:.10g}"
+        )
+    equations = Equations.of(line, orbit)
+    here = equations.evaluate(equations.unknowns(orbit, special.value), props)
+    if here is None:
+        raise GearlashError("the orbit of the special point cannot be carried")
+    slope = equations.slope(here)
+    matrix = equations.matrix(here, slope, np.zeros(len(here.u)))[:-1]
+    null = np.append(np.linalg.svd(matrix[:, :-1])[2][-1], 0.0)
+    along = np.linalg.lstsq(matrix[:, :-1], -slope, rcond=1e-7)[0]  # the old branch, orthogonal to it
+    direction = np.append(along, 1.0)
+    node = Node(equations, here, slope, direction / np.linalg.norm(direction), orbit, Extrema.of(orbit))
+    return _Start(node, null)
+
+
+def _beside(start: _Start, sign: float) -> Node | None:
+    """An orbit of the other branch near the special point."""
+    for size in SIZES:
+        node = _at(start, sign * size)
+        if node is not None and _is_other(start, node, size):
+            return node
+    return None
+
+
+def _at(start: _Start, amplitude: float) -> Node | None:
+    u, null = start.node.u, start.null
+    found = node_near(start.node.equations, u + amplitude * null, null, float(null @ u) + amplitude, None)
+    return found.node
+
+
+def _is_other(start: _Start, node: Node, size: float) -> bool:
+    if start.doubled:
+        return float(np.linalg.norm(halves(node))) > APART * size
+    return float(np.linalg.norm(node.u - start.node.u)) < 10.0 * size
+
+
+def _linear(start: _Start) -> Node | None:
+    """An orbit just above the amplitude at which the first of a linear system's orbits touches."""
+    touching = [amplitude for sign in (1.0, -1.0) if (amplitude := _touching(start, sign)) is not None]
+    for amplitude in sorted(touching, key=abs)[:1]:
+        for beyond in BEYOND:
+            node = _at(start, (1.0 + beyond) * amplitude)
+            if node is not None and any(map(any, node.orbit.signature.counts)):
+                return node
+    return None
+
+
+def _touching(start: _Start, sign: float) -> float | None:
+    """The amplitude along the null vector at which a boundary is met first, by halvings on the contacts."""
+    equations, props = start.node.equations, start.node.here.props
+
+    def meets(amplitude: float) -> bool:
+        state = equations.states(start.node.u + amplitude * start.null)[0]
+        return bool(flow.lap(props, state, 1, float(equations.period)).contacts.any())
+
+    high = sign
+    while not meets(high):
+        high *= 2.0
+        if abs(high) > LARGEST:
+            return None
+    low = 0.0
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if meets(middle) else (middle, high)
+    return high

@@ -1,0 +1,105 @@
+"""From one branch to another, and over touches at which the map has a corner."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from branches.followed import PLAIN, bundled, parametric, six
+from gearlash.branches.continuation import Branch, Ending, Kind, SpecialPoint, continue_orbit, switched
+from gearlash.orbits import orbit_at
+from gearlash.system import ContactRule, Family, GearlashError
+from orbits.contacts import one_dof_under
+from orbits.members import built, one_dof, orbit
+
+
+def followed(family: Family, branch: Branch, special: SpecialPoint, lower: float, upper: float) -> Branch:
+    (start,) = switched(family, branch, special)
+    values = {**branch.values, branch.name: start.value}
+    return continue_orbit(family, values, branch.name, start.orbit, lower, upper, PLAIN)
+
+
+def test_six_to_twelve():
+    """The doubled orbit comes back to the doubling it was born in, and touches the back side just before:
+    the article's 12-12-3 loses an impact within 1e-5 of the doubling of its 6-6-1."""
+    doubling = six().special[0]
+    twelve = followed(bundled(), six(), doubling, 0.345, 0.36)
+    touch, join = twelve.special
+    assert join.kind is Kind.JOINS
+    assert join.value == pytest.approx(doubling.value, rel=1e-11)
+    assert (touch.label_before, touch.label_after) == ("12-12-3", "12-12-2")
+    assert 0.0 < doubling.value - touch.value < 2e-5
+    assert twelve.points[0].period == 12
+
+
+@cache
+def three() -> Branch:
+    return followed(bundled(), six(), six().special[-1], 0.4, 0.5)
+
+
+def test_six_to_three():
+    """The orbit that the 6-6-2 joins doubles there; its two folds bound what coexists: 3-3-1 up to 0.4854,
+    3-3-0 from 0.4155."""
+    join = six().special[-1]
+    doubling, high, low, touch = three().special
+    assert doubling.kind is Kind.DOUBLING
+    assert doubling.value == pytest.approx(join.value, rel=1e-12)
+    assert (high.kind, low.kind, touch.kind) == (Kind.FOLD, Kind.FOLD, Kind.GRAZING)
+    assert high.value == pytest.approx(0.4854, abs=5e-5)
+    assert touch.value == pytest.approx(0.4155, abs=5e-5)
+    assert (touch.label_before, touch.label_after) == ("3-3-1", "3-3-0")
+
+
+def test_two_orbits_coexist_between_the_ends():
+    """By marching from both: each is stable and stays."""
+    pair = [left for left, _ in three().at(0.47) if left.stable]
+    assert sorted(point.label for point in pair) == ["3-3-0", "3-3-1"]
+    props = built(bundled(), omega=0.78, D=0.47)
+    for point in pair:
+        here = orbit_at(props, point.state, 3)
+        assert here is not None
+        assert here.stable
+        assert here.label == point.label
+
+
+def test_a_doubling_of_a_linear_motion_begins_where_it_touches():
+    """Below that amplitude every one exists at the one value: the branch begins there, at the same value."""
+    family, branch = one_dof(error=0.0005, ripple=0.3), parametric()
+    doubling = branch.of_kind(Kind.DOUBLING)[0]
+    other = followed(family, branch, doubling, 1.7, 2.0)
+    assert [end.ending for end in other.ends].count(Ending.LINEAR) == 1
+    (touch,) = other.of_kind(Kind.GRAZING)
+    assert touch.value == pytest.approx(doubling.value, rel=1e-11)
+    assert {touch.label_before, touch.label_after} == {"2-0-0", "2-1-0"}
+    assert np.abs(touch.point.multipliers - 1.0).min() < 1e-6
+
+
+def test_no_branch_begins_at_a_touch_that_is_smooth():
+    with pytest.raises(GearlashError, match="no other branch"):
+        switched(bundled(), six(), six().special[1])
+
+
+def drawn(seed: int) -> tuple[Family, dict[str, float]]:
+    """A strongly damped pair that meets both sides."""
+    rng = np.random.default_rng(seed)
+    values = {"load": rng.uniform(0.02, 0.1), "mesh_damping": rng.uniform(0.1, 0.9)}
+    values |= {"error": rng.uniform(0.1, 0.6), "ripple": rng.uniform(0.0, 0.3), "D": rng.uniform(0.1, 0.5)}
+    return one_dof_under(ContactRule.NO_TENSION, **values), {"omega": float(rng.uniform(0.5, 1.4))}
+
+
+@pytest.mark.parametrize(("seed", "lower", "turns"), [(4, 0.43, True), (5, 0.53, False), (10, 0.43, True)])
+def test_a_corner_is_passed_or_turns_the_branch_back(seed, lower, turns):
+    """Where the branch turns back two orbits lie above the touch, one with the contact and one without, that
+    do not exist below; else one on each side."""
+    family, values = drawn(seed)
+    branch = continue_orbit(family, values, "omega", orbit(family, **values), lower, 1.45, PLAIN)
+    (touch,) = (special for special in branch.of_kind(Kind.GRAZING) if "corner" in special.told)
+    assert ("turns back" in touch.told) == turns
+    assert touch.extremum is not None
+    assert abs(touch.extremum.distance) < 1e-10
+    assert not branch.unexplained
+    away = 1e-5
+    below, above = branch.at(touch.value - away), branch.at(touch.value + away)
+    assert len(above) - len(below) == (2 if turns else 0)
