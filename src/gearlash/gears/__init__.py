@@ -12,7 +12,9 @@ from . import (
     inspection,
     iso6336,
     materials,
+    mesh_cycle,
     mesh_stiffness,
+    pair_shape,
     spur,
 )
 from .cylindrical_gear import CylindricalGear
@@ -40,7 +42,9 @@ __all__ = [
     "iso6336",
     "line_of_action",
     "materials",
+    "mesh_cycle",
     "mesh_stiffness",
+    "pair_shape",
     "solid_disc",
     "spur",
 ]
