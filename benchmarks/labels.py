@@ -101,7 +101,7 @@ def compare(values: dict[str, float]) -> Compared:
         if isinstance(found, Unresolved | Neutral)
         else APERIODIC
     )
-    label = found.label if kind == "periodic" else kind
+    label = str(found.label) if kind == "periodic" else kind
     brute, used = brute_force(props, start)
     why, figures = ("", "") if label == brute else explain(props, start, label, brute, used, found.message)
     later = brute_force(props, start, LATER)[0] if label == brute == APERIODIC else ""

@@ -92,7 +92,7 @@ def pixel_rows(count: int, repeats: int) -> tuple[list[Row], dict[str, float]]:
 def _pixel(pairs: Family, values: dict[str, float]) -> Pixel:
     found = attractor(flow.propagators(pairs.system(values)), pairs.start(values))
     kinds = isinstance(found, Orbit), isinstance(found, Aperiodic)
-    return Pixel(found.label, found.largest_exponent, found.periods_used, *kinds)
+    return Pixel(str(found.label), found.largest_exponent, found.periods_used, *kinds)
 
 
 def _parts(

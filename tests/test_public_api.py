@@ -49,6 +49,7 @@ SNAPSHOT = [
     "ManyStrobes",
     "Model",
     "Motion",
+    "MotionKind",
     "MotionStatistics",
     "Neutral",
     "NoWorkersError",

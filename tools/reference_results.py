@@ -164,6 +164,8 @@ def _nested(record: type) -> Iterator[type]:
     found: dict[type, None] = {}
 
     def look(kind: Any) -> None:
+        if kind in SIMPLE:
+            return
         if isinstance(kind, type) and is_dataclass(kind) and kind not in found:
             found[kind] = None
             for _, inner, _ in described_fields(kind):

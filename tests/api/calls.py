@@ -68,7 +68,10 @@ def calls() -> tuple[Call, ...]:
     scales = gl.load_case("article").scales
     point = swept.points[0]
     end, found = gl.ZoneEnd(0.8, "fold"), gl.sections(orbit)
-    tenant, span = gl.Tenant("1-0-0", ("up",), 0.8, 0.9, True), gl.Physical("speed", 1.0, 2.0, "Hz")
+    tenant, span = (
+        gl.Tenant(gl.Signature(1, 0), ("up",), 0.8, 0.9, True),
+        gl.Physical("speed", 1.0, 2.0, "Hz"),
+    )
     statistics = gl.motion_statistics(orbit)
     execution = gl.Execution(chunk=1, progress=print, cancel=threading.Event())
     study = {"values": {}, "start": [0.0, 0.0], "settings": QUICK, "execution": execution}
@@ -101,6 +104,7 @@ def calls() -> tuple[Call, ...]:
             "propagators": props, "final_state": np.zeros(2), "largest_exponent": 0.1, "exponent_error": 0.1,
             "periods_used": 3, "status": gl.Status.OK, "message": "", "undecided": 0}),
         Call("ContactRule", gl.ContactRule, {"value": "always"}), Call("Status", gl.Status, {"value": "ok"}),
+        Call("MotionKind", gl.MotionKind, {"value": "aperiodic"}),
         Call("Direction", gl.Direction, {"value": "up"}), Call("Verdict", gl.Verdict, {"value": "certified"}),
         Call("cosines", gl.cosines, {"mean": 1.0, "amplitudes": [0.1, 0.2], "phases": [0.0, 1.0]}),
         Call("constant", constant, {"value": 1.0}),

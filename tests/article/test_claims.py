@@ -14,7 +14,7 @@ from gearlash.article.claims import KINDS, _claim
 from gearlash.article.judge import CLOSE, FAR, coincides, deviation, same_label, verdict, worst
 from gearlash.case import load as load_case
 from gearlash.orbits import Signature
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, read_label
 
 CLAIMS = load()
 NAMES = set(load_case("article").family()[0].defaults)
@@ -154,13 +154,12 @@ def test_deviation_is_relative_to_the_reported_value(reported, part):
         ("12-12-3", "12-12-2", False),
         ("aperiodic", "1-1", False),
         ("unresolved", "1-1", False),
-        ("failed", "1-0", False),
         ("", "1-1", False),
         ("1-1-0", "", False),
     ],
 )
 def test_labels_are_compared_as_signatures(computed, reported, same):
-    assert same_label(computed, reported) is same
+    assert same_label(read_label(computed), reported) is same
 
 
 @pytest.mark.parametrize(

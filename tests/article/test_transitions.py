@@ -24,7 +24,7 @@ from gearlash.studies.transitions import (
     Transition,
     transitions,
 )
-from gearlash.system import Status
+from gearlash.system import Label, MotionKind, Signature, Status
 from orbits.members import article, built, cold
 
 
@@ -144,7 +144,7 @@ class Bare:
     """The least that a sampled point must have."""
 
     value: float
-    label: str
+    label: Label | None
     period: int
     state: np.ndarray
 
@@ -152,7 +152,7 @@ class Bare:
 def test_no_change_no_transition():
     found = cold(article(), omega=1.04)
     assert isinstance(found, Orbit)
-    points = [Bare(value, "1-0-0", 1, found.state) for value in (1.03, 1.04, 1.05)]
+    points = [Bare(value, Signature(1, 0), 1, found.state) for value in (1.03, 1.04, 1.05)]
     assert transitions(article(), {}, "omega", points) == ()
     assert transitions(article(), {}, "omega", points[:1]) == ()
     assert transitions(article(), {}, "omega", []) == ()
@@ -160,7 +160,10 @@ def test_no_change_no_transition():
 
 def test_unresolved_neighbours_give_no_point():
     found = cold(article(), omega=1.04)
-    points = [Bare(1.03, "unresolved", 0, found.final_state), Bare(1.04, "aperiodic", 0, found.final_state)]
+    points = [
+        Bare(1.03, MotionKind.UNRESOLVED, 0, found.final_state),
+        Bare(1.04, MotionKind.APERIODIC, 0, found.final_state),
+    ]
     (change,) = transitions(article(), {}, "omega", points)
     assert (change.kind, change.point) == (UNPROVED, None)
 
@@ -171,7 +174,7 @@ def test_a_label_that_is_not_true_is_not_explained():
     for value in (1.02, 1.04):
         shot = shoot(built(article(), omega=value), cold(article(), omega=1.04).final_state, 1)
         states[value] = shot.state
-    points = [Bare(1.02, "1-1-0", 1, states[1.02]), Bare(1.04, "1-0-0", 1, states[1.04])]
+    points = [Bare(1.02, Signature(1, 1), 1, states[1.02]), Bare(1.04, Signature(1, 0), 1, states[1.04])]
     for change in transitions(article(), {}, "omega", points):
         assert change.kind != GRAZING
         assert change.point is None

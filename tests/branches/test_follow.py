@@ -12,7 +12,7 @@ from branches.shaken import DEFAULTS, linear, response, shaken, touches
 from branches.test_out_of_range import unbuildable
 from gearlash.branches import BifurcationPoint, BranchEnd, GrazingPoint, Outcome, Passage, follow
 from gearlash.orbits import Orbit, attractor, shoot
-from gearlash.system import ContactRule, Family, GearlashError
+from gearlash.system import ContactRule, Family, GearlashError, Label
 from oracles import closed_forms
 from orbits.contacts import one_dof_under, two_gaps
 from orbits.members import built, one_dof, orbit
@@ -112,7 +112,7 @@ def test_between_impact_counts_both_ways_are_one(omega):
         assert (one.point.label_below, one.point.label_above) == (one.before.label, _label(one))
 
 
-def _label(met: Passage) -> str:
+def _label(met: Passage) -> Label:
     assert met.after is not None
     return met.after.label
 

@@ -11,7 +11,7 @@ from gearlash import flow
 from gearlash.branches import GrazingPoint, locate_grazing, locate_multiplier
 from gearlash.branches.critical import distance_to_unit
 from gearlash.orbits import Orbit, Shot, attractor, grazing_checks, shoot
-from gearlash.system import Family, Status, System, UnknownNameError
+from gearlash.system import Family, Signature, Status, System, UnknownNameError
 from oracles import closed_forms
 from orbits.members import article, built, count_by_marching, one_dof, orbit
 
@@ -200,9 +200,11 @@ def test_every_extremum_of_an_orbit_gives_a_result_or_says_that_it_is_none():
         edge = point.value if check.boundary > 0 else -point.value
         assert abs(point.state[8] - edge) <= 1e-11
         assert abs(point.state[9]) <= 1e-11
-        below, above = (np.array(label.split("-"), int) for label in (point.label_below, point.label_above))
-        assert np.abs(below - above).sum() == 1
-        assert below[0] == above[0]
+        below, above = point.label_below, point.label_above
+        assert isinstance(below, Signature)
+        assert isinstance(above, Signature)
+        assert below.period == above.period
+        assert np.abs(np.array(below.counts) - np.array(above.counts)).sum() == 1
     assert good >= 2
 
 

@@ -7,6 +7,7 @@ import pytest
 from cli.conftest import Gearlash
 from gearlash.cli.answers.sentence import coexisting, rate
 from gearlash.results.beside import Beside, BesideMotion
+from gearlash.system import Label, MotionKind, Signature, read_label
 
 RATES = {
     ((0.3,), 1): "once per mesh cycle",
@@ -48,8 +49,14 @@ def test_whole_sentences(settings: list[str], sentence: str, gearlash: Gearlash)
     assert gearlash("run", "article", *options, "--json").answer["sentence"] == sentence
 
 
+def _label(text: str) -> Label:
+    found = read_label(text)
+    assert found is not None
+    return found
+
+
 def motion(label: str, starts: int, impacts: bool = True) -> BesideMotion:
-    return BesideMotion(label, "ok", starts, impacts, {})
+    return BesideMotion(_label(label), "ok", starts, impacts, {})
 
 
 @pytest.mark.parametrize(
@@ -75,8 +82,11 @@ def motion(label: str, starts: int, impacts: bool = True) -> BesideMotion:
     ],
 )
 def test_what_coexists_is_told_or_said_not_to_be_known(beside: Beside | None, words: str):
-    assert coexisting(beside, "3-3-0") == words
+    assert coexisting(beside, Signature(3, 3)) == words
 
 
 def test_two_aperiodic_motions_are_not_said_to_be_one():
-    assert coexisting(Beside(6, 6, 0, ()), "aperiodic") == "6 other starts lead to aperiodic motion, too"
+    assert (
+        coexisting(Beside(6, 6, 0, ()), MotionKind.APERIODIC)
+        == "6 other starts lead to aperiodic motion, too"
+    )

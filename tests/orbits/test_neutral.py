@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import gearlash as gl
-from gearlash.system import Status
+from gearlash.system import MotionKind, Status
 from oracles.oscillators import oscillator
 
 FAR = (1e6, 1e6)  # a gap that is never crossed
@@ -99,5 +99,5 @@ def test_sweeps_and_maps_carry_neutral_points():
     assert sweep.points[0].label == "neutral"
     assert sweep.points[0].status == "neutral"
     plane = gl.map_plane(family, axis, gl.Axis.even("omega", 0.9, 1.0, 2))
-    assert plane.shares["neutral"] == 2
+    assert plane.shares[MotionKind.NEUTRAL] == 2
     assert plane.statuses["neutral"] == 2

@@ -43,7 +43,8 @@ def test_beside_a_doubling(which, side, relative):
     """Before it P, after it 2P, from the cold start, from a displaced one, and from the critical orbit."""
     family, _, name, short_side = DOUBLINGS[which]
     point = doubling(which)
-    short = Signature.parse(point.label)
+    short = point.label
+    assert isinstance(short, Signature)
     double = Signature(2 * short.period, 2 * short.drive, 2 * short.back)
     right = short if side == short_side else double
     values = {**point.values, name: point.value * (1 + side * relative)}
@@ -67,7 +68,8 @@ def test_extremely_close_to_a_doubling(which, side):
     """At 1e-10 a motion may stay undecided, but must say so."""
     family, _, name, short_side = DOUBLINGS[which]
     point = doubling(which)
-    short = Signature.parse(point.label)
+    short = point.label
+    assert isinstance(short, Signature)
     double = Signature(2 * short.period, 2 * short.drive, 2 * short.back)
     values = {**point.values, name: point.value * (1 + side * 1e-10)}
     for start in (family().start(values), point.state + 1e-3):

@@ -10,7 +10,7 @@ import xarray as xr
 
 from gearlash.plots.branch import Branch, axis_name, branches, differs
 from gearlash.plots.regimes import APERIODIC, BACK, DRIVE, FREE, UNRESOLVED, regime, short
-from gearlash.system import UnknownNameError
+from gearlash.system import UnknownNameError, read_label
 from plots.made import dataset
 
 NAN = float("nan")
@@ -22,7 +22,7 @@ def branch(labels: tuple[str, ...], strobes: list[list[float]]) -> Branch:
     return Branch(
         "cold",
         np.arange(count, dtype=float),
-        labels,
+        tuple(map(read_label, labels)),
         np.zeros(count),
         np.zeros(count),
         np.array(strobes),
@@ -90,11 +90,11 @@ def test_a_dataset_without_directions_is_refused() -> None:
     ],
 )
 def test_regimes(label: str, kind: object) -> None:
-    assert regime(label) is kind
+    assert regime(read_label(label)) is kind
 
 
 def test_labels_print_as_in_the_article() -> None:
-    assert [short(x) for x in ("1-1-0", "6-6-1", "10-10-10", "aperiodic")] == [
+    assert [short(read_label(x)) for x in ("1-1-0", "6-6-1", "10-10-10", "aperiodic")] == [
         "1-1",
         "6-6-1",
         "10-10-10",

@@ -16,14 +16,21 @@ from matplotlib.text import Text
 import gearlash as gl
 from gearlash import plots
 from gearlash.plots.units import MARK
+from gearlash.system import Signature
 from plots.made import aperiodic, around_grazing, article, dataset, moving, plane, zoned
 
 BARS = (
     plots.Bar("article", 0.973, 1.112, "reported", "", "0.973", "1.112"),
     plots.Bar(
-        "computed: every motion", 0.9725, 1.0922, "computed", "1-0-0", "0.9725  grazing", "1.0922  fold"
+        "computed: every motion",
+        0.9725,
+        1.0922,
+        "computed",
+        Signature(1, 0),
+        "0.9725  grazing",
+        "1.0922  fold",
     ),
-    plots.Bar("coexists: 2-1", 1.0922, 1.112, "coexisting", "2-1-0", "1.0922", "1.112"),
+    plots.Bar("coexists: 2-1", 1.0922, 1.112, "coexisting", Signature(2, 1), "1.0922", "1.112"),
 )
 MARKS = (
     plots.Mark(1.112, "grazing", "1.1120  1-0 → 1-1", True),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from gearlash.plots.regimes import APERIODIC, BACK, DRIVE, FREE, UNRESOLVED, regime
+from gearlash.system import read_label
 
 
 @pytest.mark.parametrize(
@@ -23,4 +24,4 @@ from gearlash.plots.regimes import APERIODIC, BACK, DRIVE, FREE, UNRESOLVED, reg
     ],
 )
 def test_impacts_of_all_gaps_count(label, kind):
-    assert regime(label) is kind
+    assert regime(read_label(label)) is kind

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearlash.results import FAILED, Axis, Direction, Point, Sweep, blank, coexisting, same_motion
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, MotionKind, Signature
 
 
 @pytest.mark.parametrize(
@@ -45,8 +45,10 @@ def test_even_values_hold_both_ends_in_either_order():
 
 
 def orbit(label: str, strobes, size: float = 1.0) -> Point:
-    period = int(label.split("-")[0])
-    return Point(1.0, "ok", "", label, period, strobes=np.array(strobes), minimum=0.0, maximum=size)
+    signature = Signature.parse(label)
+    return Point(
+        1.0, "ok", "", signature, signature.period, strobes=np.array(strobes), minimum=0.0, maximum=size
+    )
 
 
 def test_the_same_orbit_begun_elsewhere_is_the_same_motion():
@@ -75,7 +77,7 @@ def test_what_was_not_computed_differs_from_nothing():
 
 @pytest.mark.parametrize("label", ["unresolved", "neutral"])
 def test_what_is_no_attractor_coexists_with_none(label: str):
-    axis, other = Axis("D", np.array([1.0])), Point(1.0, label, "", label, 0)
+    axis, other = Axis("D", np.array([1.0])), Point(1.0, label, "", MotionKind(label), 0)
     rows = [Sweep(axis, Direction.COLD, (other,)), Sweep(axis, Direction.UP, (orbit("1-1-0", [0.1]),))]
     assert coexisting(rows).tolist() == [False]
 

@@ -65,7 +65,8 @@ def test_a_map_has_a_row_a_pixel(gaps: tuple[float, float], tmp_path: Path):
     assert frame.index.names == ["D", "omega"]
     assert frame["label"].tolist() == plane.label.ravel().tolist()
     named = gl.table(gl.load_dataset(path))
-    assert named["label"].tolist() == [plane.label_at(row, column) for row in (0, 1) for column in range(3)]
+    labels = [plane.label_at(row, column) for row in (0, 1) for column in range(3)]
+    assert named["label"].tolist() == [label or "" for label in labels]
     assert set(named["status"]) == set(plane.statuses)
     with xr.open_dataset(path, group="label_name") as group:
         assert group["label_name"].values.tolist() == list(plane.labels or ("",))

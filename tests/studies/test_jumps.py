@@ -27,7 +27,7 @@ from gearlash.studies.transitions import (
     unlocated,
 )
 from gearlash.studies.zone import BASIN
-from gearlash.system import ContactRule, Family, GearlashError
+from gearlash.system import ContactRule, Family, GearlashError, Label, Signature, read_label
 from orbits.contacts import two_gaps
 from orbits.members import article, built, one_dof
 
@@ -39,7 +39,7 @@ def pair() -> Family:
     return one_dof(load=0.1, error=0.05)
 
 
-def kinds(found: Sequence[Transition]) -> list[tuple[str, str, str]]:
+def kinds(found: Sequence[Transition]) -> list[tuple[str, Label | None, Label | None]]:
     return [(t.kind, t.label_below, t.label_above) for t in found]
 
 
@@ -48,7 +48,7 @@ class Bare:
     """The least that a sampled point must have."""
 
     value: float
-    label: str
+    label: Label | None
     period: int
     state: np.ndarray
 
@@ -100,7 +100,7 @@ def test_a_change_of_basin_between_orbits_of_one_label():
     lower = sweep(pair(), Axis.even("omega", 0.8, 0.824, 7), direction="up").points[-1]
     upper = sweep(pair(), Axis.even("omega", 0.826, 0.9, 7), direction="down").points[0]
     assert lower.label == upper.label == "1-1-0"
-    rows = [Bare(0.824, "1-1-0", 1, lower.state), Bare(0.826, "1-1-0", 1, upper.state)]
+    rows = [Bare(0.824, Signature(1, 1), 1, lower.state), Bare(0.826, Signature(1, 1), 1, upper.state)]
     for rising in (True, False):
         (change,) = transitions(pair(), {}, "omega", rows, rising=rising)
         assert (change.kind, change.label_below, change.label_above) == (BASIN, "1-1-0", "1-1-0")
@@ -146,28 +146,28 @@ def test_what_cannot_be_followed_is_not_decided():
 def test_only_smooth_states_are_taken_as_they_are():
     """A jump of a tenth of a step among states on a parabola is looked at more closely."""
     values = np.linspace(1.0, 2.0, 8)
-    smooth = [Bare(v, "1-0-0", 1, np.array([v**2, 1.0 - v])) for v in values]
+    smooth = [Bare(v, Signature(1, 0), 1, np.array([v**2, 1.0 - v])) for v in values]
     assert [plainly_one(smooth, i) for i in range(7)] == [False, False, True, True, True, False, False]
     step = smooth[4].state[0] - smooth[3].state[0]
     jumped = [replace(p, state=p.state + np.array([0.1 * step * (i > 3), 0.0])) for i, p in enumerate(smooth)]
     assert not plainly_one(jumped, 3)
-    assert not plainly_one([replace(p, label="1-1-0" if p.value > 1.9 else "1-0-0") for p in smooth], 4)
+    assert not plainly_one(
+        [replace(p, label=Signature(1, 1) if p.value > 1.9 else Signature(1, 0)) for p in smooth], 4
+    )
 
 
 @pytest.mark.parametrize(
     ("below", "above", "kind"),
     [
-        (("1-0-0", 1), ("1-1-0", 1), JUMP),
-        (("1-0-0", 1), ("aperiodic", 0), APERIODIC),
-        (("unresolved", 0), ("1-0-0", 1), UNPROVED),
-        (("neutral", 0), ("1-0-0", 1), UNPROVED),
-        (("aperiodic", 0), ("unresolved", 0), UNPROVED),
+        ("1-0-0", "1-1-0", JUMP),
+        ("1-0-0", "aperiodic", APERIODIC),
+        ("unresolved", "1-0-0", UNPROVED),
+        ("neutral", "1-0-0", UNPROVED),
+        ("aperiodic", "unresolved", UNPROVED),
     ],
 )
-def test_what_was_not_proved_aperiodic_is_not_called_so(
-    below: tuple[str, int], above: tuple[str, int], kind: str
-):
-    one, two = (Bare(0.0, label, period, np.zeros(2)) for label, period in (below, above))
+def test_what_was_not_proved_aperiodic_is_not_called_so(below: str, above: str, kind: str):
+    one, two = (Bare(0.0, read_label(text), int(text[0] == "1"), np.zeros(2)) for text in (below, above))
     assert unlocated(one, two) == kind
     assert unlocated(two, one) == kind
 

@@ -90,7 +90,7 @@ def test_aperiodic_point_keeps_a_stretch_and_no_period():
 
 def test_a_value_out_of_range_is_flagged_with_its_reason():
     found = studies.point(CLASSICAL, {"D": -1.0}, name="D")
-    assert (found.status, found.label, found.value) == (FAILED, "", -1.0)
+    assert (found.status, found.label, found.value) == (FAILED, None, -1.0)
     assert "D" in found.message
     assert not found.computed
 

@@ -26,7 +26,7 @@ from gearlash.flow import Propagators
 from gearlash.orbits import GrazingCheck, Orbit, grazing_checks, orbit_at
 from gearlash.results import Direction
 from gearlash.studies.transitions import DOUBLING, Transition
-from gearlash.system import Family, GearlashError, Status
+from gearlash.system import Family, GearlashError, MotionKind, Status
 
 from .reproduction import Coincidence, Opening
 
@@ -40,7 +40,6 @@ FARTHEST = 0.02  # of the parameter: a touch beyond is not beside the doubling
 ITERATIONS, SOLVED = 15, 1e-12
 STEP = 1e-7  # of the parameter: for the derivative
 LEAST = 4  # amplitudes from which the square root is read
-UNKNOWN = "none"  # label of a side on which the touching orbit could not be followed
 SHOWN = 6  # amplitudes that are kept, evenly among those that were followed
 
 
@@ -164,12 +163,12 @@ def _located(branch: _Branch, followed: list[tuple[float, float, Orbit]]) -> Gra
     """The touch that comes next, solved for from the last doubled orbit before it: its label towards the
     doubling is that of the doubled orbit."""
     _, mu, orbit = followed[-1]
-    wanted = str(followed[0][2].signature.twice)
+    wanted = followed[0][2].signature.twice
     for check in grazing_checks(orbit)[:NEAREST]:
         graze = locate_grazing(branch.family, {**branch.values, branch.name: mu}, branch.name, orbit, check)
         near = abs(graze.value - branch.value) <= FARTHEST * abs(branch.value)
         towards = graze.label_above if graze.value < branch.value else graze.label_below
-        known = graze.status is Status.OK and UNKNOWN not in (graze.label_below, graze.label_above)
+        known = graze.status is Status.OK and MotionKind.NONE not in (graze.label_below, graze.label_above)
         if known and graze.surface == "gap" and near and towards == wanted:
             return graze
     return None
@@ -191,7 +190,7 @@ def _coincidence(
         doubling=point,
         grazing=graze,
         single=point.label,
-        doubled=str(orbits[0].signature.twice),
+        doubled=orbits[0].signature.twice,
         beyond=graze.label_below if graze.value < point.value else graze.label_above,
         apart=abs(graze.value - point.value),
         clearance=clearances[0],

@@ -11,10 +11,11 @@ from gearlash.branches import BifurcationPoint, GrazingPoint
 from gearlash.branches.critical import distance_to_unit
 from gearlash.flow import propagators
 from gearlash.orbits import Orbit, attractor, orbit_at
+from gearlash.plots.regimes import short
 from gearlash.results import Direction
 from gearlash.studies.motion import Motion, motion, touching
 from gearlash.studies.transitions import Transition
-from gearlash.system import Family, GearlashError
+from gearlash.system import Family, GearlashError, Label
 
 from .claims import Claim
 from .doubled import Beside, Found
@@ -47,7 +48,7 @@ def _fits(claim: Claim, transition: Transition) -> bool:
     return _labelled(claim, labels) and abs(deviation(transition.value, _value(claim))) <= FAR
 
 
-def _labelled(claim: Claim, labels: tuple[str, str]) -> bool:
+def _labelled(claim: Claim, labels: tuple[Label | None, Label | None]) -> bool:
     orders = [labels, labels[::-1]] if claim.either_order else [labels]
     return any(same_label(a, claim.below) and same_label(b, claim.above) for a, b in orders)
 
@@ -168,7 +169,7 @@ class EventSearch:
             everywhere=len(directions) == len(Direction),
         )
 
-    def settled(self, name: str, value: float, side: int, state: np.ndarray, wanted: str) -> Motion:
+    def settled(self, name: str, value: float, side: int, state: np.ndarray, wanted: Label) -> Motion:
         """The attractor at a distance at which it has the label of that side, from a state beside it."""
         distance = PICTURED
         for _ in range(14):
@@ -299,7 +300,7 @@ def _beside(claim: Claim, coincidences: Sequence[Beside]) -> str:
     name, (below, above) = {"omega": "ω"}.get(claim.parameter, claim.parameter), both.labels
     return (
         f" The closest pair of a doubling and a grazing of what it bears: {name} = {both.doubling.value:.6f} "
-        f"and {both.grazing.value:.6f}, {both.apart:.1e} apart ({_short(below)} → {_short(above)})."
+        f"and {both.grazing.value:.6f}, {both.apart:.1e} apart ({short(below)} → {short(above)})."
     )
 
 
@@ -308,12 +309,8 @@ def describe(transition: Transition) -> str:
     symbol = {"omega": "ω"}.get(transition.name, transition.name)
     return (
         f"{transition.kind} at {symbol} = {transition.value:.6f} "
-        f"({_short(transition.label_below)} → {_short(transition.label_above)})"
+        f"({short(transition.label_below)} → {short(transition.label_above)})"
     )
-
-
-def _short(label: str) -> str:
-    return label[:-2] if label.endswith("-0") and label.count("-") == 2 else label
 
 
 def exponent_at(transition: Transition) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-from gearlash.orbits import Signature
+from gearlash.system import Label, Signature
 
 REPRODUCED, SHIFTED, NOT_FOUND = "reproduced", "shifted", "not found"
 CLOSE, FAR = 0.005, 0.10  # relative deviations: reproduced up to the first, shifted up to the second
@@ -41,8 +41,6 @@ def worst(verdicts: list[str]) -> str:
     return max(verdicts, key=order.index, default=NOT_FOUND)
 
 
-def same_label(computed: str, reported: str) -> bool:
-    """Whether two labels mean the same signature: "1-1-0" is "1-1"."""
-    if not computed or not reported or not computed[0].isdigit():
-        return False
-    return Signature.parse(computed) == Signature.parse(reported)
+def same_label(computed: Label | None, reported: str) -> bool:
+    """Whether a motion has the signature that the article prints: 1-1-0 is "1-1"."""
+    return bool(reported) and isinstance(computed, Signature) and computed == Signature.parse(reported)

@@ -30,7 +30,7 @@ from gearlash.plots.units import VELOCITY, Units, X, name, second
 from gearlash.results import Axis, sweep_dataset
 from gearlash.studies.motion import Motion, motion, touching
 from gearlash.studies.sweep import sweeps
-from gearlash.system import Family, GearlashError
+from gearlash.system import Family, GearlashError, Signature
 
 SPAN = (0.90, 1.20)  # of ω around the window
 POINTS = 451
@@ -154,7 +154,7 @@ def _names(axes: Axes, rows: list[Branch], ends: tuple[float, float]) -> None:
     for first, last, label in rows[0].runs():
         left, right = rows[0].values[first], rows[0].values[last - 1]
         middle = (max(left, high) + right) / 2 if right > high and left < high else (left + right) / 2
-        if label[0].isdigit() and right - left > 0.03:
+        if isinstance(label, Signature) and right - left > 0.03:
             top = float(np.nanmax(rows[0].strobes[int(np.argmin(np.abs(rows[0].values - middle)))]))
             axes.annotate(
                 short(label), (middle, top), (0, 5), textcoords="offset points", ha="center", va="bottom"
@@ -166,7 +166,7 @@ def _names(axes: Axes, rows: list[Branch], ends: tuple[float, float]) -> None:
         if low < b.values[i] < high and label != "1-0-0"
     ]
     if inside:
-        value, bottom, label = min(inside)
+        value, bottom, label = min(inside, key=lambda one: one[:2])
         axes.annotate(
             f"{short(label)} coexists",
             (value, bottom),

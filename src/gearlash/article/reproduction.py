@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from gearlash.case import Case
 from gearlash.studies.motion import Motion
-from gearlash.system import Record
+from gearlash.system import Label, Record
 
 if TYPE_CHECKING:
     import xarray
@@ -27,8 +27,8 @@ class Mark:
     value: float
     kind: str
     boundary: int
-    before: str
-    after: str
+    before: Label | None
+    after: Label | None
     direction: str
     article: bool
 
@@ -64,9 +64,9 @@ class Coincidence(Record):
 
     doubling: BifurcationPoint
     grazing: GrazingPoint
-    single: str
-    doubled: str
-    beyond: str
+    single: Label
+    doubled: Label
+    beyond: Label
     apart: float
     clearance: float
     predicted: float
@@ -74,7 +74,7 @@ class Coincidence(Record):
     opening: tuple[Opening, ...]
 
     @property
-    def labels(self) -> tuple[str, str]:
+    def labels(self) -> tuple[Label, Label]:
         """Below both and above both, for a rising parameter."""
         if self.grazing.value < self.doubling.value:
             return self.beyond, self.single
@@ -100,8 +100,8 @@ class Event(Record):
     found: bool
     value: float
     deviation: float
-    label_below: str
-    label_above: str
+    label_below: Label | None
+    label_above: Label | None
     kind: str
     boundary: int
     a0: float
@@ -127,7 +127,7 @@ class Event(Record):
 class Coexisting:
     """Another attractor within a zone."""
 
-    label: str
+    label: Label
     interval: tuple[float, float]
     start: str
     largest_exponent: float
@@ -154,7 +154,7 @@ class Reading:
     name: str
     lower: End
     upper: End
-    labels: tuple[str, ...]
+    labels: tuple[Label, ...]
     margin: float
     coexisting: tuple[Coexisting, ...]
     deviations: tuple[float, float]
@@ -262,8 +262,8 @@ class Touch:
 
     value: float
     error: float
-    label_below: str
-    label_above: str
+    label_below: Label | None
+    label_above: Label | None
     kind: str
     surface: str
     exponent: float
@@ -271,11 +271,12 @@ class Touch:
 
 @dataclass(frozen=True)
 class RuleLabel:
-    """The motion at one value: label, whether the back side is hit in it, certificate."""
+    """The motion at one value: label (the status where there is no motion), whether the back side is hit in
+    it, certificate."""
 
     parameter: str
     value: float
-    label: str
+    label: Label | str
     back_hit: bool
     certificate: str
 

@@ -81,7 +81,9 @@ def effect(
 
 
 def _label(name: str, p) -> RuleLabel:
-    return RuleLabel(name, p.value, p.label or p.status, len(p.back_phase) > 0, p.certificate)
+    return RuleLabel(
+        name, p.value, p.status if p.label is None else p.label, len(p.back_phase) > 0, p.certificate
+    )
 
 
 def _end(family: Family, values: Mapping[str, float], quiet: Point, to: float) -> Touch | None:

@@ -19,7 +19,7 @@ from gearlash.studies.model import open_workers
 from gearlash.studies.motion import Motion, motion
 from gearlash.studies.point import point
 from gearlash.studies.transitions import Transition
-from gearlash.system import GearlashError, given
+from gearlash.system import GearlashError, Label, MotionKind, given
 
 from .bearing import bearing_modes
 from .claims import Claim, load
@@ -258,7 +258,7 @@ def _window(
     if not inside:
         return ()
 
-    def labels(i: int) -> set[str]:
+    def labels(i: int) -> set[Label | None]:
         return {row.sweep.points[i].label for row in done}
 
     most = max(len(labels(i)) for i in inside)
@@ -317,7 +317,7 @@ def _checks(case: Case, done: Sequence[Row], found: Mapping[str, Sequence[Found]
     graze = max((t.point.residual for t in solved if t.point is not None), default=float("nan"))
     error = max((t.point.error / abs(t.value) for t in solved if t.point is not None), default=float("nan"))
     leading = max((abs(p.leading) for p in points), default=float("nan"))
-    unresolved = sum(p.label == "unresolved" for row in done for p in row.sweep.points)
+    unresolved = sum(p.label is MotionKind.UNRESOLVED for row in done for p in row.sweep.points)
     total = sum(len(row.sweep.points) for row in done)
     return (
         Check(

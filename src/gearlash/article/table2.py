@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from gearlash.branches import BifurcationPoint, GrazingPoint
 from gearlash.studies.transitions import Transition
+from gearlash.system import Label, Signature, label_text
 
 from .events import Found, exponent_at
 from .judge import NOT_FOUND, REPRODUCED, coincides
@@ -64,7 +65,7 @@ def _row(kind, condition, period, pattern, region, transitions, verdict, note) -
         events=tuple(f"{_symbol(t)} = {t.value:.4f}" for t in shown),
         exponent=tuple(exponent_at(t) for t in shown),
         periods=tuple(f"{_period(t.label_below)} → {_period(t.label_above)}" for t in shown),
-        patterns=tuple(f"{t.label_below} → {t.label_above}" for t in shown),
+        patterns=tuple(f"{label_text(t.label_below)} → {label_text(t.label_above)}" for t in shown),
         verdict=verdict,
         note=note,
     )
@@ -106,8 +107,8 @@ def _symbol(transition: Transition) -> str:
     return {"omega": "ω"}.get(transition.name, transition.name)
 
 
-def _period(label: str) -> str:
-    return label.split("-")[0]
+def _period(label: Label | None) -> str:
+    return str(label.period) if isinstance(label, Signature) else label_text(label)
 
 
 def _all(flag: bool) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 from gearlash.case import Case
 from gearlash.results import Point
 from gearlash.studies.transitions import DOUBLING, FOLD
+from gearlash.system import MotionKind, label_text
 
 from .claims import Claim
 from .judge import NOT_FOUND, REPRODUCED, SHIFTED, coincides, same_label, verdict
@@ -181,7 +182,7 @@ def _zone(claim: Claim, evidence: Evidence) -> ClaimRow:
         evidence,
         computed=f"[{best.lower.value:.6g}, {best.upper.value:.6g}]",
         reported_labels=claim.label or "P-Q-0",
-        computed_labels=", ".join(best.labels),
+        computed_labels=", ".join(map(str, best.labels)),
         deviation=best.deviation,
         verdict=zone.verdict,
         branch=f"nearest reading: {best.name}",
@@ -223,7 +224,7 @@ def _insensitive(claim: Claim, evidence: Evidence) -> ClaimRow:
         evidence,
         computed=f"largest step of X − D: {change:.1e}",
         computed_value=change,
-        computed_labels=", ".join(sorted(labels)),
+        computed_labels=", ".join(sorted(map(label_text, labels))),
         verdict=REPRODUCED if holds else NOT_FOUND,
         branch="all sweeps",
         note=f"For D > {edge:.4f}: X − D of a motion that meets one boundary only does not depend on D at "
@@ -245,7 +246,10 @@ def _routes(claim: Claim, evidence: Evidence) -> ClaimRow:
     found = [t for row in rows for t in row.transitions if t.point is not None and t.kind in (DOUBLING, FOLD)]
     doublings = {round(t.value, 6) for t in found if t.kind == DOUBLING}
     aperiodic = {
-        p.value for row in rows for p in row.sweep.points if p.label == "aperiodic" and p.largest_exponent > 0
+        p.value
+        for row in rows
+        for p in row.sweep.points
+        if p.label is MotionKind.APERIODIC and p.largest_exponent > 0
     }
     share = len(aperiodic) / len(rows[0].sweep.points)
     holds = bool(doublings) and bool(aperiodic)
@@ -279,9 +283,9 @@ def _label(claim: Claim, evidence: Evidence) -> ClaimRow:
     return _row(
         claim,
         evidence,
-        computed=cold.label,
+        computed=label_text(cold.label),
         reported_labels=claim.label,
-        computed_labels="; ".join(f"{start}: {point.label}" for start, point in found),
+        computed_labels="; ".join(f"{start}: {label_text(point.label)}" for start, point in found),
         verdict=judged,
         branch="cold start, and the nearest points of the followed sweeps",
         note=note.strip(),

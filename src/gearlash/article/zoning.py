@@ -118,8 +118,8 @@ def _reading(claim: Claim, way: str, found: Zones, rows: Sequence[Row]) -> Readi
     return Reading(
         way=way,
         name=name,
-        lower=End(zone.lower.value, zone.lower.kind, zone.lower.outside, zone.lower.uncertainty),
-        upper=End(zone.upper.value, zone.upper.kind, zone.upper.outside, zone.upper.uncertainty),
+        lower=End(zone.lower.value, zone.lower.kind, zone.lower.beyond, zone.lower.uncertainty),
+        upper=End(zone.upper.value, zone.upper.kind, zone.upper.beyond, zone.upper.uncertainty),
         labels=tuple(dict.fromkeys(t.label for t in zone.tenants if t.quiet)),
         margin=_margin(claim, zone, mine),
         coexisting=tuple(_coexisting(t, mine) for t in zone.tenants if not t.quiet),

@@ -6,10 +6,8 @@ from .ending import Outcome, SpecialPoint
 from .follow import BranchEnd, Passage, follow, joins
 from .grazing import GrazingPoint, locate_grazing
 from .node import Node
-from .sides import NONE
 
 __all__ = [
-    "NONE",
     "BifurcationPoint",
     "BranchEnd",
     "GrazingPoint",

@@ -16,9 +16,8 @@ from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.orbits import Orbit, orbit_at, shoot
 from gearlash.orbits.floquet import ordered
-from gearlash.system import Family, GearlashError, Record, Status, given
+from gearlash.system import Family, GearlashError, Label, MotionKind, Record, Status, given
 
-from .sides import NONE
 from .steps import UNBUILT, checked, difference, longest_step, member, within_range
 
 Array = NDArray[Any]
@@ -43,7 +42,7 @@ class BifurcationPoint(Record):
     multiplier: int
     period: int
     state: Array
-    label: str
+    label: Label
     multipliers: NDArray[np.complex128]
     residual: float
     status: Status
@@ -81,7 +80,7 @@ def locate_multiplier(
         multiplier=multiplier,
         period=orbit.period,
         state=state,
-        label=NONE if there is None else there.label,
+        label=MotionKind.NONE if there is None else there.label,
         multipliers=ordered(np.linalg.eigvals(jacobian)),
         residual=residual,
         status=status,

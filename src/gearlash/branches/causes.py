@@ -107,7 +107,7 @@ def _joined(line: Line, before: Node) -> Iterator[BifurcationPoint]:
     try:
         between = 0.5 * (orbit.strobes[0] + orbit.strobes[half])
         single = line.orbit(before.value, between, half, orbit)
-        if single is None or single.shot.period != half or before.label != str(single.signature.twice):
+        if single is None or single.shot.period != half or before.label != single.signature.twice:
             return
         point = locate_multiplier(line.family, line.at(before.value), line.name, single, -1)
     except UNBUILT:

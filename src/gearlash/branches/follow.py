@@ -233,6 +233,6 @@ class _Follower:
         direction = direction / (np.abs(direction) / ranges).max()
         for size in DIRECTIONS:
             node = self.taken_up(value, single.state + size * direction, 2 * point.period)
-            if node is not None and node.label == str(single.signature.twice):
+            if node is not None and node.label == single.signature.twice:
                 return node
         return None

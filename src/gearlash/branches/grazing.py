@@ -24,10 +24,10 @@ from gearlash.orbits.contact_force import force_extrema
 from gearlash.orbits.extrema import gap_extrema
 from gearlash.orbits.floquet import ordered, rate
 from gearlash.orbits.grazing import KINDS, Surface
-from gearlash.system import Family, Record, Status, given
+from gearlash.system import Family, Label, MotionKind, Record, Status, given
 
 from .critical import distance_to_unit
-from .sides import NONE, Sides
+from .sides import Sides
 from .steps import UNBUILT, checked, difference, longest_step, member, within_range
 from .surface import Touching
 
@@ -42,8 +42,9 @@ CLOSED = 1e-11  # residual of a solution
 class GrazingPoint(Record):
     """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles
     from ``state_zero``) and state (n,) of the touch, ``a0`` = X'', multipliers of the one-sided orbit,
-    labels of the same orbit just below and above ``value`` and whether it is stable there ("none" and None on
-    a side where it was not found: beyond a touch it may end within less than can be told apart).
+    labels of the same orbit just below and above ``value`` and whether it is stable there
+    (`MotionKind.NONE` and None on a side where it was not found: beyond a touch it may end within less than
+    can be told apart).
     ``state_zero`` is the orbit at phase zero, a start for either side.
     ``clearance`` is the index of the gap, ``clearance_name`` its name; for ``surface`` "force" the touch is
     Φ = 0 and ``a0`` = Φ''."""
@@ -72,8 +73,8 @@ class GrazingPoint(Record):
     state_zero: Array
     multipliers: NDArray[np.complex128]
     exponent: float
-    label_below: str
-    label_above: str
+    label_below: Label
+    label_above: Label
     residual: float
     status: Status
     clearance: int = 0
@@ -138,8 +139,8 @@ def locate_grazing(
         state_zero=zero,
         multipliers=multipliers,
         exponent=rate(complex(multipliers[0]), duration),
-        label_below=sides.below.text if sides else NONE,
-        label_above=sides.above.text if sides else NONE,
+        label_below=sides.below.label if sides else MotionKind.NONE,
+        label_above=sides.above.label if sides else MotionKind.NONE,
         residual=residual,
         status=status,
         clearance=check.clearance,

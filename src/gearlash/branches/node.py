@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.orbits import GrazingCheck, Orbit, grazing_checks
+from gearlash.system import Label
 
 Array = NDArray[np.float64]
 SAMPLES = 32  # of a mesh cycle: for the range of every state
@@ -32,7 +33,7 @@ class Node:
         return self.orbit.state
 
     @property
-    def label(self) -> str:
+    def label(self) -> Label:
         return self.orbit.label
 
     @cached_property

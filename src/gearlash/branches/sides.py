@@ -12,15 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.flow import Propagators
-from gearlash.orbits import GrazingCheck, Orbit, Signature, grazing_checks, orbit_at
-from gearlash.system import Family
+from gearlash.orbits import GrazingCheck, Orbit, grazing_checks, orbit_at
+from gearlash.system import Family, Label, MotionKind, Signature
 
 from .steps import UNBUILT, member
 
 BESIDE = (1e-6, 1e-8, 1e-10)  # relative distances at which the labels are read, until both are
 NEAR = 1e-2  # of the state's size: an orbit that lies farther away is another one
-NONE = "none"
-"""The label of a side on which no orbit was found."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,8 +32,8 @@ class Side:
         return self.orbit.signature if self.orbit else None
 
     @property
-    def text(self) -> str:
-        return self.orbit.label if self.orbit else NONE
+    def label(self) -> Label:
+        return self.orbit.label if self.orbit else MotionKind.NONE
 
     @property
     def stable(self) -> bool | None:

@@ -14,6 +14,8 @@ from typing import Any
 
 import numpy as np
 
+from gearlash.system import Signature
+
 PART = 65_536  # characters that are written at once
 _UNPRINTABLE = re.compile("[\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 
@@ -34,7 +36,7 @@ def _written(value: Any, line: str, spell: Callable[[str], str]) -> str:
     """The text of a value; ``line`` is a line end with the blanks that the value stands behind."""
     if isinstance(value, float):
         return float.__repr__(value) if math.isfinite(value) else "null"
-    if isinstance(value, str):
+    if isinstance(value, str | Signature):
         return spell(str(value))  # a StrEnum too
     if value is None or value is True or value is False:
         return {None: "null", True: "true", False: "false"}[value]

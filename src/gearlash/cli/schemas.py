@@ -13,8 +13,17 @@ from dataclasses import MISSING, fields, is_dataclass
 from enum import Enum
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
+from gearlash.system import Label
+
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-SIMPLE = {float: "number", int: "integer", str: "string", bool: "boolean", type(None): "null"}
+SIMPLE = {
+    float: "number",
+    int: "integer",
+    str: "string",
+    Label: "string",
+    bool: "boolean",
+    type(None): "null",
+}
 
 
 def answer_schema(answer: type) -> dict[str, Any]:

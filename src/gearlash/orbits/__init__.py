@@ -1,6 +1,8 @@
 """Attractors and what they are: sections, signature, periodic orbits, multipliers, exponents, grazing
 conditions."""
 
+from gearlash.system import Signature
+
 from .attractor import attractor
 from .certificate import Certificate, Verdict
 from .floquet import multipliers
@@ -10,7 +12,6 @@ from .results import Aperiodic, Attractor, Neutral, Orbit, Unresolved
 from .sections import Section, Sections, sections
 from .settings import Settings
 from .shooting import Shot, shoot
-from .signature import Signature
 from .solve import orbit_at
 from .statistics import ForceStatistics, MotionStatistics, motion_statistics
 

@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.flow import Events, Extrema, Propagators, Trace
-from gearlash.system import Record, Status
+from gearlash.system import Label, MotionKind, Record, Signature, Status
 
 from . import floquet
 from .certificate import Certificate, Closed, certify_aperiodic, certify_orbit, certify_unsettled
 from .neutral import is_neutral
 from .shooting import Shot
-from .signature import Signature
 
 LEAST = 1e-200  # a leading multiplier below it has lost digits in the product of its maps
 FASTER = 0.999  # a multiplier below it is far from the unit circle
@@ -80,8 +79,9 @@ class Orbit(Record):
         return Signature(self.period, drive, back, tuple(others))
 
     @property
-    def label(self) -> str:
-        return str(self.signature)
+    def label(self) -> Label:
+        """Its signature."""
+        return self.signature
 
     @cached_property
     def strobes(self) -> NDArray[np.float64]:
@@ -164,8 +164,8 @@ class Aperiodic(Record):
     undecided: int = 0
 
     @property
-    def label(self) -> str:
-        return "aperiodic"
+    def label(self) -> Label:
+        return MotionKind.APERIODIC
 
     @cached_property
     def certificate(self) -> Certificate:
@@ -202,8 +202,8 @@ class Unresolved(Aperiodic):
     """Neither proved periodic nor shown aperiodic within the budget; `message` says what is known."""
 
     @property
-    def label(self) -> str:
-        return "unresolved"
+    def label(self) -> Label:
+        return MotionKind.UNRESOLVED
 
     @cached_property
     def certificate(self) -> Certificate:
@@ -217,8 +217,8 @@ class Neutral(Aperiodic):
     `message` says by which sign it was told."""
 
     @property
-    def label(self) -> str:
-        return "neutral"
+    def label(self) -> Label:
+        return MotionKind.NEUTRAL
 
     @cached_property
     def certificate(self) -> Certificate:

@@ -9,7 +9,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from gearlash.results.forces import from_stored
-from gearlash.system import GearlashError, UnknownNameError
+from gearlash.system import GearlashError, Label, Signature, UnknownNameError, read_label
 
 Array = NDArray[np.float64]
 SAME = 1e-6  # strobes of one attractor found twice agree to this, relative to their size
@@ -22,7 +22,7 @@ class Branch:
 
     direction: str
     values: Array
-    labels: tuple[str, ...]
+    labels: tuple[Label | None, ...]
     exponent: Array
     exponent_error: Array
     strobes: Array
@@ -36,7 +36,7 @@ class Branch:
         chosen = np.isfinite(table) if keep is None else np.isfinite(table) & keep[:, None]
         return np.broadcast_to(self.values[:, None], table.shape)[chosen], table[chosen]
 
-    def runs(self) -> list[tuple[int, int, str]]:
+    def runs(self) -> list[tuple[int, int, Label | None]]:
         """Maximal stretches of one label: first index, index after the last, label."""
         edges = [0, *(i for i in range(1, len(self.labels)) if self.labels[i] != self.labels[i - 1])]
         stops = [*edges[1:], len(self.labels)]
@@ -80,7 +80,7 @@ def _branch(dataset: xr.Dataset, direction: str) -> Branch:
     return Branch(
         direction=direction,
         values=np.asarray(one[axis].values, dtype=np.float64),
-        labels=tuple(str(label) for label in one["label"].values),
+        labels=_labels(one["label"].values),
         exponent=np.asarray(one["largest_exponent"].values, dtype=np.float64),
         exponent_error=np.asarray(one["exponent_error"].values, dtype=np.float64),
         strobes=padded("strobes"),
@@ -88,6 +88,12 @@ def _branch(dataset: xr.Dataset, direction: str) -> Branch:
         back_force=from_stored(padded("back_force")),
         back_release_force=from_stored(padded("back_release_force")),
     )
+
+
+def _labels(texts: NDArray[np.str_]) -> tuple[Label | None, ...]:
+    """What the texts of a dataset stand for, each read once."""
+    known = {text: read_label(text) for text in set(map(str, texts))}
+    return tuple(known[str(text)] for text in texts)
 
 
 def differs(branch: Branch, other: Branch) -> NDArray[np.bool_]:
@@ -104,7 +110,7 @@ def differs(branch: Branch, other: Branch) -> NDArray[np.bool_]:
 def _other(branch: Branch, i: int, other: Branch, j: int | None) -> bool:
     if j is None or branch.labels[i] != other.labels[j]:
         return True
-    if not branch.labels[i][:1].isdigit():
+    if not isinstance(branch.labels[i], Signature):
         return False
     mine, theirs = (np.sort(row[np.isfinite(row)]) for row in (branch.strobes[i], other.strobes[j]))
     return len(mine) != len(theirs) or bool(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from gearlash.orbits import Signature
+from gearlash.system import Label, Signature
 
 from . import style
 from .regimes import APERIODIC, BACK, DRIVE, FREE, UNRESOLVED, regime, short
@@ -37,19 +37,19 @@ class Fill:
 NONE = Fill("white", MISSING, "....")
 
 
-def fills(labels: Sequence[str]) -> dict[str, Fill]:
+def fills(labels: Sequence[Label | None]) -> dict[Label | None, Fill]:
     """A fill for every label; the most frequent ones come first and get the shades, that of their period
     where it is left: so most labels look the same in every map."""
     left = {kind: list(shades) for kind, shades in SHADES.items()}
     found = {}
     for label in labels:
         kind = regime(label)
-        if kind not in SHADES:
+        if kind not in SHADES or not isinstance(label, Signature):
             hatch = FREE_HATCH if kind is FREE else kind.hatch
             found[label] = Fill(kind.colour, kind.words, hatch)
         elif left[kind]:
             shades = SHADES[kind]
-            own = shades[(Signature.parse(label).period - 1) % len(shades)]
+            own = shades[(label.period - 1) % len(shades)]
             colour = own if own in left[kind] else left[kind][0]
             left[kind].remove(colour)
             found[label] = Fill(colour, short(label))

@@ -11,6 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
+from gearlash.system import Label, MotionKind, Signature, label_text
+
 from . import style
 from .regimes import regime, short
 from .units import Units, name, second
@@ -47,7 +49,7 @@ class Bar:
     lower: float
     upper: float
     kind: str
-    label: str = ""
+    label: Label | str | None = None
     lower_text: str = ""
     upper_text: str = ""
 
@@ -124,7 +126,7 @@ def _panel(axes: Axes, panel: Panel) -> None:
 
 def _bar(axes: Axes, row: int, bar: Bar, wide: float) -> None:
     plain = bar.kind == REPORTED
-    kind = regime(bar.label)
+    kind = regime(bar.label if isinstance(bar.label, Signature | MotionKind) else None)
     fill = "white" if plain else kind.colour
     axes.add_patch(
         Rectangle(
@@ -143,7 +145,7 @@ def _bar(axes: Axes, row: int, bar: Bar, wide: float) -> None:
         axes.text(
             middle,
             row,
-            bar.label if plain else short(bar.label),
+            label_text(bar.label) if plain else short(bar.label),
             ha="center",
             va="center",
             fontsize=7.5,

@@ -15,7 +15,7 @@ from matplotlib.path import Path
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from gearlash.system import UnknownNameError
+from gearlash.system import Label, Signature, UnknownNameError, read_label
 
 from . import style
 from .fills import NONE, Fill, fills, legend_order
@@ -62,7 +62,7 @@ def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
         raise UnknownNameError("dimension", "label_name", [str(d) for d in dataset.dims])
     x, y, units = str(dataset.attrs["x"]), str(dataset.attrs["y"]), units or Units()
     codes = np.asarray(dataset["label"].values, dtype=np.int64)
-    names = [str(each) for each in dataset["label_name"].values]
+    names = [read_label(str(each)) for each in dataset["label_name"].values]
     looks = _looks(names, codes)
     edges = _edges(dataset[x].values), _edges(dataset[y].values)
     made = style.figure(style.PAGE, HEIGHT + 38.0)
@@ -77,7 +77,7 @@ def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
     panel.set_title(_title(dataset, (x, y)), loc="left", fontsize=7.5)
     handles = [_patch(fill) for fill in legend_order(looks)]
     marked = any(twin is not None and twin.assumed for twin in twins)
-    key = KEY_OF_SEVERAL if any("/" in each for each in names) else KEY
+    key = KEY_OF_SEVERAL if any(isinstance(each, Signature) and each.others for each in names) else KEY
     made.legend(
         handles=handles, loc="outside lower center", ncols=5, columnspacing=1.4,
         title=f"{key} {ASSUMED}" if marked else key, title_fontsize=6.5,
@@ -97,7 +97,7 @@ def _title(dataset: xr.Dataset, axes: tuple[str, str]) -> str:
     return ",  ".join([plain(str(dataset.attrs.get("case_name", ""))), *parts]).removeprefix(",  ")
 
 
-def _looks(names: Sequence[str], codes: NDArray[np.int64]) -> list[Fill]:
+def _looks(names: Sequence[Label | None], codes: NDArray[np.int64]) -> list[Fill]:
     """The fill of every code, and last that of pixels without a motion, where there are any."""
     counts = np.bincount(codes[codes >= 0], minlength=len(names))
     frequent = sorted(range(len(names)), key=lambda i: (-counts[i], i))
@@ -137,7 +137,7 @@ def _name(
     panel: Axes,
     edges: tuple[Array, Array],
     codes: NDArray[np.int64],
-    names: Sequence[str],
+    names: Sequence[Label | None],
     looks: Sequence[Fill],
 ) -> None:
     """The label inside every region that has room for it."""

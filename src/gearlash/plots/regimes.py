@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gearlash.orbits import Signature
-from gearlash.system import GearlashError
+from gearlash.system import Label, MotionKind, Signature, label_text
 
 from . import style
 
@@ -28,23 +27,21 @@ APERIODIC = Regime("aperiodic", "#4d4d4d", ink="white")
 NEUTRAL = Regime("neutral: one of a continuum", "white", "....")
 UNRESOLVED = Regime("unresolved", "white", "xxxx")
 ALL = (FREE, DRIVE, BACK, APERIODIC, NEUTRAL, UNRESOLVED)
-NAMED = {"aperiodic": APERIODIC, "neutral": NEUTRAL}
+BY_KIND = {MotionKind.APERIODIC: APERIODIC, MotionKind.NEUTRAL: NEUTRAL}
 
 
-def regime(label: str) -> Regime:
-    """The regime of a label: P-Q-R (impacts of all clearances count), ``aperiodic``, or anything else:
-    unresolved."""
-    if label in NAMED:
-        return NAMED[label]
-    try:
-        signature = Signature.parse(label)
-    except GearlashError:
-        return UNRESOLVED
-    if signature.back_impacts:
+def regime(label: Label | None) -> Regime:
+    """The regime of a label; the impacts of all clearances count."""
+    if not isinstance(label, Signature):
+        return UNRESOLVED if label is None else BY_KIND.get(label, UNRESOLVED)
+    if label.back_impacts:
         return BACK
-    return DRIVE if signature.impacts else FREE
+    return DRIVE if label.impacts else FREE
 
 
-def short(label: str) -> str:
-    """A label without R where the back side is not met: 1-1 for 1-1-0."""
-    return label[:-2] if label.count("-") == 2 and label.endswith("-0") else label
+def short(label: Label | str | None) -> str:
+    """A label, or its text, without R where the back side is not met: 1-1 for 1-1-0. Other words stay."""
+    if isinstance(label, Signature):
+        return label.short
+    text = label_text(label)
+    return text[:-2] if text.count("-") == 2 and text.endswith("-0") else text

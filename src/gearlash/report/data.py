@@ -13,7 +13,7 @@ import xarray as xr
 
 from gearlash.case import Case
 from gearlash.studies.motion import Motion
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, Signature
 
 FORMAT = 1
 MOST_SAMPLES = 400  # of a curve; the whole of it is in the figures
@@ -64,8 +64,10 @@ def plain(thing: Any) -> Any:
     infinities null.
     """
     match thing:
-        case None | bool() | str():
-            return str(thing) if isinstance(thing, str) else thing
+        case None | bool():
+            return thing
+        case str() | Signature():
+            return str(thing)
         case int() | np.integer():
             return int(thing)
         case float() | np.floating():

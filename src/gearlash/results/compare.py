@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import GearlashError, arguments
+from gearlash.system import GearlashError, MotionKind, arguments
 
 from .point import Point
 from .sweep import Sweep
@@ -41,7 +41,7 @@ def _same(one: Point, other: Point) -> bool:
 
 
 def _settled(point: Point) -> bool:
-    return point.periodic or point.label == "aperiodic"
+    return point.periodic or point.label is MotionKind.APERIODIC
 
 
 @arguments

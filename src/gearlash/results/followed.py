@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
+from gearlash.system import Label
+
 INTERRUPTED = "interrupted"  # why a motion was not followed further
 
 
@@ -14,8 +16,8 @@ class Passed:
 
     kind: str
     value: float
-    label_below: str
-    label_above: str
+    label_below: Label
+    label_above: Label
 
 
 @dataclass(frozen=True)

@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from types import MappingProxyType
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import GearlashError, Record, Status
+from gearlash.system import GearlashError, Label, Record, Status, read_label
 
 from .axis import Axis
 from .point import FAILED, NOT_COMPUTED
 
 Array = NDArray[Any]
+Named = TypeVar("Named")
 
 STATUSES = (NOT_COMPUTED, FAILED, *map(str, Status))
 """What the codes of `PlaneMap.status` mean."""
@@ -47,7 +48,7 @@ class PlaneMap(Record):
 
     x: Axis
     y: Axis
-    labels: tuple[str, ...]
+    labels: tuple[Label, ...]
     label: Array
     period: Array
     drive: Array
@@ -64,6 +65,7 @@ class PlaneMap(Record):
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        object.__setattr__(self, "labels", tuple(map(read_label, self.labels)))
         for name, array in self.arrays.items():
             if array.shape != self.shape:
                 raise GearlashError(f"{name} of a map has shape {array.shape}, expected {self.shape}")
@@ -109,17 +111,17 @@ class PlaneMap(Record):
         return {name: count for name, count in found.items() if name}
 
     @property
-    def shares(self) -> dict[str, int]:
+    def shares(self) -> dict[Label, int]:
         """How many pixels have which label, the most frequent first."""
         found = _counted(self.label[self.label != NO_LABEL], self.labels)
-        return dict(sorted(found.items(), key=lambda item: (-item[1], item[0])))
+        return dict(sorted(found.items(), key=lambda item: (-item[1], str(item[0]))))
 
-    def label_at(self, row: int, column: int) -> str:
-        """The label of a pixel; empty where there is no motion."""
+    def label_at(self, row: int, column: int) -> Label | None:
+        """The label of a pixel; None where there is no motion."""
         code = int(self.label[row, column])
-        return "" if code == NO_LABEL else self.labels[code]
+        return None if code == NO_LABEL else self.labels[code]
 
 
-def _counted(codes: Array, table: tuple[str, ...]) -> dict[str, int]:
+def _counted(codes: Array, table: tuple[Named, ...]) -> dict[Named, int]:
     counts = np.bincount(codes.ravel(), minlength=len(table))
     return {name: int(count) for name, count in zip(table, counts, strict=True) if count}

@@ -63,7 +63,7 @@ def plane_dataset(model: Case | Family, plane: PlaneMap) -> xr.Dataset:
     data["status"][2].update(_flags(STATUSES))
     data["certificate"][2].update(_flags(CERTIFICATES))
     about = {"long_name": "P-Q-R (and /Q-R of every further clearance), or aperiodic, neutral or unresolved"}
-    coords: dict[str, Any] = {"label_name": ("label_name", list(plane.labels) or [""], about)}
+    coords: dict[str, Any] = {"label_name": ("label_name", list(map(str, plane.labels)) or [""], about)}
     for axis in (plane.x, plane.y):
         coords |= _coordinates(model, family, axis)
     return xr.Dataset(data, coords, _attributes(model, family, plane))

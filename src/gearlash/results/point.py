@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import Record
+from gearlash.system import Label, Record, read_label
 
 Array = NDArray[np.float64]
 
@@ -30,7 +30,8 @@ class Point(Record):
     """One attractor at one value of the parameter under study: plain numbers and small arrays, all
     dimensionless.
 
-    ``label`` is P-Q-R of a proved orbit, else aperiodic, neutral, unresolved, or empty. ``period`` (mesh
+    ``label`` is the signature P-Q-R of a proved orbit, else aperiodic, neutral or unresolved; None where
+    nothing was computed. A text is read as what it stands for. ``period`` (mesh
     cycles), ``drive`` and ``back`` (impacts on either side of the first clearance in it) are 0 where
     nothing periodic was proved, and ``others`` has the same pair of every further clearance; ``leading``
     is the multiplier of largest modulus. ``certificate`` is certified, uncertain or failed, or empty
@@ -59,7 +60,7 @@ class Point(Record):
     value: float
     status: str
     message: str
-    label: str = ""
+    label: Label | None = None
     period: int = 0
     drive: int = 0
     back: int = 0
@@ -85,6 +86,11 @@ class Point(Record):
     others: tuple[tuple[int, int], ...] = ()
     certificate: str = ""
     certificate_reason: str = ""
+
+    def __post_init__(self) -> None:
+        if isinstance(self.label, str):
+            object.__setattr__(self, "label", read_label(self.label))
+        super().__post_init__()
 
     @property
     def periodic(self) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from gearlash.system import GearlashError, Named, Record, given
+from gearlash.system import GearlashError, Label, Named, Record, given
 
 from .axis import Axis
 from .point import NOT_COMPUTED, Point
@@ -55,21 +55,22 @@ class Sweep(Record):
         return dict(Counter(point.status for point in self.points))
 
     @property
-    def shares(self) -> dict[str, int]:
+    def shares(self) -> dict[Label, int]:
         """How many points have which label, the most frequent first."""
-        found = Counter(point.label for point in self.points if point.label)
-        return dict(sorted(found.items(), key=lambda item: (-item[1], item[0])))
+        found = Counter(point.label for point in self.points if point.label is not None)
+        return dict(sorted(found.items(), key=lambda item: (-item[1], str(item[0]))))
 
     @property
     def certificates(self) -> dict[str, int]:
         """How many of the computed points are certified, uncertain, failed."""
         return dict(Counter(point.certificate for point in self.points if point.certificate))
 
-    def runs(self) -> list[tuple[int, int, str]]:
-        """Maximal stretches of one label: (first index, last index, label), in the order of the axis."""
-        found: list[tuple[int, int, str]] = []
+    def runs(self) -> list[tuple[int, int, Label | str]]:
+        """Maximal stretches of one label: (first index, last index, label), in the order of the axis. Where
+        there is no motion the status takes the place of the label."""
+        found: list[tuple[int, int, Label | str]] = []
         for i, point in enumerate(self.points):
-            label = point.label or point.status
+            label = point.status if point.label is None else point.label
             if found and found[-1][2] == label:
                 found[-1] = (found[-1][0], i, label)
             else:

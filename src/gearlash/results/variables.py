@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any
 
+from gearlash.system import label_text
+
 from .forces import stored
 from .point import Point
 
@@ -35,9 +37,10 @@ def _crossing_force(name: str, long_name: str) -> Variable:
 SCALARS = (
     _plain("status", "outcome of the computation", "U"),
     _plain("message", "what is known about the motion", "U"),
-    _plain(
+    Variable(
         "label",
         "signature P-Q-R (and /Q-R of every further clearance), or aperiodic, neutral or unresolved",
+        lambda point: label_text(point.label),
         "U",
     ),
     _plain("period", "least period P, 0 where none was proved", "i4", "mesh cycles"),

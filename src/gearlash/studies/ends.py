@@ -18,7 +18,7 @@ from gearlash.branches import BranchEnd, Outcome, Passage, SpecialPoint, follow
 from gearlash.jobs import Part
 from gearlash.orbits import Orbit, Settings, orbit_at
 from gearlash.results import Direction, Point
-from gearlash.system import Family, GearlashError
+from gearlash.system import Family, GearlashError, Label
 
 from .model import Source
 from .point import summary
@@ -76,7 +76,7 @@ class _Change:
     value: float
     error: float
     before: Point
-    after: str
+    after: Label | None
     point: SpecialPoint | None
     outcome: Outcome | None
 
@@ -102,11 +102,11 @@ class _Search:
             change = self.first_change(point, last)
             if change is None:
                 return None
-            if change.after:
+            if change.after is not None:
                 return self.told(change, change.after)
             beyond = self.beyond(change, last)
             if self.quiet(beyond) != self.quiet(near):
-                return self.told(change, beyond.label or beyond.status, beyond)
+                return self.told(change, beyond.label, beyond)
             point = beyond
         return None
 
@@ -128,11 +128,11 @@ class _Search:
         if end.outcome not in (Outcome.FOLD, Outcome.UNSTABLE):
             return None
         value, error = 0.5 * (end.last.value + end.beyond), 0.5 * abs(end.beyond - end.last.value)
-        return _Change(value, error, summary(end.last.orbit, end.last.value), "", None, end.outcome)
+        return _Change(value, error, summary(end.last.orbit, end.last.value), None, None, end.outcome)
 
     def passed(self, met: Passage) -> _Change:
         """A point at which the orbit changes, or ends."""
-        before, after = summary(met.before.orbit, met.before.value), met.after.label if met.after else ""
+        before, after = summary(met.before.orbit, met.before.value), met.after.label if met.after else None
         return _Change(met.value, met.point.error, before, after, met.point, None)
 
     def beyond(self, change: _Change, last: float) -> Point:
@@ -144,27 +144,31 @@ class _Search:
             return far
         return self.step(float(value), neighbour_after(Neighbour(self.bracket.start, None), change.before))
 
-    def told(self, change: _Change, after: str, beyond: Point | None = None) -> End:
+    def told(self, change: _Change, after: Label | None, beyond: Point | None = None) -> End:
         """The end at a change of the orbit that the sweep follows; ``after``: the label beyond."""
-        before = change.before.label
+        before, way = change.before.label, str(self.bracket.direction)
         labels = (before, after) if self.quiet(change.before) else (after, before)
         kind = change.kind or (unlocated(change.before, beyond) if beyond else "")
-        return End(change.value, kind, change.error, *labels, str(self.bracket.direction), change.point)
+        reason = _reason(beyond) if beyond else ""
+        return End(change.value, kind, change.error, *labels, way, change.point, reason)
 
     def by_halving(self) -> End:
         """The end in a bracket that is halved by the sweep's own way, and what the orbits on both sides of it
         say of it."""
         below, above, nearest = self.narrowed(self.bracket.below, self.bracket.above)
         inside, outside = (below, above) if self.quiet(below) else (above, below)
-        labels = inside.label or inside.status, outside.label or outside.status
+        labels, reason = (inside.label, outside.label), _reason(outside)
         way = str(self.bracket.direction)
         change = self.explanation(below, above, nearest)
         if change is not None:
-            if change.after == "" and not self.quiet(change.before):
-                labels = labels[0], change.before.label  # the orbit that ends: beyond is its slow ghost
-            return End(change.value, change.kind, change.error, *labels, way, change.point)
+            if change.after is None and not self.quiet(change.before):
+                labels, reason = (
+                    (labels[0], change.before.label),
+                    "",
+                )  # the orbit that ends: beyond is its slow ghost
+            return End(change.value, change.kind, change.error, *labels, way, change.point, reason)
         middle, half = 0.5 * (below.value + above.value), 0.5 * (above.value - below.value)
-        return End(middle, self.unsolved(inside, outside), half, *labels, way)
+        return End(middle, self.unsolved(inside, outside), half, *labels, way, None, reason)
 
     def narrowed(self, below: Point, above: Point) -> tuple[Point, Point, list[Point]]:
         """A bracket of relative width `NARROW` (or `ROUGH`), and the periodic points nearest to it on
@@ -193,7 +197,7 @@ class _Search:
             change = self.first_change(point, last)
             if change is None or not change.kind:
                 continue
-            slack = width * (1e-3 if change.after else BESIDE)
+            slack = width * (BESIDE if change.after is None else 1e-3)
             if below.value - slack <= change.value <= above.value + slack:
                 return change
         return None
@@ -237,3 +241,8 @@ class _Search:
 
     def holds(self, orbit: Orbit) -> bool:
         return self.bracket.quiet.holds_signature(orbit.signature)
+
+
+def _reason(outside: Point) -> str:
+    """Why a point has no label; empty where it has one."""
+    return str(outside.status) if outside.label is None else ""

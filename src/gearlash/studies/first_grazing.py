@@ -11,7 +11,7 @@ from gearlash.jobs.stop import interruptible
 from gearlash.orbits import Settings, orbit_at
 from gearlash.results import Direction, Point
 from gearlash.results.followed import INTERRUPTED, Passed, Path
-from gearlash.system import Family, GearlashError, given
+from gearlash.system import Family, GearlashError, MotionKind, given
 
 from .arguments import checked_settings
 from .model import Model, Source
@@ -167,7 +167,7 @@ def _ended(end: BranchEnd, family: Family, name: str) -> tuple[str, bool]:
 
 
 def _passed(point: BifurcationPoint, met: Passage, direction: str) -> Passed:
-    before, after = met.before.label, met.after.label if met.after else "none"
+    before, after = met.before.label, met.after.label if met.after else MotionKind.NONE
     below, above = (before, after) if direction == "up" else (after, before)
     return Passed("doubling" if point.multiplier < 0 else "fold", point.value, below, above)
 

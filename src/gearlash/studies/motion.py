@@ -14,7 +14,7 @@ from gearlash.flow import Trace
 from gearlash.flow.events import gap_displacement, gap_velocity
 from gearlash.orbits import Attractor, Orbit, orbit_at
 from gearlash.orbits.grazing import motion_of
-from gearlash.system import Family, GearlashError, Record, arguments, given, shown
+from gearlash.system import Family, GearlashError, Label, MotionKind, Record, arguments, given, shown
 
 Array = NDArray[np.float64]
 
@@ -48,7 +48,7 @@ class Motion(Record):
     omega: float
     gap_plus: float
     gap_minus: float
-    label: str
+    label: Label
     status: str
     message: str
     period: int
@@ -87,7 +87,7 @@ def motion(
     *,
     value: float = float("nan"),
     touch: Any = None,
-    label: str | None = None,
+    label: Label | None = None,
     clearance: int = 0,
 ) -> Motion:
     """The motion of an attractor in one of its gaps; ``touch`` is (phase in mesh cycles, boundary ±1) of a
@@ -153,7 +153,7 @@ def touching(family: Family, point: GrazingPoint) -> Motion:
         edge = gap.gap_plus if point.boundary > 0 else -gap.gap_minus
         phase = float(extrema.phase[np.argmin(np.abs(extrema.displacement - edge))])
     touch = phase, point.boundary
-    found = motion(orbit, value=point.value, touch=touch, label="grazing", clearance=point.clearance)
+    found = motion(orbit, value=point.value, touch=touch, label=MotionKind.GRAZING, clearance=point.clearance)
     return replace(found, status=str(point.status), message=f"touches a boundary: {point.kind}")
 
 

@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike
 
 from gearlash import flow
 from gearlash.jobs import Chain, Execution, Outcome, run
-from gearlash.orbits import Settings, Signature
+from gearlash.orbits import Settings
 from gearlash.results import Axis
 from gearlash.results.plane import MOST_PIXELS, NO_LABEL, PlaneMap
-from gearlash.system import Family, GearlashError
+from gearlash.system import Family, GearlashError, Label, MotionKind, Signature
 
 from .arguments import checked_execution, checked_settings, checked_start, checked_values
 from .model import Model, Source
@@ -36,7 +36,11 @@ from .pixels import (
 OTHER_GAPS = "its system has another number of clearances than the first of the map"
 CHUNK = 64  # pixels a task: about a second of work, of which a cancel has to wait for the rest
 _NO_CLEARANCE = bytes(record_kind(1).itemsize)
-NAMED = {APERIODIC: "aperiodic", UNRESOLVED: "unresolved", NEUTRAL: "neutral"}
+NAMED = {
+    APERIODIC: MotionKind.APERIODIC,
+    UNRESOLVED: MotionKind.UNRESOLVED,
+    NEUTRAL: MotionKind.NEUTRAL,
+}
 
 
 def map_plane(
@@ -196,7 +200,7 @@ def _map(x: Axis, y: Axis, table: np.ndarray, **about) -> PlaneMap:
     return PlaneMap(x=x, y=y, labels=labels, label=codes, **contiguous, **about)
 
 
-def _labelled(table: np.ndarray) -> tuple[tuple[str, ...], np.ndarray]:
+def _labelled(table: np.ndarray) -> tuple[tuple[Label, ...], np.ndarray]:
     """The table of labels, orbits by period and counts, then the rest; and the code of every pixel."""
     counts = table["counts"].reshape(table.size, -1)
     rows = np.column_stack([table["kind"].ravel(), table["period"].ravel(), counts])
@@ -208,8 +212,8 @@ def _labelled(table: np.ndarray) -> tuple[tuple[str, ...], np.ndarray]:
     return labels, codes.reshape(table.shape)
 
 
-def _label(kind: int, period: int, *counts: int) -> str:
+def _label(kind: int, period: int, *counts: int) -> Label:
     if kind != PERIODIC:
         return NAMED[kind]
     first, *others = zip(counts[::2], counts[1::2], strict=True)
-    return str(Signature(period, *first, others=tuple(others)))
+    return Signature(period, *first, others=tuple(others))

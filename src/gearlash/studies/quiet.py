@@ -254,7 +254,7 @@ class Search:
                 return End(point.value, RANGE, inside=point.label, direction=way)
             beyond = row.points[outside]
             reason = beyond.message if not beyond.computed else "stopped early"
-            unknown = End(point.value, UNKNOWN, inside=point.label, outside=reason, direction=way)
+            unknown = End(point.value, UNKNOWN, inside=point.label, direction=way, reason=reason)
             below, above = sorted((point.value, beyond.value))
             return ends.get((row.direction, below, above), unknown)
 

@@ -8,6 +8,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from gearlash.system import Label
+
 STRAIGHT = 0.03  # of a step: what a point may lie beside the curve through those on the other side
 BOTH_SIDES = 3  # points of a curve
 
@@ -16,7 +18,7 @@ class Stated(Protocol):
     @property
     def value(self) -> float: ...
     @property
-    def label(self) -> str: ...
+    def label(self) -> Label | None: ...
     @property
     def period(self) -> int: ...
     @property

@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.branches import (
-    NONE,
     BifurcationPoint,
     BranchEnd,
     GrazingPoint,
@@ -31,7 +30,7 @@ from gearlash.branches import (
     joins,
 )
 from gearlash.orbits import Orbit, Settings, Unresolved, attractor, orbit_at
-from gearlash.system import Family, GearlashError, Record, given
+from gearlash.system import Family, GearlashError, Label, MotionKind, Record, given
 
 from .smooth import plainly_one
 from .zone import BASIN
@@ -57,7 +56,7 @@ class Sampled(Protocol):
     @property
     def value(self) -> float: ...
     @property
-    def label(self) -> str: ...
+    def label(self) -> Label | None: ...
     @property
     def period(self) -> int: ...
     @property
@@ -83,8 +82,8 @@ class Transition(Record):
     kind: str
     lower: float
     upper: float
-    label_below: str
-    label_above: str
+    label_below: Label | None
+    label_above: Label | None
     point: GrazingPoint | BifurcationPoint | None
 
     @property
@@ -97,7 +96,7 @@ class _Motion:
     """A motion at one parameter value: an orbit, or a label only."""
 
     value: float
-    label: str
+    label: Label
     state: NDArray[np.float64]
     orbit: Orbit | None = None
 
@@ -304,10 +303,16 @@ class _Finder:
         is told as the touch of this orbit, and then the jump from it."""
         last, point = (way.last.value, way.last.label), way.point
         end = beyond.value if beyond.value != way.last.value else way.beyond
-        jump = JUMP if beyond.orbit is not None else APERIODIC if beyond.label == "aperiodic" else UNPROVED
+        jump = (
+            JUMP
+            if beyond.orbit is not None
+            else APERIODIC
+            if beyond.label == MotionKind.APERIODIC
+            else UNPROVED
+        )
         if isinstance(point, GrazingPoint):
             label = point.label_above if end > last[0] else point.label_below
-            if label != NONE:
+            if label is not MotionKind.NONE:
                 yield self.joining(GRAZING, last, (point.value, label), point)
                 yield self.joining(jump, (point.value, label), (end, beyond.label))
                 return
@@ -317,8 +322,8 @@ class _Finder:
     def joining(
         self,
         kind: str,
-        one: tuple[float, str],
-        two: tuple[float, str],
+        one: tuple[float, Label | None],
+        two: tuple[float, Label | None],
         point: SpecialPoint | None = None,
     ) -> Transition:
         """A change between two values with their labels."""
@@ -326,7 +331,7 @@ class _Finder:
         return Transition(self.name, kind, lower, upper, below, above, point)
 
     def interval(
-        self, kind: str, one: _Motion | Sampled, two: _Motion | Sampled, label: str | None = None
+        self, kind: str, one: _Motion | Sampled, two: _Motion | Sampled, label: Label | None = None
     ) -> Transition:
         """A change of which only the interval is known; ``label`` is that of the first motion, where it has
         changed since."""
@@ -342,7 +347,7 @@ def unlocated(one: Sampled, two: Sampled) -> str:
     if one.period and two.period:
         return JUMP
     other = two if one.period else one
-    return APERIODIC if (one.period or two.period) and other.label == "aperiodic" else UNPROVED
+    return APERIODIC if (one.period or two.period) and other.label == MotionKind.APERIODIC else UNPROVED
 
 
 def kind_of_end(point: SpecialPoint | None, outcome: Outcome | None) -> str:

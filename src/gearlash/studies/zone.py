@@ -8,9 +8,8 @@ from math import inf
 from typing import ClassVar
 
 from gearlash.branches import BifurcationPoint, GrazingPoint
-from gearlash.orbits import Signature
 from gearlash.results import Axis, Point, Sweep
-from gearlash.system import Named, Record
+from gearlash.system import Label, MotionKind, Named, Record, Signature
 
 RANGE, UNKNOWN = "end of the range", "not computed beyond"
 """Kinds of ends that are no change of any motion."""
@@ -43,37 +42,43 @@ class End(Record):
 
     ``kind`` is grazing, fold, jump, onset of aperiodic motion, no periodic motion proved beyond (see
     `transitions`), change of basin, the end of the range, or that nothing was computed beyond.
-    ``inside`` and ``outside`` are the labels; ``direction`` the sweep whose attractor changes; ``point``
-    what was solved for, where it was.
+    ``inside`` and ``outside`` are the labels; ``reason`` says why there is none outside, where there is none;
+    ``direction`` is the sweep whose attractor changes, ``point`` what was solved for, where it was.
     """
 
     value: float
     kind: str
     uncertainty: float = 0.0
-    inside: str = ""
-    outside: str = ""
+    inside: Label | None = None
+    outside: Label | None = None
     direction: str = ""
     point: GrazingPoint | BifurcationPoint | None = None
+    reason: str = ""
 
     @property
     def bounded(self) -> bool:
         """Does something happen here, or did only the range end?"""
         return self.kind not in (RANGE, UNKNOWN)
 
+    @property
+    def beyond(self) -> str:
+        """The label outside as text, or why there is none."""
+        return self.reason if self.outside is None else str(self.outside)
+
     def __str__(self) -> str:
         if self.kind == RANGE:
             return "not bounded within the range"
         if self.kind == UNKNOWN:
-            return f"{self.kind}: {self.outside}"
+            return f"{self.kind}: {self.reason}"
         what = f"grazing, {self.point.kind}" if isinstance(self.point, GrazingPoint) else self.kind
-        return f"{what}; {self.inside} inside, {self.outside} outside ({self.direction})"
+        return f"{what}; {self.inside} inside, {self.beyond} outside ({self.direction})"
 
 
 @dataclass(frozen=True, repr=False)
 class Tenant(Record):
     """A motion seen from ``lower`` to ``upper`` (values of the axis) by sweeps of these ``directions``."""
 
-    label: str
+    label: Label
     directions: tuple[str, ...]
     lower: float
     upper: float
@@ -125,7 +130,7 @@ class Zone(Interval):
     def coexisting(self) -> tuple[Tenant, ...]:
         """Motions that were seen beside another one at the same value; what is unresolved may be on its
         way to any of them."""
-        known = [one for one in self.tenants if one.label != "unresolved"]
+        known = [one for one in self.tenants if one.label is not MotionKind.UNRESOLVED]
         return tuple(
             one
             for one in known

@@ -13,7 +13,7 @@ from gearlash.jobs import Execution
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Sweep, same_motion
 from gearlash.results.physical import physical_axis
-from gearlash.system import GearlashError, given
+from gearlash.system import GearlashError, Label, given
 
 from .arguments import checked_execution, checked_settings, checked_start, checked_values
 from .ends import NARROW
@@ -123,23 +123,25 @@ def _tenants(ways: Sequence[Sweep], quiet: Quiet, interval: Interval) -> tuple[T
             here[who, directions] = Tenant(who, directions, before.lower if before else value, value, holds)
         closed.extend(open_.values())
         open_ = here
-    return tuple(sorted([*closed, *open_.values()], key=lambda t: (t.lower, t.upper, t.label)))
+    return tuple(sorted([*closed, *open_.values()], key=lambda t: (t.lower, t.upper, str(t.label))))
 
 
-def _residents(ways: Sequence[Sweep], quiet: Quiet, i: int) -> list[tuple[str, bool, tuple[str, ...]]]:
+def _residents(ways: Sequence[Sweep], quiet: Quiet, i: int) -> list[tuple[Label, bool, tuple[str, ...]]]:
     """Different motions at one value: label, whether quiet, and the directions that found it."""
-    groups: list[list[Sweep]] = []
+    groups: list[tuple[Label, list[Sweep]]] = []
     for sweep in ways:
-        if not sweep.points[i].computed:
+        label = sweep.points[i].label
+        if label is None:  # no motion was found
             continue
-        home = next((group for group in groups if same_motion(group[0].points[i], sweep.points[i])), None)
+        same = (group for _, group in groups if same_motion(group[0].points[i], sweep.points[i]))
+        home = next(same, None)
         if home is None:
-            groups.append([sweep])
+            groups.append((label, [sweep]))
         else:
             home.append(sweep)
     return [
-        (g[0].points[i].label, quiet.holds(g[0].points[i]), tuple(str(sweep.direction) for sweep in g))
-        for g in groups
+        (label, quiet.holds(group[0].points[i]), tuple(str(sweep.direction) for sweep in group))
+        for label, group in groups
     ]
 
 

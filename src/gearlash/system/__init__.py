@@ -1,12 +1,15 @@
-"""Piecewise-linear systems with clearances, families of them, and statuses. Knows nothing else."""
+"""Piecewise-linear systems with clearances, families of them, statuses and labels of motions. Knows nothing
+else."""
 
 from . import given
 from .annotated import arguments
 from .family import Family, Parameter
 from .harmonics import Fourier, constant, cosines, derivative, evaluate, padded
+from .label import Label, MotionKind, label_text, read_label
 from .piecewise import Clearance, ContactRule, System
 from .record import Record
 from .short_text import shown
+from .signature import Signature
 from .status import BuildError, GearlashError, Named, Status, UnknownNameError
 
 __all__ = [
@@ -16,9 +19,12 @@ __all__ = [
     "Family",
     "Fourier",
     "GearlashError",
+    "Label",
+    "MotionKind",
     "Named",
     "Parameter",
     "Record",
+    "Signature",
     "Status",
     "System",
     "UnknownNameError",
@@ -28,6 +34,8 @@ __all__ = [
     "derivative",
     "evaluate",
     "given",
+    "label_text",
     "padded",
+    "read_label",
     "shown",
 ]

@@ -24,7 +24,11 @@ ARRAYS = "Array", "Vector", "Fourier", "Complex"  # names that the rooms give to
 _checks: dict[type, tuple[tuple[str, str, str, Check], ...]] = {}
 
 
-MEANING = {"Attractor": "Orbit | Aperiodic", "Model": "Case | Family"}  # names that stand for several kinds
+MEANING = {  # names that stand for several kinds
+    "Attractor": "Orbit | Aperiodic",
+    "Label": "Signature | MotionKind",
+    "Model": "Case | Family",
+}
 Called = TypeVar("Called", bound=Callable[..., Any])
 
 
@@ -80,7 +84,7 @@ def _check(annotation: str) -> Check:
     inside = re.fullmatch(r"Sequence\[(.*)\]", annotation)
     if inside:
         return _several(_check(inside[1]))
-    parts = MEANING.get(annotation, annotation).split(" | ")
+    parts = " | ".join(MEANING.get(part, part) for part in annotation.split(" | ")).split(" | ")
     checks = [_PLAIN.get(part.partition("[")[0], _of_kind(part)) for part in parts if part != "None"]
     if "None" in parts:
         return lambda value: None if value is None else _first(checks, value)

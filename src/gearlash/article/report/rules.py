@@ -7,6 +7,7 @@ from gearlash.article.reproduction import RuleEffect, RuleLabel, Touch
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Bullets, Cell, Note, Section, Strong, Table, Text
 from gearlash.report.numbers import number, percent
+from gearlash.system import Label, Signature
 
 from .quantities import Quantities, fixed_words
 
@@ -126,7 +127,7 @@ def _backlash(done: Reproduction) -> Table:
 
 
 def _backlash_cell(found: RuleLabel) -> str:
-    if found.label[:1].isdigit():  # the label says it
+    if isinstance(found.label, Signature):  # the label says it
         return short(found.label)
     return f"{found.label}, back side {'hit' if found.back_hit else 'not hit'}"
 
@@ -145,6 +146,10 @@ def _said_of_backlash(rules: tuple[RuleEffect, ...]) -> list[Block]:
     ]
 
 
+def _without_back_side(label: Label | None) -> bool:
+    return isinstance(label, Signature) and label.back == 0
+
+
 def _back_side(effect: RuleEffect) -> str:
     """The back-side grazings along D, and from where on no motion of the sweep meets the back side."""
     met = [
@@ -152,8 +157,8 @@ def _back_side(effect: RuleEffect) -> str:
         for t in effect.back_side
     ]
     events = f"back-side grazings at {', '.join(met)}. " if met else "no back-side grazing was located. "
-    free = next((t for t in reversed(effect.back_side) if t.label_above.endswith("-0")), None)
-    periodic = [p for p in effect.backlash if p.label[:1].isdigit()]
+    free = next((t for t in reversed(effect.back_side) if _without_back_side(t.label_above)), None)
+    periodic = [p for p in effect.backlash if isinstance(p.label, Signature)]
     if free is not None and periodic and periodic[-1] is effect.backlash[-1]:
         return events + f"Stable P-Q-0 motion from D = {number(free.value, 8)} on, to the end of the sweep."
     if not periodic:

@@ -12,6 +12,7 @@ from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Cell, Figure, Inline, Note, Ref, Section, Strong, Table, Text
 from gearlash.report.numbers import NOTHING, interval, number, percent, uncertainty
 from gearlash.report.pictures import Picture
+from gearlash.system import Label
 
 from .quantities import Quantities, fixed_words, symbol
 from .words import plural, verdict
@@ -74,7 +75,7 @@ def panel(zone: Zone) -> plots.Panel:
             r.lower.value,
             r.upper.value,
             "computed",
-            short(r.labels[0]) if len(r.labels) == 1 else f"{len(r.labels)} labels",
+            r.labels[0] if len(r.labels) == 1 else f"{len(r.labels)} labels",
             _end(r.lower),
             _end(r.upper),
         )
@@ -92,9 +93,9 @@ def panel(zone: Zone) -> plots.Panel:
     return plots.Panel(zone.parameter, title, tuple(bars))
 
 
-def _together(found: tuple[Coexisting, ...]) -> list[tuple[str, float, float]]:
+def _together(found: tuple[Coexisting, ...]) -> list[tuple[Label, float, float]]:
     """(label, lower, upper), the intervals of one label as one."""
-    spans: dict[str, tuple[float, float]] = {}
+    spans: dict[Label, tuple[float, float]] = {}
     for each in found:
         low, high = spans.get(each.label, each.interval)
         spans[each.label] = min(low, each.interval[0]), max(high, each.interval[1])

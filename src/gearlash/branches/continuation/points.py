@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from gearlash.orbits import Certificate, Signature
 from gearlash.orbits.grazing import KINDS
-from gearlash.system import Record, Status
+from gearlash.system import Label, Record, Status
 
 from .extrema import Extremum
 
@@ -78,8 +78,8 @@ class BranchPoint(Record):
     status: Status
 
     @property
-    def label(self) -> str:
-        return str(self.signature)
+    def label(self) -> Label:
+        return self.signature
 
     @property
     def period(self) -> int:
@@ -115,8 +115,8 @@ class SpecialPoint(Record):
     interval: tuple[float, float]
     arclengths: tuple[float, float]
     point: BranchPoint
-    label_before: str
-    label_after: str
+    label_before: Label
+    label_after: Label
     unstable_before: int
     unstable_after: int
     extremum: Extremum | None

@@ -10,7 +10,7 @@ import numpy as np
 
 from gearlash.case import Case
 from gearlash.results.followed import INTERRUPTED, Path
-from gearlash.system import Family, Status, System
+from gearlash.system import Family, Label, Signature, Status, System, label_text
 
 from .asked import Asked
 from .excitation import NOT_EXCITED, nothing_varies
@@ -48,8 +48,8 @@ class Touch:
     ]
     kind: Annotated[str, "loss of contact or engagement"]
     type: Annotated[str, "as Table 2 of the article names it"]
-    label_below: Annotated[str, "P-Q-R of the orbit just below the value, none where it was not found"]
-    label_above: Annotated[str, "P-Q-R of the orbit just above the value, none where it was not found"]
+    label_below: Annotated[Label, "P-Q-R of the orbit just below the value, none where it was not found"]
+    label_above: Annotated[Label, "P-Q-R of the orbit just above the value, none where it was not found"]
     stable_below: Annotated[bool | None, "whether it is stable there"]
     stable_above: Annotated[bool | None, "whether it is stable there"]
     period: Annotated[int, "of the orbit, in mesh cycles"]
@@ -105,7 +105,8 @@ def graze_answer(
     near = parameters[over]
     touches = tuple(_touch(case, family, p) for p in sorted(found, key=lambda p: abs(p.value - near)))
     asked = Asked.of(case, over, named, unit)
-    here = f"{asked.text(near, 10 if not asked.unit else 6)}, {start.label or start.status}"
+    what = start.status if start.label is None else start.label
+    here = f"{asked.text(near, 10 if not asked.unit else 6)}, {what}"
     status, advice = _outcome(start, bool(touches))
     if any(INTERRUPTED in (path.ended, path.beyond) for path in paths):
         status, advice = INCOMPLETE, RESUME
@@ -123,7 +124,7 @@ def graze_answer(
         over=over,
         near=near,
         asked=asked,
-        label=start.label,
+        label=label_text(start.label),
         points=touches,
         paths=paths,
     )
@@ -159,10 +160,8 @@ def _touch(case: Case, family: Family, point: GrazingPoint) -> Touch:
 
 
 def _meets_back(point: GrazingPoint) -> bool:
-    from gearlash.orbits import Signature
-
-    labels = [x for x in (point.label_below, point.label_above) if x != "none"]
-    return point.boundary < 0 or any(Signature.parse(label).back_impacts > 0 for label in labels)
+    sides = point.label_below, point.label_above
+    return point.boundary < 0 or any(isinstance(one, Signature) and one.back_impacts > 0 for one in sides)
 
 
 def _conditions(family: Family, point: GrazingPoint) -> tuple[Condition, ...]:
@@ -246,11 +245,11 @@ def _sentence(
     return f"nearest grazing found along this motion is {text}"
 
 
-def _side(label: str, stable: bool | None) -> str:
+def _side(label: Label, stable: bool | None) -> str:
     """The orbit on one side of a touch."""
     if stable is None:
         return "no orbit found"
-    return label if stable else f"{label} (unstable)"
+    return str(label) if stable else f"{label} (unstable)"
 
 
 def _several(family: Family, parameters: Mapping[str, float]) -> bool:

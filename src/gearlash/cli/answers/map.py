@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import numpy as np
 
 from gearlash.case import Case
+from gearlash.system import Label, MotionKind, Signature
 
 from .excitation import Unexcited, idle_study
 from .outcome import PIXELS, study_status, troubles
@@ -23,7 +24,7 @@ if TYPE_CHECKING:  # answers are described without the engine
 class MapLabel:
     """A motion of the map."""
 
-    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral or unresolved"]
+    label: Annotated[Label, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral or unresolved"]
     code: Annotated[int, "its number in codes"]
     pixels: int
     share: Annotated[float, "of the computed pixels, 0 to 1"]
@@ -123,11 +124,11 @@ def _sentence(plane: PlaneMap, axes: tuple[AxisUsed, AxisUsed], idle: Unexcited 
     if idle is not None:
         return f"{' and '.join(ends)}: {idle.cause}; {idle.advice}"
     rows, columns = plane.shape
-    orbits = sum(label not in ("aperiodic", "neutral", "unresolved") for label in plane.labels)
+    orbits = sum(isinstance(label, Signature) for label in plane.labels)
     many = f"{orbits} different signatures" if orbits != 1 else "1 signature"
     parts = [f"{' and '.join(ends)}, {columns} × {rows} pixels, one start each: {many}"]
     if plane.computed:
-        free, restless = int(plane.impact_free.sum()), plane.shares.get("aperiodic", 0)
+        free, restless = int(plane.impact_free.sum()), plane.shares.get(MotionKind.APERIODIC, 0)
         parts.append(
             f"free of impacts {_percent(free / plane.computed)}, "
             f"aperiodic {_percent(restless / plane.computed)}"

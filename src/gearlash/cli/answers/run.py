@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from gearlash.case import Case
 from gearlash.results.beside import Beside
 from gearlash.results.impact_free import ImpactFree
-from gearlash.system import Status
+from gearlash.system import Label, Status
 
 from .excitation import NOT_EXCITED, unexcited
 from .motion import MotionNumbers, motion_numbers
@@ -49,7 +49,7 @@ class RunAnswer:
     parameters: Annotated[dict[str, float], "every parameter of the model by short name, dimensionless"]
     start: Annotated[dict[str, float], "state at phase zero that the search started from"]
     motion: Annotated[Literal["periodic", "aperiodic", "neutral", "unresolved"], "what was found"]
-    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral or unresolved"]
+    label: Annotated[Label, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral or unresolved"]
     certificate: CertificateUsed
     signature: Annotated[SignatureCounts | None, "null where nothing periodic was proved"]
     stable: Annotated[bool | None, "all multipliers inside the unit circle; null without an orbit"]

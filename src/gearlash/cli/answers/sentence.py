@@ -12,6 +12,7 @@ from gearlash.case import Case
 from gearlash.case.edges import shown_edge
 from gearlash.results.beside import Beside, BesideMotion
 from gearlash.results.impact_free import ImpactFree
+from gearlash.system import Label, MotionKind, Signature
 
 from .excitation import Unexcited, at_rest
 from .motion import MotionNumbers, OtherClearance
@@ -73,7 +74,7 @@ def _idle(case: Case, attractor: Attractor, numbers: MotionNumbers | None, idle:
     return f"{idle.cause}; {there}; {idle.advice}"
 
 
-def coexisting(beside: Beside | None, own: str) -> str:
+def coexisting(beside: Beside | None, own: Label) -> str:
     """What other starts lead to, beside a motion labelled ``own``: ``4 of 5 other starts lead to other
     motions: 2-1, aperiodic``."""
     if beside is None or not beside.starts:
@@ -82,7 +83,7 @@ def coexisting(beside: Beside | None, own: str) -> str:
     starts = f"{tried} other start{'s' if tried > 1 else ''}"
     lead = "leads" if tried == 1 else "lead"
     if beside.same == tried:
-        same = "aperiodic motion, too" if own == "aperiodic" else "the same motion"
+        same = "aperiodic motion, too" if own is MotionKind.APERIODIC else "the same motion"
         return f"{starts} {lead} to {same}"
     said = []
     if elsewhere:
@@ -96,8 +97,8 @@ def coexisting(beside: Beside | None, own: str) -> str:
     return ", ".join(said)
 
 
-def _named(motion: BesideMotion, own: str) -> str:
-    label = motion.label.removesuffix("-0") if motion.label.count("-") == 2 else motion.label
+def _named(motion: BesideMotion, own: Label) -> str:
+    label = motion.label.short if isinstance(motion.label, Signature) else str(motion.label)
     label = f"a different {label}" if motion.label == own else label
     return label if motion.impacts else f"{label}, without impacts"
 

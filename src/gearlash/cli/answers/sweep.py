@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
+from gearlash.system import MotionKind, label_text
 
 from .asked import Asked
 from .excitation import Unexcited, idle_study
@@ -148,7 +149,9 @@ def _way(sweep: Sweep) -> SweepWay:
     from gearlash.results import NOT_COMPUTED
 
     values = sweep.axis.values
-    regimes = (Regime(label, float(values[i]), float(values[j]), j - i + 1) for i, j, label in sweep.runs())
+    regimes = (
+        Regime(str(label), float(values[i]), float(values[j]), j - i + 1) for i, j, label in sweep.runs()
+    )
     points = tuple(_point(point) for point in sweep.points if point.status != NOT_COMPUTED)
     return SweepWay(sweep.direction.value, sweep.complete, sweep.message, tuple(regimes), points)
 
@@ -157,7 +160,7 @@ def _point(p: Point) -> SweepPoint:
     return SweepPoint(
         value=p.value,
         status=p.status,
-        label=p.label,
+        label=label_text(p.label),
         certificate=p.certificate,
         certificate_reason=p.certificate_reason,
         largest_exponent=p.largest_exponent,
@@ -208,7 +211,7 @@ def _sentence(
     labels = {point.label for sweep in sweeps for point in sweep.points if point.periodic}
     many = f"{len(labels)} different signatures" if len(labels) != 1 else "1 signature"
     text = f"{ends}, {axis.count} values, {ways}: {many}"
-    if any(point.label == "aperiodic" for sweep in sweeps for point in sweep.points):
+    if any(point.label is MotionKind.APERIODIC for sweep in sweeps for point in sweep.points):
         text += " and aperiodic motion"
     if beside:
         text += f", attractors coexist in {len(beside)} interval{'s' if len(beside) > 1 else ''}"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -10,6 +9,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
+from gearlash.system import Signature, label_text
 
 from .asked import Asked
 from .excitation import idle_study
@@ -24,7 +24,6 @@ if TYPE_CHECKING:  # answers are described without the engine
 
 
 RANGE_END = "end of the range"
-QUIET = re.compile(r"\d+-\d+-0")  # label of a motion that never meets the back side
 
 
 @dataclass(frozen=True)
@@ -118,8 +117,8 @@ def _end(case: Case, name: str, end: End, back_met: bool, asked: Asked) -> ZoneE
         physical=physical,
         kind=end.kind,
         solved=end.point is not None,
-        inside=end.inside,
-        outside=end.outside,
+        inside=label_text(end.inside),
+        outside=end.beyond,
         direction=end.direction,
     )
 
@@ -127,10 +126,16 @@ def _end(case: Case, name: str, end: End, back_met: bool, asked: Asked) -> ZoneE
 def _meets_back(zone: Zone) -> bool:
     """Whether any motion inside or just outside meets the back side, or may."""
     ends = (end.outside for end in (zone.lower, zone.upper) if end.bounded)
-    return any(not QUIET.fullmatch(label) for label in (*ends, *(tenant.label for tenant in zone.tenants)))
+    labels = (*ends, *(tenant.label for tenant in zone.tenants))
+    return not all(isinstance(one, Signature) and one.back == 0 and not one.others for one in labels)
 
 
 def _resident(tenant: Tenant, coexisting: bool) -> Resident:
     return Resident(
-        tenant.label, tuple(map(str, tenant.directions)), tenant.lower, tenant.upper, tenant.quiet, coexisting
+        label_text(tenant.label),
+        tuple(map(str, tenant.directions)),
+        tenant.lower,
+        tenant.upper,
+        tenant.quiet,
+        coexisting,
     )

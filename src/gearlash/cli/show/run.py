@@ -10,6 +10,7 @@ from gearlash.cli.answers.motion import ForceNumbers, MotionNumbers, OtherCleara
 from gearlash.cli.answers.physical import PhysicalEvent, PhysicalRun
 from gearlash.cli.answers.run import RunAnswer
 from gearlash.results.beside import Beside
+from gearlash.system import Label, MotionKind
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
@@ -75,8 +76,8 @@ def _facts(answer: RunAnswer, marks: Marks) -> Iterator[tuple[str, str]]:
         yield "no contact", f"{100.0 * answer.numbers.share_without_contact:.3g} % of the time"
 
 
-def _beside(beside: Beside, own: str) -> Iterator[str]:
-    same = "aperiodic motion, too" if own == "aperiodic" else "the same motion"
+def _beside(beside: Beside, own: Label) -> Iterator[str]:
+    same = "aperiodic motion, too" if own is MotionKind.APERIODIC else "the same motion"
     yield f"{beside.same} of {beside.starts} to {same}"
     for motion in beside.others:
         status = "" if motion.status == "ok" else f" ({motion.status})"

@@ -5,7 +5,10 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from gearlash.system import GearlashError, Record, given, shown
+from . import given
+from .record import Record
+from .short_text import shown
+from .status import GearlashError
 
 PATTERN = re.compile(r"[0-9]+-[0-9]+(-[0-9]+)?(/[0-9]+-[0-9]+)*")
 
@@ -17,6 +20,33 @@ class Signature(Record):
 
     An impact is a beginning of contact: X rises through +D, or falls through -D. With the rule `no-tension`
     it is also a contact that presses again before the gap had opened.
+
+    Parameters
+    ----------
+    period : int
+        P, at least 1.
+    drive, back : int
+        Q and R, at least 0.
+    others : tuple of (int, int), optional
+        Q and R of every further clearance, in the order of the system's.
+
+    Raises
+    ------
+    GearlashError
+        For anything else.
+
+    Notes
+    -----
+    It prints as P-Q-R, and is equal to this text: ``point.label == "1-1-0"``.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> found = gl.Signature(6, 6, 1)
+    >>> str(found), found.impacts, found == "6-6-1"
+    ('6-6-1', 7, True)
+    >>> gl.Signature.parse("1-1-0").short
+    '1-1'
     """
 
     period: int
@@ -67,6 +97,19 @@ class Signature(Record):
         ]
         return differing[0][:2] if len(differing) == 1 and differing[0][2] == 1 else None
 
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, str):  # its text: what labels in files and in a person's own lines are
+            return str(self) == other
+        if not isinstance(other, Signature):
+            return NotImplemented
+        return (self.period, self.counts) == (other.period, other.counts)
+
+    def __hash__(self) -> int:
+        return hash(str(self))
+
+    def __format__(self, spec: str) -> str:
+        return format(str(self), spec)
+
     def __str__(self) -> str:
         rest = "".join(f"/{drive}-{back}" for drive, back in self.others)
         return f"{self.period}-{self.drive}-{self.back}{rest}"
@@ -78,8 +121,28 @@ class Signature(Record):
 
     @staticmethod
     def parse(text: str) -> Signature:
-        """``"6-6-1"``, ``"1-0"``, or ``"3-2-0/1-1"`` of two clearances. Raises `GearlashError` for anything
-        else."""
+        """The signature of a text.
+
+        Parameters
+        ----------
+        text : str
+            ``"6-6-1"``, ``"1-0"``, or ``"3-2-0/1-1"`` of two clearances.
+
+        Returns
+        -------
+        Signature
+
+        Raises
+        ------
+        GearlashError
+            For anything else.
+
+        Examples
+        --------
+        >>> import gearlash as gl
+        >>> gl.Signature.parse("3-2-0/1-1").others
+        ((1, 1),)
+        """
         if not (isinstance(text, str) and PATTERN.fullmatch(text)):
             raise GearlashError(
                 f"signature {shown(text)}: expected P-Q or P-Q-R with whole numbers, for example 6-6-1, "
