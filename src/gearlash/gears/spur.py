@@ -62,7 +62,7 @@ def family(
     >>> from gearlash.gears import spur
     >>> family = spur.family({"omega": 0.7, "D": 1.0, "load": 0.2, "error": 0.05, "mesh_damping": 0.05})
     >>> gl.attractor(family.system(), family.start()).label
-    '1-0-0'
+    1-0-0
     """
     parameters = (
         *mesh_parameters(defaults),

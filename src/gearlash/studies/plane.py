@@ -88,7 +88,7 @@ def map_plane(
     >>> import gearlash as gl
     >>> speeds, loads = gl.Axis.even("omega", 0.7, 0.9, 3), gl.Axis.even("load", 0.1, 0.3, 2)
     >>> gl.map_plane(gl.load_case("kahraman-singh"), speeds, loads).shares
-    {'1-0-0': 5, '1-1-0': 1}
+    {1-0-0: 5, 1-1-0: 1}
     """
     source = Source.of(model)
     family = source.family()

@@ -101,7 +101,7 @@ class Family(Record):
     >>> parameters = gl.Parameter("omega", 0.8), gl.Parameter("gap", 0.5)
     >>> family = gl.Family(parameters, ("x", "v"), build, cold_start=lambda p: [0.0, 0.0])
     >>> gl.attractor(family.system({"gap": 0.2}), family.start()).label
-    '1-1-0'
+    1-1-0
     """
 
     parameters: tuple[Parameter, ...]

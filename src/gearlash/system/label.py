@@ -26,6 +26,9 @@ class MotionKind(Named):
     GRAZING = "grazing"
     NONE = "none"
 
+    def __repr__(self) -> str:
+        return self.value
+
 
 Label = Signature | MotionKind
 """What a motion is called. Either kind prints as its text, and is equal to it."""

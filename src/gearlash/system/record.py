@@ -54,7 +54,8 @@ def _rows(record: Record) -> list[tuple[str, Any]]:
 
 def _inside(value: Any) -> str:
     """A value within a record; other records by their names only."""
-    return type(value).__name__ if isinstance(value, Record) else brief(value)
+    own = type(value).__repr__ is not Record.__repr__  # it is as short as a name
+    return type(value).__name__ if isinstance(value, Record) and not own else brief(value)
 
 
 def _plain(value: Any) -> Any:

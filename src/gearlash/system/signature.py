@@ -107,6 +107,9 @@ class Signature(Record):
     def __hash__(self) -> int:
         return hash(str(self))
 
+    def __repr__(self) -> str:  # in lists of labels too it is read as P-Q-R
+        return str(self)
+
     def __format__(self, spec: str) -> str:
         return format(str(self), spec)
 
