@@ -19,6 +19,7 @@ MODULES = (
     "gearlash.gears.basic_rack",
     "gearlash.gears.contact_lines",
     "gearlash.gears.cylindrical_pair",
+    "gearlash.gears.flank_tolerances",
     "gearlash.gears.gear_body",
     "gearlash.gears.gear_fits",
     "gearlash.gears.helical",
@@ -30,6 +31,7 @@ MODULES = (
     "gearlash.gears.mesh_stiffness",
     "gearlash.gears.pair_shape",
     "gearlash.gears.spur",
+    "gearlash.gears.unloaded_error",
     "gearlash.plots",
     "gearlash.report",
 )

@@ -6,6 +6,7 @@ Nothing here knows a case file or a unit: lengths in m, angles in rad, masses in
 from . import (
     backlash,
     contact_lines,
+    flank_tolerances,
     gear_body,
     gear_fits,
     helical,
@@ -16,6 +17,7 @@ from . import (
     mesh_stiffness,
     pair_shape,
     spur,
+    unloaded_error,
 )
 from .cylindrical_gear import CylindricalGear
 from .cylindrical_pair import CylindricalPair
@@ -35,6 +37,7 @@ __all__ = [
     "contact_lines",
     "disc_face_width",
     "equivalent_mass",
+    "flank_tolerances",
     "gear_body",
     "gear_fits",
     "helical",
@@ -47,4 +50,5 @@ __all__ = [
     "pair_shape",
     "solid_disc",
     "spur",
+    "unloaded_error",
 ]
