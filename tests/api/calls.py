@@ -68,8 +68,8 @@ def calls() -> tuple[Call, ...]:
     scales = gl.load_case("article").scales
     point = swept.points[0]
     end, found = gl.ZoneEnd(0.8, "fold"), gl.sections(orbit)
-    tenant, span = (
-        gl.Tenant(gl.Signature(1, 0), ("up",), 0.8, 0.9, True),
+    seen, span = (
+        gl.ZoneMotion(gl.Signature(1, 0), ("up",), 0.8, 0.9, True),
         gl.Physical("speed", 1.0, 2.0, "Hz"),
     )
     statistics = gl.motion_statistics(orbit)
@@ -87,8 +87,8 @@ def calls() -> tuple[Call, ...]:
         statistics, statistics.force,
         gl.march(props, [0.0, 0.0], 3), gl.march_many(props, [[0.0, 0.0]], 3),
         gl.variational(props, [0.0, 0.0], 1.0), trace.extrema, trace.samples(9),
-        gl.Zone(end, end, "omega", gl.Quiet.IMPACT_FREE, True, (tenant,), (span,)), gl.Interval(end, end),
-        end, tenant, span, gl.Touch(0.5, 1.0, 0.0, 1),
+        gl.Zone(end, end, "omega", gl.Quiet.IMPACT_FREE, True, (seen,), (span,)), gl.Interval(end, end),
+        end, seen, span, gl.Touch(0.5, 1.0, 0.0, 1),
     )  # fmt: skip
     bifurcation = gl.locate_multiplier(family, {}, "omega", orbit, -1)
     grazing = gl.locate_grazing(family, {}, "f", orbit, check)

@@ -41,7 +41,7 @@ UNDOCUMENTED: dict[str, set[str]] = {
         "Physical",
         "Quiet",
         "Sampled",
-        "Tenant",
+        "ZoneMotion",
         "Touch",
         "Transition",
         "Zone",

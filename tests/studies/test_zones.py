@@ -19,7 +19,7 @@ from gearlash.jobs import Execution, Progress
 from gearlash.studies import Axis, Direction, End, Interval, Quiet
 from gearlash.studies.model import Source
 from gearlash.studies.quiet import Row, Search
-from gearlash.studies.zone import BASIN, RANGE, UNKNOWN, Tenant, Zone, intersection, union
+from gearlash.studies.zone import BASIN, RANGE, UNKNOWN, Zone, ZoneMotion, intersection, union
 from gearlash.studies.zones import zones_of_kinds
 from gearlash.system import GearlashError, Signature, UnknownNameError
 
@@ -70,7 +70,7 @@ def test_where_another_attractor_coexists_only_the_wider_interval_holds(classica
     assert (first.upper.kind, first.upper.direction) == ("fold", "down")
     assert first.upper.value < wide.upper.value
     assert {t.label for t in wide.coexisting} == {"1-0-0", "1-1-0"}
-    beside = next(t for t in wide.tenants if not t.quiet)
+    beside = next(t for t in wide.motions if not t.quiet)
     assert (beside.label, beside.directions) == ("1-1-0", ("down",))
     assert first.upper.value < beside.lower <= beside.upper < wide.upper.value
     assert first.coexisting == ()
@@ -246,17 +246,17 @@ def test_margins():
     assert Zone(End(1.0, RANGE), End(2.0, RANGE), "D", Quiet.IMPACT_FREE, True).margin(1.2) == math.inf
 
 
-def test_tenants_coexist_only_where_they_overlap():
-    tenants = (
-        Tenant(Signature(1, 0), ("up",), 1.0, 1.4, True),
-        Tenant(Signature(2, 1), ("down",), 1.4, 1.6, False),
+def test_motions_coexist_only_where_they_overlap():
+    motions = (
+        ZoneMotion(Signature(1, 0), ("up",), 1.0, 1.4, True),
+        ZoneMotion(Signature(2, 1), ("down",), 1.4, 1.6, False),
     )
-    apart = (tenants[0], Tenant(Signature(2, 1), ("up",), 1.5, 1.6, False))
+    apart = (motions[0], ZoneMotion(Signature(2, 1), ("up",), 1.5, 1.6, False))
 
-    def make(tenants):
-        return Zone(End(1.0, RANGE), End(2.0, RANGE), "D", Quiet.IMPACT_FREE, False, tenants)
+    def make(motions):
+        return Zone(End(1.0, RANGE), End(2.0, RANGE), "D", Quiet.IMPACT_FREE, False, motions)
 
-    assert make(tenants).coexisting == tenants
+    assert make(motions).coexisting == motions
     assert make(apart).coexisting == ()
 
 

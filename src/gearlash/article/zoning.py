@@ -11,8 +11,8 @@ from gearlash.case import Case
 from gearlash.jobs import Execution, ProgressCallback
 from gearlash.results import Axis, Direction, Sweep
 from gearlash.studies.sweep import sweep
-from gearlash.studies.zones import Tenant, Zones, zones
 from gearlash.studies.zones import Zone as Found
+from gearlash.studies.zones import ZoneMotion, Zones, zones
 
 from .claims import Claim
 from .judge import NOT_FOUND, deviation, verdict
@@ -120,9 +120,9 @@ def _reading(claim: Claim, way: str, found: Zones, rows: Sequence[Row]) -> Readi
         name=name,
         lower=End(zone.lower.value, zone.lower.kind, zone.lower.beyond, zone.lower.uncertainty),
         upper=End(zone.upper.value, zone.upper.kind, zone.upper.beyond, zone.upper.uncertainty),
-        labels=tuple(dict.fromkeys(t.label for t in zone.tenants if t.quiet)),
+        labels=tuple(dict.fromkeys(t.label for t in zone.motions if t.quiet)),
         margin=_margin(claim, zone, mine),
-        coexisting=tuple(_coexisting(t, mine) for t in zone.tenants if not t.quiet),
+        coexisting=tuple(_coexisting(t, mine) for t in zone.motions if not t.quiet),
         deviations=ends,
         verdict=verdict(list(ends), labels_equal=True),
     )
@@ -153,15 +153,15 @@ def _margin(claim: Claim, zone: Found, rows: Sequence[Row]) -> float:
     return min(margins, default=NAN)
 
 
-def _coexisting(tenant: Tenant, rows: Sequence[Row]) -> Coexisting:
+def _coexisting(motion: ZoneMotion, rows: Sequence[Row]) -> Coexisting:
     exponents = [
         p.largest_exponent
         for row in rows
         for p in row.sweep.points
-        if p.label == tenant.label and tenant.lower <= p.value <= tenant.upper
+        if p.label == motion.label and motion.lower <= p.value <= motion.upper
     ]
-    start = ", ".join(tenant.directions)
-    return Coexisting(tenant.label, (tenant.lower, tenant.upper), start, max(exponents, default=NAN))
+    start = ", ".join(motion.directions)
+    return Coexisting(motion.label, (motion.lower, motion.upper), start, max(exponents, default=NAN))
 
 
 def _note(found: Zones) -> str:

@@ -9,7 +9,7 @@ from .model import Model, open_workers, prepare
 from .plane import map_plane
 from .point import point, summary
 from .sweep import sweep, sweeps
-from .zone import End, Interval, Quiet, Tenant, Zone, Zones
+from .zone import End, Interval, Quiet, Zone, ZoneMotion, Zones
 from .zones import zones
 
 __all__ = [
@@ -23,8 +23,8 @@ __all__ = [
     "Quiet",
     "Settings",
     "Sweep",
-    "Tenant",
     "Zone",
+    "ZoneMotion",
     "Zones",
     "coexisting",
     "first_grazing",

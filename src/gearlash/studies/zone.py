@@ -75,7 +75,7 @@ class End(Record):
 
 
 @dataclass(frozen=True, repr=False)
-class Tenant(Record):
+class ZoneMotion(Record):
     """A motion seen from ``lower`` to ``upper`` (values of the axis) by sweeps of these ``directions``."""
 
     label: Label
@@ -115,7 +115,7 @@ class Zone(Interval):
     """An interval of ``name`` in which motion is quiet: for every attractor that was found (``every``), or
     at every value for at least one of them.
 
-    ``tenants`` are all motions that were seen in it; where two were seen at one value, attractors coexist.
+    ``motions`` are all motions that were seen in it; where two were seen at one value, attractors coexist.
     """
 
     _printed: ClassVar = ("name", "quiet", "every", "lower", "upper")
@@ -123,14 +123,14 @@ class Zone(Interval):
     name: str
     quiet: Quiet
     every: bool
-    tenants: tuple[Tenant, ...] = ()
+    motions: tuple[ZoneMotion, ...] = ()
     physical: tuple[Physical, ...] = ()
 
     @property
-    def coexisting(self) -> tuple[Tenant, ...]:
+    def coexisting(self) -> tuple[ZoneMotion, ...]:
         """Motions that were seen beside another one at the same value; what is unresolved may be on its
         way to any of them."""
-        known = [one for one in self.tenants if one.label is not MotionKind.UNRESOLVED]
+        known = [one for one in self.motions if one.label is not MotionKind.UNRESOLVED]
         return tuple(
             one
             for one in known

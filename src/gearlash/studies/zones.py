@@ -21,7 +21,7 @@ from .model import Model, Source
 from .named import plain_axis
 from .quiet import Search
 from .sweep import sweeps
-from .zone import Interval, Physical, Quiet, Tenant, Zone, Zones, intersection, union
+from .zone import Interval, Physical, Quiet, Zone, ZoneMotion, Zones, intersection, union
 
 
 def zones(
@@ -108,10 +108,10 @@ def _zone(model: Model, ways: Sequence[Sweep], quiet: Quiet, interval: Interval,
     physical = tuple(
         Physical(n, float(v[0]), float(v[-1]), unit) for n, v, unit in physical_axis(model, ends)
     )
-    return Zone(interval.lower, interval.upper, name, quiet, every, _tenants(ways, quiet, interval), physical)
+    return Zone(interval.lower, interval.upper, name, quiet, every, _motions(ways, quiet, interval), physical)
 
 
-def _tenants(ways: Sequence[Sweep], quiet: Quiet, interval: Interval) -> tuple[Tenant, ...]:
+def _motions(ways: Sequence[Sweep], quiet: Quiet, interval: Interval) -> tuple[ZoneMotion, ...]:
     """Who was seen at the values inside, as stretches of one label found by the same sweeps."""
     open_, closed = {}, []
     for i, value in enumerate(map(float, ways[0].axis.values)):
@@ -120,7 +120,8 @@ def _tenants(ways: Sequence[Sweep], quiet: Quiet, interval: Interval) -> tuple[T
         here = {}
         for who, holds, directions in _residents(ways, quiet, i):
             before = open_.pop((who, directions), None)
-            here[who, directions] = Tenant(who, directions, before.lower if before else value, value, holds)
+            lower = before.lower if before else value
+            here[who, directions] = ZoneMotion(who, directions, lower, value, holds)
         closed.extend(open_.values())
         open_ = here
     return tuple(sorted([*closed, *open_.values()], key=lambda t: (t.lower, t.upper, str(t.label))))

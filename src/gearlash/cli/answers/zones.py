@@ -20,7 +20,7 @@ from .zones_parts import Resident, ZoneEnd, ZoneFound
 from .zones_words import headline
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.studies.zone import End, Tenant, Zone, Zones
+    from gearlash.studies.zone import End, Zone, ZoneMotion, Zones
 
 
 RANGE_END = "end of the range"
@@ -103,7 +103,7 @@ def _zone(case: Case, zone: Zone, here: float, asked: Asked) -> ZoneFound:
         upper=_end(case, zone.name, zone.upper, back_met, asked),
         margin=margin,
         margin_asked=None if margin is None else abs(asked.value(margin)),
-        residents=tuple(_resident(tenant, tenant in beside) for tenant in zone.tenants),
+        residents=tuple(_resident(motion, motion in beside) for motion in zone.motions),
     )
 
 
@@ -126,16 +126,16 @@ def _end(case: Case, name: str, end: End, back_met: bool, asked: Asked) -> ZoneE
 def _meets_back(zone: Zone) -> bool:
     """Whether any motion inside or just outside meets the back side, or may."""
     ends = (end.outside for end in (zone.lower, zone.upper) if end.bounded)
-    labels = (*ends, *(tenant.label for tenant in zone.tenants))
+    labels = (*ends, *(motion.label for motion in zone.motions))
     return not all(isinstance(one, Signature) and one.back == 0 and not one.others for one in labels)
 
 
-def _resident(tenant: Tenant, coexisting: bool) -> Resident:
+def _resident(motion: ZoneMotion, coexisting: bool) -> Resident:
     return Resident(
-        label_text(tenant.label),
-        tuple(map(str, tenant.directions)),
-        tenant.lower,
-        tenant.upper,
-        tenant.quiet,
+        label_text(motion.label),
+        tuple(map(str, motion.directions)),
+        motion.lower,
+        motion.upper,
+        motion.quiet,
         coexisting,
     )
