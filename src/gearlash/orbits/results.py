@@ -25,9 +25,33 @@ SAMPLE = 200  # base periods of an aperiodic motion that are kept as its picture
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Orbit(Record):
-    """A periodic orbit, ``state`` (n,) at phase zero. One that `attractor` returns has a residual of at most
-    1e-11 and its least period, and is stable; one made by hand is what it is made from: ask `residual` and
-    `status`.
+    """A periodic orbit, stable or not.
+
+    One that `attractor` returns has a residual of at most 1e-11 and its least period, and is stable. One made
+    by hand is what it is made from: ask `residual` and `status`.
+
+    Attributes
+    ----------
+    propagators : Propagators
+        Of its system.
+    shot : Shot
+        State, period, residual and monodromy.
+    periods_used : int
+        Base periods that the motion was followed until it was found; 0 where none was.
+    status : Status
+        Uncertain where a contact lies within rounding of touching.
+    message : str
+        How it was found.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> orbit = gl.attractor(family.system({"omega": 0.9}), family.start())
+    >>> orbit.signature.short, orbit.period, orbit.stable, len(orbit.events)
+    ('1-1', 1, True, 2)
+    >>> abs(orbit.multipliers).round(4).tolist()
+    [0.7053, 0.7053]
     """
 
     _printed: ClassVar = ("label", "status", "period", "residual", "leading", "state", "message")
@@ -40,10 +64,12 @@ class Orbit(Record):
 
     @property
     def state(self) -> NDArray[np.float64]:
+        """State (n,) at phase zero."""
         return self.shot.state
 
     @property
     def final_state(self) -> NDArray[np.float64]:
+        """The same state, by the name that it has for other motions."""
         return self.shot.state
 
     @property
@@ -53,6 +79,7 @@ class Orbit(Record):
 
     @property
     def residual(self) -> float:
+        """By how much it misses to close; see `Shot`."""
         return self.shot.residual
 
     @cached_property
@@ -62,10 +89,12 @@ class Orbit(Record):
 
     @property
     def events(self) -> Events:
+        """Contact events of one period."""
         return self.trace.events
 
     @property
     def extrema(self) -> Extrema:
+        """Extrema of the first gap over one period."""
         return self.trace.extrema
 
     @cached_property
@@ -108,6 +137,7 @@ class Orbit(Record):
 
     @property
     def stable(self) -> bool:
+        """Whether all multipliers lie inside the unit circle."""
         return abs(self.leading) < 1.0
 
     @property
@@ -123,11 +153,13 @@ class Orbit(Record):
 
     @property
     def largest_exponent(self) -> float:
+        """The largest of `exponents`."""
         size = abs(self.leading)
         return float(np.log(size) / self.duration if size > LEAST else self.exponents[0])
 
     @property
     def exponent_error(self) -> float:
+        """Zero: the exponents of an orbit come from its multipliers."""
         return 0.0
 
     @cached_property
@@ -147,10 +179,39 @@ class Orbit(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Aperiodic(Record):
-    """A motion that does not repeat, so that it has no P. Either its largest exponent is above zero by more
-    than its error bar (chaos), or it is zero within it (quasi-periodic motion); either way the motion was
-    seen to persist. A chaotic transient longer than ``periods_used`` looks the same. ``undecided`` counts the
-    contacts of the search that lay within rounding of touching."""
+    """A motion that does not repeat, so that it has no P.
+
+    Either its largest exponent is above zero by more than its error bar (chaos), or it is zero within it
+    (quasi-periodic motion); either way the motion was seen to persist. A chaotic transient longer than
+    ``periods_used`` looks the same.
+
+    Attributes
+    ----------
+    propagators : Propagators
+        Of its system.
+    final_state : ndarray of shape (n,)
+        State at phase zero to which it was followed.
+    largest_exponent : float
+        Lyapunov exponent per unit of τ; NaN where it was not averaged.
+    exponent_error : float
+        Half-width of its 95 % interval from batch means.
+    periods_used : int
+        Base periods that the motion was followed.
+    status : Status
+        Uncertain where a contact lay within rounding of touching while growth was recorded.
+    message : str
+        What was found, with numbers.
+    undecided : int
+        Contacts of the search that lay within rounding of touching.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("shaw-holmes").family()
+    >>> found = gl.attractor(family.system({"omega": 0.88}), family.start())
+    >>> str(found.label), found.largest_exponent > found.exponent_error
+    ('aperiodic', True)
+    """
 
     _printed: ClassVar = ("label", "status", "largest_exponent", "exponent_error", "periods_used", "message")
 
@@ -185,10 +246,12 @@ class Aperiodic(Record):
 
     @property
     def events(self) -> Events:
+        """Contact events of the stretch."""
         return self.trace.events
 
     @property
     def extrema(self) -> Extrema:
+        """Extrema of the first gap over the stretch."""
         return self.trace.extrema
 
     @cached_property
@@ -199,7 +262,35 @@ class Aperiodic(Record):
 
 @dataclass(frozen=True, eq=False)
 class Unresolved(Aperiodic):
-    """Neither proved periodic nor shown aperiodic within the budget; `message` says what is known."""
+    """A motion that was neither proved periodic nor shown aperiodic within the budget.
+
+    Attributes
+    ----------
+    propagators : Propagators
+        Of its system.
+    final_state : ndarray of shape (n,)
+        State at phase zero to which it was followed.
+    largest_exponent : float
+        Lyapunov exponent per unit of τ; NaN where it was not averaged.
+    exponent_error : float
+        Half-width of its 95 % interval from batch means.
+    periods_used : int
+        Base periods that the motion was followed.
+    status : Status
+        Unresolved, or why the motion could not be carried on.
+    message : str
+        What is known, and what to do about it.
+    undecided : int
+        Contacts of the search that lay within rounding of touching.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("shaw-holmes").family()
+    >>> found = gl.attractor(family.system({"omega": 0.88}), family.start(), gl.Settings(budget=100))
+    >>> str(found.label), str(found.certificate.verdict)
+    ('unresolved', 'uncertain')
+    """
 
     @property
     def label(self) -> Label:
@@ -214,7 +305,35 @@ class Unresolved(Aperiodic):
 @dataclass(frozen=True, eq=False, repr=False)
 class Neutral(Aperiodic):
     """A motion whose neighbours neither come closer nor leave: one of a continuum, which the start decides.
-    `message` says by which sign it was told."""
+
+    Attributes
+    ----------
+    propagators : Propagators
+        Of its system.
+    final_state : ndarray of shape (n,)
+        State at phase zero to which it was followed.
+    largest_exponent : float
+        Zero, or its average where that was taken, per unit of τ.
+    exponent_error : float
+        Half-width of its 95 % interval, or what rounding makes.
+    periods_used : int
+        Base periods that the motion was followed.
+    status : Status
+        Neutral.
+    message : str
+        By which sign it was recognized, and what to do about it.
+    undecided : int
+        Contacts of the search that lay within rounding of touching.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> forcing = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+    >>> stop = gl.Clearance([1.0, 0.0], [0.0, -1.0], 50.0, 50.0, 8.0, 8.0)
+    >>> undamped = gl.System(1.7, [[0.0, 1.0], [-1.0, 0.0]], forcing, (stop,))
+    >>> str(gl.attractor(undamped, [1.0, 0.0]).label)
+    'neutral'
+    """
 
     @property
     def label(self) -> Label:
