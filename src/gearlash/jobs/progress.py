@@ -63,7 +63,7 @@ class Load:
 
 
 def remaining(loads: list[Load], workers: int) -> float | None:
-    """Seconds until all chains are done by so many workers: the work left shared evenly, but no less than the
+    """Seconds until the workers have done all chains: the work left shared evenly, but no less than the
     longest chain, whose tasks wait for each other. A chain not yet begun is taken to cost what the others did
     a point.
     """

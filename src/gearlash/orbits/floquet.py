@@ -94,8 +94,8 @@ def spectrum(
 
 
 def cut(props: Propagators, state: NDArray[np.float64]) -> int:
-    """Into how many equal parts (a power of two) a base period is cut so that the tangent flow from ``state``
-    (n,) spreads lengths by less than e^`SPREAD` in each."""
+    """The number of equal parts of a base period (a power of two) in each of which the tangent flow from
+    ``state`` (n,) spreads lengths by less than e^`SPREAD`."""
     parts, cycles = 1, float(props.system.cycles)
     while parts < props.cells:
         z, part, tame = state, 0, True

@@ -168,7 +168,7 @@ def grazing_checks(
 
 
 def motion_of(attractor: Attractor) -> Attractor:
-    """The same. Raises `GearlashError` for what is no attractor."""
+    """The attractor that was given. Raises `GearlashError` for anything else."""
     expected = "what gearlash.attractor returns: an Orbit, Aperiodic or Unresolved"
     return given.instance("attractor", attractor, (Orbit, Aperiodic), expected)
 

@@ -47,7 +47,7 @@ NO_AVERAGE = Average(np.nan, np.nan, 0)
 
 
 class Search:
-    """One search: the motion so far, and the attempts made on it."""
+    """One search: the motion so far, and the attempts to find its orbit."""
 
     def __init__(self, props: Propagators, settings: Settings, start: Array):
         self.props, self.settings = props, settings
@@ -122,7 +122,7 @@ class Search:
         shot = shoot(self.props, self.state, period, iterations=8, reach=reach)
         if shot.residual <= TOLERANCE:
             return self.accept(minimal(self.props, shot))
-        # Beside a doubling Newton's matrix is all but singular for the doubled period, not for the single
+        # Beside a doubling the matrix of Newton's method is nearly singular for the doubled period only
         if period % 2 == 0 and self.gap(period) < SLOW_RETURN * self.size:
             return self.solved(period // 2)
         return None
@@ -183,9 +183,10 @@ class Search:
         return None
 
     def approached(self, orbit: Orbit) -> bool:
-        """Whether the distance to the orbit has shrunk as its multipliers promise; if not, marches on, and
-        asks again and again until it is small: a motion that wanders by may come closer once. Where the
-        budget ends before that was seen, it was not."""
+        """Whether the motion was seen to approach the orbit: its distance shrinks as the multipliers say.
+
+        Where that was not seen yet, it marches on and looks again until the distance is small, as a motion
+        that only passes by may come closer once. The answer is no where the budget ends before."""
         points, rate = orbit.strobes, max(abs(orbit.leading), 1e-3)
         tenfold = np.ceil(np.log(0.1) / np.log(rate)) if rate < 1.0 else 400
         laps = int(np.clip(tenfold, 1, max(1, 800 // len(points))))
@@ -216,7 +217,8 @@ class Search:
         return True
 
     def away(self, points: Array, window: int, here: int) -> float:
-        """Largest distance of the last few strobes before a place to the nearest points of an orbit."""
+        """The largest distance of the last ``window`` states up to ``here`` to the nearest points of an
+        orbit."""
         states = self.motion.states[max(0, here + 1 - window) : here + 1]
         if len(points) == 1:
             return float(np.abs(states - points).max())
@@ -224,7 +226,7 @@ class Search:
         return float(apart.min(axis=1).max())
 
     def neutral(self) -> Neutral | None:
-        """The motion as neutral, where its neighbours neither come closer nor leave."""
+        """The motion as a neutral one, if its neighbours neither come closer nor leave."""
         if not abs(self.motion.growth(1)) <= FLAT:
             return None
         long = self.motion.used >= self.settings.patience or self.left <= 0  # what drifts may be stopped yet
@@ -241,9 +243,10 @@ class Search:
         return Neutral(*self.common(found), Status.NEUTRAL, message, self.motion.undecided)
 
     def aperiodic(self, last: bool) -> Attractor | None:
-        """The motion as aperiodic: if its largest exponent is above zero, or if it is zero (quasi-periodic).
-        Either way the motion must be seen to persist without closing: one that leaves an unstable orbit has
-        an exponent above zero too."""
+        """The motion as an aperiodic one, if its largest exponent is above zero, or zero (quasi-periodic).
+
+        In both cases it must be seen to persist without closing: a motion that leaves an unstable orbit has
+        an exponent above zero, too."""
         found = self.motion.exponent()
         if found is None:
             return None
@@ -261,8 +264,8 @@ class Search:
         return None
 
     def grows(self, found: Average, last: bool) -> bool:
-        """Whether the exponent is above zero for sure, and for long enough. What grows too slowly for that,
-        or was not settled until the `last` period, is content with two error bars."""
+        """Whether the exponent is above zero, clearly and for long enough. Where growth is too slow for that,
+        or the `last` period was reached without an answer, two error bars are enough."""
         growth = found.value * found.periods * self.props.system.period
         slow = growth < CHAOTIC_GROWTH
         if growth < 1.0:
@@ -272,8 +275,8 @@ class Search:
         return found.value > found.error * (2.0 if slow or last else 1.0 / self.settings.precision)
 
     def is_zero(self, found: Average) -> bool:
-        """Within its bar, and what the two ends of the average may change it by; that must be far less than
-        the motion's mean contraction, or what is only on its way would pass."""
+        """Whether the exponent is zero within its error bar and what the two ends of the average may change
+        it by. That must be far less than the mean contraction: else a transient would pass for it."""
         ends = 1.0 / (found.periods * self.props.system.period)
         contraction = fastest_shrinking(self.props) / self.props.system.size
         enough = found.periods >= self.settings.exponent_periods and (
@@ -300,8 +303,8 @@ class Search:
         return self.unresolved(Status.UNRESOLVED, reason, found)
 
     def longer(self) -> int | None:
-        """The least period, beyond those looked for, of a stable orbit that the motion is close to. It is
-        looked for up to four times as far, where the motion is long enough to show it twice."""
+        """The least period above `max_period` of a stable orbit that the motion is close to, or None. Periods
+        are tried up to four times `max_period`, where the motion is long enough to show them twice."""
         limit = self.settings.max_period
         needed = 4 * limit + max(4 * limit, LAST_STATES)
         if needed > self.motion.used and self.left > 0:

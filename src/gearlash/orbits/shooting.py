@@ -206,14 +206,14 @@ def shoot(
 
 
 def size_of(states: Array, least: float = LEAST) -> Array:
-    """Size (n,) of every component of a motion with these states (m, n): its largest value, but no less than
-    that part of the largest component's."""
+    """Size (n,) of every component of a motion with these states (m, n): its largest value, and at least the
+    part ``least`` of the size of the largest component."""
     size = np.abs(states).max(axis=0)
     return np.maximum(size, max(least * float(size.max()), 1e-300))
 
 
 def _parts(period: int) -> int:
-    """In which a base period is cut."""
+    """Number of parts into which a base period is cut."""
     return max(1, PLACES // period)
 
 
@@ -229,9 +229,11 @@ def _failed(z, period, iteration, status: Status) -> Shot:
 
 
 def minimal(props: Propagators, shot: Shot) -> Shot:
-    """The same orbit with its least period: returns at every proper divisor must differ by far more than the
-    error. Where one does not, the orbit of that divisor is solved for; where both readings stand within
-    the error, the status becomes `uncertain`."""
+    """The same orbit with its least period.
+
+    Returns after every proper divisor of the period must differ by far more than the error. Where one does
+    not, the orbit of that divisor is solved for; where that cannot be told from the longer orbit within the
+    error, the status becomes `uncertain`."""
     if shot.period == 1 or not np.isfinite(shot.error):
         return shot
     if shot.strobes is None:

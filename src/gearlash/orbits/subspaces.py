@@ -1,8 +1,8 @@
 """Eigenvalues of a long product of matrices, each group of like size in its own subspace.
 
 An orthogonal frame is carried through the factors again and again: its leading columns turn into the space
-of the largest eigenvalues, and in that frame the product is triangular but for blocks of eigenvalues of like
-modulus. The factors' blocks are multiplied with their size kept apart as a logarithm, so that nothing
+of the largest eigenvalues, and in that frame the product is triangular except for blocks of eigenvalues of
+like modulus. The factors' blocks are multiplied with their size kept apart as a logarithm, so that nothing
 vanishes and nothing drowns: G. Golub and C. Van Loan, Matrix Computations, 4th ed. (2013), sect. 7.3."""
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def by_subspaces(factors: list[Matrix]) -> tuple[Complex, NDArray[np.float64]]:
         nearest = gaps[gaps > APART].min(initial=np.inf)  # of two groups: they part by e^nearest in a turn
         if turn > 2 and (turn - 2) * nearest > TURNS * APART:
             break
-    turned = begin.T @ frame  # the frame comes back to itself but for a turn within each group
+    turned = begin.T @ frame  # the frame comes back to itself except for a turn within each group
     values, logarithms = [], []
     for group in _groups(sizes, turned):
         block, logarithm = np.eye(len(group)), 0.0

@@ -1,4 +1,4 @@
-"""A motion under way: all its strobes, how fast its neighbours leave it, and whether it has settled."""
+"""A motion while it is followed: states at phase zero, growth of its neighbours, whether it persists."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from gearlash.system import Status
 
 Array = NDArray[np.float64]
 
-STRETCH = 24  # base periods, at least, over which one growth is recorded
-STRETCHES = 48  # of the whole motion, at most about
-SETTLE = 6  # one part in so many of the record, its first, is left to settle
-STUDENT = {20: 2.093, 10: 2.262}  # batches → 95 % two-sided, one degree of freedom less
-ROUNDING = 1e-14  # of the tangent flow over a base period: no error bar is below what it makes
-STILL = 1e-6  # size of σ_t, of the state, below which a motion is as good as an orbit
-CLOSED = 1e-3  # mean return, of the size, below which it is closing
-RETURNS = 128  # places of a window, at least, that returns are averaged over
+STRETCH = 24  # base periods, at least, between two records of growth
+STRETCHES = 48  # records of the whole motion, about, at the most
+SETTLE = 6  # the first of so many equal parts of the record is left out: there the motion settles
+STUDENT = {20: 2.093, 10: 2.262}  # batches → 95 % two-sided, with one degree of freedom less
+ROUNDING = 1e-14  # of the tangent flow over a base period: no error bar is smaller than this makes it
+STILL = 1e-6  # a motion whose size on σ_t is below this, relative to its state, counts as an orbit
+CLOSED = 1e-3  # a mean return below this, relative to the motion's size, counts as closing
+RETURNS = 128  # places of a window, at least, over which returns are averaged
 
 
 class Average(NamedTuple):
@@ -54,7 +54,7 @@ class Transient:
         return self._table[self._filled - 1]
 
     def record_growth(self) -> None:
-        """From here on the growth of a tangent is recorded."""
+        """Begins to record the growth of a tangent vector."""
         if self._tangent is None:
             n = len(self.state)
             self._tangent = np.full(n, n**-0.5)
@@ -85,7 +85,7 @@ class Transient:
         self._filled = total
 
     def exponent(self) -> Average | None:
-        """The largest exponent from all of the record but its first part; None while it is too short."""
+        """The largest exponent, from the record without its first part; None while that is too short."""
         ends = np.concatenate([[0], np.cumsum(self._lengths)])
         first = int(np.searchsorted(ends, ends[-1] / SETTLE))
         for parts in STUDENT:
@@ -104,8 +104,8 @@ class Transient:
         return Average(mean / duration, (error + ROUNDING) / duration, periods)
 
     def growth(self, periods: int) -> float:
-        """Logarithm of the growth over ``periods``, on the average of the last two times as many (but no
-        less than two stretches); zero where nothing is recorded."""
+        """Logarithm of the growth of neighbours over ``periods``: the average over the last ``2 * periods``,
+        or over the last two records where that is longer. Zero where nothing is recorded yet."""
         ends = np.cumsum(self._lengths[::-1])
         count = int(np.searchsorted(ends, max(2 * periods, 2 * STRETCH))) + 1
         if count > len(ends):
@@ -113,9 +113,11 @@ class Transient:
         return float(self._logs[-count:].sum()) * periods / float(ends[count - 1])
 
     def persists(self, within: float, longest: int) -> bool:
-        """Whether size and returns after up to ``longest`` periods are the same in both halves of the motion
-        (its first part left out), but for the part ``within``, and it closes in neither: a slow transient
-        shrinks or grows, or all but closes."""
+        """Whether both halves of the motion, without its first part, look alike, and it closes in neither.
+
+        Compared are the size, which may change by the part ``within``, and the mean returns after up to
+        ``longest`` periods. A slow transient shrinks, or grows, or nearly closes.
+        """
         columns = np.ascontiguousarray(self.states[self.used // SETTLE :].T)
         half = columns.shape[1] // 2
         windows = columns[:, :half], columns[:, -half:]
@@ -129,8 +131,8 @@ class Transient:
 
 
 def _least_return(columns: Array, longest: int) -> float:
-    """The least, over 1 to ``longest`` periods, of the mean distance between a state and the one so many
-    periods later; columns (n, states)."""
+    """The mean distance between a state and the one p periods later, for the p from 1 to ``longest`` for
+    which it is least; columns (n, states)."""
     count = columns.shape[1]
     longest = min(longest, count // 2)
     windows, step = sliding_window_view(columns, longest + 1, axis=1), max(1, (count - longest) // RETURNS)

@@ -172,7 +172,7 @@ def unique(name: str, found: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def items(name: str, value: Any, expected: str) -> tuple[Any, ...]:
-    """What a list, a tuple or another collection holds; text is none."""
+    """The elements of a list, a tuple or another collection. A text does not count as a collection."""
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
             return tuple(value)

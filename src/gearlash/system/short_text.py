@@ -56,7 +56,7 @@ def brief(value: Any) -> str:
 
 
 def cut(text: str, longest: int = LONGEST) -> str:
-    """At most so many characters."""
+    """The text, cut to at most ``longest`` characters."""
     return text if len(text) <= longest else text[: longest - 1] + "…"
 
 
