@@ -9,11 +9,12 @@ UNDOCUMENTED: dict[str, set[str]] = {
         "locate_grazing",
         "locate_multiplier",
     },
+    "gears": {
+        "gears.CylindricalGear",
+    },
     "orbits": {
         "Aperiodic",
         "Neutral",
-        "Orbit",
-        "Signature",
         "Unresolved",
     },
     "results": {
@@ -50,5 +51,8 @@ UNDOCUMENTED: dict[str, set[str]] = {
         "motion",
         "transitions",
         "zones",
+    },
+    "system": {
+        "Signature",
     },
 }

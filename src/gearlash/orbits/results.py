@@ -226,6 +226,7 @@ class Aperiodic(Record):
 
     @property
     def label(self) -> Label:
+        """What the motion is called: aperiodic."""
         return MotionKind.APERIODIC
 
     @cached_property
@@ -294,6 +295,7 @@ class Unresolved(Aperiodic):
 
     @property
     def label(self) -> Label:
+        """What the motion is called: unresolved."""
         return MotionKind.UNRESOLVED
 
     @cached_property
@@ -337,6 +339,7 @@ class Neutral(Aperiodic):
 
     @property
     def label(self) -> Label:
+        """What the motion is called: neutral."""
         return MotionKind.NEUTRAL
 
     @cached_property

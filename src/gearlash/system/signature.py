@@ -15,10 +15,10 @@ PATTERN = re.compile(r"[0-9]+-[0-9]+(-[0-9]+)?(/[0-9]+-[0-9]+)*")
 
 @dataclass(frozen=True, order=True, repr=False)
 class Signature(Record):
-    """``period`` mesh cycles with ``drive`` impacts on the drive side (Q) and ``back`` on the back side (R)
-    of the first clearance in them, and (Q, R) of every further clearance in ``others``.
+    """The impact signature P-Q-R of a periodic motion.
 
-    An impact is a beginning of contact: X rises through +D, or falls through -D. With the rule `no-tension`
+    In P mesh cycles the first clearance has Q impacts on the drive side and R on the back side; P-Q-R/Q-R and
+    so on of several clearances. An impact is a beginning of contact: X rises through +D, or falls through -D. With the rule `no-tension`
     it is also a contact that presses again before the gap had opened.
 
     Parameters
@@ -86,7 +86,18 @@ class Signature(Record):
         return Signature(2 * self.period, 2 * self.drive, 2 * self.back, others)
 
     def one_impact_from(self, other: Signature) -> tuple[int, int] | None:
-        """(clearance, boundary ±1) of the one count that differs, by one, at the same period; else None."""
+        """The one impact by which two signatures of one period differ.
+
+        Parameters
+        ----------
+        other : Signature
+
+        Returns
+        -------
+        (int, int) or None
+            Index of the clearance and boundary (±1) of the one count that differs, by one; None where that is
+            not so.
+        """
         if self.period != other.period or len(self.counts) != len(other.counts):
             return None
         differing = [
