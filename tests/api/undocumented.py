@@ -9,14 +9,6 @@ UNDOCUMENTED: dict[str, set[str]] = {
         "locate_grazing",
         "locate_multiplier",
     },
-    "gears": {
-        "gears.CylindricalGear",
-    },
-    "orbits": {
-        "Aperiodic",
-        "Neutral",
-        "Unresolved",
-    },
     "results": {
         "Axis",
         "Beside",
@@ -51,8 +43,5 @@ UNDOCUMENTED: dict[str, set[str]] = {
         "motion",
         "transitions",
         "zones",
-    },
-    "system": {
-        "Signature",
     },
 }

@@ -19,6 +19,7 @@ from . import (
     spur,
     unloaded_error,
 )
+from .basic_rack import BasicRack
 from .cylindrical_gear import CylindricalGear
 from .cylindrical_pair import CylindricalPair
 from .geometry import LineOfAction, Projection, ToothGeometry, YAxis, line_of_action
@@ -26,6 +27,7 @@ from .helical import HelicalPair
 from .inertia import disc_face_width, equivalent_mass, solid_disc
 
 __all__ = [
+    "BasicRack",
     "CylindricalGear",
     "CylindricalPair",
     "HelicalPair",

@@ -78,11 +78,21 @@ class CylindricalGear:
             )
 
     def nominal(self) -> CylindricalGear:
-        """The same gear without allowance: nominal tooth thickness."""
+        """The same gear without allowance: nominal tooth thickness.
+
+        Returns
+        -------
+        CylindricalGear
+        """
         return replace(self, thickness_allowance=0.0)
 
     def mirrored(self) -> CylindricalGear:
-        """The same gear with the other hand of helix, as its mate has."""
+        """The same gear with the other hand of helix, as its mate has.
+
+        Returns
+        -------
+        CylindricalGear
+        """
         return replace(self, helix_angle=-self.helix_angle)
 
     @property
@@ -175,31 +185,74 @@ class CylindricalGear:
         return hypot(self.base_diameter, self.reference_diameter * sine - depth / sine)
 
     def roll_length(self, diameter: float) -> float:
-        """Radius of curvature of the flank at a diameter, m: √(d_y² − d_b²) / 2, 0 at and below the base
-        circle.
+        """Radius of curvature of the flank at a diameter, m: √(d_y² − d_b²) / 2.
 
-        It is also the distance from the base tangent point, measured along the line of action.
+        It is also the distance from the base tangent point, measured along the line of action; 0 at and below
+        the base circle.
+
+        Parameters
+        ----------
+        diameter : float
+            d_y, m; above 0.
+
+        Returns
+        -------
+        float
         """
         return 0.5 * sqrt(max(diameter**2 - self.base_diameter**2, 0.0))
 
     def pressure_angle_at(self, diameter: float) -> float:
-        """α_yt, rad: cos α_yt = d_b / d_y; 0 at and below the base circle."""
+        """α_yt, rad: cos α_yt = d_b / d_y; 0 at and below the base circle.
+
+        Parameters
+        ----------
+        diameter : float
+            d_y, m; above 0.
+
+        Returns
+        -------
+        float
+        """
         return acos(min(self.base_diameter / diameter, 1.0))
 
     def helix_angle_at(self, diameter: float) -> float:
-        """β_y, rad: tan β_y = tan β d_y / d."""
+        """β_y, rad: tan β_y = tan β d_y / d.
+
+        Parameters
+        ----------
+        diameter : float
+            d_y, m; above 0.
+
+        Returns
+        -------
+        float
+        """
         return atan(tan(self.helix_angle) * diameter / self.reference_diameter)
 
     def normal_thickness(self) -> float:
-        """s_n on the reference cylinder, m: m_n (π/2 + 2 x_E tan α_n) (49)."""
+        """s_n on the reference cylinder, m: m_n (π/2 + 2 x_E tan α_n) (49).
+
+        Returns
+        -------
+        float
+        """
         return self.normal_module * (
             pi / 2 + 2.0 * self.generating_profile_shift * tan(self.rack.pressure_angle)
         )
 
     def transverse_thickness(self, diameter: float | None = None) -> float:
-        """Transverse tooth thickness s_yt at a diameter, m; on the reference cylinder where nothing is given.
+        """Transverse tooth thickness s_yt at a diameter, m.
 
         s_yt = d_y (s_t/d + inv α_t − inv α_yt) (38). Above the point where the flanks meet it is below 0.
+
+        Parameters
+        ----------
+        diameter : float, optional
+            d_y, m; above 0. The reference diameter where nothing is given.
+
+        Returns
+        -------
+        float
         """
         reference = self.reference_diameter
         at = reference if diameter is None else diameter
@@ -207,6 +260,11 @@ class CylindricalGear:
         return at * (half + inv(self.transverse_pressure_angle) - inv(self.pressure_angle_at(at)))
 
     def tip_thickness(self) -> float:
-        """Normal tooth thickness s_an at the tip, m; below about 0.2 m_n a hardened tip may break (48)."""
+        """Normal tooth thickness s_an at the tip, m; below about 0.2 m_n a hardened tip may break (48).
+
+        Returns
+        -------
+        float
+        """
         tip = self.tip_diameter
         return self.transverse_thickness(tip) * cos(self.helix_angle_at(tip))

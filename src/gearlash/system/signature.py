@@ -18,8 +18,8 @@ class Signature(Record):
     """The impact signature P-Q-R of a periodic motion.
 
     In P mesh cycles the first clearance has Q impacts on the drive side and R on the back side; P-Q-R/Q-R and
-    so on of several clearances. An impact is a beginning of contact: X rises through +D, or falls through -D. With the rule `no-tension`
-    it is also a contact that presses again before the gap had opened.
+    so on of several clearances. An impact is a beginning of contact: X rises through +D, or falls through -D.
+    With the rule `no-tension` it is also a contact that presses again before the gap had opened.
 
     Parameters
     ----------
