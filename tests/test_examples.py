@@ -31,6 +31,8 @@ MODULES = (
     "gearlash.gears.mesh_stiffness",
     "gearlash.gears.pair_shape",
     "gearlash.gears.spur",
+    "gearlash.gears.tooth_form",
+    "gearlash.gears.tooth_pair",
     "gearlash.gears.unloaded_error",
     "gearlash.plots",
     "gearlash.report",

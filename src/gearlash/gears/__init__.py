@@ -17,6 +17,8 @@ from . import (
     mesh_stiffness,
     pair_shape,
     spur,
+    tooth_form,
+    tooth_pair,
     unloaded_error,
 )
 from .basic_rack import BasicRack
@@ -52,5 +54,7 @@ __all__ = [
     "pair_shape",
     "solid_disc",
     "spur",
+    "tooth_form",
+    "tooth_pair",
     "unloaded_error",
 ]
