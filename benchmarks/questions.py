@@ -56,7 +56,7 @@ def grazing_rows(repeats: int) -> list[Row]:
     ask: dict[str, tuple[str, Callable[[], Any]]] = {
         OWN: (
             "labels on both sides included",
-            lambda: locate_grazing(pairs, values, "omega", orbit, check).value,
+            lambda: locate_grazing(pairs, "omega", orbit, check, values=values).value,
         )
     }
     truth = None

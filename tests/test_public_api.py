@@ -43,6 +43,7 @@ SNAPSHOT = [
     "GearlashError",
     "GrazingCheck",
     "GrazingPoint",
+    "HasFamily",
     "Hold",
     "ImpactFree",
     "Interval",

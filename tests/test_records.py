@@ -47,8 +47,8 @@ def records(name: str) -> dict[str, Any]:
     }  # fmt: skip
     if isinstance(found, gl.Orbit):
         made |= {"shot": found.shot, "signature": found.signature}
-        made["grazing"] = gl.locate_grazing(family, values, "omega", found, checks[0])
-        made["doubling"] = gl.locate_multiplier(family, values, "omega", found, -1)
+        made["grazing"] = gl.locate_grazing(family, "omega", found, checks[0], values=values)
+        made["doubling"] = gl.locate_multiplier(family, "omega", found, -1, values=values)
     if len(family.parameters) > 1:
         other = next(p for p in family.parameters if p.name != "omega" and p.default > 0.0)
         ends = (0.99 * other.default, 1.01 * other.default)

@@ -90,8 +90,8 @@ def calls() -> tuple[Call, ...]:
         gl.Zone(end, end, "omega", gl.Quiet.IMPACT_FREE, True, (seen,), (span,)), gl.Interval(end, end),
         end, seen, span, gl.Touch(0.5, 1.0, 0.0, 1),
     )  # fmt: skip
-    bifurcation = gl.locate_multiplier(family, {}, "omega", orbit, -1)
-    grazing = gl.locate_grazing(family, {}, "f", orbit, check)
+    bifurcation = gl.locate_multiplier(family, "omega", orbit, -1)
+    grazing = gl.locate_grazing(family, "f", orbit, check)
     return (
         whole(gl.Clearance, stop), whole(gl.System, system), whole(gl.Family, family),
         whole(gl.Parameter, parameters[0]), whole(gl.Settings, QUICK), whole(gl.Axis, axis),
@@ -150,9 +150,9 @@ def calls() -> tuple[Call, ...]:
         Call("motion_statistics", gl.motion_statistics, {"attractor": orbit, "clearance": 0}),
         Call("motion", motion, {"attractor": orbit, "value": 1.0, "touch": (0.5, 1), "clearance": 0}),
         Call("locate_grazing", gl.locate_grazing, {
-            "family": family, "values": {}, "name": "f", "orbit": orbit, "check": check}),
+            "model": family, "values": {}, "name": "f", "orbit": orbit, "check": check}),
         Call("locate_multiplier", gl.locate_multiplier, {
-            "family": family, "values": {}, "name": "omega", "orbit": orbit, "multiplier": -1}),
+            "model": family, "values": {}, "name": "omega", "orbit": orbit, "multiplier": -1}),
         Call("point", gl.point, {
             "model": family, "values": {}, "name": "omega", "start": [0.0, 0.0], "trial": ([0.0, 0.0], 1),
             "settings": QUICK}),
@@ -169,7 +169,7 @@ def calls() -> tuple[Call, ...]:
         Call("zones", gl.zones, {
             "model": family, "axis": axis, "quiet": "impact-free", "known": quiet.sweeps, **study}),
         Call("transitions", gl.transitions, {
-            "family": family, "values": {}, "name": "omega", "points": swept.points, "rising": True}),
+            "model": family, "values": {}, "name": "omega", "points": swept.points, "rising": True}),
         Call("open_workers", gl.open_workers, {"model": family, "workers": 1}),
         Call("open_executor", jobs.open_executor, {"workers": 1}),
         Call("sweep_dataset", gl.sweep_dataset, {"model": family, "sweeps": [swept]}),

@@ -18,7 +18,7 @@ NEEDS_MORE = ("loads", "load_dataset", "reproduce")  # what fits them takes a fi
 HANDED_OUT = {
     *("Beside", "BesideMotion", "ImpactFree", "Passed", "Path", "Progress"),
     *("Entry", "Excitation", "Note", "Problem", "Provenance", "Value"),
-    *("Neutral", "Unresolved", "Transition", "register_kind"),
+    *("HasFamily", "Neutral", "Unresolved", "Transition", "register_kind"),
 }
 """What is only read; and `register_kind`, which would change all other calls."""
 LONGEST = 3000  # characters of a refusal

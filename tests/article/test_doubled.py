@@ -24,7 +24,7 @@ def doubling(near: float) -> BifurcationPoint:
     values = {**PLACE, "D": near}
     found = attractor(FAMILY.system(values), FAMILY.start(values))
     assert isinstance(found, Orbit)
-    return locate_multiplier(FAMILY, values, "D", found, -1)
+    return locate_multiplier(FAMILY, "D", found, -1, values=values)
 
 
 @cache

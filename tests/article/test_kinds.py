@@ -19,7 +19,7 @@ from orbits.members import article, one_dof, orbit
 def touch() -> GrazingPoint:
     family, values = one_dof(), {"omega": 0.7, "load": 0.3}
     start = orbit(family, **values)
-    return locate_grazing(family, values, "load", start, grazing_checks(start)[0])
+    return locate_grazing(family, "load", start, grazing_checks(start)[0], values=values)
 
 
 @pytest.mark.parametrize(
@@ -38,4 +38,4 @@ def test_a_grazing_is_of_codimension_two_where_a_multiplier_is_critical(multipli
 
 def test_a_doubling_is_smooth():
     start = orbit(article(), omega=0.79)
-    assert table2_type(locate_multiplier(article(), {"omega": 0.79}, "omega", start, -1)) == SMOOTH
+    assert table2_type(locate_multiplier(article(), "omega", start, -1, values={"omega": 0.79})) == SMOOTH

@@ -34,7 +34,7 @@ def case() -> Case:
 
 
 def found_along(done: Sweep, rising: bool = True) -> tuple[Transition, ...]:
-    return transitions(article(), done.fixed, done.axis.name, done.points, rising=rising)
+    return transitions(article(), done.axis.name, done.points, values=done.fixed, rising=rising)
 
 
 def check_one(transition: Transition) -> None:
@@ -153,9 +153,9 @@ def test_no_change_no_transition():
     found = cold(article(), omega=1.04)
     assert isinstance(found, Orbit)
     points = [Bare(value, Signature(1, 0), 1, found.state) for value in (1.03, 1.04, 1.05)]
-    assert transitions(article(), {}, "omega", points) == ()
-    assert transitions(article(), {}, "omega", points[:1]) == ()
-    assert transitions(article(), {}, "omega", []) == ()
+    assert transitions(article(), "omega", points) == ()
+    assert transitions(article(), "omega", points[:1]) == ()
+    assert transitions(article(), "omega", []) == ()
 
 
 def test_unresolved_neighbours_give_no_point():
@@ -164,7 +164,7 @@ def test_unresolved_neighbours_give_no_point():
         Bare(1.03, MotionKind.UNRESOLVED, 0, found.final_state),
         Bare(1.04, MotionKind.APERIODIC, 0, found.final_state),
     ]
-    (change,) = transitions(article(), {}, "omega", points)
+    (change,) = transitions(article(), "omega", points)
     assert (change.kind, change.point) == (UNPROVED, None)
 
 
@@ -175,7 +175,7 @@ def test_a_label_that_is_not_true_is_not_explained():
         shot = shoot(built(article(), omega=value), cold(article(), omega=1.04).final_state, 1)
         states[value] = shot.state
     points = [Bare(1.02, Signature(1, 1), 1, states[1.02]), Bare(1.04, Signature(1, 0), 1, states[1.04])]
-    for change in transitions(article(), {}, "omega", points):
+    for change in transitions(article(), "omega", points):
         assert change.kind != GRAZING
         assert change.point is None
 

@@ -92,7 +92,7 @@ def test_heyoka_on_orbits(work: Work):
     pairs, values = family("article-first-harmonic"), {"omega": 0.98, "D": 1.0}
     quiet = attractor(pairs.system(values), pairs.start(values))
     assert isinstance(quiet, Orbit)
-    point = locate_grazing(pairs, values, "omega", quiet, grazing_checks(quiet)[0])
+    point = locate_grazing(pairs, "omega", quiet, grazing_checks(quiet)[0], values=values)
     peer = orbits.Grazing(Pair.of(pairs.system(values)))
     there = peer.locate(lambda omega: Pair.of(pairs.system({"omega": omega, "D": 1.0})), 0.98, quiet.state)
     assert there == pytest.approx(point.value, abs=1e-11)

@@ -53,7 +53,7 @@ def _orbits() -> None:
 
 def _first(family: Family, name: str, start: Orbit, values: dict[str, float]):
     check = next(c for c in grazing_checks(start) if c.boundary == 1)
-    return locate_grazing(family, family.complete(values), name, start, check)
+    return locate_grazing(family, name, start, check, values=family.complete(values))
 
 
 def _closed_forms() -> None:
@@ -100,7 +100,9 @@ def _doublings() -> None:
         ({"omega": 0.79}, "omega"),
         ({"omega": 0.78, "D": 0.386}, "D"),
     ):
-        point = locate_multiplier(article(), article().complete(place), name, orbit(article(), **place), -1)
+        point = locate_multiplier(
+            article(), name, orbit(article(), **place), -1, values=article().complete(place)
+        )
         away = np.abs(point.multipliers + 1).min()
         print(f"doubling of {point.label} at {name} = {point.value:.12f}, |λ+1| = {away:.1e}")
 

@@ -25,7 +25,7 @@ DOUBLINGS = {
 @cache
 def doubling(label: str) -> BifurcationPoint:
     place, name, _ = DOUBLINGS[label]
-    return locate_multiplier(article(), article().complete(place), name, orbit(article(), **place), -1)
+    return locate_multiplier(article(), name, orbit(article(), **place), -1, values=article().complete(place))
 
 
 @pytest.mark.parametrize("label", DOUBLINGS)
@@ -76,7 +76,7 @@ def test_value_by_bisection(label):
 def test_doubling_solved_from_afar_is_the_same():
     label = "1-1-0"
     far = orbit(article(), omega=1.34)
-    point = locate_multiplier(article(), article().complete({"omega": 1.34}), "omega", far, -1)
+    point = locate_multiplier(article(), "omega", far, -1, values=article().complete({"omega": 1.34}))
     assert point.value == pytest.approx(doubling(label).value, rel=1e-10)
 
 
@@ -94,7 +94,7 @@ def test_parametric_resonance_against_hill():
     start = orbit(family, **{**values, "ripple": 0.95 * exact})
     assert start.label == "1-0-0"
     point = locate_multiplier(
-        family, family.complete({**values, "ripple": 0.95 * exact}), "ripple", start, -1
+        family, "ripple", start, -1, values=family.complete({**values, "ripple": 0.95 * exact})
     )
     assert point.status is Status.OK
     assert point.value == pytest.approx(exact, rel=1e-9)
@@ -103,7 +103,7 @@ def test_parametric_resonance_against_hill():
 @cache
 def fold() -> BifurcationPoint:
     start = orbit(article(), omega=1.1)
-    return locate_multiplier(article(), article().complete({"omega": 1.1}), "omega", start, 1)
+    return locate_multiplier(article(), "omega", start, 1, values=article().complete({"omega": 1.1}))
 
 
 def test_fold():
@@ -157,12 +157,12 @@ def test_plus_one_of_a_doubled_orbit_is_no_fold():
     """2-2-0 ends at the doubling of 1-1-0: its multiplier +1 there is not reported as a fold."""
     double = orbit(article(), omega=1.2935)
     assert double.label == "2-2-0"
-    point = locate_multiplier(article(), article().complete({"omega": 1.2935}), "omega", double, 1)
+    point = locate_multiplier(article(), "omega", double, 1, values=article().complete({"omega": 1.2935}))
     assert point.status is not Status.OK
 
 
 def test_no_doubling_is_not_invented():
     """Permanent contact over D: multipliers do not depend on it, so none ever becomes −1."""
     start = orbit(article(), omega=1.047)
-    point = locate_multiplier(article(), article().complete({"omega": 1.047}), "D", start, -1)
+    point = locate_multiplier(article(), "D", start, -1, values=article().complete({"omega": 1.047}))
     assert point.status is Status.NOT_CONVERGED

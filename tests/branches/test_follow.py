@@ -10,7 +10,7 @@ import pytest
 
 from branches.shaken import DEFAULTS, linear, response, shaken, touches
 from branches.test_out_of_range import unbuildable
-from gearlash.branches import BifurcationPoint, BranchEnd, GrazingPoint, Outcome, Passage, follow
+from gearlash.branches import BifurcationPoint, GrazingPoint, Outcome, Passage, PathEnd, follow
 from gearlash.orbits import Orbit, attractor, shoot
 from gearlash.system import ContactRule, Family, GearlashError, Label
 from oracles import closed_forms
@@ -27,15 +27,15 @@ SHAKEN = [
 
 def events(family: Family, values: Mapping[str, float], name: str, found: Orbit, to: float):
     """What is met, and the end."""
-    *met, end = follow(family, values, name, found, to)
+    *met, end = follow(family, name, found, to, values=values)
     assert all(isinstance(one, Passage) for one in met)
-    assert isinstance(end, BranchEnd)
+    assert isinstance(end, PathEnd)
     return [one for one in met if isinstance(one, Passage)], end
 
 
 def first_touch(family: Family, values: Mapping[str, float], name: str, found: Orbit, to: float):
     """The first grazing on the way, or None."""
-    for step in follow(family, values, name, found, to):
+    for step in follow(family, name, found, to, values=values):
         if isinstance(step, Passage) and isinstance(step.point, GrazingPoint):
             return step.point
     return None
@@ -118,7 +118,7 @@ def _label(met: Passage) -> Label:
 
 
 @pytest.fixture(scope="module")
-def falling() -> tuple[Family, dict[str, float], list[Passage], BranchEnd]:
+def falling() -> tuple[Family, dict[str, float], list[Passage], PathEnd]:
     """The pair that falls off a fold, upwards from 0.8, with all that it meets."""
     family = one_dof(load=0.1, error=0.05)
     values = family.complete({"omega": 0.8})
@@ -191,6 +191,6 @@ def test_through_rest(rule):
 def test_the_way_is_told():
     values, told = dict(DEFAULTS), []
     found = linear(shaken(), values)
-    list(follow(shaken(), values, "omega", found, 0.7, tell=told.append))
+    list(follow(shaken(), "omega", found, 0.7, values=values, tell=told.append))
     assert told == sorted(told, reverse=True)
     assert told[-1] == 0.7

@@ -19,7 +19,7 @@ def touching(
 ) -> GrazingPoint:
     """The grazing of the extremum nearest to a boundary."""
     check = next(c for c in grazing_checks(start) if c.boundary == boundary)
-    return locate_grazing(family, family.complete(values), name, start, check)
+    return locate_grazing(family, name, start, check, values=family.complete(values))
 
 
 def beside(family: Family, point: GrazingPoint, relative: float) -> tuple[Orbit, dict[str, float]]:

@@ -19,7 +19,7 @@ from orbits.members import article, built, count_by_marching, one_dof, orbit
 def touching(family: Family, name: str, place: dict[str, float], boundary: int = 1) -> GrazingPoint:
     start = orbit(family, **place)
     check = next(c for c in grazing_checks(start) if c.boundary == boundary)
-    return locate_grazing(family, family.complete(place), name, start, check)
+    return locate_grazing(family, name, start, check, values=family.complete(place))
 
 
 @pytest.mark.parametrize("factor", [0.1, 0.7, 3.0, 20.0])
@@ -62,7 +62,7 @@ def test_gap_of_the_back_side_in_closed_form(back_gap):
     start = Orbit(built(family, **near), shot, 0, shot.status, "")
     assert start.label == "6-6-0"
     check = next(c for c in grazing_checks(start) if c.boundary == -1)
-    point = locate_grazing(family, family.complete(near), "D", start, check)
+    point = locate_grazing(family, "D", start, check, values=family.complete(near))
     assert point.status is Status.OK
     assert point.value == pytest.approx(exact, rel=1e-12)
     assert (point.label_below, point.label_above) == ("6-6-1", "6-6-0")
@@ -109,7 +109,7 @@ def test_numbers_of_a_point_are_plain():
     """What is compared with them is then a plain truth value, which JSON has a form for."""
     family = article()
     doubling = locate_multiplier(
-        family, family.complete({"omega": 0.79}), "omega", orbit(family, omega=0.79), -1
+        family, "omega", orbit(family, omega=0.79), -1, values=family.complete({"omega": 0.79})
     )
     for point in (touching(family, "omega", {"omega": 0.98}), doubling):
         assert not [f.name for f in fields(point) if isinstance(getattr(point, f.name), np.generic)]
@@ -172,7 +172,7 @@ def test_longer_base_period_in_closed_form():
     clear = attractor(built(family, **values), family.start(values))
     assert isinstance(clear, Orbit)
     assert clear.label == "2-0-0"
-    point = locate_grazing(family, family.complete(values), "load", clear, grazing_checks(clear)[0])
+    point = locate_grazing(family, "load", clear, grazing_checks(clear)[0], values=family.complete(values))
     assert point.status is Status.OK
     assert point.value == pytest.approx(exact, rel=1e-10)
     assert (point.label_below, point.label_above) == ("2-1-0", "2-0-0")
@@ -192,7 +192,7 @@ def test_every_extremum_of_an_orbit_gives_a_result_or_says_that_it_is_none():
     family, place = article(), {"omega": 0.78, "D": 0.389}
     start, good = orbit(family, **place), 0
     for check in grazing_checks(start)[:16]:
-        point = locate_grazing(family, family.complete(place), "D", start, check)
+        point = locate_grazing(family, "D", start, check, values=family.complete(place))
         if point.status is not Status.OK:
             continue
         good += 1
@@ -221,7 +221,7 @@ def test_random_pairs(seed):
             continue
         for name, boundary in (("load", 1), ("omega", 1), ("D", -1)):
             check = next(c for c in grazing_checks(start) if c.boundary == boundary)
-            point = locate_grazing(family, family.complete(place), name, start, check)
+            point = locate_grazing(family, name, start, check, values=family.complete(place))
             if point.status is Status.OK and abs(point.multipliers[0]) < 0.9:
                 counted_as_labelled(family, point)
                 verified += 1
@@ -241,9 +241,9 @@ def test_unknown_names_are_named():
     start = orbit(article(), omega=0.98)
     values, check = article().complete({"omega": 0.98}), grazing_checks(start)[0]
     with pytest.raises(UnknownNameError, match="omega"):
-        locate_grazing(article(), values, "omgea", start, check)
+        locate_grazing(article(), "omgea", start, check, values=values)
     with pytest.raises(UnknownNameError, match="omega"):
-        locate_multiplier(article(), values, "omgea", start, -1)
+        locate_multiplier(article(), "omgea", start, -1, values=values)
 
 
 @pytest.mark.parametrize(

@@ -46,7 +46,7 @@ def test_no_touch_in_the_range(omega, name):
     values = {"omega": omega, "load": load, "error": 0.1, "mesh_damping": ZETA / 2}
     family = narrowed(one_dof(), "error", 0.0, 0.15) if name == "error" else one_dof()
     for check in grazing_checks(found := orbit(family, **values)):
-        point = locate_grazing(family, family.complete(values), name, found, check)
+        point = locate_grazing(family, name, found, check, values=family.complete(values))
         assert point.status in (Status.NOT_CONVERGED, Status.NOT_ADMISSIBLE)
         family.complete({name: point.value})  # in the range, or it raises
 
@@ -58,7 +58,7 @@ def test_the_end_of_the_range_beside_the_touch(share):
     family = narrowed(one_dof(), "load", share * exact, 1.0)
     values = {"omega": 0.7, "load": 1.6 * exact, "error": 0.1, "mesh_damping": ZETA / 2}
     found = orbit(family, **values)
-    point = locate_grazing(family, family.complete(values), "load", found, grazing_checks(found)[0])
+    point = locate_grazing(family, "load", found, grazing_checks(found)[0], values=family.complete(values))
     assert point.value >= share * exact
     if share < 1.0:
         assert point.status is Status.OK
@@ -83,10 +83,10 @@ def test_members_that_cannot_be_built(error, multiplier):
     found = orbit(family, **values)
     if multiplier is None:
         check = grazing_checks(found)[0]
-        assert locate_grazing(one_dof(), family.complete(values), "error", found, check).status.ok
-        point = locate_grazing(family, family.complete(values), "error", found, check)
+        assert locate_grazing(one_dof(), "error", found, check, values=family.complete(values)).status.ok
+        point = locate_grazing(family, "error", found, check, values=family.complete(values))
     else:
-        point = locate_multiplier(family, family.complete(values), "error", found, multiplier)
+        point = locate_multiplier(family, "error", found, multiplier, values=family.complete(values))
     assert point.status is Status.NOT_CONVERGED
     assert point.value <= last
 
@@ -98,7 +98,7 @@ def test_no_multiplier_of_this_kind(name, multiplier):
     whatever else is varied, what is returned is a member of the family."""
     values = {"omega": 0.4, "load": 1.0, "error": 0.02, "mesh_damping": ZETA / 2}
     found = orbit(one_dof(), **values)
-    point = locate_multiplier(one_dof(), one_dof().complete(values), name, found, multiplier)
+    point = locate_multiplier(one_dof(), name, found, multiplier, values=one_dof().complete(values))
     one_dof().complete({name: point.value})
     if name in ("load", "error", "D"):
         assert point.status is Status.NOT_CONVERGED

@@ -31,7 +31,7 @@ def test_both_neighbours_nearest_first(gearlash: Gearlash):
     values = FAMILY.complete({"omega": 1.05})
     orbit = attractor(FAMILY.system(values), FAMILY.start(values))
     assert isinstance(orbit, Orbit)
-    near = locate_grazing(FAMILY, values, "omega", orbit, grazing_checks(orbit)[0])
+    near = locate_grazing(FAMILY, "omega", orbit, grazing_checks(orbit)[0], values=values)
     assert min(abs(p["value"] - near.value) for p in answer["points"]) <= 1e-10
 
 

@@ -43,7 +43,7 @@ def touch(
 ) -> GrazingPoint:
     start = orbit(family, **values)
     check = next(c for c in grazing_checks(start, clearance=gap) if c.boundary == boundary)
-    found = locate_grazing(family, family.complete(values), name, start, check)
+    found = locate_grazing(family, name, start, check, values=family.complete(values))
     assert found.status.ok
     return found
 
@@ -109,7 +109,7 @@ def test_a_graze_within_the_error_is_uncertain_and_one_beyond_is_not(name):
 def test_a_doubling_within_the_error_is_uncertain_and_one_beyond_is_not():
     values = {"omega": 0.78, "D": 0.385}
     start = orbit(article(), **values)
-    at = locate_multiplier(article(), article().complete(values), "D", start, -1)
+    at = locate_multiplier(article(), "D", start, -1, values=article().complete(values))
     assert at.status.ok
     found = closed(article(), dict(at.values), at.state, start.shot.period).certificate
     assert found.verdict is Verdict.UNCERTAIN

@@ -108,16 +108,16 @@ def test_the_four_kinds(boundary, what):
     assert isinstance(start, Orbit)
     check = next(c for c in grazing_checks(start) if c.boundary == boundary)
     assert check.kind == kind
-    point = locate_grazing(family, family.complete(mirrored), name, start, check)
+    point = locate_grazing(family, name, start, check, values=family.complete(mirrored))
     assert point.status is Status.OK
     assert point.kind == kind
     assert (point.a0 > 0) == (check.a0 > 0)
     unmirrored = locate_grazing(
         family,
-        family.complete(place),
         name,
         orbit(family, **place),
         next(c for c in grazing_checks(orbit(family, **place)) if c.boundary == sign * boundary),
+        values=family.complete(place),
     )
     assert point.value == pytest.approx(unmirrored.value, rel=1e-12)
     assert point.a0 == pytest.approx(sign * unmirrored.a0, rel=1e-7)
@@ -127,7 +127,7 @@ def test_conditions_hold_at_the_point_and_nowhere_else():
     start = orbit(article(), omega=0.98)
     assert not any(check.holds() for check in grazing_checks(start))
     point = locate_grazing(
-        article(), article().complete({"omega": 0.98}), "omega", start, grazing_checks(start)[0]
+        article(), "omega", start, grazing_checks(start)[0], values=article().complete({"omega": 0.98})
     )
     props = built(article(), omega=point.value)
     shot = Shot(point.state_zero, 1, 0.0, np.eye(10), 0.0, 0, Status.OK)

@@ -62,7 +62,7 @@ def test_grazing():
     props = built(family, **values)
     shot = shoot(props, family.start(values), 1)
     start = Orbit(props, shot, 0, shot.status, "")
-    point = locate_grazing(family, family.complete(values), "load", start, grazing_checks(start)[0])
+    point = locate_grazing(family, "load", start, grazing_checks(start)[0], values=family.complete(values))
     assert point.status is Status.OK
     assert point.value == pytest.approx(exact, rel=1e-12)
 

@@ -64,7 +64,7 @@ def test_a_touch_in_either_gap_is_solved_for(rule, gap, ends):
     """Where it is found, an extremum of that gap, sampled densely, reaches the boundary; labels differ."""
     family = two_gaps(rule)
     found = sweep(family, Axis.even("omega", ends[0], ends[1], 5), direction="up")
-    changes = transitions(family, {}, "omega", found.points)
+    changes = transitions(family, "omega", found.points)
     grazes = [t.point for t in changes if isinstance(t.point, GrazingPoint)]
     at = next(point for point in grazes if point.clearance == gap)
     assert at.status.ok
@@ -92,7 +92,7 @@ def test_changes_along_a_sweep_name_the_gap():
     family = two_gaps()
     found = sweep(family, Axis.even("omega", 0.9, 1.0, 6), direction="up")
     assert [p.certificate for p in found.points] == ["certified"] * 6
-    changes = transitions(family, {}, "omega", found.points)
+    changes = transitions(family, "omega", found.points)
     assert [(c.kind, c.label_below, c.label_above) for c in changes] == [(GRAZING, "1-1-0/1-1", "1-0-0/1-1")]
     assert isinstance(changes[0].point, GrazingPoint)
     assert changes[0].point.clearance == 0
@@ -184,7 +184,7 @@ def test_without_tension_contact_is_lost_where_the_force_ends(omega):
         family, values = one_dof_under(rule), {"omega": omega, "load": 1.05 * load}
         start = orbit(family, **values)
         check = next(c for c in grazing_checks(start) if c.boundary == 1 and c.a0 > 0.0)
-        at = locate_grazing(family, family.complete(values), "load", start, check)
+        at = locate_grazing(family, "load", start, check, values=family.complete(values))
         assert at.status.ok
         assert at.value == pytest.approx(load, rel=1e-12)
         assert at.surface == ("force" if rule is ContactRule.NO_TENSION else "gap")
@@ -202,6 +202,6 @@ def test_a_force_touch_is_solved_for_from_the_separated_side_too(omega):
     start = Orbit(props, shot, 0, shot.status, "")
     assert start.label == "1-1-0"
     check = next(c for c in grazing_checks(start) if c.surface == "force" and c.distance < 0.0)
-    at = locate_grazing(family, family.complete(values), "load", start, check)
+    at = locate_grazing(family, "load", start, check, values=family.complete(values))
     assert at.status.ok
     assert at.value == pytest.approx(exact, rel=1e-12)

@@ -26,7 +26,7 @@ DOUBLINGS = {
 def doubling(which: str) -> BifurcationPoint:
     family, place, name, _ = DOUBLINGS[which]
     short = orbit(family(), **place)
-    return locate_multiplier(family(), family().complete(place), name, short, -1)
+    return locate_multiplier(family(), name, short, -1, values=family().complete(place))
 
 
 def honest(found: Attractor, right: Signature) -> bool:
@@ -80,7 +80,7 @@ def test_extremely_close_to_a_doubling(which, side):
 def fold() -> BifurcationPoint:
     """Where 2-1-0 of the article's pair is born, ω ≈ 1.0922; below it only 1-0-0 is left."""
     born = orbit(article(), omega=1.1)
-    return locate_multiplier(article(), article().complete({"omega": 1.1}), "omega", born, 1)
+    return locate_multiplier(article(), "omega", born, 1, values=article().complete({"omega": 1.1}))
 
 
 @pytest.mark.parametrize("relative", [1e-3, 1e-5, 1e-7])
@@ -148,7 +148,7 @@ def test_beside_a_grazing(which, relative):
     start = orbit(article(), **place)
     boundary = 1 if "window" in which else -1
     check = next(c for c in grazing_checks(start) if c.boundary == boundary)
-    point = locate_grazing(article(), article().complete(place), name, start, check)
+    point = locate_grazing(article(), name, start, check, values=article().complete(place))
     assert point.status is Status.OK
     for side, right in ((-1, below), (1, above)):
         values = {**point.values, name: point.value * (1 + side * relative)}
@@ -161,7 +161,9 @@ def test_beside_a_grazing(which, relative):
 def test_cold_start_just_beside_the_lower_grazing():
     place, _, below, above = GRAZINGS["window, lower end"]
     start = orbit(article(), **place)
-    point = locate_grazing(article(), article().complete(place), "omega", start, grazing_checks(start)[0])
+    point = locate_grazing(
+        article(), "omega", start, grazing_checks(start)[0], values=article().complete(place)
+    )
     for side, right in ((-1, below), (1, above)):
         values = {"omega": point.value * (1 + side * 1e-8)}
         for begin in (article().start({}), displaced(article(), 4)):
@@ -172,7 +174,9 @@ def test_at_the_grazing_itself():
     """On the point, touching lies within rounding: either label, never another one, and never aperiodic."""
     place, _, below, above = GRAZINGS["window, lower end"]
     start = orbit(article(), **place)
-    point = locate_grazing(article(), article().complete(place), "omega", start, grazing_checks(start)[0])
+    point = locate_grazing(
+        article(), "omega", start, grazing_checks(start)[0], values=article().complete(place)
+    )
     found = attractor(built(article(), omega=point.value), article().start({}))
     assert found.label in (below, above)
     assert found.status in (Status.OK, Status.UNCERTAIN)

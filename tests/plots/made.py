@@ -54,7 +54,7 @@ def around_grazing() -> tuple[Motion, Motion, Motion]:
     family, _ = article().family()
     inside = orbit(0.98, 1.0)
     values = family.complete({"omega": 0.98, "D": 1.0})
-    point = locate_grazing(family, values, "omega", inside, grazing_checks(inside)[0])
+    point = locate_grazing(family, "omega", inside, grazing_checks(inside)[0], values=values)
     return moving(0.968, 1.0, 0.968), touching(family, point), moving(0.977, 1.0, 0.977)
 
 

@@ -20,7 +20,7 @@ def end_of_window(omega: float) -> float:
     orbit = attractor(FAMILY.system(values), FAMILY.start(values))
     assert isinstance(orbit, Orbit)
     assert not len(orbit.events)
-    return locate_grazing(FAMILY, values, "omega", orbit, grazing_checks(orbit)[0]).value
+    return locate_grazing(FAMILY, "omega", orbit, grazing_checks(orbit)[0], values=values).value
 
 
 def test_ends_are_the_grazing_points():

@@ -57,7 +57,7 @@ class Bare:
 def test_upwards_it_falls_off_a_fold_on_any_grid(count):
     """1-1-0 on both sides of the fold, and nothing else that changes from there on."""
     done = sweep(pair(), Axis.even("omega", 0.8, 0.84, count), direction="up")
-    found = transitions(pair(), {}, "omega", done.points)
+    found = transitions(pair(), "omega", done.points)
     assert kinds(found) == [(GRAZING, "1-0-0", "1-1-0"), (FOLD, "1-1-0", "1-1-0")]
     assert [t.value for t in found] == pytest.approx([TOUCH_AT, FOLD_AT], abs=1e-7)
     assert isinstance(found[1].point, BifurcationPoint)
@@ -68,7 +68,7 @@ def test_upwards_it_falls_off_a_fold_on_any_grid(count):
 def test_downwards_it_stays_and_returns_elsewhere(count):
     axis = Axis.even("omega", 0.69, 0.84, count)
     done = sweep(pair(), axis, direction="down")
-    found = transitions(pair(), {}, "omega", done.points, rising=False)
+    found = transitions(pair(), "omega", done.points, rising=False)
     assert kinds(found) == [(FOLD, "1-0-0", "1-1-0")]
     assert found[0].value == pytest.approx(RETURN_AT, abs=1e-7)
 
@@ -77,7 +77,7 @@ def test_the_mirrored_pair_does_the_same():
     """X → -X with load and error negated: the same values on the back side."""
     fixed = {"load": -0.1, "error": -0.05}
     done = sweep(pair(), Axis.even("omega", 0.8, 0.84, 9), direction="up", values=fixed)
-    found = transitions(pair(), fixed, "omega", done.points)
+    found = transitions(pair(), "omega", done.points, values=fixed)
     assert kinds(found) == [(GRAZING, "1-0-0", "1-0-1"), (FOLD, "1-0-1", "1-0-1")]
     assert [t.value for t in found] == pytest.approx([TOUCH_AT, FOLD_AT], abs=1e-7)
 
@@ -91,7 +91,7 @@ def test_a_resonance_is_no_jump(count, damping):
     for omega in np.linspace(0.5, 1.5, count):
         found = linear(shaken(), {**shaken().defaults, **fixed, "omega": float(omega)})
         points.append(Bare(float(omega), found.label, found.period, found.state))
-    assert transitions(shaken(), fixed, "omega", points) == ()
+    assert transitions(shaken(), "omega", points, values=fixed) == ()
 
 
 def test_a_change_of_basin_between_orbits_of_one_label():
@@ -102,7 +102,7 @@ def test_a_change_of_basin_between_orbits_of_one_label():
     assert lower.label == upper.label == "1-1-0"
     rows = [Bare(0.824, Signature(1, 1), 1, lower.state), Bare(0.826, Signature(1, 1), 1, upper.state)]
     for rising in (True, False):
-        (change,) = transitions(pair(), {}, "omega", rows, rising=rising)
+        (change,) = transitions(pair(), "omega", rows, rising=rising)
         assert (change.kind, change.label_below, change.label_above) == (BASIN, "1-1-0", "1-1-0")
         assert (change.lower, change.upper, change.point) == (0.824, 0.826, None)
 
@@ -113,14 +113,14 @@ def test_orbits_begun_at_another_base_period_are_one():
     assert one.label == two.label == "2-2-0"
     for state in (two.state, flow.march(built(article(), omega=1.281), two.state, 1).states[-1]):
         rows = [Bare(p.value, p.label, p.period, s) for p, s in ((one, one.state), (two, state))]
-        assert transitions(article(), {}, "omega", rows) == ()
+        assert transitions(article(), "omega", rows) == ()
 
 
 def test_a_window_of_contact_between_two_points_is_seen():
     """Labels at both ends differ by one touch, but the motion between goes through three more changes."""
     family = two_gaps(ContactRule.IN_CONTACT)
     done = sweep(family, Axis.even("omega", 0.9, 1.0, 3), direction="up")
-    found = transitions(family, {}, "omega", done.points)
+    found = transitions(family, "omega", done.points)
     assert [t.kind for t in found] == [GRAZING, GRAZING, FOLD, GRAZING]
     for one, two in pairwise(found):
         assert one.value < two.value
@@ -137,7 +137,7 @@ def test_what_cannot_be_followed_is_not_decided():
 
     family = replace(pair(), build=build)
     done = sweep(family, Axis.even("omega", 0.6, 0.63, 2), direction="up")
-    (change,) = transitions(family, {}, "omega", done.points)
+    (change,) = transitions(family, "omega", done.points)
     assert change.kind == UNDECIDED
     assert 0.6 <= change.lower <= 0.61
     assert 0.62 <= change.upper <= 0.63
@@ -179,12 +179,12 @@ def test_on_a_smooth_branch_one_step_joins_neighbours(rising, monkeypatch):
     module = sys.modules["gearlash.studies.transitions"]
     original = module.follow
 
-    def counted(family, values, name, *rest, **more):
+    def counted(family, name, orbit, to, *, values, longest):
         begun.append(values[name])
-        return original(family, values, name, *rest, **more)
+        return original(family, name, orbit, to, values=values, longest=longest)
 
     monkeypatch.setattr(module, "follow", counted)
     points = sweep(pair(), Axis.even("omega", 0.9, 0.92, 5)).points
     assert len({p.label for p in points}) == 1
-    assert transitions(pair(), {}, "omega", points, rising=rising) == ()
+    assert transitions(pair(), "omega", points, rising=rising) == ()
     assert begun == [points[0 if rising else -1].value]

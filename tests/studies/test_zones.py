@@ -288,7 +288,7 @@ def test_an_end_does_not_depend_on_the_step_of_the_sweep():
     assert down.points[0].label == "1-1-0"
     orbit = orbits.attractor(family.system({"omega": 0.503}), down.points[0].state)
     assert isinstance(orbit, orbits.Orbit)
-    fold = locate_multiplier(family, {"omega": 0.503}, "omega", orbit, 1)
+    fold = locate_multiplier(family, "omega", orbit, 1, values={"omega": 0.503})
     end = studies.zones(drive, Axis("omega", values)).zones[0].upper
     assert (end.kind, end.inside, end.outside) == ("fold", "1-0-0", "1-1-0")
     assert end.value == pytest.approx(fold.value, rel=1e-9)

@@ -165,7 +165,9 @@ def _located(branch: _Branch, followed: list[tuple[float, float, Orbit]]) -> Gra
     _, mu, orbit = followed[-1]
     wanted = followed[0][2].signature.twice
     for check in grazing_checks(orbit)[:NEAREST]:
-        graze = locate_grazing(branch.family, {**branch.values, branch.name: mu}, branch.name, orbit, check)
+        graze = locate_grazing(
+            branch.family, branch.name, orbit, check, values={**branch.values, branch.name: mu}
+        )
         near = abs(graze.value - branch.value) <= FARTHEST * abs(branch.value)
         towards = graze.label_above if graze.value < branch.value else graze.label_below
         known = graze.status is Status.OK and MotionKind.NONE not in (graze.label_below, graze.label_above)

@@ -34,7 +34,7 @@ def table2_type(point: GrazingPoint | BifurcationPoint, critical: float = CRITIC
     >>> family, _ = gl.load_case("article").family()
     >>> orbit = gl.attractor(family.system({"omega": 1.05}), family.start({"omega": 1.05}))
     >>> check = gl.grazing_checks(orbit)[0]
-    >>> table2_type(gl.locate_grazing(family, {"omega": 1.05}, "omega", orbit, check))
+    >>> table2_type(gl.locate_grazing(family, "omega", orbit, check, values={"omega": 1.05}))
     'standard grazing'
     """
     if isinstance(point, BifurcationPoint):

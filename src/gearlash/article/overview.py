@@ -76,7 +76,7 @@ def _ends(family: Family) -> tuple[GrazingPoint, GrazingPoint]:
             omega, last = omega + step, beyond
         values = family.complete({"omega": omega})
         check = grazing_checks(last)[0]
-        found.append(locate_grazing(family, values, "omega", last, check))
+        found.append(locate_grazing(family, "omega", last, check, values=values))
     return found[0], found[1]
 
 

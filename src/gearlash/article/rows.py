@@ -65,7 +65,7 @@ def locate(case_json: str, done: Sweep, part: int) -> tuple[Transition, ...]:
     points = [point for point in done.points if point.computed]
     first, last = (place * max(0, len(points) - 1) // PARTS for place in (part, part + 1))
     rising = done.direction is not Direction.DOWN
-    return transitions(family, done.fixed, done.axis.name, points[first : last + 1], rising=rising)
+    return transitions(family, done.axis.name, points[first : last + 1], values=done.fixed, rising=rising)
 
 
 def distinct(rows: tuple[Row, ...]) -> list[tuple[Transition, tuple[Direction, ...]]]:

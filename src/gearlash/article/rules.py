@@ -64,7 +64,7 @@ def effect(
     down = sweep(
         case, Axis("D", np.array(sorted(backlash))), values=along, direction=Direction.DOWN, settings=SETTINGS
     )
-    found = transitions(family, along, "D", down.points, rising=False)
+    found = transitions(family, "D", down.points, values=along, rising=False)
     return RuleEffect(
         rule=rule,
         stated=rule == stated,
@@ -93,7 +93,7 @@ def _end(family: Family, values: Mapping[str, float], quiet: Point, to: float) -
     orbit = orbit_at(flow.propagators(family.system(member)), quiet.state, len(quiet.strobes))
     if orbit is None:
         return None
-    for met in follow(family, member, "omega", orbit, to):
+    for met in follow(family, "omega", orbit, to, values=member):
         if isinstance(met, Passage) and isinstance(met.point, GrazingPoint):
             return _touch(met.point)
     return None

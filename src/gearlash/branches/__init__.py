@@ -2,19 +2,19 @@
 two-parameter curves have their place here too."""
 
 from .bifurcation import BifurcationPoint, locate_multiplier
-from .ending import Outcome, SpecialPoint
-from .follow import BranchEnd, Passage, follow, joins
+from .ending import Outcome, SolvedPoint
+from .follow import Passage, PathEnd, follow, joins
 from .grazing import GrazingPoint, locate_grazing
 from .node import Node
 
 __all__ = [
     "BifurcationPoint",
-    "BranchEnd",
     "GrazingPoint",
     "Node",
     "Outcome",
     "Passage",
-    "SpecialPoint",
+    "PathEnd",
+    "SolvedPoint",
     "follow",
     "joins",
     "locate_grazing",

@@ -16,7 +16,7 @@ from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.orbits import Orbit, orbit_at, shoot
 from gearlash.orbits.floquet import ordered
-from gearlash.system import Family, GearlashError, Label, MotionKind, Record, Status, given
+from gearlash.system import Family, GearlashError, HasFamily, Label, MotionKind, Record, Status, given
 
 from .steps import UNBUILT, checked, difference, longest_step, member, within_range
 
@@ -53,18 +53,23 @@ class BifurcationPoint(Record):
 
 
 def locate_multiplier(
-    family: Family, values: Mapping[str, float], name: str, orbit: Orbit, multiplier: int
+    model: Family | HasFamily,
+    name: str,
+    orbit: Orbit,
+    multiplier: int,
+    *,
+    values: Mapping[str, float | str] | None = None,
 ) -> BifurcationPoint:
     """The value of ``name`` nearest to the orbit's at which a multiplier of it is ``multiplier`` (-1 or +1).
 
     Status `not-admissible`: a multiplier +1 where the orbit is born from one of half its period, no fold.
     """
-    values = checked(family, values, name, orbit)
+    family, members, name = checked(model, values, name, orbit)
     multiplier = given.whole("multiplier", multiplier, -1, 1)
     if multiplier == 0:
         raise GearlashError("multiplier is 0: expected -1 (a doubling) or 1 (a fold)")
-    problem = _Problem(family, values, name, float(orbit.period), multiplier)
-    unknown, residual, change = problem.solve(np.append(orbit.state, float(values[name])))
+    problem = _Problem(family, members, name, float(orbit.period), multiplier)
+    unknown, residual, change = problem.solve(np.append(orbit.state, float(members[name])))
     state, mu = unknown[:-1], float(unknown[-1])
     props = problem.system_at(mu)
     _, jacobian = problem.equations(props, state)
@@ -76,7 +81,7 @@ def locate_multiplier(
         name=name,
         value=mu,
         error=change,
-        values={**values, name: mu},
+        values={**members, name: mu},
         multiplier=multiplier,
         period=orbit.period,
         state=state,

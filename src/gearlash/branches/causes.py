@@ -10,7 +10,7 @@ import numpy as np
 from gearlash.system import Status
 
 from .bifurcation import BifurcationPoint, locate_multiplier
-from .ending import SpecialPoint, ends_branch, is_close, is_fold
+from .ending import SolvedPoint, ends_branch, is_close, is_fold
 from .grazing import GrazingPoint, locate_grazing
 from .node import Node
 from .stepping import Earlier, Line, rates
@@ -28,7 +28,7 @@ class Causes:
     """Points ahead of ``before`` in the way of ``sign``, nearest first."""
 
     before: Node
-    points: tuple[SpecialPoint, ...]
+    points: tuple[SolvedPoint, ...]
 
     @staticmethod
     def ahead(
@@ -37,7 +37,7 @@ class Causes:
         """Those that a refused step from ``before`` to ``value`` may have met: touches, and where the orbit
         loses its stability or ends."""
         sign = 1.0 if value > before.value else -1.0
-        found: list[SpecialPoint] = []
+        found: list[SolvedPoint] = []
         if touches:
             found += _grazings(line, before, earlier, value)
         if losses:
@@ -46,7 +46,7 @@ class Causes:
         ahead = (p for p in found if sign * (p.value - before.value) >= -slack(p.value))
         return Causes(before, tuple(sorted(ahead, key=lambda p: sign * p.value)))
 
-    def up_to(self, value: float, sign: float) -> Iterator[SpecialPoint]:
+    def up_to(self, value: float, sign: float) -> Iterator[SolvedPoint]:
         """Those not beyond a value. No step leads to where a branch ends, only ever nearer: that is met as
         soon as it is believed."""
         for point in self.points:
@@ -72,7 +72,7 @@ def _grazings(line: Line, before: Node, earlier: Earlier, value: float) -> Itera
             tried.append((abs(check.distance) / size, check))
     for _, check in sorted(tried, key=lambda one: one[0])[:TRIES]:
         try:
-            point = locate_grazing(line.family, line.at(before.value), line.name, before.orbit, check)
+            point = locate_grazing(line.family, line.name, before.orbit, check, values=line.at(before.value))
         except UNBUILT:
             continue
         near = point.label_below if sign > 0 else point.label_above
@@ -88,7 +88,9 @@ def _multipliers(line: Line, before: Node) -> Iterator[BifurcationPoint]:
         if (target * real).max(initial=0.0) < WORTH:
             continue
         try:
-            point = locate_multiplier(line.family, line.at(before.value), line.name, before.orbit, target)
+            point = locate_multiplier(
+                line.family, line.name, before.orbit, target, values=line.at(before.value)
+            )
         except UNBUILT:
             continue
         stable = float(np.abs(point.multipliers).max()) <= 1.0 + LEADING  # what crossed ±1 before was the end
@@ -109,7 +111,7 @@ def _joined(line: Line, before: Node) -> Iterator[BifurcationPoint]:
         single = line.orbit(before.value, between, half, orbit)
         if single is None or single.shot.period != half or before.label != single.signature.twice:
             return
-        point = locate_multiplier(line.family, line.at(before.value), line.name, single, -1)
+        point = locate_multiplier(line.family, line.name, single, -1, values=line.at(before.value))
     except UNBUILT:
         return
     if point.status is Status.OK and point.label == single.label and is_close(line, before, point):

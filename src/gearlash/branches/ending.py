@@ -17,7 +17,7 @@ from .node import Node, Pair
 from .stepping import Line, Refusal
 from .steps import member
 
-SpecialPoint = GrazingPoint | BifurcationPoint
+SolvedPoint = GrazingPoint | BifurcationPoint
 FOLD_NEAR = 1e-3  # of the scale: a fold is believed from an orbit so near
 FOLD_APART = 0.1  # of the orbit's ranges: and that lies so near in the state
 AT_ONE = 0.99  # a leading multiplier above it, where no step is short enough, is that of a fold
@@ -69,12 +69,12 @@ def _touches_before(line: Line, before: Node, point: BifurcationPoint) -> bool:
     return there is None or Pair(before, Node(point.value, there)).crossed
 
 
-def ends_branch(point: SpecialPoint, orbit: Node) -> bool:
+def ends_branch(point: SolvedPoint, orbit: Node) -> bool:
     """Whether the branch of an orbit ends at a point ahead: in a fold, or in the orbit of half its period."""
     return isinstance(point, BifurcationPoint) and (point.multiplier > 0 or point.period < orbit.orbit.period)
 
 
-def at_point(point: SpecialPoint, before: Node, longest: int) -> Outcome:
+def at_point(point: SolvedPoint, before: Node, longest: int) -> Outcome:
     """Of an orbit that was followed to a point, and not beyond it."""
     if isinstance(point, GrazingPoint):
         return Outcome.TOUCH

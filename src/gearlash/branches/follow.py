@@ -14,15 +14,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearlash.orbits import Orbit
-from gearlash.system import Family
+from gearlash.system import Family, HasFamily, given, plain_values
 
 from .bifurcation import BifurcationPoint
 from .causes import Causes, slack
-from .ending import Outcome, SpecialPoint, at_point, ends_branch, without_point
+from .ending import Outcome, SolvedPoint, at_point, ends_branch, without_point
 from .grazing import GrazingPoint
 from .node import Array, Node
 from .stepping import Earlier, Line, Refusal, Step
-from .steps import UNBUILT
+from .steps import UNBUILT, checked
 
 FIRST, LONGEST, NARROW = 1e-6, 1e-2, 1e-9  # of the scale: first, longest and shortest step
 STRAIGHT, BENT = 0.02, 0.06  # bends below which the next step is longer
@@ -47,7 +47,7 @@ class Passage:
     """A point on the way: the orbit ``before`` it, and the one ``after`` it that is followed on (None:
     it ends here)."""
 
-    point: SpecialPoint
+    point: SolvedPoint
     before: Node
     after: Node | None
 
@@ -57,7 +57,7 @@ class Passage:
 
 
 @dataclass(frozen=True, eq=False)
-class BranchEnd:
+class PathEnd:
     """The last orbit that was followed, and the nearest value beyond at which a step was refused (its own
     where it arrived): a fold that is no `Passage` lies between them."""
 
@@ -68,21 +68,24 @@ class BranchEnd:
 
 
 def follow(
-    family: Family,
-    values: Mapping[str, float],
+    model: Family | HasFamily,
     name: str,
     orbit: Orbit,
-    to: float,
+    to: float | str,
     *,
+    values: Mapping[str, float | str] | None = None,
     tell: Callable[[float], object] | None = None,
     longest: int = LONGEST_PERIOD,
-) -> Iterator[Passage | BranchEnd]:
+) -> Iterator[Passage | PathEnd]:
     """Follows ``orbit`` (stable, found at ``values``) to the value ``to`` of parameter ``name``: every touch,
-    doubling and fold in the order in which it is met, then a `BranchEnd`. ``tell`` hears the value after
+    doubling and fold in the order in which it is met, then a `PathEnd`. ``tell`` hears the value after
     every step; doublings are passed up to a period of ``longest`` base periods."""
-    start = float(values[name])
-    scale = max(abs(start), abs(to - start))
-    yield from _Follower(Line(family, values, name, scale), to, tell, longest).run(Node(start, orbit))
+    family, members, short = checked(model, values, name, orbit)
+    target = plain_values(model, family, {name: to})[short]
+    start = members[short]
+    scale = max(abs(start), abs(target - start))
+    line = Line(family, members, short, scale)
+    return _Follower(line, target, tell, given.whole("longest", longest)).run(Node(start, orbit))
 
 
 def joins(
@@ -103,13 +106,13 @@ class _Follower:
             tuple[bool, bool], Causes
         ] = {}  # that lie ahead of one orbit, by what was looked for
 
-    def run(self, node: Node) -> Iterator[Passage | BranchEnd]:
+    def run(self, node: Node) -> Iterator[Passage | PathEnd]:
         earlier: Earlier = ()
         sign = 1.0 if self.to > node.value else -1.0
         width = first = FIRST * self.line.scale
         for _ in range(MOST):
             if node.value == self.to:
-                yield BranchEnd(Outcome.ARRIVED, node, node.value)
+                yield PathEnd(Outcome.ARRIVED, node, node.value)
                 return
             value = node.value + sign * width
             if sign * (self.to - value) <= 0.5 * width:
@@ -125,20 +128,20 @@ class _Follower:
             if met is not None:
                 yield met
                 if met.after is None:
-                    yield BranchEnd(at_point(met.point, met.before, self.longest), met.before, met.value)
+                    yield PathEnd(at_point(met.point, met.before, self.longest), met.before, met.value)
                     return
                 node, earlier, width = met.after, (), first
                 continue
             width = 0.5 * abs(value - node.value)
             if width < NARROW * self.line.scale:
-                yield BranchEnd(
+                yield PathEnd(
                     without_point(self.line, node, step.refusal),
                     node,
                     value,
                     step.reason or str(step.refusal),
                 )
                 return
-        yield BranchEnd(Outcome.LOST, node, node.value, f"{MOST} steps were not enough")
+        yield PathEnd(Outcome.LOST, node, node.value, f"{MOST} steps were not enough")
 
     def longer(self, width: float, step: Step) -> float:
         factor = 3.0 if step.bend < STRAIGHT else 1.5 if step.bend < BENT else 1.0
@@ -170,7 +173,7 @@ class _Follower:
             return Passage(point, before, self.beyond(point, sign))
         return None
 
-    def joined(self, point: SpecialPoint, node: Node, sign: float) -> Node | None:
+    def joined(self, point: SolvedPoint, node: Node, sign: float) -> Node | None:
         """The stable orbit of half the period, beyond the doubling from which an orbit was born."""
         if point.period == node.orbit.period:
             return None
@@ -180,7 +183,7 @@ class _Follower:
         )
         return next((after for after in beyond if after is not None), None)
 
-    def beyond(self, point: SpecialPoint, sign: float) -> Node | None:
+    def beyond(self, point: SolvedPoint, sign: float) -> Node | None:
         """The stable orbit beyond a touch or a doubling."""
         if isinstance(point, GrazingPoint):
             label = point.label_above if sign > 0.0 else point.label_below
@@ -195,9 +198,7 @@ class _Follower:
                 return node
         return None
 
-    def values_beyond(
-        self, point: SpecialPoint, sign: float, relatives: tuple[float, ...]
-    ) -> Iterator[float]:
+    def values_beyond(self, point: SolvedPoint, sign: float, relatives: tuple[float, ...]) -> Iterator[float]:
         """Values just beyond a point, but not beyond the value to which it is followed."""
         for relative in relatives:
             value = point.value + sign * relative * max(abs(point.value), 1e-3)

@@ -24,7 +24,7 @@ from gearlash.orbits.contact_force import force_extrema
 from gearlash.orbits.extrema import gap_extrema
 from gearlash.orbits.floquet import ordered, rate
 from gearlash.orbits.grazing import KINDS, Surface
-from gearlash.system import Family, Label, MotionKind, Record, Status, given
+from gearlash.system import Family, HasFamily, Label, MotionKind, Record, Status, given
 
 from .critical import distance_to_unit
 from .sides import Sides
@@ -100,16 +100,21 @@ class GrazingPoint(Record):
 
 
 def locate_grazing(
-    family: Family, values: Mapping[str, float], name: str, orbit: Orbit, check: GrazingCheck
+    model: Family | HasFamily,
+    name: str,
+    orbit: Orbit,
+    check: GrazingCheck,
+    *,
+    values: Mapping[str, float | str] | None = None,
 ) -> GrazingPoint:
     """The value of parameter ``name`` at which the extremum ``check`` of ``orbit`` (found at ``values``)
     touches its boundary. The value is good to about 1e-12 of itself where the status is ok; `not-converged`
     (also: the way there leaves the range of the parameter, or comes to values that have no system) and
     `not-admissible` (the labels beside it do not differ by one contact) say that it is no result."""
-    values = checked(family, values, name, orbit)
+    family, members, name = checked(model, values, name, orbit)
     given.instance("check", check, GrazingCheck, "one of gearlash.grazing_checks(orbit)")
     given.whole("clearance of the check", check.clearance, 0, len(orbit.propagators.rules) - 1)
-    problem = _Problem.of(family, values, name, orbit, check)
+    problem = _Problem.of(family, members, name, orbit, check)
     props, unknown, residual, error = problem.solve()
     mu = float(unknown[-1])
     touch = problem.touching.carried(props, unknown[:-2], float(unknown[-2]))
@@ -130,7 +135,7 @@ def locate_grazing(
         name=name,
         value=mu,
         error=error,
-        values={**values, name: mu},
+        values={**members, name: mu},
         boundary=check.boundary,
         phase=float((unknown[-2] - problem.zero) % orbit.period),
         a0=problem.touching.curvature(props, unknown[:-2], float(unknown[-2])),

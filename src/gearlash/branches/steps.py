@@ -9,7 +9,16 @@ import numpy as np
 from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.orbits import Orbit
-from gearlash.system import Family, GearlashError, Parameter, given
+from gearlash.system import (
+    Family,
+    GearlashError,
+    HasFamily,
+    Parameter,
+    family_of,
+    given,
+    plain_values,
+    short_name,
+)
 
 PART = 0.05  # of the parameter
 SIGNED = 1.0  # a parameter that may change its sign (a load, a phase) is taken for this large at least
@@ -23,17 +32,20 @@ def named(family: Family, name: str) -> Parameter:
     return by_name[given.known("parameter", name, by_name)]
 
 
-def checked(family: Family, values: Mapping[str, float], name: str, orbit: Orbit) -> dict[str, float]:
-    """All values of the member that an orbit is of. Raises `GearlashError` for arguments that do not fit."""
-    given.instance("family", family, Family, "a Family, as from case.family()[0]")
-    named(family, name)
+def checked(
+    model: Family | HasFamily, values: Mapping[str, float | str] | None, name: str, orbit: Orbit
+) -> tuple[Family, dict[str, float], str]:
+    """The family, all values of the member that an orbit is of, and the short name of the parameter. Raises
+    `GearlashError` for arguments that do not fit."""
+    family = family_of(model)
+    name = short_name(model, family, name)
     given.instance("orbit", orbit, Orbit, "an Orbit, as from gearlash.attractor")
     if orbit.propagators.system.size != len(family.states):
         raise GearlashError(
             f"the orbit has {orbit.propagators.system.size} states, the family {len(family.states)}: "
             "expected an orbit of a member of this family"
         )
-    return family.complete(values)
+    return family, family.complete(plain_values(model, family, values)), name
 
 
 def longest_step(family: Family, name: str, value: float) -> float:

@@ -10,10 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 from gearlash.jobs import Execution
 from gearlash.orbits import Settings
 from gearlash.results import Axis
-from gearlash.system import Family, GearlashError, given
+from gearlash.system import Family, GearlashError, given, plain_values
 
 from .model import Model, Source, check_travels
-from .named import plain_values
 
 
 def checked_settings(settings: Settings | None) -> Settings:

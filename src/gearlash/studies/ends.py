@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches import BranchEnd, Outcome, Passage, SpecialPoint, follow
+from gearlash.branches import Outcome, Passage, PathEnd, SolvedPoint, follow
 from gearlash.jobs import Part
 from gearlash.orbits import Orbit, Settings, orbit_at
 from gearlash.results import Direction, Point
@@ -77,7 +77,7 @@ class _Change:
     error: float
     before: Point
     after: Label | None
-    point: SpecialPoint | None
+    point: SolvedPoint | None
     outcome: Outcome | None
 
     @property
@@ -116,14 +116,16 @@ class _Search:
         if orbit is None or not orbit.stable:
             return None
         most = self.bracket.settings.max_period
-        for met in follow(self.family, self.at(point.value), self.bracket.name, orbit, last, longest=most):
-            if isinstance(met, BranchEnd):
+        for met in follow(
+            self.family, self.bracket.name, orbit, last, values=self.at(point.value), longest=most
+        ):
+            if isinstance(met, PathEnd):
                 return self.ended(met)
             if met.after is None or self.holds(met.after.orbit) != self.holds(met.before.orbit):
                 return self.passed(met)
-        raise AssertionError("what is followed ends with a BranchEnd")
+        raise AssertionError("what is followed ends with a PathEnd")
 
-    def ended(self, end: BranchEnd) -> _Change | None:
+    def ended(self, end: PathEnd) -> _Change | None:
         """The end of an orbit that no point was solved for, if it is one."""
         if end.outcome not in (Outcome.FOLD, Outcome.UNSTABLE):
             return None

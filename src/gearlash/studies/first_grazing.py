@@ -6,16 +6,15 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Literal
 
 from gearlash import flow
-from gearlash.branches import BifurcationPoint, BranchEnd, GrazingPoint, Outcome, Passage, follow
+from gearlash.branches import BifurcationPoint, GrazingPoint, Outcome, Passage, PathEnd, follow
 from gearlash.jobs.stop import interruptible
 from gearlash.orbits import Settings, orbit_at
 from gearlash.results import Direction, Point
 from gearlash.results.followed import INTERRUPTED, Passed, Path
-from gearlash.system import Family, GearlashError, MotionKind, given
+from gearlash.system import Family, GearlashError, MotionKind, given, plain_values
 
 from .arguments import checked_settings
 from .model import Model, Source
-from .named import plain_values
 
 REACH = 0.95  # as far as it is followed, relative to the value at the start
 SMALL = 1e-3  # what counts as the size of a small value
@@ -91,7 +90,7 @@ def first_grazing(
     try:
         with interruptible():
             for step in _steps(family, others, name, start, to, told, settings):
-                if isinstance(step, BranchEnd):
+                if isinstance(step, PathEnd):
                     ended, decided = _ended(step, family, name)
                     return Path(direction, step.last.value, ended, decided, "", tuple(passed)), None
                 if isinstance(step.point, GrazingPoint):
@@ -103,7 +102,7 @@ def first_grazing(
         if found is None:
             return Path(direction, reached, INTERRUPTED, False, "", tuple(passed)), None
         beyond = INTERRUPTED
-    assert found is not None  # what is followed ends with a BranchEnd
+    assert found is not None  # what is followed ends with a PathEnd
     assert isinstance(found.point, GrazingPoint)
     ended = f"grazing at {found.value:.10g}"
     return Path(direction, found.value, ended, True, beyond, tuple(passed)), found.point
@@ -137,13 +136,13 @@ def _steps(
     to: float,
     told: Callable[[float], object],
     settings: Settings,
-) -> Iterator[Passage | BranchEnd]:
+) -> Iterator[Passage | PathEnd]:
     """The way from a point of a study."""
     props = flow.propagators(family.system(values))
     orbit = orbit_at(props, start.state, len(start.strobes))
     if orbit is None:
         raise GearlashError("start: no orbit closes there; expected a point of this model at this value")
-    yield from follow(family, values, name, orbit, to, tell=told, longest=settings.max_period)
+    yield from follow(family, name, orbit, to, values=values, tell=told, longest=settings.max_period)
 
 
 def _last(family: Family, name: str, value: float, direction: str) -> float:
@@ -153,7 +152,7 @@ def _last(family: Family, name: str, value: float, direction: str) -> float:
     return min(value + reach, parameter.upper) if direction == "up" else max(value - reach, parameter.lower)
 
 
-def _ended(end: BranchEnd, family: Family, name: str) -> tuple[str, bool]:
+def _ended(end: PathEnd, family: Family, name: str) -> tuple[str, bool]:
     """Why the motion was not followed further, and whether that is the end of it, or of the search."""
     if end.outcome is Outcome.ARRIVED:
         parameter = next(p for p in family.parameters if p.name == name)
@@ -181,7 +180,7 @@ def _beyond(family: Family, values: Mapping[str, float], name: str, met: Passage
     to = met.value + sign * min(BEYOND * max(abs(met.value), SMALL), abs(farthest - met.value))
     if sign * (to - node.value) <= 0.0:
         return ""
-    step = next(follow(family, {**values, name: node.value}, name, node.orbit, to))
+    step = next(follow(family, name, node.orbit, to, values={**values, name: node.value}))
     if isinstance(step, Passage):
         if isinstance(step.point, GrazingPoint):
             return f"{node.label} goes on to the next grazing, at {step.value:.10g}"

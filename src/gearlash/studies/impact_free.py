@@ -21,10 +21,9 @@ from gearlash.orbits import Orbit, orbit_at
 from gearlash.orbits.contact_force import force_extrema
 from gearlash.orbits.minimum import Sample, bracketed_minimum
 from gearlash.results.impact_free import Ending, ImpactFree
-from gearlash.system import ContactRule, GearlashError, Parameter, System, given
+from gearlash.system import ContactRule, GearlashError, Parameter, System, given, plain_values
 
 from .model import Model, Source
-from .named import plain_values
 
 STEP = 1.01  # factor from one speed of the search to the next
 REACH = 2.0  # factor to which it goes, up and down

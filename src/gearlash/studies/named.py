@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from gearlash.case import Case
 from gearlash.results import Axis
 from gearlash.system import Family, GearlashError, given
+from gearlash.system.model import plain_value
 
 from .model import Model
 
@@ -23,7 +24,7 @@ def plain_axis(model: Model, family: Family, axis: Axis) -> Axis:
         return axis
     if not isinstance(model, Case):
         raise GearlashError(f"axis {axis.name} in {axis.unit}: a Family has no units; expected plain numbers")
-    plain = [_plain(model, axis.name, _stated(value, axis.unit)) for value in _asked(axis)]
+    plain = [plain_value(model, axis.name, _stated(value, axis.unit)) for value in _asked(axis)]
     short, numbers = plain[0][0], np.array([number for _, number in plain])
     return Axis(short, np.linspace(numbers[0], numbers[-1], len(axis)) if _is_even(axis) else numbers)
 
@@ -38,27 +39,6 @@ def _is_even(axis: Axis) -> bool:
     return len(axis) > 1 and np.array_equal(values, np.linspace(values[0], values[-1], len(axis)))
 
 
-def plain_values(model: Model, family: Family, values: object) -> dict[str, float]:
-    """Values of parameters by short name, dimensionless. Raises `GearlashError` for names and values that do
-    not fit, and for one quantity under two names."""
-    found: dict[str, float] = {}
-    names: dict[str, str] = {}
-    for name, value in given.mapping("values", values).items():
-        plain = name in family.defaults and not isinstance(value, str)
-        if plain or not isinstance(model, Case):
-            short, number = given.known("parameter", name, family.defaults), given.number(name, value)
-        else:
-            short, number = _plain(model, name, value)
-        if short in names:
-            raise GearlashError(f"values: {names[short]} and {name} name the same quantity")
-        names[short], found[short] = name, number
-    return found
-
-
 def _stated(value: float, unit: str) -> float | str:
     """As it would stand in a case file."""
     return f"{float(value)!r} {unit}" if unit else float(value)
-
-
-def _plain(case: Case, name: str, value: object) -> tuple[str, float]:
-    return case.resolve(name, value if isinstance(value, str) else given.number(name, value))

@@ -13,12 +13,11 @@ from gearlash.flow import Propagators
 from gearlash.flow.events import gap_displacement
 from gearlash.orbits import Attractor, Orbit, Settings, attractor
 from gearlash.results import FAILED, Point, blank
-from gearlash.system import Family, GearlashError, Status, given
+from gearlash.system import Family, GearlashError, Status, given, plain_values
 
 from .arguments import checked_settings
 from .forces import force_figures
 from .model import Model, Source
-from .named import plain_values
 
 TRACEABLE = (Status.OK, Status.UNCERTAIN, Status.UNRESOLVED, Status.NEUTRAL)
 NOT_A_NUMBER = float("nan")

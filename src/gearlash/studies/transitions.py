@@ -21,17 +21,18 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.branches import (
     BifurcationPoint,
-    BranchEnd,
     GrazingPoint,
     Node,
     Outcome,
-    SpecialPoint,
+    PathEnd,
+    SolvedPoint,
     follow,
     joins,
 )
 from gearlash.orbits import Orbit, Settings, Unresolved, attractor, orbit_at
-from gearlash.system import Family, GearlashError, Label, MotionKind, Record, given
+from gearlash.system import Family, GearlashError, Label, MotionKind, Record, given, plain_values, short_name
 
+from .model import Model, Source
 from .smooth import plainly_one
 from .zone import BASIN
 
@@ -126,7 +127,7 @@ class _Way:
     last: _Motion
     outcome: Outcome
     beyond: float
-    point: SpecialPoint | None = None
+    point: SolvedPoint | None = None
 
     @property
     def arrived(self) -> bool:
@@ -134,14 +135,20 @@ class _Way:
 
 
 def transitions(
-    family: Family, values: Mapping[str, float], name: str, points: Sequence[Sampled], rising: bool = True
+    model: Model,
+    name: str,
+    points: Sequence[Sampled],
+    *,
+    values: Mapping[str, float | str] | None = None,
+    rising: bool = True,
 ) -> tuple[Transition, ...]:
     """All changes of the motion along ``points`` (ascending in ``name``), jumps between orbits of one label
     among them. ``rising`` says from which side an orbit is followed first. Intervals with an end that is not
     periodic are reported without a point."""
-    given.instance("family", family, Family, "a Family, as from case.family()[0]")
-    given.known("parameter", name, family.defaults)
-    finder = _Finder(family, family.complete(values), name, given.truth("rising", rising))
+    family = Source.of(model).family()
+    name = short_name(model, family, name)
+    members = family.complete(plain_values(model, family, values))
+    finder = _Finder(family, members, name, given.truth("rising", rising))
     points = _ascending(points)
     found: dict[int, list[Transition]] = {}
     order = range(len(points) - 1)
@@ -283,16 +290,18 @@ class _Finder:
             return _Way((), start, Outcome.ARRIVED, to)
         changes: list[Transition] = []
         point = None
-        for step in follow(self.family, self.at(start.value), self.name, start.orbit, to, longest=longest):
-            if isinstance(step, BranchEnd):
+        for step in follow(
+            self.family, self.name, start.orbit, to, values=self.at(start.value), longest=longest
+        ):
+            if isinstance(step, PathEnd):
                 return _Way(tuple(changes), _Motion.of(step.last), step.outcome, step.beyond, point)
             if step.after is None:
                 point = step.point
             else:
                 changes.append(self.change(step.point, step.before, step.after))
-        raise AssertionError("what is followed ends with a BranchEnd")
+        raise AssertionError("what is followed ends with a PathEnd")
 
-    def change(self, point: SpecialPoint, before: Node, after: Node) -> Transition:
+    def change(self, point: SolvedPoint, before: Node, after: Node) -> Transition:
         """A point that the orbit passes."""
         below, above = sorted((before, after), key=lambda node: node.value)
         lower, upper = min(below.value, point.value), max(above.value, point.value)
@@ -324,7 +333,7 @@ class _Finder:
         kind: str,
         one: tuple[float, Label | None],
         two: tuple[float, Label | None],
-        point: SpecialPoint | None = None,
+        point: SolvedPoint | None = None,
     ) -> Transition:
         """A change between two values with their labels."""
         (lower, below), (upper, above) = sorted((one, two), key=lambda end: end[0])
@@ -350,7 +359,7 @@ def unlocated(one: Sampled, two: Sampled) -> str:
     return APERIODIC if (one.period or two.period) and other.label == MotionKind.APERIODIC else UNPROVED
 
 
-def kind_of_end(point: SpecialPoint | None, outcome: Outcome | None) -> str:
+def kind_of_end(point: SolvedPoint | None, outcome: Outcome | None) -> str:
     """What the end of a followed orbit is called: by the point that it ends at, or a fold that was not solved
     for; "" where nothing is known of it but that the orbit does not go on."""
     if point is not None:
@@ -358,7 +367,7 @@ def kind_of_end(point: SpecialPoint | None, outcome: Outcome | None) -> str:
     return FOLD if outcome is Outcome.FOLD else ""
 
 
-def kind_of(point: SpecialPoint) -> str:
+def kind_of(point: SolvedPoint) -> str:
     """What a point is called as a change of the motion."""
     if isinstance(point, GrazingPoint):
         return GRAZING

@@ -6,6 +6,7 @@ from .annotated import arguments
 from .family import Family, Parameter
 from .harmonics import Fourier, constant, cosines, derivative, evaluate, padded
 from .label import Label, MotionKind, label_text, read_label
+from .model import HasFamily, family_of, plain_values, short_name
 from .piecewise import Clearance, ContactRule, System
 from .record import Record
 from .short_text import shown
@@ -19,6 +20,7 @@ __all__ = [
     "Family",
     "Fourier",
     "GearlashError",
+    "HasFamily",
     "Label",
     "MotionKind",
     "Named",
@@ -33,9 +35,12 @@ __all__ = [
     "cosines",
     "derivative",
     "evaluate",
+    "family_of",
     "given",
     "label_text",
     "padded",
+    "plain_values",
     "read_label",
+    "short_name",
     "shown",
 ]
