@@ -30,6 +30,7 @@ MODULES = (
     "gearlash.gears.mesh_cycle",
     "gearlash.gears.mesh_stiffness",
     "gearlash.gears.pair_shape",
+    "gearlash.gears.root_fillet",
     "gearlash.gears.spur",
     "gearlash.gears.tooth_form",
     "gearlash.gears.tooth_pair",

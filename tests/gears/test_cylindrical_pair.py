@@ -204,11 +204,42 @@ def test_seventeen_teeth_are_the_least_without_undercut():
     assert CylindricalGear(12, 1e-3, profile_shift=0.3, rack=sharp).undercut is False
 
 
-def test_an_undercut_gear_meshes_from_its_base_circle_at_most():
+def test_an_undercut_gear_meshes_from_where_its_fillet_ends():
     few = CylindricalPair(CylindricalGear(10, 2e-3), CylindricalGear(60, 2e-3))
     assert few.pinion.undercut
     assert few.interference == (True, False)
-    assert few.path_of_contact[0] == 0.0
+    assert few.pinion.root_form_diameter > few.pinion.base_diameter
+    assert few.path_of_contact[0] == few.pinion.roll_length(few.pinion.root_form_diameter)
+
+
+@pytest.mark.parametrize(("teeth", "beta"), [(8, 0.0), (12, 0.0), (12, 20.0)])
+def test_the_start_of_the_involute_of_an_undercut_gear(teeth, beta):
+    one = CylindricalGear(teeth, 2e-3, radians(beta))
+    fillet = one.root_fillet
+    radius, angle = fillet.at(fillet.end)
+    assert float(angle) == pytest.approx(float(fillet.involute_angle(radius)), abs=1e-12)
+    assert radius > fillet.base_radius
+    # Where undercut just ends it is the closed form of ISO 21771; of a helical gear the virtual one is near
+    # it.
+    edge = replace(one, profile_shift=one.undercut_limit + 1e-9)
+    assert not edge.undercut
+    assert replace(edge, profile_shift=one.undercut_limit - 1e-9).root_form_diameter == pytest.approx(
+        edge.root_form_diameter, rel=1e-6 if beta == 0.0 else 1e-3
+    )
+
+
+@pytest.mark.parametrize("beta", [0.0, 25.0])
+def test_the_fillet_ends_at_the_form_diameter_and_starts_at_the_root(beta):
+    one = CylindricalGear(40, 3e-3, radians(beta), 0.1)
+    fillet = one.root_fillet
+    low, high = (2 * (float(fillet.at(lean)[0]) - fillet.pitch_radius) for lean in (0.0, fillet.end))
+    assert one.reference_diameter + low == pytest.approx(one.root_diameter, rel=1e-12)
+    assert one.reference_diameter + high == pytest.approx(
+        one.root_form_diameter, rel=1e-12 if beta == 0.0 else 1e-3
+    )
+    assert float(fillet.at(fillet.end)[1]) == pytest.approx(
+        float(fillet.involute_angle(fillet.involute_radius))
+    )
 
 
 def test_tooth_thickness_and_space_fill_the_pitch_where_backlash_is_none():

@@ -165,9 +165,13 @@ def test_harmonics_of_the_mesh_against_its_sum_over_slices():
     assert turned == pytest.approx(found.harmonics, abs=2e-3)
 
 
-def test_undercut_teeth_have_no_computed_form():
-    with pytest.raises(GearlashError, match="undercut"):
-        tooth_form(CylindricalGear(10, 2e-3))
+def test_undercut_makes_teeth_softer():
+    whole, undercut = pair((20, 60)), pair((12, 60))
+    values = [pair_stiffness(one, 0.5 * sum(one.path_of_contact), LOAD) for one in (whole, undercut)]
+    assert 0.8 < values[1] / values[0] < 0.95
+    assert 0.9 < values[1] / ms.theoretical_stiffness(undercut) < 1.05
+    neck = tooth_form(CylindricalGear(9, 2e-3))
+    assert neck.x.min() < neck.x[len(neck.x) // 2]
 
 
 def test_a_tip_rounded_beyond_its_width_is_refused():

@@ -14,6 +14,7 @@ from gearlash.system import GearlashError
 
 from .basic_rack import ISO53_A, BasicRack
 from .involute import inv
+from .root_fillet import RootFillet
 
 
 @dataclass(frozen=True)
@@ -175,14 +176,20 @@ class CylindricalGear:
     def root_form_diameter(self) -> float:
         """d_Ff, m: where the involute starts, cut by a rack whose straight flank is h_FfP deep (128).
 
-        d_Ff² = d_b² + (d sin α_t − 2 m_n (h_FfP* − x_E) / sin α_t)². Of an undercut gear the base diameter is
-        given: its involute starts above it, which is not computed.
+        d_Ff² = d_b² + (d sin α_t − 2 m_n (h_FfP* − x_E) / sin α_t)². Of an undercut gear: where the fillet
+        crosses the involute, for a helical one in its virtual spur gear, as high over the reference circle.
         """
         if self.undercut:
-            return self.base_diameter
+            fillet = self.root_fillet
+            return self.reference_diameter + 2.0 * (fillet.involute_radius - fillet.pitch_radius)
         sine = sin(self.transverse_pressure_angle)
         depth = 2.0 * self.normal_module * (self.rack.straight_dedendum - self.generating_profile_shift)
         return hypot(self.base_diameter, self.reference_diameter * sine - depth / sine)
+
+    @property
+    def root_fillet(self) -> RootFillet:
+        """Fillet of the virtual spur gear."""
+        return RootFillet(self.virtual_teeth, self.normal_module, self.rack, self.generating_profile_shift)
 
     def roll_length(self, diameter: float) -> float:
         """Radius of curvature of the flank at a diameter, m: √(d_y² − d_b²) / 2.

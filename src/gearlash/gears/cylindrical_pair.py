@@ -164,8 +164,7 @@ class CylindricalPair:
     def interference(self) -> tuple[bool, bool]:
         """Whether the tip of the mate reaches below the involute of pinion and gear.
 
-        Compared with d_Ff of a rack-cut root. Of an undercut gear the base circle is compared with, which
-        finds less.
+        Compared with d_Ff of a root that a rack has cut; what contact is left is in `path_of_contact`.
         """
         first, second = self.gears
         whole = self.tangent_length

@@ -7,15 +7,11 @@ of that gear: y along the middle of the tooth, x its half thickness. Lengths in 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, pi, tan
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import GearlashError
-
 from .cylindrical_gear import CylindricalGear
-from .involute import inv
 
 Reals = NDArray[np.float64]
 
@@ -55,7 +51,6 @@ def tooth_form(gear: CylindricalGear, points: int = 200) -> ToothForm:
     Parameters
     ----------
     gear : CylindricalGear
-        Not undercut.
     points : int
         On the fillet, and on the involute.
 
@@ -66,7 +61,7 @@ def tooth_form(gear: CylindricalGear, points: int = 200) -> ToothForm:
     Raises
     ------
     GearlashError
-        For an undercut gear, or a tool tip that is rounded more than it is wide.
+        For a tool tip that is rounded more than it is wide.
 
     Examples
     --------
@@ -76,47 +71,15 @@ def tooth_form(gear: CylindricalGear, points: int = 200) -> ToothForm:
     >>> round(form.foot_thickness * 1e3, 2)  # 30° tangents
     8.26
     """
-    if gear.undercut:
-        raise GearlashError(
-            f"z = {gear.teeth}, x_E = {gear.generating_profile_shift:.3g}: the form of an undercut tooth "
-            f"is not computed; undercut ends at x_E = {gear.undercut_limit:.3g}"
-        )
-    alpha, module, teeth = gear.rack.pressure_angle, gear.normal_module, gear.virtual_teeth
-    pitch = 0.5 * module * teeth
-    base = pitch * cos(alpha)
-    shift = gear.generating_profile_shift
-    half_angle = (pi / 2 + 2.0 * shift * tan(alpha)) / teeth + inv(alpha)
-    fillet_x, fillet_y = _fillet(gear, pitch, shift, points)
-    start = float(np.hypot(fillet_x[-1], fillet_y[-1]))
-    tip = pitch + 0.5 * (gear.tip_diameter - gear.reference_diameter)
-    radius = np.linspace(start, max(tip, start), points + 1)[1:]
-    pressure = np.arccos(np.minimum(base / radius, 1.0))
-    angle = half_angle - (np.tan(pressure) - pressure)
-    x = np.concatenate([fillet_x, radius * np.sin(angle)])
-    y = np.concatenate([fillet_y, radius * np.cos(angle)])
-    return ToothForm(base, half_angle, *_above_foot(x, y))
-
-
-def _fillet(gear: CylindricalGear, pitch: float, shift: float, points: int) -> tuple[Reals, Reals]:
-    """From the root circle to the involute: envelope of the rounded tip of the rack."""
-    rack, module = gear.rack, gear.normal_module
-    alpha, rounding = rack.pressure_angle, rack.root_radius * module
-    depth = rack.dedendum * module - rounding  # of the centre of rounding, below the datum line
-    offset = pi * module / 4 - depth * tan(alpha) - rounding / cos(alpha)
-    if offset < -1e-9 * module:
-        raise GearlashError("the tip of the rack is rounded more than it is wide")
-    below = depth - shift * module  # below the rolling line
-    # The rack rolls from where its centre of rounding stands below the pitch point to where its flank takes
-    # over.
-    lean = np.linspace(0.0, below / tan(alpha), points)
-    distance = np.hypot(lean, below)
-    across = lean * (1.0 + rounding / distance)
-    down = below * (1.0 + rounding / distance)
-    rolled = (lean - offset) / pitch
-    from_space = np.arctan2(across, pitch - down) - rolled
-    radius = np.hypot(across, pitch - down)
-    angle = pi / gear.virtual_teeth - from_space
-    return radius * np.sin(angle), radius * np.cos(angle)
+    fillet = gear.root_fillet
+    radius, angle = fillet.at(np.linspace(0.0, fillet.end, points))
+    start = float(radius[-1])
+    tip = fillet.pitch_radius + 0.5 * (gear.tip_diameter - gear.reference_diameter)
+    above = np.linspace(start, max(tip, start), points + 1)[1:]
+    radius = np.concatenate([radius, above])
+    angle = np.concatenate([angle, fillet.involute_angle(above)])
+    x, y = _above_foot(radius * np.sin(angle), radius * np.cos(angle))
+    return ToothForm(fillet.base_radius, fillet.base_half_angle, x, y)
 
 
 def _above_foot(x: Reals, y: Reals) -> tuple[Reals, Reals]:

@@ -137,7 +137,6 @@ def pair_stiffness(
     Parameters
     ----------
     pair : CylindricalPair
-        Of gears that are not undercut.
     place : float
         Distance from the base tangent point T1 along the line of action, m; inside ``pair.path_of_contact``.
     line_load : float
@@ -204,7 +203,7 @@ def calculated_mesh(
     Parameters
     ----------
     pair : CylindricalPair
-        With its face width; of gears that are not undercut.
+        With its face width.
     count : int
         How many harmonics, from 1.
     line_load : float
