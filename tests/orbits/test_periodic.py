@@ -340,7 +340,7 @@ def test_signature_refuses_what_is_none(text):
     "bad", [np.zeros(3), np.full(10, np.nan), np.full(10, np.inf)], ids=["short", "nan", "inf"]
 )
 def test_a_start_that_is_no_state_is_refused(bad):
-    with pytest.raises(GearlashError, match="state"):
+    with pytest.raises(GearlashError, match="start"):
         attractor(built(article()), bad)
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.flow import Events, Propagators, Trace
-from gearlash.system import Clearance, ContactRule, Named, Record, Status
+from gearlash.system import CARRIED, Clearance, ContactRule, Named, Record, Status
 
 from .contact_force import least_force
 from .extrema import gap_extrema
@@ -28,7 +28,6 @@ from .tangents import Tangents, norms, round_orbit
 Array = NDArray[Any]
 MARGIN = 10.0  # on the error of the state
 OWN_ROUNDING = 1e-14  # of a whole period's map, relative to 1 + its norm
-MOVING = (Status.OK, Status.UNCERTAIN)
 
 
 class Verdict(Named):
@@ -130,14 +129,14 @@ def certify_orbit(residual: float, orbit: Callable[[], Closed]) -> Certificate:
         )
     examined = _Examined(orbit())
     status = examined.orbit.trace.status
-    if status not in MOVING:
+    if status not in CARRIED:
         return Certificate(Verdict.FAILED, (f"the orbit could not be followed: {status}",))
     return Certificate.of(examined.doubts())
 
 
 def certify_unsettled(status: Status, message: str) -> Certificate:
     """The certificate of a motion of which nothing was settled: `failed`, or `uncertain` at best."""
-    if status not in (*MOVING, Status.UNRESOLVED, Status.NEUTRAL):
+    if status not in (*CARRIED, Status.UNRESOLVED, Status.NEUTRAL):
         return Certificate(Verdict.FAILED, (message,))
     return Certificate(Verdict.UNCERTAIN, (message,))
 

@@ -10,19 +10,18 @@ from numpy.typing import ArrayLike, NDArray
 from gearlash import flow
 from gearlash.flow import Propagators, propagators_of
 from gearlash.flow.march import LONGEST, start_state
-from gearlash.system import ContactRule, GearlashError, Status, System, given
+from gearlash.system import CARRIED, ContactRule, GearlashError, System, given
 
 from .subspaces import by_subspaces, ordered
 
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.float64]
-DEPTH = 5.0  # by how many powers of e one factor may shrink volumes: its eigenvalues keep their digits
-PLAIN = 2 * DEPTH  # the same for the plain product of all factors
-MOST = 800  # size of the lifted matrix up to which it is used
-AGREES = 1e-9  # how far the logarithms of all multipliers may miss the trace over the orbit, relative to it
-SPREAD = 10.0  # powers of e between the largest and the least stretch of a part of a period
-TALL = 200.0  # powers of e by which lengths may grow or shrink in it
-MOVING = (Status.OK, Status.UNCERTAIN)
+FACTOR_CONTRACTION = 5.0  # powers of e by which one factor may shrink volumes and keep its digits
+PRODUCT_CONTRACTION = 2 * FACTOR_CONTRACTION  # the same for the product of all factors
+LARGEST_LIFTED = 800  # rows of the lifted matrix up to which it is used
+TRACE_AGREES = 1e-9  # relative difference allowed between the sum of all logarithms and the trace
+LARGEST_SPREAD = 10.0  # powers of e between the largest and the least stretch of a part of a period
+LARGEST_STRETCH = 200.0  # powers of e by which lengths may grow or shrink in it
 
 
 def multipliers(system: System | Propagators, start: ArrayLike, period: int) -> NDArray[np.complex128]:
@@ -77,31 +76,31 @@ def spectrum(
     group of multipliers of like size is computed in its own subspace (`subspaces`)."""
     state, period = start_state(props, state), given.whole("period", period, 1, LONGEST)
     shrinking = fastest_shrinking(props) * props.system.period
-    parts = max(1, ceil(shrinking / DEPTH))
+    parts = max(1, ceil(shrinking / FACTOR_CONTRACTION))
     factors = _factors(props, state, period, parts)
-    if period * shrinking <= PLAIN:
+    if period * shrinking <= PRODUCT_CONTRACTION:
         found = ordered(np.linalg.eigvals(_product(factors)))
-    elif len(factors) * len(state) <= MOST:
+    elif len(factors) * len(state) <= LARGEST_LIFTED:
         found = _lifted(factors)
     else:
         return by_subspaces(_factors(props, state, period, cut(props, state)))
     with np.errstate(divide="ignore"):
         logarithms = np.log(np.abs(found))
     trace = mean_trace(props, state, period) * period * props.system.period
-    if abs(float(logarithms.sum()) - trace) <= AGREES * max(1.0, abs(trace)):  # not so for NaN and -inf
+    if abs(float(logarithms.sum()) - trace) <= TRACE_AGREES * max(1.0, abs(trace)):  # not so for NaN and -inf
         return found, logarithms
     return by_subspaces(_factors(props, state, period, cut(props, state)))
 
 
 def cut(props: Propagators, state: NDArray[np.float64]) -> int:
     """The number of equal parts of a base period (a power of two) in each of which the tangent flow from
-    ``state`` (n,) spreads lengths by less than e^`SPREAD`."""
+    ``state`` (n,) spreads lengths by less than e^`LARGEST_SPREAD`."""
     parts, cycles = 1, float(props.system.cycles)
     while parts < props.cells:
         z, part, tame = state, 0, True
         while tame and part < parts:
             step = flow.variational(props, z, cycles / parts, part * cycles / parts)
-            if step.status not in MOVING:
+            if step.status not in CARRIED:
                 return parts  # no cut helps where the motion cannot be carried on
             z, part, tame = step.state, part + 1, _tame(step.jacobian)
         if tame:
@@ -115,10 +114,10 @@ def _tame(jacobian: NDArray[np.float64] | None) -> bool:
     if not np.isfinite(jacobian).all():
         return False
     stretches = np.linalg.svd(jacobian, compute_uv=False)
-    if stretches[-1] < np.exp(-TALL):
+    if stretches[-1] < np.exp(-LARGEST_STRETCH):
         return False
     logarithms = np.log(stretches)
-    return bool(logarithms[0] < TALL and logarithms[0] - logarithms[-1] < SPREAD)
+    return bool(logarithms[0] < LARGEST_STRETCH and logarithms[0] - logarithms[-1] < LARGEST_SPREAD)
 
 
 def mean_trace(props: Propagators, z: NDArray[np.float64], periods: int) -> float:

@@ -15,16 +15,15 @@ from numpy.typing import ArrayLike, NDArray
 from gearlash import flow
 from gearlash.flow import Propagators, propagators_of
 from gearlash.flow.march import LONGEST, start_state
-from gearlash.system import Record, Status, System, given
+from gearlash.system import CARRIED, Record, Status, System, given
 
-from .certificate import MOVING
 from .floquet import cut, mean_trace
-from .transient import ROUNDING
+from .transient import GROWTH_ROUNDING
 
 BATCHES = 20
 STUDENT = 2.093  # 95 % two-sided, 19 degrees of freedom
 EPSILON = float(np.finfo(np.float64).eps)
-AGREES = 1e-6  # of the exponents' size: a larger defect of their sum is no rounding
+TRACE_AGREES = 1e-6  # of the exponents' size: a larger defect of their sum is no rounding
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -128,7 +127,7 @@ def lyapunov(
     each = max(1, periods // BATCHES)
     sums, traces = [], []
     for _ in range(BATCHES):
-        if status not in MOVING:
+        if status not in CARRIED:
             break
         if count == n:
             traces.append(mean_trace(props, z, each))
@@ -137,12 +136,12 @@ def lyapunov(
         sums.append(batch / (each * props.system.period))
     table = np.array(sums).reshape(-1, count)
     values = table.mean(axis=0) if len(table) else np.full(count, np.nan)
-    errors = _errors(table) + ROUNDING / props.system.period
+    errors = _errors(table) + GROWTH_ROUNDING / props.system.period
     order = np.argsort(-values, kind="stable")
     defect = float(values.sum() - np.mean(traces)) if count == n and traces else np.nan
     if traces:  # what the sum lacks, each of them may lack; and none has more digits than a float
         errors = errors + abs(defect) + 4.0 * EPSILON * np.abs(values)
-    if status in MOVING and not _agree(values, defect, count == n):
+    if status in CARRIED and not _agree(values, defect, count == n):
         status = Status.INEXACT
     return Exponents(values[order], errors[order], each * BATCHES, defect, z, status)
 
@@ -158,4 +157,4 @@ def _agree(values: NDArray[np.float64], defect: float, whole: bool) -> bool:
     """Whether all are numbers, and their sum is the trace where that is known."""
     if not np.isfinite(values).all():
         return False
-    return not whole or abs(defect) <= AGREES * max(float(np.abs(values).max()), 1e-9)
+    return not whole or abs(defect) <= TRACE_AGREES * max(float(np.abs(values).max()), 1e-9)

@@ -19,19 +19,20 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators
+from gearlash.system import CARRIED
 
-from .floquet import MOVING, fastest_shrinking, mean_trace, ordered
+from .floquet import fastest_shrinking, mean_trace, ordered
 
 Array = NDArray[np.float64]
-SIMPLE = 1e-9  # distance of a multiplier from modulus 1 that is called none
-DOUBLE = 1e-7  # the same of two at +1: a double root moves by the root of rounding
-SHARE = 64  # base periods over which the mean trace is taken
-TOLD = 1e-2  # of the mean contraction: what is called none must be known to
-STEPS = 4  # that a motion must make alike
-STEADY = 1e-8  # of the motion's size: change from step to step that is called none
-QUIET = 1_000  # base periods without a contact event after which the map counts as affine
-FLAT = 0.05  # powers of e a base period: a tangent that grows in proportion to time stays below
-LOSSLESS = 1e-12  # of a rate per unit of τ: a mean trace below it is rounding
+SIMPLE_MULTIPLIER = 1e-9  # distance of a multiplier from modulus 1 that is called none
+DOUBLE_MULTIPLIER = 1e-7  # the same of two at +1: a double root moves by the root of rounding
+TRACE_PERIODS = 64  # base periods over which the mean trace is taken
+KNOWN_CONTRACTION = 1e-2  # of the mean contraction: what is called none must be known to
+EQUAL_STEPS = 4  # that a motion must make alike
+STEADY_STEP = 1e-8  # of the motion's size: change from step to step that is called none
+AFFINE_PERIODS = 1_000  # base periods without a contact event after which the map counts as affine
+SLOWEST_GROWTH = 0.05  # powers of e a base period: a tangent that grows in proportion to time stays below
+LOSSLESS_RATE = 1e-12  # of a rate per unit of τ: a mean trace below it is rounding
 
 
 def is_neutral(monodromy: Array) -> bool:
@@ -39,11 +40,11 @@ def is_neutral(monodromy: Array) -> bool:
     if not np.isfinite(monodromy).all():
         return False
     values = ordered(np.linalg.eigvals(monodromy))
-    if abs(abs(values[0]) - 1.0) <= SIMPLE:
+    if abs(abs(values[0]) - 1.0) <= SIMPLE_MULTIPLIER:
         return True
     pair = values[:2]  # a double root's product has its digits
     return len(pair) == 2 and bool(
-        (np.abs(pair - 1.0) <= DOUBLE).all() and abs(np.prod(pair) - 1.0) <= SIMPLE
+        (np.abs(pair - 1.0) <= DOUBLE_MULTIPLIER).all() and abs(np.prod(pair) - 1.0) <= SIMPLE_MULTIPLIER
     )
 
 
@@ -53,12 +54,12 @@ def repeated(props: Propagators, states: Array, longest: int, drifts: bool) -> s
     say of it, or nothing."""
     scale = max(1.0, float(np.abs(states[-1]).max()))
     size = max(float(np.ptp(states, axis=0).max()), 1e-3 * scale)
-    for period in range(1, min(longest, (len(states) - 1) // STEPS) + 1):
+    for period in range(1, min(longest, (len(states) - 1) // EQUAL_STEPS) + 1):
         steps = np.diff(states[-1::-period], axis=0)
-        if np.abs(np.diff(steps, axis=0)).max() > STEADY * size:
+        if np.abs(np.diff(steps, axis=0)).max() > STEADY_STEP * size:
             continue
         step = float(np.abs(steps[0]).max())
-        moves = step > STEADY * size
+        moves = step > STEADY_STEP * size
         if (moves and not drifts) or not _keeps_distance(props, states[-1], period):
             return ""
         if moves:
@@ -71,22 +72,22 @@ def repeated(props: Propagators, states: Array, longest: int, drifts: bool) -> s
 def affine(props: Propagators, state: Array) -> str:
     """Whether the motion from ``state`` meets no boundary and its neighbours keep their distance: what to say
     of it, or nothing."""
-    ahead = flow.march(props, state, QUIET)
-    if ahead.status not in MOVING or ahead.contacts.any() or not _keeps_distance(props, state, 1):
+    ahead = flow.march(props, state, AFFINE_PERIODS)
+    if ahead.status not in CARRIED or ahead.contacts.any() or not _keeps_distance(props, state, 1):
         return ""
-    return f"which meets no boundary in {QUIET} base periods, where nothing takes up a disturbance"
+    return f"which meets no boundary in {AFFINE_PERIODS} base periods, where nothing takes up a disturbance"
 
 
 def lossless(props: Propagators, state: Array) -> bool:
     """Whether no volume shrinks or grows along the motion."""
-    return abs(mean_trace(props, state, SHARE)) <= LOSSLESS
+    return abs(mean_trace(props, state, TRACE_PERIODS)) <= LOSSLESS_RATE
 
 
 def _keeps_distance(props: Propagators, state: Array, period: int) -> bool:
     """Whether neighbours do, and this takes long enough to tell it from the mean contraction of the field."""
     contraction = fastest_shrinking(props) / props.system.size
     lasted = period * props.system.period
-    if contraction > 0.0 and TOLD * contraction * lasted < DOUBLE:
+    if contraction > 0.0 and KNOWN_CONTRACTION * contraction * lasted < DOUBLE_MULTIPLIER:
         return False
     end = flow.variational(props, state, float(period * props.system.cycles))
     return end.jacobian is not None and is_neutral(end.jacobian)

@@ -18,8 +18,8 @@ from .certificate import Certificate, Closed, certify_aperiodic, certify_orbit, 
 from .neutral import is_neutral
 from .shooting import Shot
 
-LEAST = 1e-200  # a leading multiplier below it has lost digits in the product of its maps
-FASTER = 0.999  # a multiplier below it is far from the unit circle
+LEAST_MULTIPLIER = 1e-200  # a leading multiplier below it has lost digits in the product of its maps
+FAR_INSIDE = 0.999  # a multiplier below it is far from the unit circle
 SAMPLE = 200  # base periods of an aperiodic motion that are kept as its picture
 
 
@@ -143,7 +143,7 @@ class Orbit(Record):
     @property
     def attracts(self) -> bool:
         """Whether it is stable by more than rounding: neighbours come closer."""
-        return self.stable and (abs(self.leading) < FASTER or not is_neutral(self.shot.monodromy))
+        return self.stable and (abs(self.leading) < FAR_INSIDE or not is_neutral(self.shot.monodromy))
 
     @cached_property
     def exponents(self) -> NDArray[np.float64]:
@@ -155,7 +155,7 @@ class Orbit(Record):
     def largest_exponent(self) -> float:
         """The largest of `exponents`."""
         size = abs(self.leading)
-        return float(np.log(size) / self.duration if size > LEAST else self.exponents[0])
+        return float(np.log(size) / self.duration if size > LEAST_MULTIPLIER else self.exponents[0])
 
     @property
     def exponent_error(self) -> float:

@@ -7,18 +7,16 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from gearlash.flow import Propagators
-from gearlash.system import Status
+from gearlash.system import CARRIED, Status
 
 from .floquet import fastest_shrinking
-from .neutral import FLAT, affine, lossless, repeated
+from .neutral import SLOWEST_GROWTH, affine, lossless, repeated
 from .results import Aperiodic, Attractor, Neutral, Orbit, Unresolved
 from .settings import Settings
 from .shooting import TOLERANCE, Shot, minimal, shoot
-from .transient import ROUNDING, SETTLE, STRETCH, Average, Transient
+from .transient import GROWTH_RECORD, GROWTH_ROUNDING, SETTLING_PART, Average, Transient
 
 Array = NDArray[np.float64]
-
-MOVING = (Status.OK, Status.UNCERTAIN)
 
 # When an attempt is made, in base periods
 FIRST_ATTEMPT = 96  # most motions are near their orbit by then
@@ -56,14 +54,14 @@ class Search:
         self.sized = -1, 0.0  # when the size was taken, and it
         self.failed: dict[int, float] = {}  # period → its return when it was last looked at
         averaged = settings.exponent_periods
-        quiet = averaged + averaged // (SETTLE - 1) + FIRST_ATTEMPT + 2 * STRETCH
+        quiet = averaged + averaged // (SETTLING_PART - 1) + FIRST_ATTEMPT + 2 * GROWTH_RECORD
         self.places = settings.patience, max(settings.patience, quiet)  # to ask at, if near
 
     def run(self) -> Attractor:
         block = min(FIRST_ATTEMPT, self.left)
         while True:
             status = self.motion.march(block)
-            if status not in MOVING:
+            if status not in CARRIED:
                 return self.unresolved(status, "the motion could not be carried on", NO_AVERAGE)
             found, last = self.newton() or self.neutral(), self.left <= 0
             if found is None and self.motion.used >= self.settings.patience:
@@ -205,7 +203,7 @@ class Search:
                 calls = int(
                     min(COMES_CLOSER - asked, needed, max(1, MARCHED_AT_ONCE // lap), self.left // lap)
                 )
-                if calls < 1 or self.motion.march(calls * lap) not in MOVING:
+                if calls < 1 or self.motion.march(calls * lap) not in CARRIED:
                     return False
             here += lap
             after = self.away(points, window, here)
@@ -227,7 +225,7 @@ class Search:
 
     def neutral(self) -> Neutral | None:
         """The motion as a neutral one, if its neighbours neither come closer nor leave."""
-        if not abs(self.motion.growth(1)) <= FLAT:
+        if not abs(self.motion.growth(1)) <= SLOWEST_GROWTH:
             return None
         long = self.motion.used >= self.settings.patience or self.left <= 0  # what drifts may be stopped yet
         told = repeated(self.props, self.strobes, self.settings.max_period, drifts=long)
@@ -235,7 +233,7 @@ class Search:
             told = affine(self.props, self.state)
         if not told:
             return None
-        rounding = ROUNDING / self.props.system.period
+        rounding = GROWTH_ROUNDING / self.props.system.period
         return self.nothing_attracts(told, Average(0.0, rounding, self.motion.used))
 
     def nothing_attracts(self, told: str, found: Average) -> Neutral:

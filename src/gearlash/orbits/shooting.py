@@ -13,17 +13,16 @@ from numpy.typing import ArrayLike, NDArray
 from gearlash import flow
 from gearlash.flow import Lap, Propagators, propagators_of
 from gearlash.flow.march import LONGEST, start_state
-from gearlash.system import Record, Status, System, given
+from gearlash.system import CARRIED, Record, Status, System, given
 
-TOLERANCE = 1e-11  # of the residual; above it a status is not ok
-GOAL = 2e-14  # Newton goes on to here, or until rounding stops it
+TOLERANCE = 1e-11  # of the residual: above it the status is not ok
+NEWTON_GOAL = 2e-14  # of the residual: Newton's method goes on to here, or until rounding stops it
 ITERATIONS = 25
-ROUNDING = 2.5e-15  # of a return, times the root of its cells, relative to the sizes that its map works on
-LEAST = 1e-4  # of the largest: the least size of a component, where few states tell
-MOST = 1e6  # times its size: more than so is no rounding of a component, whatever the map does to it
-PLACES = 4  # of a lap, at least: the states there tell the sizes
-MANY = 10_000  # base periods of a lap beyond which its two ends do
-MOVING = (Status.OK, Status.UNCERTAIN)
+RETURN_ROUNDING = 2.5e-15  # of a return, times the root of its cells, relative to the sizes in it
+LEAST_SIZE = 1e-4  # of a component, relative to the largest, where only few states tell the sizes
+MOST_ROUNDING = 1e6  # of a component, relative to its size
+LAP_STATES = 4  # states of a lap, at least, that tell the sizes of components
+LONG_PERIOD = 10_000  # base periods: of a longer lap only the two ends are kept
 Array = NDArray[np.float64]
 
 
@@ -110,17 +109,17 @@ class _Tried:
 
     @cached_property
     def residual(self) -> float:
-        return float((np.abs(self.missed) / np.fmin(self.unit, MOST * self.size)).max())
+        return float((np.abs(self.missed) / np.fmin(self.unit, MOST_ROUNDING * self.size)).max())
 
     def shot(self, period: int, cells: int) -> Shot:
         """With the error |(J - I)⁻¹| · (what the return misses + its rounding), to first order."""
         try:
             gain = np.abs(np.linalg.inv(self.lap.jacobian - np.eye(len(self.z))))
-            errors = gain @ (np.abs(self.missed) + ROUNDING * np.sqrt(cells * period) * self.unit)
+            errors = gain @ (np.abs(self.missed) + RETURN_ROUNDING * np.sqrt(cells * period) * self.unit)
         except np.linalg.LinAlgError:
             errors = np.full(len(self.z), np.inf)
         status = self.lap.status if self.residual <= TOLERANCE else Status.NOT_CONVERGED
-        strobes = self.lap.states[: -1 : _parts(period)] if period <= MANY else None
+        strobes = self.lap.states[: -1 : _parts(period)] if period <= LONG_PERIOD else None
         return Shot(
             self.z, period, self.residual, self.lap.jacobian, float(errors.max()), self.iteration, status,
             self.lap.contacts, strobes, errors,
@@ -175,13 +174,14 @@ def shoot(
     period = given.whole("period", period, 1, LONGEST // props.system.cycles)
     iterations = given.whole("iterations", iterations)
     reach = None if reach is None else given.number("reach", reach)
-    stretches = (period * _parts(period), 1.0 / _parts(period)) if period <= MANY else (1, float(period))
+    parts = _parts(period)
+    stretches = (period * parts, 1.0 / parts) if period <= LONG_PERIOD else (1, float(period))
     unit = np.eye(len(z))
     best: _Tried | None = None
     gaps: list[float] = []
     for iteration in range(iterations):
         lap = flow.lap(props, z, *stretches)
-        if lap.status not in MOVING:
+        if lap.status not in CARRIED:
             return (
                 _failed(z, period, iteration, lap.status) if best is None else best.shot(period, props.cells)
             )
@@ -191,7 +191,7 @@ def shoot(
         elif tried.gap > 10.0 * best.gap or best.residual <= TOLERANCE:
             break
         gaps.append(tried.gap)
-        if tried.residual <= GOAL or (reach is not None and _hopeless(gaps)):
+        if tried.residual <= NEWTON_GOAL or (reach is not None and _hopeless(gaps)):
             break
         try:
             step = np.linalg.solve(lap.jacobian - unit, tried.missed)
@@ -205,7 +205,7 @@ def shoot(
     return best.shot(period, props.cells)
 
 
-def size_of(states: Array, least: float = LEAST) -> Array:
+def size_of(states: Array, least: float = LEAST_SIZE) -> Array:
     """Size (n,) of every component of a motion with these states (m, n): its largest value, and at least the
     part ``least`` of the size of the largest component."""
     size = np.abs(states).max(axis=0)
@@ -214,7 +214,7 @@ def size_of(states: Array, least: float = LEAST) -> Array:
 
 def _parts(period: int) -> int:
     """Number of parts into which a base period is cut."""
-    return max(1, PLACES // period)
+    return max(1, LAP_STATES // period)
 
 
 def _hopeless(gaps: list[float]) -> bool:

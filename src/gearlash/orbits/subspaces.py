@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.float64]
-APART = 1.0  # powers of e between two groups: they part by so much in each turn
-TURNS = 40  # at the most; e^-40 is below rounding
-STILL = 1e-9  # how little directions of two groups may turn into each other
+GROUP_DISTANCE = 1.0  # powers of e between two groups: they part by so much in each turn
+MOST_TURNS = 40  # at the most; e^-40 is below rounding
+SEPARATED = 1e-9  # how little directions of two groups may turn into each other
 
 
 def by_subspaces(factors: list[Matrix]) -> tuple[Complex, NDArray[np.float64]]:
@@ -26,13 +26,13 @@ def by_subspaces(factors: list[Matrix]) -> tuple[Complex, NDArray[np.float64]]:
     logarithm is not."""
     begin = frame = np.eye(len(factors[0]))
     triangles, sizes = factors, np.zeros(len(frame))
-    for turn in range(1, TURNS + 1):
+    for turn in range(1, MOST_TURNS + 1):
         begin = frame
         frame, triangles = _turn(factors, begin)
         sizes = np.sum([np.log(np.abs(np.diag(each))) for each in triangles], axis=0)
         gaps = sizes[:-1] - sizes[1:]
-        nearest = gaps[gaps > APART].min(initial=np.inf)  # of two groups: they part by e^nearest in a turn
-        if turn > 2 and (turn - 2) * nearest > TURNS * APART:
+        nearest = gaps[gaps > GROUP_DISTANCE].min(initial=np.inf)  # powers of e by which two groups part
+        if turn > 2 and (turn - 2) * nearest > MOST_TURNS * GROUP_DISTANCE:
             break
     turned = begin.T @ frame  # the frame comes back to itself except for a turn within each group
     values, logarithms = [], []
@@ -63,12 +63,12 @@ def _turn(factors: list[Matrix], frame: Matrix) -> tuple[Matrix, list[Matrix]]:
 
 
 def _groups(sizes: NDArray[np.float64], turned: Matrix) -> Iterator[list[int]]:
-    """Neighbours whose sizes are less than `APART` from each other, or whose directions still turn into each
-    other, as those of a complex pair do."""
+    """Neighbours whose sizes are less than `GROUP_DISTANCE` from each other, or whose directions still turn
+    into each other, as those of a complex pair do."""
     group = [0]
     for i in range(1, len(sizes)):
         mixed = max(np.abs(turned[:i, i:]).max(), np.abs(turned[i:, :i]).max())
-        if sizes[i - 1] - sizes[i] > APART and mixed < STILL:
+        if sizes[i - 1] - sizes[i] > GROUP_DISTANCE and mixed < SEPARATED:
             yield group
             group = []
         group.append(i)

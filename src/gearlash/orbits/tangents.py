@@ -25,10 +25,10 @@ from gearlash.flow import Trace
 from .shooting import size_of
 
 Array = NDArray[Any]
-LEAST = 2  # places
-SMALL = 1e-12  # of the largest: the least size of a component
-AFTER = 1.0 / 8.0  # of the time to the next contact: a place there is on no boundary
-ROUNDING = 2.5e-16  # of a map, times the root of its number of cells, relative to the sizes that it works on
+LEAST_PLACES = 2
+LEAST_SIZE = 1e-12  # of a component, relative to the largest
+PLACE_AFTER_CONTACT = 1.0 / 8.0  # of the time to the next contact: a place there is on no boundary
+MAP_ROUNDING = 2.5e-16  # of a map, times the root of its cells, relative to the sizes in it
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,29 +94,29 @@ def round_orbit(trace: Trace, state: Array) -> Tangents:
         marks = [float(extrema.phase[np.argmax(extrema.displacement)])] if len(extrema) else [0.0]
     places = _places({mark * per_cycle % total for mark in marks}, total, props.cells)
     steps = flow.chain(props, state, places, total)
-    size = size_of(trace.polynomials[:, 0], SMALL)
+    size = size_of(trace.polynomials[:, 0], LEAST_SIZE)
     steps *= size / size[:, None]
     factors = steps[1:].copy()
     np.matmul(steps[0], steps[-1], out=factors[-1])
     defect = steps[0] @ ((trace.end - state) / size)
     lengths = [after - before for before, after in pairwise([*places, places[0] + total])]
-    rounding = ROUNDING * np.sqrt(np.array(lengths) + 1.0)
+    rounding = MAP_ROUNDING * np.sqrt(np.array(lengths) + 1.0)
     return Tangents(np.array(places) / per_cycle, size, factors, rounding, defect)
 
 
 def _places(marks: set[float], total: float, longest: float) -> list[float]:
     """Places between contacts at these marks, at the ends of cells where there is one: between those the
     flow costs least. All in cells."""
-    if len(marks) < LEAST and total <= longest:
-        longest = total / LEAST
+    if len(marks) < LEAST_PLACES and total <= longest:
+        longest = total / LEAST_PLACES
     ascending, found = sorted(marks), []
     for start, stop in pairwise([*ascending, ascending[0] + total]):
         parts = max(1, ceil((stop - start) / longest))
         length = (stop - start) / parts
         for part in range(parts):
-            place = start + length * (part + AFTER)
+            place = start + length * (part + PLACE_AFTER_CONTACT)
             end = float(ceil(place))
-            found.append((end if end - place < (1.0 - 2.0 * AFTER) * length else place) % total)
+            found.append((end if end - place < (1.0 - 2.0 * PLACE_AFTER_CONTACT) * length else place) % total)
     return sorted(found)
 
 

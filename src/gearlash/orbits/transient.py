@@ -14,14 +14,14 @@ from gearlash.system import Status
 
 Array = NDArray[np.float64]
 
-STRETCH = 24  # base periods, at least, between two records of growth
-STRETCHES = 48  # records of the whole motion, about, at the most
-SETTLE = 6  # the first of so many equal parts of the record is left out: there the motion settles
+GROWTH_RECORD = 24  # base periods, at least, between two records of growth
+GROWTH_RECORDS = 48  # records of the whole motion, about, at the most
+SETTLING_PART = 6  # the first of so many equal parts of the record is left out: there the motion settles
 STUDENT = {20: 2.093, 10: 2.262}  # batches → 95 % two-sided, with one degree of freedom less
-ROUNDING = 1e-14  # of the tangent flow over a base period: no error bar is smaller than this makes it
-STILL = 1e-6  # a motion whose size on σ_t is below this, relative to its state, counts as an orbit
-CLOSED = 1e-3  # a mean return below this, relative to the motion's size, counts as closing
-RETURNS = 128  # places of a window, at least, over which returns are averaged
+GROWTH_ROUNDING = 1e-14  # of the tangent flow over a base period: no error bar is smaller than this makes it
+STILL_SIZE = 1e-6  # a motion whose size on σ_t is below this, relative to its state, counts as an orbit
+CLOSING_RETURN = 1e-3  # a mean return below this, relative to the motion's size, counts as closing
+AVERAGED_RETURNS = 128  # places of a window, at least, over which returns are averaged
 
 
 class Average(NamedTuple):
@@ -64,7 +64,7 @@ class Transient:
         if self._tangent is None:
             new = flow.march(self.props, self.state, periods)
         else:
-            stretch = max(STRETCH, (self.used + periods) // STRETCHES)
+            stretch = max(GROWTH_RECORD, (self.used + periods) // GROWTH_RECORDS)
             new = flow.growth(self.props, self.state, self._tangent, periods, stretch)
             self._tangent = new.tangent
             self._logs = np.concatenate([self._logs, new.logarithms])
@@ -87,7 +87,7 @@ class Transient:
     def exponent(self) -> Average | None:
         """The largest exponent, from the record without its first part; None while that is too short."""
         ends = np.concatenate([[0], np.cumsum(self._lengths)])
-        first = int(np.searchsorted(ends, ends[-1] / SETTLE))
+        first = int(np.searchsorted(ends, ends[-1] / SETTLING_PART))
         for parts in STUDENT:
             cuts = np.searchsorted(ends, np.linspace(ends[first], ends[-1], parts + 1))
             if (cuts[1:] > cuts[:-1]).all():
@@ -101,13 +101,13 @@ class Transient:
         apart = sums - mean * lengths  # batches are of about the same length only
         error = STUDENT[parts] * float(np.sqrt((apart**2).sum() * parts / (parts - 1))) / periods
         duration = self.props.system.period
-        return Average(mean / duration, (error + ROUNDING) / duration, periods)
+        return Average(mean / duration, (error + GROWTH_ROUNDING) / duration, periods)
 
     def growth(self, periods: int) -> float:
         """Logarithm of the growth of neighbours over ``periods``: the average over the last ``2 * periods``,
         or over the last two records where that is longer. Zero where nothing is recorded yet."""
         ends = np.cumsum(self._lengths[::-1])
-        count = int(np.searchsorted(ends, max(2 * periods, 2 * STRETCH))) + 1
+        count = int(np.searchsorted(ends, max(2 * periods, 2 * GROWTH_RECORD))) + 1
         if count > len(ends):
             return 0.0
         return float(self._logs[-count:].sum()) * periods / float(ends[count - 1])
@@ -118,16 +118,16 @@ class Transient:
         Compared are the size, which may change by the part ``within``, and the mean returns after up to
         ``longest`` periods. A slow transient shrinks, or grows, or nearly closes.
         """
-        columns = np.ascontiguousarray(self.states[self.used // SETTLE :].T)
+        columns = np.ascontiguousarray(self.states[self.used // SETTLING_PART :].T)
         half = columns.shape[1] // 2
         windows = columns[:, :half], columns[:, -half:]
         early, late = (float(np.ptp(window, axis=1).max()) for window in windows)
-        if late < STILL * max(1.0, float(np.abs(self.state).max())):
+        if late < STILL_SIZE * max(1.0, float(np.abs(self.state).max())):
             return False  # held on an unstable orbit by rounding
         if not abs(late / max(early, 1e-300) - 1.0) < within:
             return False
         before, after = (_least_return(window, longest) for window in windows)
-        return abs(after / max(before, 1e-300) - 1.0) < 5.0 * within and after > CLOSED * late
+        return abs(after / max(before, 1e-300) - 1.0) < 5.0 * within and after > CLOSING_RETURN * late
 
 
 def _least_return(columns: Array, longest: int) -> float:
@@ -135,7 +135,8 @@ def _least_return(columns: Array, longest: int) -> float:
     which it is least; columns (n, states)."""
     count = columns.shape[1]
     longest = min(longest, count // 2)
-    windows, step = sliding_window_view(columns, longest + 1, axis=1), max(1, (count - longest) // RETURNS)
+    windows = sliding_window_view(columns, longest + 1, axis=1)
+    step = max(1, (count - longest) // AVERAGED_RETURNS)
     away = None
     for window in windows[:, ::step]:  # one state at a time: all at once would not fit the cache
         apart = window - window[:, :1]

@@ -12,11 +12,10 @@ from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.jobs import Carry, Part, handing_on, stopping
 from gearlash.orbits import Aperiodic, Attractor, Neutral, Orbit, Settings, Unresolved, Verdict, attractor
-from gearlash.orbits.certificate import MOVING
 from gearlash.orbits.results import SAMPLE
 from gearlash.results.plane import CERTIFICATES, STATUSES
 from gearlash.results.point import FAILED
-from gearlash.system import Family, GearlashError, Status
+from gearlash.system import CARRIED, Family, GearlashError, Status
 
 from .model import Source
 
@@ -118,7 +117,7 @@ def _record(found: Attractor) -> bytes:
 def _verdict(motion: Aperiodic) -> Verdict:
     """The verdict of ``motion.certificate``: undecided contacts of its sample are counted by marching through
     it, which takes a fiftieth of the trace that the certificate makes."""
-    if motion.status not in (*MOVING, Status.UNRESOLVED, Status.NEUTRAL):
+    if motion.status not in (*CARRIED, Status.UNRESOLVED, Status.NEUTRAL):
         return Verdict.FAILED
     if isinstance(motion, Unresolved | Neutral):
         return Verdict.UNCERTAIN

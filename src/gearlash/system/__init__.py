@@ -11,9 +11,10 @@ from .piecewise import Clearance, ContactRule, System
 from .record import Record
 from .short_text import shown
 from .signature import Signature
-from .status import BuildError, GearlashError, Named, Status, UnknownNameError
+from .status import CARRIED, BuildError, GearlashError, Named, Status, UnknownNameError
 
 __all__ = [
+    "CARRIED",
     "BuildError",
     "Clearance",
     "ContactRule",

@@ -92,6 +92,9 @@ class Status(Named):
         return self is Status.OK
 
 
+CARRIED = (Status.OK, Status.UNCERTAIN)
+"""What is said of a motion that was carried to its end: without doubt, or with a contact in doubt."""
+
 _ADVICE = {
     Status.OK: "nothing to do",
     Status.UNCERTAIN: "a contact lies within rounding of touching: move a parameter by 1e-9 of itself, "

@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.orbits import Orbit
-from gearlash.orbits.shooting import MOVING, size_of
-from gearlash.system import Family, GearlashError
+from gearlash.orbits.shooting import size_of
+from gearlash.system import CARRIED, Family, GearlashError
 
 Array = NDArray[np.float64]
 UNBUILT = (GearlashError, np.linalg.LinAlgError)
@@ -154,7 +154,7 @@ class Equations:
             else:
                 lap = flow.variational(props, z, length * props.system.cycles, self.phase)
                 end, block = lap.state, lap.jacobian
-            if lap.status not in MOVING or block is None or not np.isfinite(block).all():
+            if lap.status not in CARRIED or block is None or not np.isfinite(block).all():
                 return None
             ends.append(end)
             blocks.append(block)
