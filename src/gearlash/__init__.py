@@ -25,6 +25,16 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         locate_grazing as locate_grazing,
         locate_multiplier as locate_multiplier,
     )
+    from .branches.continuation import (
+        Branch as Branch,
+        BranchPoint as BranchPoint,
+        ContinuationSettings as ContinuationSettings,
+        EndKind as EndKind,
+        EndOfBranch as EndOfBranch,
+        Extremum as Extremum,
+        SpecialKind as SpecialKind,
+        SpecialPoint as SpecialPoint,
+    )
     from .case import (
         Case as Case,
         CaseError as CaseError,
@@ -103,8 +113,10 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         Sweep as Sweep,
         coexisting as coexisting,
         content_hash as content_hash,
+        load_branch as load_branch,
         plane_dataset as plane_dataset,
         same_motion as same_motion,
+        save_branch as save_branch,
         sweep_dataset as sweep_dataset,
         table as table,
         load as load_dataset,
@@ -129,6 +141,7 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         Zone as Zone,
         ZoneMotion as ZoneMotion,
         Zones as Zones,
+        continue_branch as continue_branch,
         first_grazing as first_grazing,
         impact_free_speeds as impact_free_speeds,
         map_plane as map_plane,
@@ -136,6 +149,7 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         point as point,
         sweep as sweep,
         sweeps as sweeps,
+        switch_branch as switch_branch,
         zones as zones,
         End as ZoneEnd,
     )
@@ -254,6 +268,17 @@ _PUBLIC = {
         "locate_grazing",
         "locate_multiplier",
     ),
+    # branches of periodic orbits
+    "gearlash.branches.continuation": (
+        "Branch",
+        "BranchPoint",
+        "ContinuationSettings",
+        "EndKind",
+        "EndOfBranch",
+        "Extremum",
+        "SpecialKind",
+        "SpecialPoint",
+    ),
     # how studies are carried out
     "gearlash.jobs": (
         "Cancel",
@@ -271,8 +296,10 @@ _PUBLIC = {
         "Sweep",
         "coexisting",
         "content_hash",
+        "load_branch",
         "plane_dataset",
         "same_motion",
+        "save_branch",
         "sweep_dataset",
         "table",
     ),
@@ -295,6 +322,7 @@ _PUBLIC = {
         "Zone",
         "ZoneMotion",
         "Zones",
+        "continue_branch",
         "first_grazing",
         "impact_free_speeds",
         "map_plane",
@@ -302,6 +330,7 @@ _PUBLIC = {
         "point",
         "sweep",
         "sweeps",
+        "switch_branch",
         "zones",
     ),
     "gearlash.studies.beside": ("motions_beside",),

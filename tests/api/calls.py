@@ -73,6 +73,8 @@ def calls() -> tuple[Call, ...]:
         gl.Physical("speed", 1.0, 2.0, "Hz"),
     )
     statistics = gl.motion_statistics(orbit)
+    branch = gl.continue_branch(spur, "omega", lower=1.4, upper=1.42, values={"omega": 1.41})
+    special = branch.special[0]
     execution = gl.Execution(chunk=1, progress=print, cancel=threading.Event())
     study = {"values": {}, "start": [0.0, 0.0], "settings": QUICK, "execution": execution}
 
@@ -88,6 +90,7 @@ def calls() -> tuple[Call, ...]:
         gl.march(props, [0.0, 0.0], 3), gl.march_many(props, [[0.0, 0.0]], 3),
         gl.variational(props, [0.0, 0.0], 1.0), trace.extrema, trace.samples(9),
         gl.Zone(end, end, "omega", gl.Quiet.IMPACT_FREE, True, (seen,), (span,)), gl.Interval(end, end),
+        branch, branch.points[0], special, branch.ends[0], gl.ContinuationSettings(),
         end, seen, span, gl.Touch(0.5, 1.0, 0.0, 1),
     )  # fmt: skip
     bifurcation = gl.locate_multiplier(family, "omega", orbit, -1)
@@ -129,6 +132,16 @@ def calls() -> tuple[Call, ...]:
             "model": family, "name": "omega", "start": swept.points[0], "direction": "up",
             "values": {"f": 1.0},
             "settings": QUICK, "tell": print}),
+        Call("continue_branch", gl.continue_branch, {
+            "model": spur, "name": "omega", "start": branch.points[0], "lower": 1.4, "upper": 1.42,
+            "values": {}, "steps": gl.ContinuationSettings(longest=0.5, first=0.1), "tell": print,
+            "cancel": threading.Event()}),
+        Call("switch_branch", gl.switch_branch, {
+            "model": spur, "branch": branch, "special": special, "steps": gl.ContinuationSettings()}),
+        Call("Branch.of_kind", branch.of_kind, {"kind": "fold"}),
+        Call("Branch.at", branch.at, {"value": 1.4}),
+        Call("SpecialKind", gl.SpecialKind, {"value": "fold"}),
+        Call("EndKind", gl.EndKind, {"value": "cancelled"}),
         Call("impact_free_speeds", gl.impact_free_speeds, {
             "model": spur, "values": {"omega": 0.9}, "tell": print}),
         Call("Trace.at", trace.at, {"phase": [0.1, 0.2], "clearance": 0}),
@@ -179,6 +192,8 @@ def calls() -> tuple[Call, ...]:
         Call("same_motion", results.same_motion, {"one": point, "other": point}),
         Call("coexisting", results.coexisting, {"sweeps": [swept, swept]}),
         Call("save_dataset", gl.save_dataset, {"dataset": dataset, "path": "a.nc"}),
+        Call("save_branch", gl.save_branch, {"branch": branch, "path": "a.json", "model": spur}),
+        Call("load_branch", gl.load_branch, {"path": "none.json"}),
         Call("load_dataset", gl.load_dataset, {"path": "none.nc"}),
         Call("load_case", gl.load_case, {"path_or_name": "article", "overrides": {"error": "6um"}}),
         Call("loads", case.loads, {"text": "", "overrides": {}, "label": "case"}),

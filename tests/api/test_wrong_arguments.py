@@ -14,7 +14,8 @@ import gearlash as gl
 from api.calls import Call, calls, wrong
 
 SEEDS, EACH = 10, 400
-NEEDS_MORE = ("loads", "load_dataset", "reproduce")  # what fits them takes a file, or minutes
+NEEDS_MORE = ("loads", "load_dataset", "load_branch", "switch_branch", "reproduce")
+"""What fits them takes a file, or minutes."""
 HANDED_OUT = {
     *("Beside", "BesideMotion", "ImpactFree", "Passed", "Path", "Progress"),
     *("Entry", "Excitation", "Note", "Problem", "Provenance", "Value"),

@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 
 from gearlash import case
-from gearlash.branches.continuation import Branch, ContinuationSettings, Kind, continue_orbit
+from gearlash.branches.continuation import Branch, ContinuationSettings, SpecialKind, continue_orbit
 from gearlash.system import ContactRule, Family
 from orbits.contacts import one_dof_under
 from orbits.members import one_dof, orbit
@@ -67,5 +67,5 @@ def random_pair(seed: int, rule: ContactRule, fine: bool = False) -> Branch:
     return continue_orbit(family, values, "omega", orbit(family, **values), 0.6, 1.7, settings)
 
 
-def values_of(branch: Branch, kind: Kind) -> list[float]:
+def values_of(branch: Branch, kind: SpecialKind) -> list[float]:
     return [special.value for special in branch.of_kind(kind)]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from branches.followed import PLAIN, bundled, linear, parametric, random_pair, six, values_of, window
-from gearlash.branches.continuation import ContinuationSettings, Ending, Kind, continue_orbit
+from gearlash.branches.continuation import ContinuationSettings, EndKind, SpecialKind, continue_orbit
 from gearlash.orbits import orbit_at
 from gearlash.system import ContactRule, GearlashError
 from orbits.members import built, one_dof, orbit
@@ -25,19 +25,19 @@ def touching_frequencies(load: float, error: float, damping: float) -> list[floa
 
 
 def test_touches_of_the_linear_response_in_closed_form():
-    found = sorted(values_of(linear(), Kind.GRAZING))
+    found = sorted(values_of(linear(), SpecialKind.GRAZING))
     assert found == pytest.approx(touching_frequencies(0.1, 0.05, 0.05), rel=1e-12)
 
 
 def test_fold_of_the_impacting_branch():
     """Known from another program (30 digits), as the next one."""
-    folds = values_of(linear(), Kind.FOLD)
+    folds = values_of(linear(), SpecialKind.FOLD)
     assert min(folds) == pytest.approx(0.708031618721831, rel=1e-12)
     assert len(folds) == 2
 
 
 def test_doubling_in_permanent_contact():
-    low, high = sorted(parametric().of_kind(Kind.DOUBLING), key=lambda special: special.value)
+    low, high = sorted(parametric().of_kind(SpecialKind.DOUBLING), key=lambda special: special.value)
     assert low.value == pytest.approx(1.88314401708371501, rel=1e-12)
     assert low.linear
     assert high.linear
@@ -48,14 +48,18 @@ def test_doubling_in_permanent_contact():
 def test_events_of_the_article():
     """As the study of its scans found them: tests/recorded holds more of them."""
     doubling, touch, join = six().special
-    assert (doubling.kind, touch.kind, join.kind) == (Kind.DOUBLING, Kind.GRAZING, Kind.JOINS)
+    assert (doubling.kind, touch.kind, join.kind) == (
+        SpecialKind.DOUBLING,
+        SpecialKind.GRAZING,
+        SpecialKind.JOINS,
+    )
     assert doubling.value == pytest.approx(0.35232, abs=5e-6)
     assert touch.value == pytest.approx(0.385502, abs=5e-7)
     assert (touch.label_before, touch.label_after) == ("6-6-1", "6-6-2")
-    assert six().ends[1].ending is Ending.JOINED
-    low, high = values_of(window(), Kind.GRAZING)
+    assert six().ends[1].kind is EndKind.JOINED
+    low, high = values_of(window(), SpecialKind.GRAZING)
     assert (low, high) == pytest.approx((0.9725, 1.112), abs=1e-6)
-    assert len(window().of_kind(Kind.TORUS)) == 1
+    assert len(window().of_kind(SpecialKind.TORUS)) == 1
 
 
 def test_a_joining_orbit_is_the_doubling_of_the_other():
@@ -91,12 +95,18 @@ def test_distances_tell_the_contacts(branch):
 def test_stability_changes_at_special_points_only_and_by_the_right_number(branch):
     found = branch()
     assert not found.unexplained
-    changes = {Kind.FOLD: 1, Kind.DOUBLING: 1, Kind.TORUS: 2, Kind.GRAZING: 0, Kind.JOINS: 0}
+    changes = {
+        SpecialKind.FOLD: 1,
+        SpecialKind.DOUBLING: 1,
+        SpecialKind.TORUS: 2,
+        SpecialKind.GRAZING: 0,
+        SpecialKind.JOINS: 0,
+    }
     for left, right in pairwise(found.points):
         between = [s for s in found.special if left.arclength < s.arclength < right.arclength]
         most = sum(changes[special.kind] for special in between)
         assert abs(right.unstable - left.unstable) in ({most, 0} if len(between) > 1 else {most})
-        grazes = sum(special.kind is Kind.GRAZING for special in between)
+        grazes = sum(special.kind is SpecialKind.GRAZING for special in between)
         assert (left.label != right.label) == (grazes % 2 == 1)
 
 
@@ -105,14 +115,14 @@ def test_a_special_point_is_what_it_says(branch):
     """From what it keeps alone."""
     for special in branch().special:
         multipliers = special.point.multipliers
-        if special.kind is Kind.GRAZING:
+        if special.kind is SpecialKind.GRAZING:
             assert special.extremum is not None
             assert abs(special.extremum.distance) < 1e-12
-        elif special.kind is Kind.DOUBLING:
+        elif special.kind is SpecialKind.DOUBLING:
             assert np.abs(multipliers + 1.0).min() < 1e-9
-        elif special.kind is Kind.TORUS:
+        elif special.kind is SpecialKind.TORUS:
             assert np.abs(np.abs(multipliers) - 1.0).min() < 1e-9
-        elif special.kind is Kind.FOLD:
+        elif special.kind is SpecialKind.FOLD:
             assert np.abs(multipliers - 1.0).min() < 1e-5
         low, high = sorted(special.arclengths)
         assert low < special.arclength < high
@@ -147,7 +157,7 @@ def test_the_same_branch_from_its_other_end():
 
 def test_round_a_fold_the_orbit_is_another_one_at_the_same_value():
     branch = linear()
-    high, low = branch.of_kind(Kind.FOLD)
+    high, low = branch.of_kind(SpecialKind.FOLD)
     middle = 0.5 * (high.value + low.value)
     places = branch.at(middle)
     assert len(places) == 3
@@ -185,7 +195,7 @@ def test_a_finer_continuation_finds_no_more(seed, rule):
 
 def test_a_stable_orbit_ends_in_the_fold():
     """By brute force: just beyond it, the motion from the last orbit goes elsewhere."""
-    family, fold = one_dof(error=0.05), min(linear().of_kind(Kind.FOLD), key=lambda s: s.value)
+    family, fold = one_dof(error=0.05), min(linear().of_kind(SpecialKind.FOLD), key=lambda s: s.value)
     for sign, stays in ((1.0, True), (-1.0, False)):
         value = fold.value * (1.0 + sign * 1e-4)
         props = built(family, omega=value)
@@ -210,7 +220,7 @@ def test_steps_may_be_cancelled_and_are_told():
         family, {"omega": 1.45}, "omega", orbit(family, omega=1.45), 0.5, 1.6, PLAIN, told.append,
         lambda: len(told) >= 4,
     )  # fmt: skip
-    assert found.ends[1].ending is Ending.CANCELLED
+    assert found.ends[1].kind is EndKind.CANCELLED
     assert told[:3] == [point.value for point in found.points if point.arclength > 0.0][:3]
 
 

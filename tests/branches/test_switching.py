@@ -8,7 +8,14 @@ import numpy as np
 import pytest
 
 from branches.followed import PLAIN, bundled, parametric, six
-from gearlash.branches.continuation import Branch, Ending, Kind, SpecialPoint, continue_orbit, switched
+from gearlash.branches.continuation import (
+    Branch,
+    EndKind,
+    SpecialKind,
+    SpecialPoint,
+    continue_orbit,
+    switched,
+)
 from gearlash.orbits import orbit_at
 from gearlash.system import ContactRule, Family, GearlashError
 from orbits.contacts import one_dof_under
@@ -27,7 +34,7 @@ def test_six_to_twelve():
     doubling = six().special[0]
     twelve = followed(bundled(), six(), doubling, 0.345, 0.36)
     touch, join = twelve.special
-    assert join.kind is Kind.JOINS
+    assert join.kind is SpecialKind.JOINS
     assert join.value == pytest.approx(doubling.value, rel=1e-11)
     assert (touch.label_before, touch.label_after) == ("12-12-3", "12-12-2")
     assert 0.0 < doubling.value - touch.value < 2e-5
@@ -44,9 +51,9 @@ def test_six_to_three():
     3-3-0 from 0.4155."""
     join = six().special[-1]
     doubling, high, low, touch = three().special
-    assert doubling.kind is Kind.DOUBLING
+    assert doubling.kind is SpecialKind.DOUBLING
     assert doubling.value == pytest.approx(join.value, rel=1e-12)
-    assert (high.kind, low.kind, touch.kind) == (Kind.FOLD, Kind.FOLD, Kind.GRAZING)
+    assert (high.kind, low.kind, touch.kind) == (SpecialKind.FOLD, SpecialKind.FOLD, SpecialKind.GRAZING)
     assert high.value == pytest.approx(0.4854, abs=5e-5)
     assert touch.value == pytest.approx(0.4155, abs=5e-5)
     assert (touch.label_before, touch.label_after) == ("3-3-1", "3-3-0")
@@ -67,10 +74,10 @@ def test_two_orbits_coexist_between_the_ends():
 def test_a_doubling_of_a_linear_motion_begins_where_it_touches():
     """Below that amplitude every one exists at the one value: the branch begins there, at the same value."""
     family, branch = one_dof(error=0.0005, ripple=0.3), parametric()
-    doubling = branch.of_kind(Kind.DOUBLING)[0]
+    doubling = branch.of_kind(SpecialKind.DOUBLING)[0]
     other = followed(family, branch, doubling, 1.7, 2.0)
-    assert [end.ending for end in other.ends].count(Ending.LINEAR) == 1
-    (touch,) = other.of_kind(Kind.GRAZING)
+    assert [end.kind for end in other.ends].count(EndKind.LINEAR) == 1
+    (touch,) = other.of_kind(SpecialKind.GRAZING)
     assert touch.value == pytest.approx(doubling.value, rel=1e-11)
     assert {touch.label_before, touch.label_after} == {"2-0-0", "2-1-0"}
     assert np.abs(touch.point.multipliers - 1.0).min() < 1e-6
@@ -95,7 +102,7 @@ def test_a_corner_is_passed_or_turns_the_branch_back(seed, lower, turns):
     do not exist below; else one on each side."""
     family, values = drawn(seed)
     branch = continue_orbit(family, values, "omega", orbit(family, **values), lower, 1.45, PLAIN)
-    (touch,) = (special for special in branch.of_kind(Kind.GRAZING) if "corner" in special.told)
+    (touch,) = (special for special in branch.of_kind(SpecialKind.GRAZING) if "corner" in special.told)
     assert ("turns back" in touch.told) == turns
     assert touch.extremum is not None
     assert abs(touch.extremum.distance) < 1e-10

@@ -5,6 +5,7 @@ save(dataset, "sweep.nc");  load("sweep.nc")
 """
 
 from .axis import Axis
+from .branch_file import load_branch, save_branch
 from .compare import coexisting, same_motion
 from .dataset import sweep_dataset
 from .digest import content_hash
@@ -31,11 +32,13 @@ __all__ = [
     "coexisting",
     "content_hash",
     "load",
+    "load_branch",
     "not_computed",
     "plane_dataset",
     "provenance",
     "same_motion",
     "save",
+    "save_branch",
     "sweep_dataset",
     "table",
 ]

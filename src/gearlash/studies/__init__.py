@@ -3,6 +3,7 @@
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, PlaneMap, Point, Sweep, coexisting, same_motion
 
+from .continuation import continue_branch, switch_branch
 from .first_grazing import first_grazing
 from .impact_free import impact_free_speeds
 from .model import Model, open_workers, prepare
@@ -27,6 +28,7 @@ __all__ = [
     "ZoneMotion",
     "Zones",
     "coexisting",
+    "continue_branch",
     "first_grazing",
     "impact_free_speeds",
     "map_plane",
@@ -37,5 +39,6 @@ __all__ = [
     "summary",
     "sweep",
     "sweeps",
+    "switch_branch",
     "zones",
 ]

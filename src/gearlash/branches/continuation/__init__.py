@@ -1,17 +1,19 @@
 """Branches of periodic orbits, stable or not, by pseudo-arclength continuation, with their special points."""
 
-from .points import Branch, BranchEnd, BranchPoint, Ending, Kind, SpecialPoint
+from .extrema import Extremum
+from .points import Branch, BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
 from .settings import ContinuationSettings
 from .switching import Switched, switched
 from .whole import continue_orbit
 
 __all__ = [
     "Branch",
-    "BranchEnd",
     "BranchPoint",
     "ContinuationSettings",
-    "Ending",
-    "Kind",
+    "EndKind",
+    "EndOfBranch",
+    "Extremum",
+    "SpecialKind",
     "SpecialPoint",
     "Switched",
     "continue_orbit",

@@ -20,7 +20,7 @@ from .extrema import Extremum
 from .locate import ROUNDING, Located
 from .newton import tangent
 from .node import Node, node_near
-from .points import Kind
+from .points import SpecialKind
 
 NEAR = 1e-4  # of a mesh cycle's size of motion: an extremum so near its boundary may be what stops a branch
 APPROACHES = 12  # to the touch, from one side
@@ -62,7 +62,7 @@ def corner(before: Node | None, node: Node) -> Corner | None:
     touch = replace(touch, touching=touch.touching | {extremum.number})
     error = left * touch.equations.line.unit + ROUNDING * abs(touch.value)
     change = Change(Test.GRAZING, extremum.number)
-    return Corner(Located(change, 0.0, touch, error, Kind.GRAZING, told), after)
+    return Corner(Located(change, 0.0, touch, error, SpecialKind.GRAZING, told), after)
 
 
 def abrupt(system: System, extremum: Extremum) -> bool:

@@ -23,9 +23,34 @@ Group = tuple[int, str, int, int]
 
 
 class Extremum(NamedTuple):
-    """One extremum of the gap (or with the rule `no-tension` of the force) beside a boundary. ``number``: its
-    own along the branch; ``phase`` in mesh cycles; ``distance`` from the boundary, signed as X ∓ D; ``a0`` =
-    X''."""
+    """One extremum of an orbit beside a boundary that it may touch.
+
+    Attributes
+    ----------
+    number : int
+        Its own along the branch.
+    clearance : int
+        Index of the gap.
+    surface : {"gap", "force"}
+        Of what it is an extremum: X, or with the rule `no-tension` the contact force Φ.
+    boundary : {1, -1}
+        Drive or back side.
+    phase : float
+        In mesh cycles.
+    distance : float
+        From the boundary, signed: X ∓ D, or Φ.
+    a0 : float
+        X'' there, or Φ''.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("article").family()
+    >>> branch = gl.continue_branch(family, "omega", lower=1.0, upper=1.12)
+    >>> touch = branch.special[0].extremum
+    >>> touch.boundary, touch.a0 > 0.0
+    (1, True)
+    """
 
     number: int
     clearance: int
@@ -37,6 +62,7 @@ class Extremum(NamedTuple):
 
     @property
     def group(self) -> Group:
+        """Clearance, surface, boundary and sign of the curvature: extrema of one kind."""
         return self.clearance, self.surface, self.boundary, 1 if self.a0 > 0.0 else -1
 
 

@@ -15,7 +15,7 @@ from .changes import halves
 from .corner import Corner, corner
 from .equations import Array
 from .node import Found, Node, node_near
-from .points import BranchEnd, Ending, Kind
+from .points import EndKind, EndOfBranch, SpecialKind
 from .resolve import Item, Passed, Resolver
 from .section import begun_elsewhere
 from .settings import ContinuationSettings
@@ -37,13 +37,13 @@ class Follower:
     start: Node
     settings: ContinuationSettings
 
-    def run(self) -> Iterator[Item | BranchEnd]:
+    def run(self) -> Iterator[Item | EndOfBranch]:
         """Orbits and special points in order, and why it ends."""
         before, node, length = None, self.start, self.settings.first
         for count in range(self.settings.most_points):
             step = self.step(before, node, length)
-            if isinstance(step, BranchEnd):
-                beyond = corner(before, node) if step.ending is Ending.SHORT else None
+            if isinstance(step, EndOfBranch):
+                beyond = corner(before, node) if step.kind is EndKind.SHORT else None
                 if beyond is None or beyond.after is None:
                     yield from self.stopped(node, step, beyond)
                     return
@@ -53,14 +53,14 @@ class Follower:
                 continue
             after, length, ending = step
             if count > 2 and self.closes(node, after):
-                ending = BranchEnd(Ending.CLOSED, self.start.value)
+                ending = EndOfBranch(EndKind.CLOSED, self.start.value)
             degenerate = of_linear_doubling(after)
             if degenerate:
-                ending = BranchEnd(Ending.LINEAR, after.value)
+                ending = EndOfBranch(EndKind.LINEAR, after.value)
             for item in Resolver(touches=degenerate).resolve(before, node, after):
                 yield item
-                if isinstance(item, Passed) and item.located.kind is Kind.JOINS:
-                    ending = BranchEnd(Ending.JOINED, item.located.node.value)
+                if isinstance(item, Passed) and item.located.kind is SpecialKind.JOINS:
+                    ending = EndOfBranch(EndKind.JOINED, item.located.node.value)
                     break
                 if isinstance(item, Node):
                     before, node = node, item
@@ -70,19 +70,19 @@ class Follower:
             moved = begun_elsewhere(node)
             if moved is not None:
                 before, node = None, moved
-        yield BranchEnd(Ending.POINTS, node.value, f"{self.settings.most_points} points")
+        yield EndOfBranch(EndKind.POINTS, node.value, f"{self.settings.most_points} points")
 
-    def stopped(self, node: Node, end: BranchEnd, beyond: Corner | None) -> Iterator[Item | BranchEnd]:
+    def stopped(self, node: Node, end: EndOfBranch, beyond: Corner | None) -> Iterator[Item | EndOfBranch]:
         """A branch that ends, in a touch with a corner or because no step is short enough."""
         if beyond is None:
             yield end
             return
         yield Passed(node, node, beyond.located)
-        yield BranchEnd(Ending.CORNER, beyond.located.node.value, beyond.located.told)
+        yield EndOfBranch(EndKind.CORNER, beyond.located.node.value, beyond.located.told)
 
     def step(
         self, before: Node | None, node: Node, length: float
-    ) -> tuple[Node, float, BranchEnd | None] | BranchEnd:
+    ) -> tuple[Node, float, EndOfBranch | None] | EndOfBranch:
         """The next orbit, the length of the step after it, and whether it is the last."""
         refused = ""
         while length >= self.settings.shortest:
@@ -97,7 +97,7 @@ class Follower:
                 found = self.at_limit(node, guess, limit)
             refused = self.refused(node, found, guess, length)
             if not refused and found.node is not None:
-                end = None if limit is None else BranchEnd(self.side(limit), limit)
+                end = None if limit is None else EndOfBranch(self.side(limit), limit)
                 return found.node, self.next_length(node, found, length), end
             length *= SHRINK
         return self.ended(node, refused)
@@ -107,8 +107,8 @@ class Follower:
         line, value = node.equations.line, node.equations.value(guess)
         return line.lower if value <= line.lower else line.upper if value >= line.upper else None
 
-    def side(self, limit: float) -> Ending:
-        return Ending.LOWER if limit == self.start.equations.line.lower else Ending.UPPER
+    def side(self, limit: float) -> EndKind:
+        return EndKind.LOWER if limit == self.start.equations.line.lower else EndKind.UPPER
 
     def at_limit(self, node: Node, guess: Array, limit: float) -> Found:
         row = np.zeros(len(guess))
@@ -148,11 +148,11 @@ class Follower:
             length *= SHRINK
         return min(length, self.settings.longest)
 
-    def ended(self, node: Node, refused: str) -> BranchEnd:
+    def ended(self, node: Node, refused: str) -> EndOfBranch:
         told = f"steps down to {self.settings.shortest:.0e} are refused: {refused}"
         if "no system" in refused:
-            return BranchEnd(Ending.UNBUILT, node.value, refused)
-        return BranchEnd(Ending.FAR if "without bound" in refused else Ending.SHORT, node.value, told)
+            return EndOfBranch(EndKind.UNBUILT, node.value, refused)
+        return EndOfBranch(EndKind.FAR if "without bound" in refused else EndKind.SHORT, node.value, told)
 
     def closes(self, left: Node, right: Node) -> bool:
         """Whether the first orbit, begun at any of its base periods, lies between two neighbours."""

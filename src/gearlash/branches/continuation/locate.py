@@ -14,7 +14,7 @@ from .changes import Change, Test, halves
 from .equations import UNBUILT
 from .extrema import Extrema
 from .node import Node
-from .points import Kind
+from .points import SpecialKind
 
 ROUNDING = 1e-14  # of the parameter
 SECANTS = 30
@@ -30,7 +30,7 @@ class Located:
     place: float
     node: Node
     error: float
-    kind: Kind | None
+    kind: SpecialKind | None
     told: str = ""
 
 
@@ -67,18 +67,18 @@ def _error(piece: Between, change: Change, node: Node, bracket: float) -> float:
     return unit * (left * max(turn, left)) + ROUNDING * abs(node.value)
 
 
-def _kind(piece: Between, change: Change, node: Node) -> Kind | None:
+def _kind(piece: Between, change: Change, node: Node) -> SpecialKind | None:
     if change.test is Test.GRAZING:
-        return Kind.GRAZING
+        return SpecialKind.GRAZING
     if change.test is Test.DOUBLING:
-        return Kind.DOUBLING
+        return SpecialKind.DOUBLING
     if change.test is Test.TORUS:
         pair = node.spectrum.nearest_pair
-        return Kind.TORUS if abs(abs(pair) - 1.0) < 1e-4 else None
+        return SpecialKind.TORUS if abs(abs(pair) - 1.0) < 1e-4 else None
     if change.test is Test.AT_ONE:
-        return Kind.BRANCH_POINT
+        return SpecialKind.BRANCH_POINT
     crosses = piece.left.spectrum.at_one * piece.right.spectrum.at_one < 0.0
-    return Kind.FOLD if crosses else Kind.SYMMETRIC
+    return SpecialKind.FOLD if crosses else SpecialKind.SYMMETRIC
 
 
 def joined(piece: Between, change: Change) -> Located | None:
@@ -103,7 +103,7 @@ def joined(piece: Between, change: Change) -> Located | None:
     except UNBUILT:
         return None
     near = abs(value - nearer.value) <= piece.length * line.unit
-    return Located(change, place, node, error, Kind.JOINS) if node is not None and near else None
+    return Located(change, place, node, error, SpecialKind.JOINS) if node is not None and near else None
 
 
 def _doubling_of(

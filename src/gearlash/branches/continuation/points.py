@@ -4,34 +4,42 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from enum import StrEnum
+from itertools import pairwise
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.orbits import Certificate, Signature
-from gearlash.orbits.grazing import KINDS
-from gearlash.system import Label, Record, Status
+from gearlash.orbits.grazing import KINDS, Surface
+from gearlash.system import Record, Status, given
+from gearlash.system.status import Named
 
 from .extrema import Extremum
 
 Array = NDArray[np.float64]
 
 
-class Kind(StrEnum):
-    """Of a special point."""
+class SpecialKind(Named):
+    """What happens at a special point of a branch."""
 
     FOLD = "fold"
+    """The branch turns round in the parameter; a multiplier is 1."""
     DOUBLING = "period doubling"
+    """A multiplier is -1: an orbit of twice the period is born or ends."""
     TORUS = "Neimark-Sacker"
+    """A pair of multipliers crosses the unit circle."""
     BRANCH_POINT = "branch point"
+    """A multiplier is 1, and the branch goes on: another branch crosses it."""
     JOINS = "joins the orbit of half its period"
+    """The orbit was born at the doubling of another one and comes back to it."""
     SYMMETRIC = "joins a symmetric orbit"
+    """The orbit was born at the symmetry breaking of another one and comes back to it."""
     GRAZING = "grazing"
+    """An extremum touches a boundary: a contact is born or ends."""
 
 
-class Ending(StrEnum):
+class EndKind(Named):
     """Why a branch is not followed farther."""
 
     LOWER = "lower limit of the parameter"
@@ -39,9 +47,7 @@ class Ending(StrEnum):
     CLOSED = "closed loop: the branch comes back to where it began"
     JOINED = "joins the orbit of half its period"
     CORNER = "touch from the gap under no-tension, where the map has a corner"
-    LINEAR = (
-        "the touch where a linear motion is born at its doubling: at this value it has every lower amplitude"
-    )
+    LINEAR = "touch at the doubling of a linear motion, which has every lower amplitude at this value"
     SHORT = "no step is short enough"
     FAR = "the motion grows without bound"
     UNBUILT = "beyond it no system can be built"
@@ -51,14 +57,41 @@ class Ending(StrEnum):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class BranchPoint(Record):
-    """One orbit of a branch.
+    """One orbit of a branch, stable or not.
 
-    ``value`` of the parameter; ``arclength`` from the first orbit, in scaled unknowns, negative towards the
-    first end; ``state`` (n,) at phase zero and ``strobes`` (P, n) of every base period; ``turn``: how fast
-    the parameter changes along the branch, scaled, between -1 and 1 and zero at a fold; ``signature`` P-Q-R;
-    all ``multipliers`` (n,); ``extrema`` with their distances from their boundaries, each with a number of
-    its own along the branch, those ``born`` and ``died`` since the point before; ``residual`` and ``error``
-    of the state as of `Shot`; ``certificate``."""
+    Attributes
+    ----------
+    value : float
+        Of the parameter.
+    arclength : float
+        From the first orbit, in scaled unknowns; negative towards the first end.
+    state : ndarray of shape (n,)
+        At phase zero: with `value` and `period` it restarts the branch here.
+    strobes : ndarray of shape (P, n)
+        States at phase zero of every base period.
+    turn : float
+        How fast the parameter changes along the branch, scaled: from -1 to 1, zero at a fold.
+    signature : Signature
+    multipliers : ndarray of complex, of shape (n,)
+        All Floquet multipliers, by modulus, descending.
+    extrema : tuple of Extremum
+        With their distances from their boundaries; each has a number of its own along the branch.
+    born, died : tuple of int
+        Numbers of extrema that are not in the point before, or no longer.
+    residual, error : float
+        Of the orbit, as of `Shot`.
+    certificate : Certificate
+    status : Status
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> branch = gl.continue_branch(family, "omega", lower=1.4, upper=1.6, values={"omega": 1.5})
+    >>> point = branch.points[0]
+    >>> print(point.label, point.stable)
+    1-1-0 True
+    """
 
     _printed: ClassVar = ("value", "label", "stable", "unstable", "arclength", "status")
 
@@ -78,7 +111,8 @@ class BranchPoint(Record):
     status: Status
 
     @property
-    def label(self) -> Label:
+    def label(self) -> Signature:
+        """The signature."""
         return self.signature
 
     @property
@@ -93,30 +127,58 @@ class BranchPoint(Record):
 
     @property
     def stable(self) -> bool:
+        """Whether no multiplier lies outside the unit circle."""
         return self.unstable == 0
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SpecialPoint(Record):
-    """Where something happens to a branch: ``point`` is the orbit there, all that a restart needs with it.
+    """Where something happens to a branch, solved for.
 
-    ``value`` of the parameter with its ``error``; ``interval``: the values of the two orbits between which it
-    was found, and their ``arclengths``; of a graze the ``extremum`` that touches, of which the distance is
-    zero within rounding; ``label_before`` and ``label_after``, ``unstable_before`` and ``unstable_after``:
-    contacts and number of unstable multipliers of these two. ``linear``: the orbit meets no boundary, so that
-    its system is linear there: a doubling or torus is then degenerate, and what is born in it appears at the
-    amplitude that grazes."""
+    Attributes
+    ----------
+    kind : SpecialKind
+    value, error : float
+        Of the parameter, and an estimate of its error.
+    interval : tuple of float
+        Values of the two orbits between which it was found.
+    arclengths : tuple of float
+        Of the same two.
+    point : BranchPoint
+        The orbit there: all that a restart needs.
+    label_before, label_after : Signature
+        Contacts of the two orbits.
+    unstable_before, unstable_after : int
+        Their multipliers outside the unit circle.
+    extremum : Extremum or None
+        Of a graze the one that touches; its distance is zero within rounding.
+    linear : bool
+        Whether the orbit meets no boundary, so that its system is linear there: a doubling or torus is then
+        degenerate, and what is born in it appears at the amplitude that grazes.
+    told : str
+        The kind in words, of a graze with its boundary.
+    status : Status
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("article").family()
+    >>> branch = gl.continue_branch(family, "omega", lower=1.0, upper=1.12)
+    >>> for special in branch.special:
+    ...     print(f"{special.value:.6f} {special.kind}: {special.label_before} to {special.label_after}")
+    1.112000 grazing: 1-0-0 to 1-1-0
+    """
 
     _printed: ClassVar = ("kind", "value", "error", "label_before", "label_after", "told", "status")
 
-    kind: Kind
+    kind: SpecialKind
     value: float
     error: float
     interval: tuple[float, float]
     arclengths: tuple[float, float]
     point: BranchPoint
-    label_before: Label
-    label_after: Label
+    label_before: Signature
+    label_after: Signature
     unstable_before: int
     unstable_after: int
     extremum: Extremum | None
@@ -126,30 +188,73 @@ class SpecialPoint(Record):
 
     @property
     def arclength(self) -> float:
+        """Of the point itself."""
         return self.point.arclength
 
 
 def grazing_kind(extremum: Extremum) -> str:
     """Loss of contact or engagement, drive or back side."""
-    return KINDS[(extremum.surface, extremum.boundary, 1 if extremum.a0 > 0.0 else -1)]  # type: ignore[index]
+    surface: Surface = "gap" if extremum.surface == "gap" else "force"
+    return KINDS[(surface, extremum.boundary, 1 if extremum.a0 > 0.0 else -1)]
 
 
 @dataclass(frozen=True, repr=False)
-class BranchEnd(Record):
-    """Why a branch ends at a value, with the evidence in words."""
+class EndOfBranch(Record):
+    """Why a branch is not followed farther.
 
-    ending: Ending
+    Attributes
+    ----------
+    kind : EndKind
+    value : float
+        Of the parameter.
+    told : str
+        The evidence in words, where there is more to tell.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> branch = gl.continue_branch(family, "omega", lower=1.4, upper=1.6, values={"omega": 1.5})
+    >>> [end.value for end in branch.ends]
+    [1.4, 1.6]
+    """
+
+    kind: EndKind
     value: float
     told: str = ""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Branch(Record):
-    """Periodic orbits along one parameter, in the order of their arclength.
+    """Periodic orbits along one parameter, stable or not.
 
-    ``name`` of the parameter, all other ``values``, the limits ``lower`` and ``upper``; ``points``;
-    ``special`` points in the same order; the two ``ends``; ``scale`` of the unknowns, in which arclength is
-    told; ``unexplained``: steps on which something changed that no special point was found for."""
+    Attributes
+    ----------
+    name : str
+        Of the parameter, short.
+    values : mapping of str to float
+        All parameters, dimensionless; that of `name` is where the branch was begun.
+    lower, upper : float
+        Limits of the parameter.
+    points : tuple of BranchPoint
+        In the order of their arclength.
+    special : tuple of SpecialPoint
+        In the same order.
+    ends : tuple of EndOfBranch
+        The first and the last.
+    scale : ndarray
+        Of the unknowns (states, then the parameter), in which arclength is told.
+    unexplained : tuple of str
+        Steps on which something changed that no special point was found for, in words.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("article").family()
+    >>> branch = gl.continue_branch(family, "omega", lower=1.0, upper=1.12)
+    >>> [round(special.value, 6) for special in branch.of_kind("grazing")]
+    [1.112]
+    """
 
     _printed: ClassVar = ("name", "lower", "upper", "points", "special", "ends")
 
@@ -159,20 +264,40 @@ class Branch(Record):
     upper: float
     points: tuple[BranchPoint, ...]
     special: tuple[SpecialPoint, ...]
-    ends: tuple[BranchEnd, BranchEnd]
+    ends: tuple[EndOfBranch, ...]
     scale: Array
     unexplained: tuple[str, ...] = ()
 
     @property
     def parameter(self) -> Array:
-        """(m,): values of the parameter."""
+        """Values of the parameter, of shape (m,)."""
         return np.array([point.value for point in self.points])
 
-    def of_kind(self, kind: Kind | str) -> tuple[SpecialPoint, ...]:
-        """The special points of one kind."""
-        return tuple(special for special in self.special if special.kind == Kind(kind))
+    def of_kind(self, kind: SpecialKind | str) -> tuple[SpecialPoint, ...]:
+        """The special points of one kind.
+
+        Parameters
+        ----------
+        kind : SpecialKind or str
+
+        Returns
+        -------
+        tuple of SpecialPoint
+        """
+        return tuple(special for special in self.special if special.kind is SpecialKind(kind))
 
     def at(self, value: float) -> tuple[tuple[BranchPoint, BranchPoint], ...]:
-        """The pairs of neighbouring points between which the branch passes a value."""
-        pairs = zip(self.points, self.points[1:], strict=False)
+        """Where the branch passes a value.
+
+        Parameters
+        ----------
+        value : float
+            Of the parameter.
+
+        Returns
+        -------
+        tuple of pairs of BranchPoint
+            Neighbours with the value between theirs, one pair for every passage.
+        """
+        value, pairs = given.number("value", value), pairwise(self.points)
         return tuple(p for p in pairs if min(p[0].value, p[1].value) <= value <= max(p[0].value, p[1].value))

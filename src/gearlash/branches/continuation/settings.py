@@ -9,7 +9,9 @@ from gearlash.system import GearlashError, Record
 
 @dataclass(frozen=True, repr=False)
 class ContinuationSettings(Record):
-    """Lengths of steps are in scaled unknowns: 1 is the width of the parameter's interval, or as far as the
+    """How a branch is followed.
+
+    Lengths of steps are in scaled unknowns: 1 is the width of the parameter's interval, or as far as the
     states move in the course of the first orbit.
 
     Parameters
@@ -22,6 +24,21 @@ class ContinuationSettings(Record):
         In each of the two ways from the first orbit.
     certify : bool
         Whether every orbit is certified (about 1 ms each).
+
+    Raises
+    ------
+    GearlashError
+        For lengths or an angle that are none.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> coarse = gl.ContinuationSettings(longest=0.1, certify=False)
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> limits = {"lower": 1.4, "upper": 1.6}
+    >>> branch = gl.continue_branch(family, "omega", values={"omega": 1.5}, **limits, steps=coarse)
+    >>> branch.name
+    'omega'
     """
 
     first: float = 1e-3

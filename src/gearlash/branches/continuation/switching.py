@@ -22,7 +22,7 @@ from .changes import halves
 from .equations import Array, Equations, Line
 from .extrema import Extrema
 from .node import Node, node_near
-from .points import Branch, Kind, SpecialPoint
+from .points import Branch, SpecialKind, SpecialPoint
 
 SIZES = (1e-2, 3e-3, 1e-3, 1e-4)  # of the scale: first distances along the null vector
 BEYOND = (1e-2, 1e-3, 1e-4)  # of the amplitude that touches: how far above it an orbit is solved for
@@ -48,14 +48,14 @@ def switched(family: Family, branch: Branch, special: SpecialPoint) -> tuple[Swi
     props = line.system_at(special.value)
     period = special.point.period // props.system.cycles
     state = special.point.state
-    if special.kind is Kind.JOINS:
+    if special.kind is SpecialKind.JOINS:
         single = orbit_at(props, state, period // 2)
         return () if single is None else (Switched(special.value, single),)
-    if special.kind is Kind.DOUBLING:
+    if special.kind is SpecialKind.DOUBLING:
         start = _start(line, special, 2 * period)
         node = _linear(start) if special.linear else _beside(start, 1.0)
         return () if node is None else (Switched(node.value, node.orbit),)
-    if special.kind in (Kind.BRANCH_POINT, Kind.SYMMETRIC):
+    if special.kind in (SpecialKind.BRANCH_POINT, SpecialKind.SYMMETRIC):
         start = _start(line, special, period)
         nodes = [_beside(start, sign) for sign in (1.0, -1.0)]
         return tuple(Switched(node.value, node.orbit) for node in nodes if node is not None)

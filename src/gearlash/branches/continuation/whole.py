@@ -14,7 +14,7 @@ from .corner import PASSES, abrupt
 from .equations import UNBUILT, Equations, Line
 from .follow import Follower
 from .node import Node, node_near
-from .points import Branch, BranchEnd, BranchPoint, Ending, Kind, SpecialPoint, grazing_kind
+from .points import Branch, BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint, grazing_kind
 from .resolve import Passed, Unexplained
 from .settings import ContinuationSettings
 
@@ -39,8 +39,8 @@ def continue_orbit(
     start = first_node(line, orbit, float(line.values[name]))
     listen = Listener(tell or (lambda _: None), cancelled or (lambda: False))
     ahead = _Way.taken(Follower(start, settings), listen)
-    if ahead.end.ending is Ending.CLOSED:
-        behind = _Way(BranchEnd(Ending.CLOSED, start.value))
+    if ahead.end.kind is EndKind.CLOSED:
+        behind = _Way(EndOfBranch(EndKind.CLOSED, start.value))
     else:
         behind = _Way.taken(Follower(start.turned, settings), listen).turned
     points = (*behind.points, _point(start, 0.0, settings), *ahead.points)
@@ -95,7 +95,7 @@ class Listener:
 class _Way:
     """One way from the first orbit, in order of arclength."""
 
-    end: BranchEnd
+    end: EndOfBranch
     points: list[BranchPoint] = field(default_factory=list)
     special: list[SpecialPoint] = field(default_factory=list)
     unexplained: list[str] = field(default_factory=list)
@@ -103,9 +103,9 @@ class _Way:
     @staticmethod
     def taken(follower: Follower, listen: Listener) -> _Way:
         last, arclength = follower.start, 0.0
-        way = _Way(BranchEnd(Ending.CANCELLED, last.value))
+        way = _Way(EndOfBranch(EndKind.CANCELLED, last.value))
         for item in follower.run():
-            if isinstance(item, BranchEnd):
+            if isinstance(item, EndOfBranch):
                 way.end = item
             elif isinstance(item, Passed):
                 way.special.append(_special(item, last, arclength, follower.settings))
@@ -116,7 +116,7 @@ class _Way:
                 way.points.append(_point(item, arclength, follower.settings))
                 last = item
                 listen.tell(item.value)
-                way.end = BranchEnd(Ending.CANCELLED, last.value)
+                way.end = EndOfBranch(EndKind.CANCELLED, last.value)
                 if listen.cancelled():
                     break
         return way
@@ -155,7 +155,7 @@ def _special(passed: Passed, last: Node, arclength: float, settings: Continuatio
     node, change = located.node, located.change
     here = arclength + float(np.linalg.norm(node.u - last.u))
     point = _point(node, here, replace(settings, certify=False))
-    extremum = node.extrema.by_number[change.number] if located.kind is Kind.GRAZING else None
+    extremum = node.extrema.by_number[change.number] if located.kind is SpecialKind.GRAZING else None
     told = str(located.kind) if extremum is None else grazing_kind(extremum)
     corner = located.told
     if extremum is not None and not corner and abrupt(node.here.props.system, extremum):
@@ -169,8 +169,8 @@ def _special(passed: Passed, last: Node, arclength: float, settings: Continuatio
         interval=(left.value, right.value),
         arclengths=(here - away[0], here + away[1]),
         point=point,
-        label_before=left.orbit.label,
-        label_after=right.orbit.label,
+        label_before=left.orbit.signature,
+        label_after=right.orbit.signature,
         unstable_before=left.spectrum.unstable.total,
         unstable_after=right.spectrum.unstable.total,
         extremum=extremum,

@@ -1,0 +1,197 @@
+"""Branches of periodic orbits of a case or a family."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from gearlash import flow
+from gearlash.branches.continuation import (
+    Branch,
+    BranchPoint,
+    ContinuationSettings,
+    SpecialPoint,
+    continue_orbit,
+    switched,
+)
+from gearlash.jobs import Execution
+from gearlash.jobs.stop import Cancel
+from gearlash.orbits import Orbit, attractor, orbit_at
+from gearlash.results import Point
+from gearlash.system import Family, GearlashError, given
+
+from .arguments import checked_settings
+from .model import Model, Source
+from .named import plain_values
+
+Start = Orbit | Point | BranchPoint | SpecialPoint
+STARTS = (Orbit, Point, BranchPoint, SpecialPoint)
+
+
+def continue_branch(
+    model: Model,
+    name: str,
+    start: Orbit | Point | BranchPoint | SpecialPoint | None = None,
+    *,
+    lower: float | str,
+    upper: float | str,
+    values: Mapping[str, float | str] | None = None,
+    steps: ContinuationSettings | None = None,
+    tell: Callable[[float], object] | None = None,
+    cancel: Cancel | None = None,
+) -> Branch:
+    """The branch of periodic orbits through one orbit, in one parameter.
+
+    Stable and unstable orbits alike are followed by pseudo-arclength continuation, round folds and through
+    grazing. Folds, doublings, Neimark-Sacker points, branch points and grazings are solved for.
+
+    Parameters
+    ----------
+    model : Case or Family
+    name : str
+        The parameter, such as ``omega``; of a case also as in its file, such as ``pinion_speed``.
+    start : Orbit, Point, BranchPoint or SpecialPoint, optional
+        The orbit to begin with. A `Point` or a point of a branch brings the value of the parameter with it,
+        an `Orbit` is one at ``values``. Without it, the motion from the cold start at ``values``.
+    lower, upper : float or str
+        Limits of the parameter; of a case also with a unit, such as ``"3000 rpm"``. The start lies between.
+    values : mapping of str to float or str, optional
+        Of the parameters, over the model's own.
+    steps : ContinuationSettings, optional
+    tell : callable, optional
+        Hears the value of the parameter of every orbit, dimensionless.
+    cancel : Cancel, optional
+        Once it is set, the branch ends there.
+
+    Returns
+    -------
+    Branch
+        Its values are dimensionless, by short name.
+
+    Raises
+    ------
+    GearlashError
+        For a name that is no parameter, a start that is not periodic or of another member, or a period of
+        more than 64 base periods.
+
+    References
+    ----------
+    H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems (1977). E. Allgower and
+    K. Georg, Introduction to Numerical Continuation Methods (2003), doi:10.1137/1.9780898719154.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> branch = gl.continue_branch(family, "omega", lower=0.5, upper=1.6, values={"omega": 1.5})
+    >>> for special in branch.special:
+    ...     print(f"{special.kind} at {special.value:.6f}")
+    grazing at 0.820631
+    fold at 0.828464
+    fold at 0.708032
+    grazing at 1.407088
+    """
+    family = Source.of(model).family()
+    short, low, high = _interval(model, family, given.word("name", name), lower, upper)
+    numbers, steps = plain_values(model, family, values), _checked_steps(steps)
+    if start is not None and not isinstance(start, Orbit):
+        given.instance("start", start, STARTS, "an Orbit, a Point of a study, or a point of a branch")
+        numbers[short] = start.value
+    complete = family.complete(numbers)
+    if tell is not None:
+        given.function("tell", tell, "a function of a number")
+    cancelled = Execution(cancel=cancel).cancel
+    stop = None if cancelled is None else cancelled.is_set
+    return continue_orbit(
+        family, complete, short, _orbit(family, complete, start), low, high, steps, tell, stop
+    )
+
+
+def switch_branch(
+    model: Model,
+    branch: Branch,
+    special: SpecialPoint,
+    *,
+    steps: ContinuationSettings | None = None,
+) -> tuple[Branch, ...]:
+    """The branches of periodic orbits that meet another one at a special point of it.
+
+    Parameters
+    ----------
+    model : Case or Family
+        That of the branch.
+    branch : Branch
+    special : SpecialPoint
+        One of its doublings or branch points, or where it joins the orbit of half its period.
+    steps : ContinuationSettings, optional
+
+    Returns
+    -------
+    tuple of Branch
+        Between the same limits; empty where none was found near by.
+
+    Raises
+    ------
+    GearlashError
+        For a kind of point at which no branch of periodic orbits begins.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("article")
+    >>> six = gl.continue_branch(case, "D", lower=0.35, upper=0.37, values={"omega": 0.78, "D": 0.365})
+    >>> (twelve,) = gl.switch_branch(case, six, six.of_kind("period doubling")[0])
+    >>> print(twelve.points[0].label)
+    12-12-3
+    """
+    family = Source.of(model).family()
+    given.instance("branch", branch, Branch, "a Branch, as from gearlash.continue_branch")
+    given.instance("special", special, SpecialPoint, "one of branch.special")
+    found = []
+    for one in switched(family, branch, special):
+        values = {**branch.values, branch.name: one.value}
+        found.append(
+            continue_orbit(
+                family, values, branch.name, one.orbit, branch.lower, branch.upper, _checked_steps(steps)
+            )
+        )
+    return tuple(found)
+
+
+def _interval(
+    model: Model, family: Family, name: str, lower: float | str, upper: float | str
+) -> tuple[str, float, float]:
+    """The short name and the limits, dimensionless."""
+    ((short, low),) = plain_values(model, family, {name: lower}).items()
+    ((_, high),) = plain_values(model, family, {name: upper}).items()
+    for limit in (low, high):
+        family.complete({short: limit})
+    if not low < high:
+        raise GearlashError(f"limits of {name}: {low:g} is not below {high:g}")
+    return short, low, high
+
+
+def _checked_steps(steps: ContinuationSettings | None) -> ContinuationSettings:
+    expected = "ContinuationSettings, such as gearlash.ContinuationSettings(longest=0.02)"
+    if steps is None:
+        return ContinuationSettings()
+    return given.instance("steps", steps, ContinuationSettings, expected)
+
+
+def _orbit(family: Family, values: Mapping[str, float], start: Start | None) -> Orbit:
+    if isinstance(start, Orbit):
+        return start
+    props = flow.propagators(family.system(values))
+    if start is None:
+        found = attractor(props, family.start(values), checked_settings(None))
+        if not isinstance(found, Orbit):
+            raise GearlashError(
+                f"the motion from the cold start is {found.label}, not periodic: give a start"
+            )
+        return found
+    point = start.point if isinstance(start, SpecialPoint) else start
+    if point.period < 1:
+        raise GearlashError(f"the start is {point.status}, not periodic: expected a periodic motion")
+    orbit = orbit_at(props, point.state, point.period // props.system.cycles)
+    if orbit is None:
+        raise GearlashError("there is no periodic orbit of this family near the start")
+    return orbit
