@@ -17,11 +17,10 @@ from gearlash.jobs import Execution
 from gearlash.jobs.stop import Cancel
 from gearlash.orbits import Orbit, attractor, orbit_at
 from gearlash.results import Point
-from gearlash.system import Family, GearlashError, given
+from gearlash.system import Family, GearlashError, given, plain_values
 
 from .arguments import checked_settings
 from .model import Model, Source
-from .named import plain_values
 
 Start = Orbit | Point | BranchPoint | SpecialPoint
 STARTS = (Orbit, Point, BranchPoint, SpecialPoint)
