@@ -47,6 +47,8 @@ def test_what_does_not_fit_is_refused_in_words():
     for arguments, said in wrong:
         with pytest.raises(gl.GearlashError, match=said):
             gl.first_grazing(CASE, *arguments)
+    with pytest.raises(gl.GearlashError, match="name='omega'"):
+        gl.first_grazing(CASE, "omega", gl.point(CASE, {"omega": 1.0}), "up")
     chaos = gl.point(CASE, {"omega": 0.78, "D": 0.25}, name="omega")
     assert not chaos.periodic
     with pytest.raises(gl.GearlashError, match="periodic"):

@@ -57,6 +57,9 @@ def test_maps_zones_points_and_searches_take_names_and_units():
     assert found.here
     path, _ = gl.first_grazing(CASE, "omega", gl.point(CASE, name="omega"), "down", values=fixed)
     assert path.decided
+    start = gl.point(CASE, {"pinion_speed": "4000 rpm"}, name="pinion_speed")
+    assert start.value == in_omega("4000 rpm")[0]
+    assert gl.first_grazing(CASE, "pinion_speed", start, "down", values=fixed)[0].decided
 
 
 @pytest.mark.parametrize(

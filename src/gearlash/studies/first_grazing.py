@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from math import isnan
 from typing import Literal
 
 from gearlash import flow
@@ -11,7 +12,7 @@ from gearlash.jobs.stop import interruptible
 from gearlash.orbits import Settings, orbit_at
 from gearlash.results import Direction, Point
 from gearlash.results.followed import INTERRUPTED, Passed, Path
-from gearlash.system import Family, GearlashError, MotionKind, given, plain_values
+from gearlash.system import Family, GearlashError, MotionKind, given, plain_values, short_name
 
 from .arguments import checked_settings
 from .model import Model, Source
@@ -38,7 +39,7 @@ def first_grazing(
     ----------
     model : Case or Family
     name : str
-        Parameter by short name, such as ``omega``.
+        Parameter to follow in, such as ``omega``; a case knows it by a physical name, too.
     start : Point
         A periodic motion and the value of ``name`` at which it was found: ``gearlash.point(model, values,
         name=name)``, or a point of a sweep.
@@ -72,7 +73,7 @@ def first_grazing(
     >>> round(touch.value, 4), path.ended
     (0.9725, 'grazing at 0.9724999996')
     """
-    family, others = _checked(model, name, start, values)
+    family, name, others = _checked(model, name, start, values)
     direction, settings = _way(direction), checked_settings(settings)
     if tell is not None:
         given.function("tell", tell, "a function of two whole numbers")
@@ -110,14 +111,17 @@ def first_grazing(
 
 def _checked(
     model: Model, name: str, start: Point, values: Mapping[str, float | str] | None
-) -> tuple[Family, dict[str, float]]:
-    """The family, and its member at the start."""
+) -> tuple[Family, str, dict[str, float]]:
+    """The family, the short name of the parameter, and the values of all parameters at the start."""
     family = Source.of(model).family()
-    given.known("parameter", name, family.defaults)
+    name = short_name(model, family, name)
     given.instance("start", start, Point, "a point, as from gearlash.point(model, values, name=...)")
     if not start.periodic:
         raise GearlashError(f"start: expected a periodic motion, not one of status {start.status}")
-    return family, family.complete({**plain_values(model, family, values), name: start.value})
+    if isnan(start.value):
+        made = f"gearlash.point(model, values, name={name!r})"
+        raise GearlashError(f"start: the point does not say its {name}: make it with {made}")
+    return family, name, family.complete({**plain_values(model, family, values), name: start.value})
 
 
 def _way(direction: str) -> Literal["down", "up"]:

@@ -13,7 +13,7 @@ from gearlash.flow import Propagators
 from gearlash.flow.events import gap_displacement
 from gearlash.orbits import Attractor, Orbit, Settings, attractor
 from gearlash.results import FAILED, Point, blank
-from gearlash.system import Family, GearlashError, Status, given, plain_values
+from gearlash.system import Family, GearlashError, Status, given, plain_values, short_name
 
 from .arguments import checked_settings
 from .forces import force_figures
@@ -41,7 +41,7 @@ def point(
         Parameters over those of the model. A case takes every name and unit of its file:
         ``{"pinion_speed": "3600 rpm"}``.
     name : str, optional
-        Short name of the parameter whose value the point carries; its value is NaN without.
+        Parameter whose value, dimensionless, the point carries; its value is NaN without.
     start : array_like of shape (n,), optional
         State at phase zero; the model's cold start without.
     trial : (array_like of shape (n,), int), optional
@@ -69,7 +69,7 @@ def point(
     family = Source.of(model).family()
     numbers = plain_values(model, family, values)
     if name is not None:
-        given.known("parameter", name, family.defaults)
+        name = short_name(model, family, name)
     begin = None if start is None else given.numbers("start", start, (len(family.states),))
     return evaluate(family, numbers, name, begin, trial, checked_settings(settings), None)[0]
 

@@ -103,5 +103,5 @@ def plain_values(
 
 
 def plain_value(model: HasFamily, name: str, value: object) -> tuple[str, float]:
-    """One of them."""
+    """Short name and dimensionless value of one parameter, named and stated as in a file."""
     return model.resolve(name, value if isinstance(value, str) else given.number(name, value))
