@@ -19,6 +19,7 @@ MODULES = (
     "gearlash.gears.basic_rack",
     "gearlash.gears.contact_lines",
     "gearlash.gears.cylindrical_pair",
+    "gearlash.gears.dynamic_factor",
     "gearlash.gears.flank_tolerances",
     "gearlash.gears.gear_body",
     "gearlash.gears.gear_fits",
@@ -35,6 +36,7 @@ MODULES = (
     "gearlash.gears.tooth_form",
     "gearlash.gears.tooth_pair",
     "gearlash.gears.unloaded_error",
+    "gearlash.gears.waveform",
     "gearlash.plots",
     "gearlash.report",
 )

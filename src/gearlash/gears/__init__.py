@@ -6,6 +6,7 @@ Nothing here knows a case file or a unit: lengths in m, angles in rad, masses in
 from . import (
     backlash,
     contact_lines,
+    dynamic_factor,
     flank_tolerances,
     gear_body,
     gear_fits,
@@ -20,6 +21,7 @@ from . import (
     tooth_form,
     tooth_pair,
     unloaded_error,
+    waveform,
 )
 from .basic_rack import BasicRack
 from .cylindrical_gear import CylindricalGear
@@ -40,6 +42,7 @@ __all__ = [
     "backlash",
     "contact_lines",
     "disc_face_width",
+    "dynamic_factor",
     "equivalent_mass",
     "flank_tolerances",
     "gear_body",
@@ -57,4 +60,5 @@ __all__ = [
     "tooth_form",
     "tooth_pair",
     "unloaded_error",
+    "waveform",
 ]
