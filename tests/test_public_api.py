@@ -48,6 +48,7 @@ SNAPSHOT = [
     "Fourier",
     "GearlashError",
     "GrazingCheck",
+    "GrazingConditions",
     "GrazingPoint",
     "HasFamily",
     "Hold",

@@ -109,7 +109,7 @@ class EventSearch:
             exponent=point.exponent,
             distance_to_fold=point.to_fold,
             distance_to_doubling=point.to_doubling,
-            conditions=_conditions(point, at, self.gradient(point)),
+            conditions=_conditions(self.family, point),
             residual=point.residual,
             method="solved together with orbit and time of the touch (Newton, one-sided system)",
             branch=_branch(directions),
@@ -154,7 +154,7 @@ class EventSearch:
             distance_to_doubling=doubling,
             conditions=(
                 ("least |λ + 1| of the orbit at the doubling", doubling, doubling <= ZERO),
-                *_conditions(graze, at, self.gradient(graze)),
+                *_conditions(self.family, graze),
             ),
             residual=max(point.residual, graze.residual),
             method="the doubling solved for together with its orbit; the orbit born there followed by its "
@@ -179,10 +179,6 @@ class EventSearch:
                 return motion(found, value=place)
             distance /= 2.0
         raise GearlashError(f"no motion {wanted} beside {name} = {value}")
-
-    def gradient(self, point: GrazingPoint) -> float:
-        """|∂H/∂X| of the boundary: the length of what reads the gap from the state."""
-        return float(np.linalg.norm(self.family.system(point.values).clearances[0].h))
 
     def beside(self, claim: Claim, point: GrazingPoint, side: int) -> Motion:
         """The orbit at a distance from the grazing at which it still has the label of that side."""
@@ -253,16 +249,15 @@ def _reported(claim: Claim) -> dict:
     }
 
 
-def _conditions(point: GrazingPoint, at: Motion, gradient: float) -> tuple[tuple[str, float, bool], ...]:
+def _conditions(family: Family, point: GrazingPoint) -> tuple[tuple[str, float, bool], ...]:
     """The article's four conditions with their values at the computed point."""
-    assert at.touch is not None
-    gap = at.gap_plus if point.boundary > 0 else -at.gap_minus
-    distance = at.touch.displacement - gap
+    found = point.conditions(family.system(point.values))
+    meets, smooth, turns, _ = found.met()
     return (
-        ("H(X*) = X ∓ D = 0: the orbit meets the boundary", distance, abs(distance) <= 1e-9),
-        ("|∂H/∂X| ≠ 0: the boundary is smooth", gradient, gradient > 0.0),
-        ("∂H/∂X · F = X′ = 0: no normal velocity", at.touch.velocity, abs(at.touch.velocity) <= 1e-7),
-        ("a0 = X″ ≠ 0; its sign names the side", point.a0, abs(point.a0) > ZERO),
+        ("H(X*) = X ∓ D = 0: the orbit meets the boundary", found.distance, meets),
+        ("|∂H/∂X| ≠ 0: the boundary is smooth", found.gradient, smooth),
+        ("∂H/∂X · F = X′ = 0: no normal velocity", found.velocity, turns),
+        ("a0 = X″ ≠ 0; its sign names the side", found.a0, abs(found.a0) > ZERO),
     )
 
 

@@ -23,8 +23,8 @@ from gearlash.orbits import GrazingCheck, Orbit
 from gearlash.orbits.contact_force import force_extrema
 from gearlash.orbits.extrema import gap_extrema
 from gearlash.orbits.floquet import ordered, rate
-from gearlash.orbits.grazing import KINDS, Surface
-from gearlash.system import Family, HasFamily, Label, MotionKind, Record, Status, given
+from gearlash.orbits.grazing import KINDS, GrazingConditions, Surface, conditions_at
+from gearlash.system import Family, HasFamily, Label, MotionKind, Record, Status, System, given
 
 from .critical import distance_to_unit
 from .sides import Sides
@@ -87,6 +87,24 @@ class GrazingPoint(Record):
     def kind(self) -> str:
         """Loss of contact or engagement, drive or back side."""
         return KINDS[(self.surface, self.boundary, 1 if self.a0 > 0 else -1)]
+
+    def conditions(self, system: System) -> GrazingConditions:
+        """The four conditions, read anew from the state at the touch.
+
+        Parameters
+        ----------
+        system : System
+            The member of the family at ``values``.
+
+        Returns
+        -------
+        GrazingConditions
+            Of the surface "force" the velocity is the residual of all equations.
+        """
+        return conditions_at(
+            system, self.phase, self.state, self.a0,
+            clearance=self.clearance, boundary=self.boundary, surface=self.surface, force_rate=self.residual,
+        )  # fmt: skip
 
     @property
     def to_doubling(self) -> float:

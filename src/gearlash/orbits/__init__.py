@@ -6,7 +6,7 @@ from gearlash.system import Signature
 from .attractor import attractor
 from .certificate import Certificate, Verdict
 from .floquet import multipliers
-from .grazing import GrazingCheck, grazing_checks
+from .grazing import GrazingCheck, GrazingConditions, grazing_checks
 from .lyapunov import Exponents, lyapunov
 from .results import Aperiodic, Attractor, Neutral, Orbit, Unresolved
 from .sections import Section, Sections, sections
@@ -22,6 +22,7 @@ __all__ = [
     "Exponents",
     "ForceStatistics",
     "GrazingCheck",
+    "GrazingConditions",
     "MotionStatistics",
     "Neutral",
     "Orbit",

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.flow import Trace
-from gearlash.flow.events import gap_velocity
+from gearlash.flow.events import contact_force, gap_displacement, gap_velocity
 from gearlash.system import ContactRule, Record, System, evaluate, given
 
 from .contact_force import force_extrema
@@ -34,6 +34,55 @@ KINDS = {
     ("force", -1, -1): "loss of contact on the back side (the force falls to zero in S3)",
     ("force", -1, 1): "engagement on the back side (the force rises to zero beyond -D)",
 }
+
+
+@dataclass(frozen=True, repr=False)
+class GrazingConditions(Record):
+    """The four conditions of grazing a surface H = 0, as numbers along one motion at one phase.
+
+    Parameters
+    ----------
+    distance : float
+        H: 0 where the motion meets the surface.
+    gradient : float
+        |∇H|: not 0 where the surface is smooth.
+    velocity : float
+        H': 0 where the motion does not cross it.
+    a0 : float
+        H'' per unit of τ squared: not 0, and its sign names the side that the surface is met from.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.GrazingConditions(distance=0.0, gradient=1.0, velocity=0.0, a0=0.2).met()
+    (True, True, True, True)
+    """
+
+    distance: float
+    gradient: float
+    velocity: float
+    a0: float
+
+    def met(self, tolerance: float = 1e-9) -> tuple[bool, bool, bool, bool]:
+        """Which of the conditions hold.
+
+        Parameters
+        ----------
+        tolerance : float
+            Within which distance and velocity count as 0, and beyond which a0 does not; lengths in units of
+            the reference length.
+
+        Returns
+        -------
+        tuple of bool
+            Of distance, gradient, velocity and a0.
+        """
+        return (
+            abs(self.distance) <= tolerance,
+            self.gradient > 0.0,
+            abs(self.velocity) <= tolerance,
+            abs(self.a0) > tolerance,
+        )
 
 
 @dataclass(frozen=True, repr=False)
@@ -108,12 +157,12 @@ class GrazingCheck(Record):
         -------
         bool
         """
-        return (
-            abs(self.distance) <= tolerance
-            and self.gradient > 0.0
-            and abs(self.velocity) <= tolerance
-            and abs(self.a0) > tolerance
-        )
+        return all(self.conditions.met(tolerance))
+
+    @property
+    def conditions(self) -> GrazingConditions:
+        """The four numbers that the conditions are about."""
+        return GrazingConditions(self.distance, self.gradient, self.velocity, self.a0)
 
 
 def grazing_checks(
@@ -220,6 +269,31 @@ def _of_force(trace: Trace, j: int) -> Iterator[GrazingCheck]:
             name=c.name,
             surface="force",
         )
+
+
+def conditions_at(
+    system: System,
+    phase: float,
+    state: NDArray[np.float64],
+    a0: float,
+    *,
+    clearance: int,
+    boundary: int,
+    surface: Surface,
+    force_rate: float = 0.0,
+) -> GrazingConditions:
+    """The conditions read from the state (n,) of a motion at a phase (mesh cycles). ``a0``, and for the
+    surface "force" the rate ``force_rate`` of the force, are derivatives along the motion that a state alone
+    does not tell."""
+    c, at = system.clearances[clearance], np.array([phase])
+    x, velocity = (read(system, at, state[None], clearance) for read in (gap_displacement, gap_velocity))
+    if surface == "gap":
+        edge = c.gap_plus if boundary > 0 else -c.gap_minus
+        return GrazingConditions(float(x[0]) - edge, float(np.linalg.norm(c.h)), float(velocity[0]), a0)
+    region = np.array([0 if boundary > 0 else 2])
+    force = float(contact_force(system, at, x, velocity, region, clearance)[0])
+    gradient = float(np.linalg.norm(force_gradient(system, clearance, phase, boundary)))
+    return GrazingConditions(force, gradient, force_rate, a0)
 
 
 def force_gradient(system: System, j: int, phase: float, boundary: int) -> NDArray[np.float64]:

@@ -6,11 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
-import numpy as np
-
 from gearlash.case import Case
 from gearlash.results.followed import INTERRUPTED, Path
-from gearlash.system import Family, Label, Signature, Status, System, label_text
+from gearlash.system import Family, Label, Signature, Status, label_text
 
 from .asked import Asked
 from .excitation import NOT_EXCITED, nothing_varies
@@ -165,44 +163,17 @@ def _meets_back(point: GrazingPoint) -> bool:
 
 
 def _conditions(family: Family, point: GrazingPoint) -> tuple[Condition, ...]:
-    """The four conditions, read anew from the state at the touch."""
-    from gearlash.flow.events import gap_displacement, gap_velocity
+    """The four conditions in words."""
+    found = point.conditions(family.system(point.values))
+    values = (found.distance, found.gradient, found.velocity, found.a0)
+    return tuple(map(Condition, _worded(point), values, found.met(HOLDS)))
 
-    system, index = family.system(point.values), point.clearance
-    clearance = system.clearances[index]
+
+def _worded(point: GrazingPoint) -> tuple[str, str, str, str]:
     if point.surface == "force":
-        return _conditions_of_force(system, point)
-    phase, state = np.array([point.phase]), point.state[None]
-    edge = clearance.gap_plus if point.boundary > 0 else -clearance.gap_minus
-    x = float(gap_displacement(system, phase, state, index)[0])
-    velocity = float(gap_velocity(system, phase, state, index)[0])
-    gradient = float(np.linalg.norm(clearance.h))
-    distance = x - edge
+        return "H = Φ = 0", "|∂H/∂z| ≠ 0", "Φ′ = 0 (its residual)", "a0 = Φ″ ≠ 0"
     sign = "X − D" if point.boundary > 0 else "X + D⁻"
-    return (
-        Condition(f"H = {sign} = 0", distance, abs(distance) <= HOLDS),
-        Condition("|∂H/∂X| ≠ 0", gradient, gradient > 0.0),
-        Condition("X′ = 0", velocity, abs(velocity) <= HOLDS),
-        Condition(f"a0 = X″ {_curvature(point)}", point.a0, abs(point.a0) > HOLDS),
-    )
-
-
-def _conditions_of_force(system: System, point: GrazingPoint) -> tuple[Condition, ...]:
-    """The same for H = Φ, where contact ends with its force."""
-    from gearlash.flow.events import contact_force, gap_displacement, gap_velocity
-    from gearlash.orbits.grazing import force_gradient
-
-    phase, state, index = np.array([point.phase]), point.state[None], point.clearance
-    x, velocity = (read(system, phase, state, index) for read in (gap_displacement, gap_velocity))
-    region = np.array([0 if point.boundary > 0 else 2])
-    force = float(contact_force(system, phase, x, velocity, region, index)[0])
-    gradient = float(np.linalg.norm(force_gradient(system, index, point.phase, point.boundary)))
-    return (
-        Condition("H = Φ = 0", force, abs(force) <= HOLDS),
-        Condition("|∂H/∂z| ≠ 0", gradient, gradient > 0.0),
-        Condition("Φ′ = 0 (its residual)", point.residual, point.residual <= HOLDS),
-        Condition("a0 = Φ″ ≠ 0", point.a0, abs(point.a0) > HOLDS),
-    )
+    return f"H = {sign} = 0", "|∂H/∂X| ≠ 0", "X′ = 0", f"a0 = X″ {_curvature(point)}"
 
 
 def _curvature(point: GrazingPoint) -> str:
