@@ -29,6 +29,7 @@ from .cylindrical_pair import CylindricalPair
 from .geometry import LineOfAction, Projection, ToothGeometry, YAxis, line_of_action
 from .helical import HelicalPair
 from .inertia import disc_face_width, equivalent_mass, solid_disc
+from .root_fillet import RootFillet
 
 __all__ = [
     "BasicRack",
@@ -37,6 +38,7 @@ __all__ = [
     "HelicalPair",
     "LineOfAction",
     "Projection",
+    "RootFillet",
     "ToothGeometry",
     "YAxis",
     "backlash",

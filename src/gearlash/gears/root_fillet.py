@@ -121,7 +121,18 @@ class RootFillet:
         return np.hypot(across, up), pi / self.teeth - from_space
 
     def involute_angle(self, radius: ArrayLike) -> Reals:
-        """Angle of the involute from the middle of the tooth, rad; below the base circle that of its end."""
+        """Angle of the involute from the middle of the tooth, rad; below the base circle that of its end.
+
+        Parameters
+        ----------
+        radius : array_like
+            m; above 0.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of ``radius``.
+        """
         pressure = np.arccos(np.minimum(self.base_radius / np.asarray(radius, dtype=float), 1.0))
         return self.base_half_angle - (np.tan(pressure) - pressure)
 
