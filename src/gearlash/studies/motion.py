@@ -25,7 +25,27 @@ TOUCHING = 1e-3  # mesh cycles around a touch within which a contact is that tou
 
 @dataclass(frozen=True, repr=False)
 class Touch(Record):
-    """Where a motion touches a boundary (+1: Σ1, -1: Σ2) without crossing it."""
+    """Where a motion touches a boundary without crossing it.
+
+    Attributes
+    ----------
+    phase : float
+        In mesh cycles.
+    displacement : float
+        X there.
+    velocity : float
+        X' there.
+    boundary : {1, -1}
+        Σ1 or Σ2.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> orbit = gl.attractor(family.system({"omega": 0.8}), family.start())
+    >>> gl.motion(orbit, touch=(0.785, 1)).touch.boundary  # nearly: there X comes closest to Σ1
+    1
+    """
 
     phase: float
     displacement: float
@@ -35,12 +55,51 @@ class Touch(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Motion(Record):
-    """One period of an orbit, or a stretch of another motion, sampled.
+    """One period of an orbit, or a stretch of another motion, sampled in one of its gaps.
 
-    ``phase`` (N,) in mesh cycles from 0; X, X', Φ and ``region`` (0: drive side, 1: free, 2: back side) at
-    these phases, contacts and extrema among them. ``hit_*`` (m,) are the contact events, ``strobe_*`` the
-    points on σ_t. ``period`` is 0 where nothing periodic was proved; ``value`` is that of the parameter under
-    study (nan if none). All dimensionless.
+    All numbers are dimensionless.
+
+    Attributes
+    ----------
+    omega : float
+        Mesh frequency ω.
+    gap_plus, gap_minus : float
+        D⁺ and D⁻ of the gap.
+    label : Signature or MotionKind
+    status, message : str
+        Of the attractor.
+    period : int
+        In mesh cycles; 0 where nothing periodic was proved.
+    largest_exponent, exponent_error : float
+        Lyapunov exponent per unit of τ, and the half-width of its 95 % interval.
+    leading : complex
+        Multiplier of largest modulus; NaN without an orbit.
+    phase : ndarray of shape (N,)
+        In mesh cycles from 0: 400 a cycle, and those of all contacts and extrema.
+    displacement, velocity, force : ndarray of shape (N,)
+        X, X' and Φ at these phases.
+    region : ndarray of int, shape (N,)
+        0 in contact on the drive side, 1 free, 2 in contact on the back side.
+    hit_phase, hit_displacement, hit_velocity : ndarray of shape (m,)
+        Contact events: phase in mesh cycles, X and X'.
+    hit_boundary : ndarray of int, shape (m,)
+        1: Σ1, -1: Σ2.
+    hit_engaging : ndarray of bool, shape (m,)
+        Whether contact begins.
+    strobe_displacement, strobe_velocity : ndarray of shape (P,)
+        X and X' at phase zero of every base period.
+    value : float
+        Of the parameter under study; NaN if there is none.
+    touch : Touch, optional
+        A grazing in it.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.motion(gl.attractor(family.system({"omega": 0.9}), family.start()))
+    >>> str(found.label), found.cycles, found.hit_boundary.tolist(), found.hit_engaging.tolist()
+    ('1-1-0', 1.0, [1, 1], [True, False])
     """
 
     _printed: ClassVar = ("label", "status", "value", "period", "omega", "cycles")
@@ -77,7 +136,7 @@ class Motion(Record):
 
     @property
     def periodic(self) -> bool:
-        """Is this one whole period of a proved orbit?"""
+        """Whether this is one whole period of a proved orbit."""
         return self.period > 0
 
 
@@ -90,8 +149,39 @@ def motion(
     label: Label | None = None,
     clearance: int = 0,
 ) -> Motion:
-    """The motion of an attractor in one of its gaps; ``touch`` is (phase in mesh cycles, boundary ±1) of a
-    grazing in it."""
+    """The motion of an attractor in one of its gaps, sampled.
+
+    Parameters
+    ----------
+    attractor : Orbit, Aperiodic, Neutral or Unresolved
+        What `attractor` returned: of an orbit one period is sampled, of another motion up to 60 mesh cycles.
+    value : float
+        Of the parameter under study; only kept.
+    touch : (float, int), optional
+        Phase in mesh cycles and boundary (1 or -1) of a grazing in it: contacts within a thousandth of a
+        cycle there are that touch, split in two by rounding.
+    label : Signature or MotionKind, optional
+        In place of the attractor's own.
+    clearance : int
+        Index of the clearance.
+
+    Returns
+    -------
+    Motion
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> found = gl.motion(gl.attractor(family.system({"omega": 0.8}), family.start()))
+    >>> round(float(found.displacement.max()), 4), found.periodic
+    (1.1868, True)
+    """
     trace = motion_of(attractor).trace
     clearance = trace.which(clearance)
     if touch is not None:
