@@ -20,6 +20,7 @@ MODULES = (
     "gearlash.gears.contact_lines",
     "gearlash.gears.cylindrical_pair",
     "gearlash.gears.dynamic_factor",
+    "gearlash.gears.estimates",
     "gearlash.gears.flank_tolerances",
     "gearlash.gears.gear_body",
     "gearlash.gears.gear_fits",

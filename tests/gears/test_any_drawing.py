@@ -22,6 +22,7 @@ from gearlash.gears import (
     materials,
 )
 from gearlash.gears import mesh_stiffness as ms
+from gearlash.gears.estimates import Drawing, estimates
 from gearlash.gears.flank_tolerances import class_factor
 from gearlash.gears.gear_body import GearBody, mean_tooth_diameter
 from gearlash.gears.mesh_cycle import MeshCycle, ripple_ranges
@@ -96,3 +97,14 @@ def test_calculated_teeth(pair):
     iso = ms.method_b(pair, rims=(ms.SOLID, ms.SOLID))
     assert 0.8 < found.mean * 0.8 / iso.along_normal(pair.face_width) < 1.35
     assert np.all(np.abs(found.harmonics) <= 2.0)
+
+
+@settings(max_examples=20)
+@given(drawings(), st.sampled_from(list(materials.MATERIALS)), st.floats(0.1, 100.0))
+def test_estimates_are_ordered(pair, material, load):
+    torque = load * 1e3 * pair.face_width * pair.pinion.reference_diameter / 2  # F_t/b in N/mm
+    stuff = materials.named(material)
+    for name, one in estimates(Drawing(pair, (stuff, stuff), torque=torque), 4).items():
+        assert one.least <= one.value <= one.greatest, name
+        assert isfinite(one.least), name
+        assert isfinite(one.greatest), name

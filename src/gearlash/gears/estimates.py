@@ -1,0 +1,268 @@
+"""What a drawing leaves open, estimated: each value with the range it may lie in and where it comes from.
+
+An estimate is no measurement. Its ends are limits where the source tells limits, and estimates where it says
+so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import pi
+
+import numpy as np
+
+from . import backlash, gear_fits, mesh_stiffness, unloaded_error
+from .cylindrical_pair import CylindricalPair
+from .gear_body import GearBody, mean_tooth_diameter
+from .materials import Material, named
+from .mesh_cycle import MeshCycle, ripple_ranges
+from .mesh_stiffness import Rim
+from .tooth_pair import calculated_mesh
+
+USUAL_FIT, TIGHT_FIT, LOOSE_FIT = "25cd", "24e", "27b"
+"""Of DIN 3967: what general mechanical engineering often has, and about the least and the most of it."""
+USUAL_LINE_LOAD = 100e3
+"""N/m: where none is stated; the stiffness of teeth depends on it little."""
+MESH_DAMPING = 0.07, 0.03, 0.17
+"""ζ of the mesh: a value of practice, least and greatest."""
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A value with its range and origin.
+
+    Parameters
+    ----------
+    value, least, greatest : float
+        In SI units.
+    source : str
+        Standard or publication, and what was assumed.
+    """
+
+    value: float
+    least: float
+    greatest: float
+    source: str
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What is known of a pair of gears.
+
+    Parameters
+    ----------
+    pair : CylindricalPair
+        With its face width. Allowances of its gears count as stated backlash.
+    materials : (Material, Material), optional
+        Of pinion and gear; steel where nothing is given.
+    bodies : (GearBody or None, GearBody or None)
+        ``None``: a solid disc without a bore.
+    rims : (Rim or None, Rim or None)
+        ``None``: not known.
+    grades : (int, int), optional
+        Flank tolerance classes; class 8, with 6 to 10 as the range, where nothing is given.
+    fits : (str, str), optional
+        Of DIN 3967, of pinion and gear.
+    distance_grade : int
+        js of the centre distance.
+    torque : float, optional
+        Of the pinion, N·m.
+
+    Examples
+    --------
+    >>> from gearlash.gears import CylindricalGear, CylindricalPair
+    >>> from gearlash.gears.estimates import Drawing, estimates
+    >>> pair = CylindricalPair(CylindricalGear(25, 2e-3), CylindricalGear(57, 2e-3), face_width=0.02)
+    >>> found = estimates(Drawing(pair, torque=150.0))
+    >>> round(found["mean_stiffness"].value / 1e8, 2), round(found["backlash"].value * 1e6)
+    (4.09, 149)
+    """
+
+    pair: CylindricalPair
+    materials: tuple[Material, Material] | None = None
+    bodies: tuple[GearBody | None, GearBody | None] = (None, None)
+    rims: tuple[Rim | None, Rim | None] = (None, None)
+    grades: tuple[int, int] | None = None
+    fits: tuple[str, str] | None = None
+    distance_grade: int = 7
+    torque: float | None = None
+
+    @property
+    def chosen_materials(self) -> tuple[Material, Material]:
+        """Materials, steel where nothing is given."""
+        return (named("steel"), named("steel")) if self.materials is None else self.materials
+
+    @property
+    def line_load(self) -> float | None:
+        """F_t/b on the reference circle of the pinion, N/m."""
+        if self.torque is None or self.pair.face_width == 0.0:
+            return None
+        return 2.0 * abs(self.torque) / self.pair.pinion.reference_diameter / self.pair.face_width
+
+
+def estimates(drawing: Drawing, harmonics: int = 8) -> dict[str, Estimate]:
+    """All that a model of the pair needs and the drawing does not say.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    harmonics : int
+        How many of the stiffness.
+
+    Returns
+    -------
+    dict of str to Estimate
+        ``mean_stiffness`` (N/m, along the normal), ``ripple_1`` … (over the mean, signed, phase 0 in the
+        middle of a pair's path), ``error`` (amplitude at the mesh frequency along the normal, m; its phase is
+        not known), ``backlash`` (normal, m), ``mesh_damping``, ``pinion_mass``, ``gear_mass`` (kg),
+        ``pinion_inertia``, ``gear_inertia`` (kg·m²).
+    """
+    found = {"mean_stiffness": _stiffness(drawing)}
+    for order, ripple in enumerate(_ripples(drawing, harmonics), start=1):
+        found[f"ripple_{order}"] = ripple
+    found["error"] = _error(drawing)
+    found["backlash"] = _backlash(drawing)
+    found["mesh_damping"] = Estimate(
+        *MESH_DAMPING, "practice: 0.03 to 0.17 (R. Kasuba, J. W. Evans, J. Mech. Des. 103 (1981) 398)"
+    )
+    found |= _masses(drawing)
+    return found
+
+
+def _stiffness(drawing: Drawing) -> Estimate:
+    pair = drawing.pair
+    mesh = mesh_stiffness.method_b(pair, drawing.chosen_materials, drawing.rims, drawing.line_load)
+    least, greatest = mesh.normal_range(pair.face_width)
+    source = "; ".join((f"{mesh_stiffness.REFERENCE}, c_γα b / cos² β_b", *mesh.beyond))
+    return Estimate(mesh.along_normal(pair.face_width), least, greatest, source)
+
+
+def _ripples(drawing: Drawing, count: int) -> list[Estimate]:
+    """The parabola; in the range all shapes, and the teeth as calculated."""
+    pair = drawing.pair
+    load = drawing.line_load or USUAL_LINE_LOAD
+    calculated = calculated_mesh(pair, count, load, drawing.chosen_materials).harmonics.real
+    each = np.vstack([ripple_ranges(pair, count), calculated])
+    values = MeshCycle.of_pair(pair).harmonics(count)
+    source = (
+        "sliced contact lines of unmodified flanks; pairs by Cai and Hayashi; range: equal stiffness "
+        "per length, Sánchez et al., Weber and Banaschek"
+    )
+    return [
+        Estimate(float(value), float(column.min()), float(column.max()), source)
+        for value, column in zip(values, each.T, strict=True)
+    ]
+
+
+def _error(drawing: Drawing) -> Estimate:
+    nominal = unloaded_error.unloaded_error(drawing.pair, drawing.grades or (8, 8)).mesh
+    if drawing.grades is not None:
+        source = (
+            f"ISO 1328-1, classes {drawing.grades[0]} and {drawing.grades[1]}; {unloaded_error.ASSUMPTION}"
+        )
+        return Estimate(nominal.nominal, nominal.least, nominal.greatest, source)
+    coarse = unloaded_error.unloaded_error(drawing.pair, (10, 10)).mesh
+    source = f"ISO 1328-1, no class stated: 8 assumed, up to 10 in the range; {unloaded_error.ASSUMPTION}"
+    return Estimate(nominal.nominal, 0.0, coarse.greatest, source)
+
+
+def _backlash(drawing: Drawing) -> Estimate:
+    """From stated allowances, from stated fits, or from usual ones."""
+    pair = drawing.pair
+    deviation = gear_fits.centre_distance_deviation(drawing.distance_grade, pair.centre_distance)
+    if any(gear.thickness_allowance != 0.0 for gear in pair.gears):
+        first, second = (gear.thickness_allowance for gear in pair.gears)
+        stated = (first, first), (second, second)
+        least, greatest = backlash.limits(pair, stated, (-deviation, deviation))
+        source = f"stated tooth thickness; centre distance js{drawing.distance_grade} of DIN 3964"
+        return Estimate(backlash.of_pair(pair).normal, least.normal, greatest.normal, source)
+    nominal = _fitted(pair, drawing.fits or (USUAL_FIT, USUAL_FIT), deviation)
+    middle = 0.5 * (nominal[0] + nominal[1])
+    if drawing.fits is not None:
+        source = f"DIN 3967, {' and '.join(drawing.fits)}; js{drawing.distance_grade} of DIN 3964"
+        return Estimate(middle, *nominal, source)
+    least = _fitted(pair, (TIGHT_FIT, TIGHT_FIT), deviation)[0]
+    greatest = _fitted(pair, (LOOSE_FIT, LOOSE_FIT), deviation)[1]
+    source = (
+        f"no fit stated: {USUAL_FIT} of DIN 3967 assumed, {TIGHT_FIT} to {LOOSE_FIT} in the range; "
+        f"js{drawing.distance_grade} of DIN 3964"
+    )
+    return Estimate(middle, least, greatest, source)
+
+
+def _fitted(pair: CylindricalPair, fits: tuple[str, str], deviation: float) -> tuple[float, float]:
+    """Least and greatest normal backlash of two fits."""
+    first, second = (
+        gear_fits.thickness_allowances(fit, gear.reference_diameter)
+        for fit, gear in zip(fits, pair.gears, strict=True)
+    )
+    least, greatest = backlash.limits(pair, (first, second), (-deviation, deviation))
+    return least.normal, greatest.normal
+
+
+def _masses(drawing: Drawing) -> dict[str, Estimate]:
+    """Mass and inertia of the stated bodies, or of solid discs with a bore that is not known."""
+    found = {}
+    for name, gear, body, material in zip(
+        ("pinion", "gear"), drawing.pair.gears, drawing.bodies, drawing.chosen_materials, strict=True
+    ):
+        if body is not None:
+            exact = "rings of the stated body"
+            for what, value in (
+                ("mass", body.mass(material.density)),
+                ("inertia", body.inertia(material.density)),
+            ):
+                found[f"{name}_{what}"] = Estimate(
+                    value, 0.97 * value, 1.03 * value, f"{exact}; {material.source}"
+                )
+            continue
+        solid = GearBody(mean_tooth_diameter(gear), drawing.pair.face_width)
+        hollow = replace(solid, bore=0.6 * solid.outer_diameter)
+        for what in ("mass", "inertia"):
+            values = [getattr(one, what)(material.density) for one in (solid, hollow)]
+            found[f"{name}_{what}"] = Estimate(
+                values[0],
+                values[1],
+                1.03 * values[0],
+                "no body stated: a solid disc, a bore of 0.6 d in the range",
+            )
+    return found
+
+
+def natural_frequency(found: dict[str, Estimate], pair: CylindricalPair) -> Estimate:
+    """Frequency of the torsional mode of the closed mesh, of the estimates' values and ends.
+
+    Parameters
+    ----------
+    found : dict of str to Estimate
+    pair : CylindricalPair
+
+    Returns
+    -------
+    Estimate
+        Hz: √(K/m_e)/2π with m_e of the base radii and rotation along the normal.
+
+    Examples
+    --------
+    >>> from gearlash.gears import CylindricalGear, CylindricalPair
+    >>> from gearlash.gears.estimates import Drawing, estimates, natural_frequency
+    >>> pair = CylindricalPair(CylindricalGear(25, 2e-3), CylindricalGear(57, 2e-3), face_width=0.02)
+    >>> round(natural_frequency(estimates(Drawing(pair)), pair).value)
+    8580
+    """
+
+    def at(stiffness: float, pinion: float, gear: float) -> float:
+        along = np.cos(pair.pinion.base_helix_angle)
+        masses = sum(
+            (0.5 * along * one.base_diameter) ** 2 / inertia
+            for one, inertia in zip(pair.gears, (pinion, gear), strict=True)
+        )
+        return float(np.sqrt(stiffness * masses) / (2.0 * pi))
+
+    k, first, second = (found[name] for name in ("mean_stiffness", "pinion_inertia", "gear_inertia"))
+    return Estimate(
+        at(k.value, first.value, second.value),
+        at(k.least, first.greatest, second.greatest),
+        at(k.greatest, first.least, second.least),
+        "mean stiffness and inertias as estimated",
+    )
