@@ -9,8 +9,8 @@ import pytest
 
 from gearlash import flow
 from gearlash.case import load
-from gearlash.flow import _abreast, many
-from gearlash.flow._eight import MOST
+from gearlash.flow import _ensemble, many
+from gearlash.flow._lanes import MOST_MOTIONS
 from gearlash.flow.march import block_of
 from gearlash.flow.propagators import Propagators
 from gearlash.system import ContactRule, GearlashError, Status
@@ -48,8 +48,8 @@ def test_pairs_from_the_attractor_and_from_all_over(omega: float, D: float):
 def test_as_many_as_go_together_fewer_and_more():
     """Blocks that are full and that are not, and more motions than one call takes."""
     props = flow.propagators(oscillator(omega=0.8, stiffness=(3.0, 2.0), damping=0.05, force=(0.2, 1.0, 0.3)))
-    states = np.random.default_rng(5).standard_normal((2 * MOST + 9, 2))
-    for count in (0, 1, 2, 7, 8, 9, 17, MOST - 1, MOST, MOST + 1, 2 * MOST + 9):
+    states = np.random.default_rng(5).standard_normal((2 * MOST_MOTIONS + 9, 2))
+    for count in (0, 1, 2, 7, 8, 9, 17, *(MOST_MOTIONS + i for i in (-1, 0, 1)), 2 * MOST_MOTIONS + 9):
         _same_as_alone(props, states[:count], 25)
 
 
@@ -117,24 +117,26 @@ def test_a_touch_within_rounding_is_counted():
 def test_side_by_side_is_what_is_used(monkeypatch: pytest.MonkeyPatch):
     """The comparisons above compare two things."""
     calls = []
-    kernel = _abreast.abreast
-    monkeypatch.setattr(_abreast, "abreast", lambda *a: calls.append(len(a[4])) or kernel(*a))
+    kernel = _ensemble.march_ensemble
+    monkeypatch.setattr(_ensemble, "march_ensemble", lambda *a: calls.append(len(a[4])) or kernel(*a))
     props = flow.propagators(oscillator(force=(0.1, 0.4, 0.0), damping=0.05))
-    flow.march_many(props, np.ones((MOST + 18, 2)), 5)
-    assert calls == [MOST, 18]
+    flow.march_many(props, np.ones((MOST_MOTIONS + 18, 2)), 5)
+    assert calls == [MOST_MOTIONS, 18]
 
 
 def test_a_call_is_short_enough_to_be_interrupted(monkeypatch: pytest.MonkeyPatch):
     """A slow system has many cells a period: fewer motions go together then, and are the same."""
     calls = []
-    kernel = _abreast.abreast
-    monkeypatch.setattr(_abreast, "abreast", lambda *a: calls.append((len(a[4]), a[7])) or kernel(*a))
+    kernel = _ensemble.march_ensemble
+    monkeypatch.setattr(_ensemble, "march_ensemble", lambda *a: calls.append((len(a[4]), a[7])) or kernel(*a))
     props = flow.propagators(oscillator(omega=0.02, force=(0.1, 0.4, 0.0), damping=0.05))
     states = np.random.default_rng(19).standard_normal((20, 2))
     _same_as_alone(props, states, 2_000)
     long = [motions for motions, periods in calls if periods == block_of(props, 1)]
     assert 0 < max(long) < len(states)
-    assert all(motions * periods * props.cells <= many.CELLS or motions <= 8 for motions, periods in calls)
+    assert all(
+        motions * periods * props.cells <= many.CELLS_PER_CALL or motions <= 8 for motions, periods in calls
+    )
 
 
 @pytest.mark.parametrize(

@@ -24,7 +24,7 @@ def test_any_pieces_give_the_same_bytes(states: int, monkeypatch: pytest.MonkeyP
     heavier = dataclasses.replace(system, forcing=1.5 * system.forcing)
     found, counts = [], []
     for numbers in (10**9, 1):  # all cells at once, and each alone
-        monkeypatch.setattr(building, "ONE_CALL", numbers)
+        monkeypatch.setattr(building, "NUMBERS_PER_CALL", numbers)
         props = flow.propagators(system)
         props.build(int(np.flatnonzero(props.tables.slot_of < 0)[0]))
         others = flow.propagators(heavier, reuse=props)
@@ -41,7 +41,7 @@ def test_no_call_writes_more_than_it_may(monkeypatch: pytest.MonkeyPatch):
     widths = []
     kernel = building.respond
     monkeypatch.setattr(building, "respond", lambda *a: widths.append(a[12] - a[11]) or kernel(*a))
-    monkeypatch.setattr(building, "ONE_CALL", 100_000)
+    monkeypatch.setattr(building, "NUMBERS_PER_CALL", 100_000)
     system, _ = random_member(np.random.default_rng(3), 4, 1)
     props = flow.propagators(dataclasses.replace(system, omega=1e-2))
     assert len(widths) > 4

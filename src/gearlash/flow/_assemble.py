@@ -8,13 +8,13 @@ import numpy as np
 
 from gearlash._kernel.jit import array_of, boolean, float64, inlined, inner, int64, kernel, void
 
-from ._series import cut_off, pressing
+from ._series import contact_force, cut_off
 from ._tables import CUBE, FREE, INTS, MUTABLE, NO_TENSION, ORDER, ROUGH, SIZES, TERMS, Shape, shape_of
 from ._vector import greatest, least, linear, move, peak, weigh
 
 UNIT_ROUNDING = 2.0**-53
-ROUNDING = 32.0 * UNIT_ROUNDING  # of a table's entries and of what is summed from them
-DOUBLINGS = 10  # laps of a region, 2^10 of them, after which its own motion repeats
+TABLE_ROUNDING = 32.0 * UNIT_ROUNDING  # of a table's entries and of what is summed from them
+LAP_DOUBLINGS = 10  # laps of a region, 2^10 of them, after which its own motion repeats
 
 
 @inlined
@@ -40,7 +40,7 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, watched):
     tails = at + shape.tail + 4 * c
     own = 0 if column > 0 else 1
     tail, size = memory[tails + own], bulk
-    memory[at + shape.bound + row] = tail + ROUNDING * bulk
+    memory[at + shape.bound + row] = tail + TABLE_ROUNDING * bulk
     if rules[c] == NO_TENSION and sides[c] != FREE:
         side = 0 if sides[c] == 0 else 1
         eta = shape.eta + ((cell * count + c) * 2 + side) * TERMS
@@ -51,14 +51,14 @@ def _watch(shape: Shape, memory, at, cell, c, column, sides, rules, watched):
             stiff += abs(memory[eta + j])
         size = stiff * size + rate * ORDER * bulk
         tail = stiff * tail + rate * memory[tails + 2 + own] + lost * bulk + cut_off(memory, eta, memory, x)
-        pressing(memory, eta, memory, x, memory[x], rate, watched, TERMS, 0)
+        contact_force(memory, eta, memory, x, memory[x], rate, watched, TERMS, 0)
     place = at + shape.fine + ((cell * (1 + n) + column) * count + c) * TERMS
     linear(memory, shape.bernstein, TERMS, TERMS, ORDER + 1, watched, 0, memory, place)
-    memory[at + shape.rest + row] = tail + ROUNDING * size
+    memory[at + shape.rest + row] = tail + TABLE_ROUNDING * size
     place = at + shape.step + (cell * (1 + n) + column) * shape.rows + shape.p + ROUGH * c
     linear(memory, shape.rough, ROUGH, ROUGH, ORDER + 1, watched, 0, memory, place)
     spared = weigh(memory, shape.spared, TERMS, watched, 0)
-    memory[at + shape.near + row] = tail + ROUNDING * size + spared
+    memory[at + shape.near + row] = tail + TABLE_ROUNDING * size + spared
 
 
 @kernel(
@@ -148,7 +148,7 @@ def laps(sizes, memory, at, sides):
     _over_the_period(shape, memory, at, columns, out, swing)
     move(columns, 0, memory, at + shape.lap, (1 + n) * p)
     move(swing, 0, memory, at + shape.swing, count * p)
-    for _ in range(DOUBLINGS):
+    for _ in range(LAP_DOUBLINGS):
         for k in range(1 + n):
             linear(columns, 0, p, p, 1 + n, columns, k * p, twice, k * p)
         columns, twice = twice, columns

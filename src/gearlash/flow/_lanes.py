@@ -1,128 +1,176 @@
-"""Arithmetic of eight motions side by side: value i of motion l lies at place 8·i + l.
+"""Motions in blocks of eight: where they lie, what holds of which, and how they are moved about.
 
-Nothing in such a product waits for its own result, its tables are read once for all eight, and what is done
-to single numbers costs an eighth. Every motion's numbers are those of `_vector`, to the last bit: the same
-operations in the same order. Kernels get all this in the compiler's own vector instructions
-(`_lanes_code`)."""
+Block 0 is the gather block: what is looked at more closely is gathered there, from all blocks, so that eight
+motions do the same thing at the same time. The blocks behind it hold the motions under way."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import NamedTuple
 
-from gearlash._kernel.jit import written_out
+import numpy as np
 
-from ._blocks import LANES, MASKED
-from ._series import jet, polynomial
-from ._vector import linear, powers, weigh
+from gearlash._kernel.jit import inlined
 
-_written_out = written_out(f"{__package__}._lanes_code")
+from ._blocks import LANES, ROWS
+from ._motion import FRESH
+from ._switch import side_of
+from ._tables import FREE, MINUS, PLUS, TERMS, Array, Shape, aligned, aligned_ints
+from ._vector import ones_in
 
-
-def lane(values: Any, at: int, motion: int, count: int) -> Any:
-    """The values of one motion."""
-    return values[at + motion : at + motion + LANES * count : LANES]
-
-
-@_written_out
-def linear_abreast(
-    table: Any, at: int, stride: int, rows: int, count: int, x: Any, first: int, out: Any, to: int
-) -> None:
-    """out[to:to+rows] ← Σ_k table[at + k·stride:][:rows] · x[first + k], rows a multiple of `ROWS`, of each
-    motion."""
-    for motion in range(LANES):
-        result = [0.0] * rows
-        linear(table, at, stride, rows, count, lane(x, LANES * first, motion, count), 0, result, 0)
-        lane(out, LANES * to, motion, rows)[:] = result
+BLOCKS = 8  # under way at the same time, at the most: enough that eight motions often do the same
+MOST_MOTIONS = LANES * BLOCKS
+GATHER_BLOCK = 0
 
 
-@_written_out
-def weigh_abreast(weights: Any, at: int, count: int, x: Any, first: int, out: Any) -> None:
-    """out[l] ← Σ weights[at + i] |x[first + i]|, i < count (a multiple of eight), of each motion l."""
-    for motion in range(LANES):
-        out[motion] = weigh(weights, at, count, lane(x, LANES * first, motion, count), 0)
+class Lanes(NamedTuple):
+    """Value i of the motion in lane l of block b at place 8·(b·rows + i) + l; where there is no block, of
+    those on the gather block."""
+
+    u: Array  # (blocks, p): (1, z - c) at the beginning of the cell, under the flow of the present region
+    s: Array  # (blocks): where in the cell each is
+    motions: np.ndarray  # (blocks) int: their numbers in the arrays of all motions
+    masks: np.ndarray  # (blocks·MASK_KINDS) int: of each block, of which lanes something holds, see below
+    passed: np.ndarray  # (blocks) int: mask of those that are through the present base period
+    queue: np.ndarray  # (3, motions under way) int: what waits for the gather block, by mode
+    waiting: np.ndarray  # (3) int: how many do
+    out: Array  # (rows): what the table `step` makes of u
+    fine: Array  # (TERMS): the `fine_coefficients`
+    gap: Array  # (TERMS): X - edge over the cell
+    push: Array  # (TERMS): work
+    moments: Array  # (TERMS): work
+    powers: Array  # (TERMS): of the local time of a crossing
+    jet: Array  # (3): value, slope, half the second derivative
+    near: Array  # bound on the error of a coefficient
+    limit: Array
+    lo: Array
+    hi: Array
+    at: Array  # of the crossing
+    seen: Array  # (motions, TERMS): the same as `fine`, motion by motion
+    verdict: np.ndarray  # int: of `sign_test`, and
+    boundary: np.ndarray  # int: the one that it is about
 
 
-@_written_out
-def bounds_abreast(place: float, sign: float, near: Any, more: float, out: Any) -> None:
-    """out[l] ← place + sign · (near[l] + more), sign ±1."""
-    for motion in range(LANES):
-        out[motion] = place + sign * (near[motion] + more)
+# places in `masks`; first, at the place of each mode, those that are in it
+IN_MID_CELL = 3  # no longer at the beginning of their cell
+ON_PLUS, ON_MINUS = 4, 5  # boundary that was crossed where they are
+AT_START = 6  # have not left their start
+PROVED = 7  # the last cell was proved to be clear
+UNDER_WAY = 8  # still under way
+MASK_KINDS = 9
 
 
-@_written_out
-def apart_from_abreast(table: Any, at: int, x: Any, first: int, out: Any, rows: int) -> None:
-    """out[i] ← x[first + i] - table[at + i], i < rows, of each motion."""
-    for i in range(rows):
-        for motion in range(LANES):
-            out[LANES * i + motion] = x[LANES * (first + i) + motion] - table[at + i]
-
-
-@_written_out
-def lead_back_abreast(
-    factor: float, scale: Any, change: Any, centres: Any, before: int, after: int, u: Any, rows: int
-) -> None:
-    """change ← `_vector.lead_back` of the first rows of u, with a scale for each motion."""
-    for i in range(rows):
-        for motion in range(LANES):
-            at = LANES * i + motion
-            moved = u[at] + factor * (scale[motion] * change[at])
-            change[at] = moved + centres[before + i] - centres[after + i]
-
-
-@_written_out
-def over_abreast(values: Any, at: int, limits: Any) -> int:
-    """Mask of the motions l of which all values of the block from row ``at`` on are above limits[l]."""
-    return sum(
-        1 << motion
-        for motion in range(LANES)
-        if all(lane(values, LANES * at, motion, LANES) > limits[motion])
+def lane_workspace(shape: Shape) -> Lanes:
+    """Work space for `Lanes`, in its order."""
+    p, rows, blocks = shape.p, shape.rows, BLOCKS + 1
+    ints = (LANES * blocks, MASK_KINDS * blocks, blocks, 3 * MOST_MOTIONS, 3)
+    sizes = (rows, TERMS, TERMS, TERMS, TERMS, TERMS, 3, 1, 1, 1, 1, 1, TERMS)
+    return Lanes(
+        *aligned(LANES * blocks * p, LANES * blocks),
+        *aligned_ints(*ints),
+        *aligned(*(LANES * size for size in sizes)),
+        *aligned_ints(LANES, LANES),
     )
 
 
-@_written_out
-def under_abreast(values: Any, at: int, limits: Any) -> int:
-    """Mask of the motions of which all are below."""
-    return sum(
-        1 << motion
-        for motion in range(LANES)
-        if all(lane(values, LANES * at, motion, LANES) < limits[motion])
-    )
+@inlined
+def used_rows(shape: Shape):
+    """Rows of a state that are not there to fill a block, in whole blocks of products. The rest stay zero."""
+    return (1 + shape.n + ROWS - 1) // ROWS * ROWS
 
 
-@_written_out
-def choose(mask: int, source: Any, target: Any, to: int, rows: int) -> None:
-    """target[to:to+rows] ← source[:rows] for the motions of a mask."""
-    for motion in range(LANES):
-        if mask >> motion & 1:
-            lane(target, LANES * to, motion, rows)[:] = lane(source, 0, motion, rows)
+@inlined
+def lowest(mask):
+    """Number of the lowest one of a mask."""
+    return ones_in((mask & -mask) - 1)
 
 
-@_written_out
-def apart(values: Any, at: int, rows: int, out: Any) -> None:
-    """out[l·rows + i] ← value at + i of motion l, i < rows (a multiple of eight)."""
-    for motion in range(LANES):
-        out[motion * rows : (motion + 1) * rows] = lane(values, LANES * at, motion, rows)
+@inlined
+def slot_of_mode(shape: Shape, slot_of, mode):
+    return shape.slots + slot_of[side_of(mode)] * shape.slot
 
 
-@_written_out
-def powers_abreast(s: Any, out: Any) -> None:
-    """`_vector.powers` of each motion."""
-    for motion in range(LANES):
-        result = [0.0] * MASKED
-        powers(float(s[motion]), result, 0)
-        lane(out, 0, motion, MASKED)[:] = result
+@inlined
+def holds(lanes, b, which, lane):
+    """Whether one of the masks of a block has a lane."""
+    return (lanes.masks[MASK_KINDS * b + which] >> lane) & 1 != 0
 
 
-@_written_out
-def values_abreast(c: Any, s: Any, out: Any) -> None:
-    """out[l] ← value (`_series.polynomial`) at s[l] of the polynomial c of each motion l."""
-    for motion in range(LANES):
-        out[motion] = polynomial(lane(c, 0, motion, MASKED), 0, float(s[motion]))
+@inlined
+def mark(lanes, b, which, lane, value):
+    """Puts a lane into one of the masks, or takes it out."""
+    place = MASK_KINDS * b + which
+    lanes.masks[place] = (lanes.masks[place] & ~(1 << lane)) | (int(value) << lane)
 
 
-@_written_out
-def jets_abreast(c: Any, s: Any, out: Any) -> None:
-    """out[l], out[8+l], out[16+l] ← value, slope and half the second derivative (`_series.jet`) of the
-    polynomial c of each motion l."""
-    for motion in range(LANES):
-        out[motion::LANES] = jet(lane(c, 0, motion, MASKED), 0, float(s[motion]))
+@inlined
+def mode_of(lanes, b, lane):
+    return PLUS if holds(lanes, b, PLUS, lane) else (MINUS if holds(lanes, b, MINUS, lane) else FREE)
+
+
+@inlined
+def on_boundary(lanes, b, lane):
+    """The boundary that was crossed where a motion is, or 0."""
+    return 1 if holds(lanes, b, ON_PLUS, lane) else (-1 if holds(lanes, b, ON_MINUS, lane) else 0)
+
+
+@inlined
+def inside(lanes, b, lane):
+    """Where in its cell a motion is."""
+    return lanes.s[LANES * b + lane] if holds(lanes, b, IN_MID_CELL, lane) else 0.0
+
+
+@inlined
+def alike(lanes, b, pending):
+    """The mode of the lowest of these lanes, and those that are in it too."""
+    mode = mode_of(lanes, b, lowest(pending))
+    return mode, pending & lanes.masks[MASK_KINDS * b + mode]
+
+
+@inlined
+def settle(lanes, b, mask):
+    """To the beginning of the next cell: what was crossed, and the start, are behind."""
+    for which in (IN_MID_CELL, ON_PLUS, ON_MINUS, AT_START):
+        lanes.masks[MASK_KINDS * b + which] &= ~mask
+    lanes.masks[MASK_KINDS * b + PROVED] |= mask
+
+
+@inlined
+def transfer(shape: Shape, lanes, source, lane, target, place):
+    """A motion from a lane of one block to that of another."""
+    for i in range(1 + shape.n):
+        lanes.u[LANES * (target * shape.p + i) + place] = lanes.u[LANES * (source * shape.p + i) + lane]
+    lanes.s[LANES * target + place] = lanes.s[LANES * source + lane]
+    lanes.motions[LANES * target + place] = lanes.motions[LANES * source + lane]
+    for which in range(MASK_KINDS):
+        mark(lanes, target, which, place, holds(lanes, source, which, lane))
+
+
+@inlined
+def take_out(shape: Shape, lanes, motion, b, lane, cell):
+    """One motion to where it can go on alone."""
+    for i in range(shape.p):
+        motion.u[i] = lanes.u[LANES * (b * shape.p + i) + lane]
+    motion.modes[0], motion.on[0] = mode_of(lanes, b, lane), on_boundary(lanes, b, lane)
+    motion.position[0], motion.position[1] = cell, inside(lanes, b, lane)
+    motion.position[FRESH] = 1.0 if holds(lanes, b, AT_START, lane) else 0.0
+
+
+@inlined
+def put_back(shape: Shape, lanes, motion, b, lane):
+    """The motion that went on alone to its lane."""
+    for i in range(shape.p):
+        lanes.u[LANES * (b * shape.p + i) + lane] = motion.u[i]
+    for mode in (PLUS, FREE, MINUS):
+        mark(lanes, b, mode, lane, motion.modes[0] == mode)
+    lanes.s[LANES * b + lane] = motion.position[1]
+    mark(lanes, b, IN_MID_CELL, lane, motion.position[1] != 0.0)
+    mark(lanes, b, ON_PLUS, lane, motion.on[0] > 0)
+    mark(lanes, b, ON_MINUS, lane, motion.on[0] < 0)
+    mark(lanes, b, AT_START, lane, motion.position[FRESH] != 0.0)
+
+
+@inlined
+def end(lanes, b, lane, outcome, outcomes):
+    """One that cannot go on."""
+    outcomes[lanes.motions[LANES * b + lane]] = outcome
+    lanes.masks[MASK_KINDS * b + UNDER_WAY] &= ~(1 << lane)

@@ -8,10 +8,10 @@ import numpy as np
 
 from gearlash._kernel.jit import float64, inlined, inner, int64, kernel
 
-from ._exits import all_roots, ones
 from ._expand import carry_inside
 from ._motion import FRESH, NEED_REGION, NEEDED, OK, Motion, sides_of, slot_place
 from ._record import Record
+from ._root_isolation import all_roots, ones
 from ._series import polynomial
 from ._surfaces import first_mode
 from ._switch import region_code
@@ -33,26 +33,58 @@ from ._tables import (
 )
 from ._vector import add
 from ._walk import walk
-from ._work import DEPTH, GAPS
+from ._workspace import DEPTH, GAPS
 
 
 class Scratch(NamedTuple):
-    """Work space of one motion, of `Motion` and for tangents."""
+    """Work space of one motion: of `Motion`, and for tangents. It comes to kernels as one array of numbers
+    and one of whole numbers, as each argument of an entry point takes its time in every call."""
 
+    position: Array
     work: Array
     moved: Array
     zc: Array
     series: Array
-    factors: Array
     origin: Array
+    factors: Array
+    progress: np.ndarray
+    modes: np.ndarray
+    on: np.ndarray
     sides: np.ndarray
 
 
-def scratch(shape: Shape) -> Scratch:
-    """For motions of systems of this shape."""
+def split(shape: Shape, numbers, ints):
+    """The parts of both arrays. All but the last of the numbers have whole blocks of eight."""
     n, p, j = shape.n, shape.p, shape.clearances
-    sizes = (GAPS + j * TERMS + p, shape.rows + j * TERMS, (ORDER + 1) * p, (4 * j + n) * TERMS, n + j, p)
-    return Scratch(*aligned(*sizes), *aligned_ints(j))
+    work = 8 + GAPS + j * TERMS + p  # where each part ends
+    moved = work + shape.rows + j * TERMS
+    zc = moved + (ORDER + 1) * p
+    series = zc + (4 * j + n) * TERMS
+    origin = series + p
+    return Scratch(
+        numbers[0:6],
+        numbers[8:work],
+        numbers[work:moved],
+        numbers[moved:zc],
+        numbers[zc:series],
+        numbers[series:origin],
+        numbers[origin : origin + n + j],
+        ints[0:3],
+        ints[3 : 3 + j],
+        ints[3 + j : 3 + 2 * j],
+        ints[3 + 2 * j : 3 + 3 * j],
+    )
+
+
+scratch_in = inlined(split)
+
+
+def scratch(shape: Shape) -> tuple[Array, Array]:
+    """Numbers and whole numbers, for motions of systems of this shape."""
+    n, p, j = shape.n, shape.p, shape.clearances
+    before = 8 + GAPS + j * TERMS + p + shape.rows + j * TERMS + (ORDER + 1) * p + (4 * j + n) * TERMS + p
+    (numbers,), (ints,) = aligned(before + n + j), aligned_ints(3 + 3 * j)
+    return numbers, ints
 
 
 STARTED, STRETCH, MOTION = 0, 1, 2  # in `progress`: how far a call came that ran into an unbuilt region
@@ -205,48 +237,48 @@ def _carry(
 
 @kernel(
     int64(
-        SIZES, FLOATS, INTS, INTS, MUTABLE, MUTABLE, INTS, INTS, MUTABLE, INTS, float64, float64, MUTABLE,
-        CUBE, CUBE_OF_INTS, MUTABLE, INTS, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, MUTABLE, MUTABLE,
-        MUTABLE, MUTABLE, MUTABLE, INTS,
+        SIZES, FLOATS, INTS, INTS, MUTABLE, MUTABLE, float64, float64, MUTABLE, CUBE, CUBE_OF_INTS, MUTABLE,
+        INTS, INTS, MATRIX, CUBE, MATRIX, MATRIX, MUTABLE, INTS,
     ),
     alone=True,
 )  # fmt: skip
 def run(
-    sizes, memory, slot_of, rules, u, tangents, modes, on, position, progress, start, length, hold,
-    strobes, counts, sums, outcomes, used, piece, poly, event, state, work, moved, zc, series, factors,
-    origin, sides,
+    sizes, memory, slot_of, rules, u, tangents, start, length, hold, strobes, counts, sums, outcomes, used,
+    piece, poly, event, state, numbers, ints,
 ):  # fmt: skip
     """The one march: carries motions, one after the other, in place over stretches of `length` cells: of each
     u (p) = (1, z) and tangents (m·p) = (0, v), side by side in their arrays.
 
     strobes (motions, stretches+1, n) receives the states at every start and at the end (NaN where a motion
-    does not come), counts (motions,
-    stretches, 4·clearances+1), zero at first, what happened in each stretch, outcomes (motions) how each
-    ended. With sums (stretches·m), of one motion only, tangents are orthonormalised after each stretch,
-    and the logarithms of their lengths added there. used[0] = -1
-    records nothing, else piece, poly, event and state are filled (`Record`), of one motion. modes, on
-    (clearances), position (6), progress (3), zero at first, let a call that returned `NEED_REGION` go on once
-    that region is built. The last seven are work space (`scratch`). One entry point: each variant would
-    have to be compiled for itself."""
+    does not come), counts (motions, stretches, 4·clearances+1), zero at first, what happened in each stretch,
+    outcomes (motions) how each ended. With sums (stretches·m), of one motion only, tangents are
+    orthonormalised after each stretch, and the logarithms of their lengths added there. used[0] = -1 records
+    nothing, else piece, poly, event and state are filled (`Record`), of one motion. numbers and ints are work
+    space (`scratch`); its `progress`, zero at first, lets a call that returned `NEED_REGION` go on once that
+    region is built. There is one entry point, as each variant would have to be compiled for itself."""
     shape = shape_of(sizes)
     p, motions = shape.p, len(counts)
     m = len(tangents) // (p * motions)
-    ones(work)
+    room = scratch_in(shape, numbers, ints)
+    progress = room.progress
+    ones(room.work)
     record = Record(used, piece, poly, event, state)
     while progress[MOTION] < motions:
         which = progress[MOTION]
         motion = Motion(
-            u[which * p : (which + 1) * p], tangents[which * m * p : (which + 1) * m * p], modes, position,
-            work, moved, zc, series, factors, sides, on,
+            u[which * p : (which + 1) * p], tangents[which * m * p : (which + 1) * m * p], room.modes,
+            room.position, room.work, room.moved, room.zc, room.series, room.factors, room.sides, room.on,
         )  # fmt: skip
         if progress[STARTED] == 0:
-            outcome = begin(shape, memory, slot_of, rules, motion, m, start, length, strobes[which], origin)
+            outcome = begin(
+                shape, memory, slot_of, rules, motion, m, start, length, strobes[which], room.origin
+            )
             if outcome != OK:
                 return outcome
             progress[STARTED], progress[STRETCH] = 1, 0
         outcome = _carry(
             shape, memory, slot_of, rules, motion, m, length, hold, strobes[which], counts[which], sums,
-            progress, record, origin,
+            progress, record, room.origin,
         )  # fmt: skip
         if outcome == NEED_REGION:
             return outcome

@@ -17,7 +17,7 @@ from ._tables import Array, Shape
 from ._vector import linear, move
 
 OK, TOO_MANY, DIVERGED, NEED_REGION = 0, 1, 2, 3
-HUGE = 1e200
+DIVERGED_BEYOND = 1e200
 NEEDED, FRESH = 4, 5  # places in `position`
 
 
@@ -30,7 +30,7 @@ class Motion(NamedTuple):
     # (6): cell, s; cell and s of the end of the stretch; number of a region that is needed; 1 where the
     # motion has only just been put there
     position: Array
-    work: Array  # see `_work`
+    work: Array  # see `_workspace`
     moved: Array  # (rows + clearances·TERMS)
     zc: Array  # ((ORDER+1)·p)
     series: Array  # see `_expand`
@@ -52,11 +52,11 @@ def bounded(u, p):
     size = 0.0
     for i in range(p):
         size += abs(u[i])
-    return size < HUGE
+    return size < DIVERGED_BEYOND
 
 
 @inner
-def leave_behind(motion):
+def forget_crossed(motion):
     """What was crossed, and the start itself, are behind."""
     motion.position[FRESH] = 0.0
     for c in range(len(motion.on)):
@@ -71,16 +71,16 @@ def sides_of(motion):
 
 
 @inner
-def leap(shape: Shape, memory, table, stride, u, tangents, m, moved):
+def apply_map(shape: Shape, memory, table, stride, u, tangents, m, moved):
     """State and tangents over one cell or lap, by the table that begins at a place."""
     linear(memory, table, stride, shape.p, 1 + shape.n, u, 0, moved, 0)
     move(moved, 0, u, 0, shape.p)
     if m > 0:
-        tangents_on(shape, memory, table, stride, tangents, m, moved)
+        map_tangents(shape, memory, table, stride, tangents, m, moved)
 
 
 @inner
-def tangents_on(shape: Shape, memory, table, stride, tangents, m, moved):
+def map_tangents(shape: Shape, memory, table, stride, tangents, m, moved):
     """Tangents alone."""
     for v in range(m):
         linear(memory, table, stride, shape.p, 1 + shape.n, tangents, v * shape.p, moved, 0)

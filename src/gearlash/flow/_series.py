@@ -113,7 +113,7 @@ def derivative(x, at, factor, out, to):
 
 
 @inner
-def pressing(eta, eta_at, x, x_at, first, rate, out, buffer, to):
+def contact_force(eta, eta_at, x, x_at, first, rate, out, buffer, to):
     """out[to:to+TERMS] ← η·(X - edge) + rate·dX/ds, cut off behind ORDER; ``first`` is X - edge at s = 0.
 
     ``buffer``: a place for (2, TERMS) in out, the first half of which is zero: the product is a sum of X
@@ -130,7 +130,7 @@ def pressing(eta, eta_at, x, x_at, first, rate, out, buffer, to):
 
 @inner
 def cut_off(eta, eta_at, x, x_at):
-    """Bound on what `pressing` cuts off of the product η·(X - edge) behind ORDER."""
+    """Bound on what `contact_force` cuts off of the product η·(X - edge) behind ORDER."""
     total, beyond = 0.0, 0.0
     for i in range(1, ORDER + 1):
         beyond += abs(x[x_at + ORDER + 1 - i])

@@ -6,15 +6,15 @@ from __future__ import annotations
 from gearlash._kernel.jit import inlined, inner
 
 from ._assemble import UNIT_ROUNDING
-from ._exits import NONE, first_exit, polish
-from ._glance import AGAIN, CLEAR, ONCE, THERE_AND_BACK, UNSURE, farthest, glance, leaving
-from ._series import cut_off, fourier_value, polynomial, pressing
+from ._root_isolation import NO_ROOT, first_root, polish
+from ._series import contact_force, cut_off, fourier_value, polynomial
+from ._sign_test import CLEAR, EXIT_AND_RETURN, LATER_EXIT, ONE_EXIT, UNSURE, farthest, leaving, sign_test
 from ._tables import FREE, MINUS, NO_TENSION, OVER_MINUS, OVER_PLUS, PLUS, ROUGH, TERMS, Shape
 from ._vector import all_over, all_under, linear, multiple, weigh
-from ._work import BUFFER, GAPS, ONES, SURFACE
+from ._workspace import BUFFER, GAPS, ONES, SURFACE
 
-ROUNDING = 32.0 * UNIT_ROUNDING  # of a boundary's place
-DERIVED = 94.0  # a bound on the derivative of what is bounded by 1: at most this (`_remainder`)
+PLACE_ROUNDING = 32.0 * UNIT_ROUNDING  # of a boundary's place
+DERIVATIVE_BOUND = 94.0  # a bound on the derivative of what is bounded by 1: at most this (`_remainder`)
 NO_STOP = 1e300  # the gap of a side that has nothing to hit
 
 
@@ -38,7 +38,7 @@ def stays(shape: Shape, memory, slot, cell, c, mode, u, moved):
     near = weigh(memory, slot + shape.near + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
     first = shape.p + ROUGH * c
     if mode == FREE:
-        near += ROUNDING * memory[shape.reach + c]
+        near += PLACE_ROUNDING * memory[shape.reach + c]
         plus, minus = memory[shape.gaps + 4 * c], memory[shape.gaps + 4 * c + 1]
         return all_under(moved, first, plus - near) and all_over(moved, first, near - minus)
     if mode == PLUS:
@@ -47,8 +47,8 @@ def stays(shape: Shape, memory, slot, cell, c, mode, u, moved):
 
 
 @inlined
-def outlook(shape: Shape, memory, slot, cell, c, mode, rule, on, begun, u, moved):
-    """What a whole cell brings for clearance c, seen at a glance: (a verdict of `glance`, the boundary ±1
+def cell_verdict(shape: Shape, memory, slot, cell, c, mode, rule, on, begun, u, moved):
+    """What the sign test proves of clearance c in a whole cell: (a verdict of `sign_test`, the boundary ±1
     that it is about). ``on``: the boundary that was crossed just before in this cell, or 0; ``begun``: it is
     not at the beginning of the cell; moved holds the `fine_coefficients` behind the rows of `step`."""
     near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
@@ -60,18 +60,18 @@ def verdict_of(shape: Shape, memory, c, mode, rule, on, begun, near, moved, firs
     """The same from coefficients that lie in moved from ``first`` on, and the bound ``near`` on them."""
     if mode in (PLUS, MINUS):
         boundary = 1 if mode == PLUS else -1
-        pressing = rule == NO_TENSION  # then it is the force that is watched, and it may jump
-        found = glance(moved, first, float(boundary), 0.0, near, on == boundary and not pressing, begun)
-        return (UNSURE if pressing and found != CLEAR else found), boundary
+        by_force = rule == NO_TENSION  # then it is the force that is watched, and it may jump
+        found = sign_test(moved, first, float(boundary), 0.0, near, on == boundary and not by_force, begun)
+        return (UNSURE if by_force and found != CLEAR else found), boundary
     if mode != FREE:
         return UNSURE, 0
-    near += ROUNDING * memory[shape.reach + c]
+    near += PLACE_ROUNDING * memory[shape.reach + c]
     verdict, through = CLEAR, 0
     for boundary in (1, -1):
         gap = memory[shape.gaps + 4 * c + (0 if boundary > 0 else 1)]
         if gap >= NO_STOP:
             continue
-        found = glance(moved, first, -float(boundary), boundary * gap, near, on == boundary, begun)
+        found = sign_test(moved, first, -float(boundary), boundary * gap, near, on == boundary, begun)
         if found != CLEAR:
             if verdict != CLEAR or rule == NO_TENSION:
                 return UNSURE, 0
@@ -82,37 +82,37 @@ def verdict_of(shape: Shape, memory, c, mode, rule, on, begun, near, moved, firs
 @inlined
 def one_crossing(shape: Shape, memory, slot, cell, c, mode, boundary, verdict, s, u, moved, first, work):
     """Where X crosses the boundary of which ``verdict`` (not `CLEAR`, not `UNSURE`) speaks for the first time
-    behind s, or `NONE` where that is not proved; fills GAPS on the way. Its coefficients lie in moved from
+    behind s, or `NO_ROOT` where that is not proved; fills GAPS on the way. Its coefficients lie in moved from
     ``first`` on."""
     inward = inward_of(mode, boundary)
     place = boundary * memory[shape.gaps + 4 * c + (0 if boundary > 0 else 1)] if mode == FREE else 0.0
     x = GAPS + c * TERMS
     gap_series(shape, memory, slot, cell, c, u, work)
     lo, hi = s, 1.0
-    if verdict != ONCE or s > 0.0:
+    if verdict != ONE_EXIT or s > 0.0:
         # two crossings or none: two, where a point between them is found; one, if it is inside before
-        side = -inward if verdict == THERE_AND_BACK else inward
-        between = s if verdict == ONCE else farthest(moved, first, side)
+        side = -inward if verdict == EXIT_AND_RETURN else inward
+        between = s if verdict == ONE_EXIT else farthest(moved, first, side)
         near = weigh(memory, slot + shape.rest + (cell * shape.clearances + c) * shape.p, shape.p, u, 0)
-        near += ROUNDING * memory[shape.reach + c]
-        if (verdict != ONCE and between <= s) or not side * (polynomial(work, x, between) - place) > near:
-            return NONE
-        lo, hi = (s, between) if verdict == THERE_AND_BACK else (between, 1.0)
-    start = leaving(moved, first, inward, place, verdict == AGAIN)
+        near += PLACE_ROUNDING * memory[shape.reach + c]
+        if (verdict != ONE_EXIT and between <= s) or not side * (polynomial(work, x, between) - place) > near:
+            return NO_ROOT
+        lo, hi = (s, between) if verdict == EXIT_AND_RETURN else (between, 1.0)
+    start = leaving(moved, first, inward, place, verdict == LATER_EXIT)
     return polish(work, x, place, lo, hi, start, inward)
 
 
 @inlined
 def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on, held, work):
-    """First exit of clearance c from its mode in [start, end] of the cell: (s or NONE, boundary ±1, the mode
-    behind it, undecided). ``on``: the boundary that was crossed at ``start``; ``held``:
+    """First exit of clearance c from its mode in [start, end] of the cell: (s or NO_ROOT, boundary ±1, the
+    mode behind it, undecided). ``on``: the boundary that was crossed at ``start``; ``held``:
     one that is not crossed (0: none)."""
     gap_series(shape, memory, slot, cell, c, u, work)
     place = slot + shape.bound + (cell * shape.clearances + c) * shape.p
     bound = weigh(memory, place, shape.p, u, 0)
     x, gaps = GAPS + c * TERMS, shape.gaps + 4 * c
     swing = weigh(work, ONES, TERMS, work, x) - abs(work[x])
-    best, through, behind, undecided = NONE, 0, mode, False
+    best, through, behind, undecided = NO_ROOT, 0, mode, False
     for k in range(4):
         boundary, forced = 1 - 2 * (k // 2), k % 2 == 1
         beyond = PLUS if boundary > 0 else MINUS
@@ -122,7 +122,7 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
         if boundary == held or gap >= NO_STOP or mode not in (FREE, beyond, over):
             continue
         edge = 0.0 if mode == beyond else boundary * gap  # where it is in X - (edge of the contact)
-        near = bound + ROUNDING * memory[shape.reach + c]
+        near = bound + PLACE_ROUNDING * memory[shape.reach + c]
         eta = shape.eta + ((cell * shape.clearances + c) * 2 + side) * TERMS
         if forced:  # the force, which must press
             if rule != NO_TENSION or mode == FREE:
@@ -139,7 +139,9 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
                 continue  # out of reach
             multiple(inward, work, x, work, SURFACE, TERMS)
             work[SURFACE] -= inward * edge
-        s, open_case = first_exit(shape, memory, work, start, end, near, DERIVED * near, on == boundary)
+        s, open_case = first_root(
+            shape, memory, work, start, end, near, DERIVATIVE_BOUND * near, on == boundary
+        )
         undecided = undecided or open_case
         if s < best:
             best, through = s, boundary
@@ -154,18 +156,18 @@ def next_exit(shape: Shape, memory, slot, cell, c, mode, rule, u, start, end, on
 
 @inner
 def _force_surface(shape: Shape, memory, x, eta, lost, edge, damping, near, boundary, pressed, work):
-    """SURFACE ← the pressing force (or minus it, where it does not press yet) of the rule `no-tension`;
+    """SURFACE ← the contact force (or minus it, where it does not press yet) of the rule `no-tension`;
     returns the bound on its error. ``lost`` bounds what the series of η leaves out. Without damping Φ = η δ
     presses where η does."""
     rate, sign = damping / memory[shape.scalars + 1], 1.0 if pressed else -1.0
     stiff = weigh(work, ONES, TERMS, memory, eta) + lost
     if damping == 0.0:
         multiple(sign, memory, eta, work, SURFACE, TERMS)
-        return ROUNDING * stiff + lost
-    pressing(memory, eta, work, x, work[x] - edge, rate, work, BUFFER, SURFACE)
+        return PLACE_ROUNDING * stiff + lost
+    contact_force(memory, eta, work, x, work[x] - edge, rate, work, BUFFER, SURFACE)
     multiple(sign * boundary, work, SURFACE, work, SURFACE, TERMS)
     size = weigh(work, ONES, TERMS, work, x) + abs(edge)
-    return stiff * near + rate * DERIVED * near + lost * size + cut_off(memory, eta, work, x)
+    return stiff * near + rate * DERIVATIVE_BOUND * near + lost * size + cut_off(memory, eta, work, x)
 
 
 @inner
@@ -185,7 +187,7 @@ def first_mode(shape: Shape, memory, c, rule, theta, u):
         gap = memory[shape.gaps + 4 * c + side]
         if gap >= NO_STOP:
             continue
-        beyond, bound = boundary * x - gap, ROUNDING * (size + memory[shape.reach + c])
+        beyond, bound = boundary * x - gap, PLACE_ROUNDING * (size + memory[shape.reach + c])
         moving = boundary * speed
         if beyond > bound or (abs(beyond) <= bound and moving > bound * memory[shape.scalars]):
             pressed = PLUS if boundary > 0 else MINUS

@@ -19,7 +19,7 @@ from gearlash._kernel.jit import inlined, inner
 from ._series import derivative, polynomial
 from ._tables import ALWAYS, FREE, IN_CONTACT, MINUS, NO_TENSION, ORDER, TERMS, Shape
 from ._vector import add, lead_back, linear, multiple, powered, times
-from ._work import GAPS, MOMENTS, OTHER, POWERS, PUSH
+from ._workspace import GAPS, MOMENTS, OTHER, POWERS, PUSH
 
 
 @inlined

@@ -79,14 +79,15 @@ if not TYPE_CHECKING:
         builder.ret_void()
         return function
 
-    def _product(builder, blocks, table, stride, count, x, out, abreast=False):
-        """out ← Σ_k x[k] · (table + k·stride), 8·blocks rows; or, eight motions ``abreast``, so many rows
-        of each. Even and odd columns go into sums of their own: half the wait of one chain."""
+    def _product(builder, blocks, table, stride, count, x, out, in_lanes=False):
+        """out ← Σ_k x[k] · (table + k·stride), 8·blocks rows; or, with eight motions in lanes
+        (``in_lanes``), so many rows of each. Even and odd columns go into sums of their own: half the wait
+        of one chain."""
         zero = ir.Constant(_VECTOR, [0.0] * LANES)
         places = [_INDEX(LANES * b) for b in range(blocks)]
 
         def column(k, here, sums):
-            if abreast:
+            if in_lanes:
                 vectors = [_load(builder, x, builder.mul(k, _INDEX(LANES)))] * blocks
                 entries = [builder.add(here, _INDEX(b)) for b in range(blocks)]
                 factors = [_splat(builder, builder.load(builder.gep(table, [at]))) for at in entries]

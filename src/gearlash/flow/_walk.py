@@ -1,5 +1,5 @@
-"""The march through cells: a whole cell by one product where no contact is possible, by what is seen of it at
-a glance (`_glance`) where one is, and in pieces (`_pieces`) where that is not enough."""
+"""The march through cells: a whole cell by one product where no boundary can be reached; with the sign test
+(`_sign_test`) where one can; event by event (`_cell_events`) where the sign test is not enough."""
 
 from __future__ import annotations
 
@@ -8,25 +8,25 @@ import numpy as np
 from gearlash._kernel.jit import inlined, inner
 
 from ._assemble import fine_coefficients
-from ._exits import NONE
-from ._glance import CLEAR, UNSURE
-from ._motion import DIVERGED, OK, bounded, leap, leave_behind, slot_place, tangents_on
-from ._pieces import cross, in_pieces
-from ._surfaces import one_crossing, outlook, stays
+from ._cell_events import cell_events, cross
+from ._motion import DIVERGED, OK, apply_map, bounded, forget_crossed, map_tangents, slot_place
+from ._root_isolation import NO_ROOT
+from ._sign_test import CLEAR, UNSURE
+from ._surfaces import cell_verdict, one_crossing, stays
 from ._tables import FREE, MINUS, PLUS, TERMS, Shape
 from ._vector import add, linear, move, weigh
 
-APART = 1e-9  # of a cell: crossings that are nearer are taken one by one, in pieces
+MIN_SEPARATION = 1e-9  # of a cell: crossings that are nearer are taken one by one, in pieces
 
 
 @inlined
-def _survey(shape: Shape, memory, slot, k, rules, motion, begun):
-    """What a cell brings, or what is left of it where it has ``begun``, seen at a glance: nothing (`CLEAR`),
-    something of one clearance (a verdict of `glance`, clearance, boundary), or `UNSURE`: of several, or what
-    must be looked at in pieces."""
+def _all_verdicts(shape: Shape, memory, slot, k, rules, motion, begun):
+    """What the sign test proves of a cell, or of the rest of it where it has ``begun``: no exit (`CLEAR`),
+    an exit of one clearance (a verdict of `sign_test`, clearance, boundary), or `UNSURE`: exits of several
+    clearances, or nothing certain. Then the cell is gone through event by event."""
     verdict, which, through = CLEAR, 0, 0
     for c in range(shape.clearances):
-        found, boundary = outlook(
+        found, boundary = cell_verdict(
             shape, memory, slot, k, c, motion.modes[c], rules[c], motion.on[c], begun, motion.u, motion.moved
         )
         if found != CLEAR:
@@ -37,46 +37,46 @@ def _survey(shape: Shape, memory, slot, k, rules, motion, begun):
 
 
 @inlined
-def _look(shape: Shape, memory, slot, k, rules, motion, m, begun):
-    """`_survey` of cell k; carries the motion over it where nothing comes."""
+def _by_sign_test(shape: Shape, memory, slot, k, rules, motion, m, begun):
+    """`_all_verdicts` of cell k; carries the motion over it where nothing comes."""
     u, moved = motion.u, motion.moved
     fine_coefficients(shape, memory, slot, k, u, 0, moved, shape.rows)
-    verdict, which, boundary = _survey(shape, memory, slot, k, rules, motion, begun)
+    verdict, which, boundary = _all_verdicts(shape, memory, slot, k, rules, motion, begun)
     if verdict == CLEAR:
         step = slot + shape.step + k * (1 + shape.n) * shape.rows
         linear(memory, step, shape.rows, shape.p, 1 + shape.n, u, 0, moved, 0)
         move(moved, 0, u, 0, shape.p)
         if m > 0:
-            tangents_on(shape, memory, step, shape.rows, motion.tangents, m, moved)
-        leave_behind(motion)
+            map_tangents(shape, memory, step, shape.rows, motion.tangents, m, moved)
+        forget_crossed(motion)
     return verdict, which, boundary
 
 
 @inner
-def _soonest(shape: Shape, memory, slot, k, rules, motion, s):
+def _earliest_crossing(shape: Shape, memory, slot, k, rules, motion, s):
     """The first of the crossings of several clearances from s on, where every one of them is certain and no
-    other is too near to say which comes first: (time or `NONE`, clearance, boundary)."""
-    at, after, which, through = NONE, NONE, 0, 0
+    other is too near to say which comes first: (time or `NO_ROOT`, clearance, boundary)."""
+    at, after, which, through = NO_ROOT, NO_ROOT, 0, 0
     for c in range(shape.clearances):
-        verdict, boundary = outlook(
+        verdict, boundary = cell_verdict(
             shape, memory, slot, k, c, motion.modes[c], rules[c], motion.on[c], s > 0.0, motion.u,
             motion.moved,
         )  # fmt: skip
         if verdict == CLEAR:
             continue
         if verdict == UNSURE:
-            return NONE, 0, 0
+            return NO_ROOT, 0, 0
         there = one_crossing(
             shape, memory, slot, k, c, motion.modes[c], boundary, verdict, s, motion.u, motion.moved,
             shape.rows + TERMS * c, motion.work,
         )  # fmt: skip
-        if there == NONE:
-            return NONE, 0, 0
+        if there == NO_ROOT:
+            return NO_ROOT, 0, 0
         if there < at:
             at, after, which, through = there, at, c, boundary
         elif there < after:
             after = there
-    return (at, which, through) if after - at > APART else (NONE, 0, 0)
+    return (at, which, through) if after - at > MIN_SEPARATION else (NO_ROOT, 0, 0)
 
 
 @inlined
@@ -107,29 +107,29 @@ def walk(  # noqa: PLR0915 - one loop: cut up, it was slower by a tenth
                 passed, k = _over_clear_cells(shape, memory, slot, motion, m, k, left, whole)
                 if passed > 0:
                     cell, proved = cell + passed, True
-                    leave_behind(motion)
+                    forget_crossed(motion)
                 if passed == left:
                     continue
-                verdict, which, boundary = _look(shape, memory, slot, k, rules, motion, m, False)
+                verdict, which, boundary = _by_sign_test(shape, memory, slot, k, rules, motion, m, False)
                 if verdict == CLEAR:
                     cell, s, proved = cell + 1, 0.0, True
                     k = k + 1 if k + 1 < cells else 0
                     continue
             else:  # in a place of its own: what is found here is another thing, and so can be foreseen
-                verdict, which, boundary = _look(shape, memory, slot, k, rules, motion, m, True)
+                verdict, which, boundary = _by_sign_test(shape, memory, slot, k, rules, motion, m, True)
                 if verdict == CLEAR:
                     cell, s, proved = cell + 1, 0.0, True
                     k = k + 1 if k + 1 < cells else 0
                     continue
-            at = NONE
+            at = NO_ROOT
             if verdict != UNSURE:
                 at = one_crossing(
                     shape, memory, slot, k, which, modes[which], boundary, verdict, s, u, moved,
                     shape.rows + TERMS * which, motion.work,
                 )  # fmt: skip
             elif shape.clearances > 1:
-                at, which, boundary = _soonest(shape, memory, slot, k, rules, motion, s)
-            if at != NONE:
+                at, which, boundary = _earliest_crossing(shape, memory, slot, k, rules, motion, s)
+            if at != NO_ROOT:
                 motion.position[0], motion.position[1] = cell, s
                 behind = FREE if modes[which] != FREE else (PLUS if boundary > 0 else MINUS)
                 outcome = cross(
@@ -138,12 +138,14 @@ def walk(  # noqa: PLR0915 - one loop: cut up, it was slower by a tenth
                 )  # fmt: skip
                 if outcome != OK:
                     return outcome
-                leave_behind(motion)
+                forget_crossed(motion)
                 motion.on[which], s, proved = boundary, at, False
                 slot = slot_place(shape, slot_of, modes)
                 continue
         motion.position[0], motion.position[1], proved = cell, s, False
-        outcome = in_pieces(shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record)
+        outcome = cell_events(
+            shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record
+        )
         if outcome != OK:
             return outcome
         if arriving:
@@ -177,7 +179,7 @@ def _over_clear_cells(shape: Shape, memory, slot, motion, m, k, left, laps):
             break
         move(moved, 0, u, 0, shape.p)
         if m > 0:
-            tangents_on(shape, memory, step, shape.rows, motion.tangents, m, moved)
+            map_tangents(shape, memory, step, shape.rows, motion.tangents, m, moved)
         passed += 1
         k = k + 1 if k + 1 < cells else 0
     return passed, k
@@ -189,7 +191,7 @@ def _over_laps(shape: Shape, memory, slot, motion, m, most):
     for passed in range(most):
         if not _lap(shape, memory, slot, motion.modes, motion.u, motion.moved):
             return passed
-        leap(shape, memory, slot + shape.lap, shape.p, motion.u, motion.tangents, m, motion.moved)
+        apply_map(shape, memory, slot + shape.lap, shape.p, motion.u, motion.tangents, m, motion.moved)
     return most
 
 

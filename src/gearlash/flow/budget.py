@@ -17,7 +17,7 @@ from ._tables import FREE, MINUS, PLUS, TERMS, Plan, Shape, lay_out
 from .regions import Sides, fastest_of, first_guess, highest_moved, highest_turn, units_of
 
 MOST_CELLS = 200_000
-UNLIKE = 2.0  # times the cells that rates ask for: behind it they are not the reason
+ILL_SCALED = 2.0  # times the cells that rates ask for: behind it they are not the reason
 MOST_BYTES = 1_000_000_000
 """Of the tables of one system, unless `VARIABLE` says otherwise; a study holds those of two at a time."""
 VARIABLE = "GEARLASH_MEMORY"
@@ -98,7 +98,7 @@ def check_cells(system: System, cells: float) -> None:
 def cause(system: System, cells: float) -> str:
     """Which number makes a period so many cells."""
     guess = first_guess(system)
-    if cells > UNLIKE * guess:
+    if cells > ILL_SCALED * guess:
         small, large = _sizes(system)
         return (
             f"its rates alone would need {_number(guess)} cells, but coefficients from {small:.2g} to "
@@ -119,7 +119,7 @@ def cause(system: System, cells: float) -> str:
 
 def advice(system: System, cells: float) -> str:
     """What to change."""
-    if cells > UNLIKE * first_guess(system):
+    if cells > ILL_SCALED * first_guess(system):
         return "raise omega, or measure states in units that bring coefficients closer"
     turn, moved = 2.0 * pi * highest_turn(system), 2.0 * pi * highest_moved(system)
     if max(turn, moved) > system.period * fastest_of(system):

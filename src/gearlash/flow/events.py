@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 
 MOST_SAMPLES = 10_000_000
-AT_ONCE = 400_000  # coefficients of polynomials that are gathered at once: 3 MB
-SLACK = 1e-9  # mesh cycles beyond its ends at which a trace is still read
+COEFFICIENTS_AT_ONCE = 400_000  # coefficients of polynomials that are gathered at once: 3 MB
+PHASE_SLACK = 1e-9  # mesh cycles beyond its ends at which a trace is still read
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -385,7 +385,7 @@ class Trace(Record):
         system = self.propagators.system
         phase, clearance = given.row("phase", phase), self.which(clearance)
         last = self.phase + self.cycles
-        if phase.size and not (phase.min() >= self.phase - SLACK and phase.max() <= last + SLACK):
+        if phase.size and not (phase.min() >= self.phase - PHASE_SLACK and phase.max() <= last + PHASE_SLACK):
             span = f"{self.phase:g} to {last:g}"
             raise GearlashError(f"phases {phase.min():g} to {phase.max():g}: the trace goes from {span}")
         cell = (phase - self.base) * self.propagators.cells_per_cycle
@@ -485,7 +485,7 @@ def _base_phase(system: System, phase: ArrayLike) -> Array:
 def _values(polynomials: Array, index: Array, local: Array) -> Array:
     """Polynomials (pieces, degree+1, n), those of ``index`` (m,), at local times (m,) → (m, n)."""
     terms, n = polynomials.shape[1:]
-    found, block = np.empty((len(index), n)), max(1, AT_ONCE // (terms * n))
+    found, block = np.empty((len(index), n)), max(1, COEFFICIENTS_AT_ONCE // (terms * n))
     for first in range(0, len(index), block):
         rows = slice(first, first + block)
         powers = local[rows, None] ** np.arange(terms)

@@ -9,14 +9,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash.system import Record, Status, System, given
 
-from .march import LONGEST, STATUS, block_of, columns_of, run_all, start_state
+from .march import LONGEST_STRETCH, STATUS, block_of, columns_of, run_all, start_state
 from .propagators import Propagators, propagators_of
 
 Array = NDArray[np.float64]
 
-CELLS = (
-    64  # a tangent shrinks or grows by some e² in a cell: by e^128 in so many, far from the ends of float64
-)
+CELLS_PER_PART = 64  # a tangent grows or shrinks by some e² in a cell, so by e^128 at most in a part
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -42,7 +40,7 @@ def growth(
     props = propagators_of(system)
     state = start_state(props, start)
     frame = given.numbers("tangent", tangent, (len(state),))[None]
-    periods, stretch = given.whole("periods", periods, 0, LONGEST), given.whole("stretch", stretch)
+    periods, stretch = given.whole("periods", periods, 0, LONGEST_STRETCH), given.whole("stretch", stretch)
     states, sums = np.empty((periods + 1, len(state))), np.zeros(periods)
     states[0] = state
     counts = np.zeros((periods, columns_of(props)), dtype=np.int64)
@@ -71,6 +69,6 @@ def _parts(props: Propagators) -> int:
     """How often in a base period the tangent is given its length again: a power of two, so that the parts of
     a period are exact."""
     parts = 1
-    while props.cells > CELLS * parts:
+    while props.cells > CELLS_PER_PART * parts:
         parts *= 2
     return parts

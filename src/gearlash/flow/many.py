@@ -13,16 +13,18 @@ from numpy.typing import ArrayLike
 from gearlash.system import GearlashError, Record, Status, System, given
 
 from ._blocks import LANES
-from ._eight import MOST, Lanes
+from ._lanes import MOST_MOTIONS, Lanes
 from ._motion import OK
 from ._tables import ALWAYS, FREE, MINUS, PLUS, Array, Shape
 from .arguments import empty
-from .march import LONGEST, NO_HOLD, STATUS, block_of, columns_of, room_of, run_all
+from .march import LONGEST_STRETCH, NO_HOLD, STATUS, block_of, columns_of, run_all, workspace_of
 from .propagators import Propagators, propagators_of
 
-TOGETHER = 16_000  # base periods in one call, at the most (but eight motions)
+# Of one kernel call, at the most (but eight motions are always allowed):
+# Of one kernel call, at the most (but eight motions are always allowed):
+MOTION_PERIODS_PER_CALL = 16_000  # base periods of all motions, where they are carried one after the other
+CELLS_PER_CALL = 2_500_000  # cells that motions pass side by side: 0.2 s
 MOST_THREADS = 1024
-CELLS = 2_500_000  # that motions side by side pass in one call, at the most (but eight motions): 0.2 s
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -106,7 +108,10 @@ def march_many(
     """
     props = propagators_of(system)
     states = given.numbers("start", start, ("motions", props.system.size))
-    stretches, stretch = given.whole("stretches", stretches, 0), given.whole("stretch", stretch, 1, LONGEST)
+    stretches, stretch = (
+        given.whole("stretches", stretches, 0),
+        given.whole("stretch", stretch, 1, LONGEST_STRETCH),
+    )
     threads = given.whole("threads", threads, 1, MOST_THREADS)
     job = _Job.of(props, states, stretches, stretch)
     parts = [part for part in np.array_split(job.order, threads) if len(part)]
@@ -128,19 +133,19 @@ class _Job:
     states: Array
     counts: Array
     outcomes: Array
-    abreast: bool
+    side_by_side: bool
     order: Array
 
     @classmethod
     def of(cls, props: Propagators, starts: Array, stretches: int, stretch: int) -> _Job:
-        motions, abreast = len(starts), _can_be_abreast(props)
+        motions, side_by_side = len(starts), _takes_lanes(props)
         states = empty(motions, stretches + 1, starts.shape[1])
         states[:, 0] = starts
         counts = np.zeros((motions, stretches, columns_of(props)), dtype=np.int64)
         outcomes, order = np.zeros(motions, dtype=np.int64), np.arange(motions)
-        if abreast:  # those that may do the same at the same time, by the gap, after each other
+        if side_by_side:  # those that may do the same at the same time, by the gap, after each other
             order = np.argsort(starts @ props.system.clearances[0].h, kind="stable")
-        return cls(props, stretch, states, counts, outcomes, abreast, order)
+        return cls(props, stretch, states, counts, outcomes, side_by_side, order)
 
     def carry(self, motions: Array) -> None:
         """Carries some of them to their ends, in calls of the same length as those of `march`."""
@@ -148,10 +153,10 @@ class _Job:
         while done < stretches:
             block = min(block_of(self.props, self.stretch), stretches - done)
             going = motions[self.outcomes[motions] == OK]
-            size = self._at_once(block) if self.abreast or block == stretches else 1
+            size = self._at_once(block) if self.side_by_side or block == stretches else 1
             for first in range(0, len(going), size):
                 group = going[first : first + size]
-                if self.abreast and len(group) > 1:
+                if self.side_by_side and len(group) > 1:
                     self._side_by_side(group, done, block)
                 else:
                     self._alone(slice(group[0], group[-1] + 1), done, block)
@@ -160,10 +165,10 @@ class _Job:
     def _at_once(self, block: int) -> int:
         """Motions in one call over so many stretches, so that it does not last too long for Ctrl-C."""
         periods = block * self.stretch
-        if not self.abreast:
-            return max(LANES, TOGETHER // periods)
-        most = CELLS // (periods * self.props.cells)
-        return min(MOST, max(1, most // LANES) * LANES)
+        if not self.side_by_side:
+            return max(LANES, MOTION_PERIODS_PER_CALL // periods)
+        most = CELLS_PER_CALL // (periods * self.props.cells)
+        return min(MOST_MOTIONS, max(1, most // LANES) * LANES)
 
     def _alone(self, motions: slice, done: int, block: int) -> None:
         """One after the other: one, or several over all their stretches."""
@@ -176,14 +181,15 @@ class _Job:
             self.states[motion, done + block + 1 :] = np.nan
 
     def _side_by_side(self, motions: Array, done: int, block: int) -> None:
-        """Up to `MOST`; what does not end well is carried again, alone, for what is to be told of it."""
-        from ._abreast import abreast  # when first asked for: it takes long to compile, and few ask
+        """Up to `MOST_MOTIONS`. A motion that does not end well is carried again alone, as only that tells
+        where and why."""
+        from ._ensemble import march_ensemble  # when first asked for: it takes long to compile, and few ask
 
-        props, room, tables = self.props, room_of(self.props.shape), self.props.tables
-        abreast(
+        props, room, tables = self.props, workspace_of(self.props.shape), self.props.tables
+        march_ensemble(
             room.sizes, tables.memory, tables.slot_of, props.rules, motions, self.stretch, done, block,
-            self.states, self.counts, self.outcomes, NO_HOLD, room.modes, room.on, room.position,
-            room.nothing, room.space, _space(props.shape),
+            self.states, self.counts, self.outcomes, NO_HOLD, room.numbers, room.ints, room.nothing,
+            _lanes(props.shape),
         )  # fmt: skip
         for motion in motions[self.outcomes[motions] != OK]:
             self.counts[motion, done : done + block] = 0
@@ -198,8 +204,8 @@ class _Job:
         return ManyStrobes(self.states.swapaxes(0, 1), self.counts[..., :-1].swapaxes(0, 1), doubts, statuses)
 
 
-def _can_be_abreast(props: Propagators) -> bool:
-    """Whether `_abreast` takes this system. Builds every region that a motion can come to, as that cannot be
+def _takes_lanes(props: Propagators) -> bool:
+    """Whether `_ensemble` takes this system. Builds every region that a motion can come to, as that cannot be
     done on the way."""
     if props.shape.clearances != 1 or props.rules[0] != ALWAYS:
         return False
@@ -217,10 +223,10 @@ def _can_be_abreast(props: Propagators) -> bool:
 _local = threading.local()
 
 
-def _space(shape: Shape) -> Lanes:
+def _lanes(shape: Shape) -> Lanes:
     """This thread's work space, made anew where the shape is another one."""
-    from ._eight import room
+    from ._lanes import lane_workspace
 
     if getattr(_local, "shape", None) != shape:
-        _local.shape, _local.space = shape, room(shape)
+        _local.shape, _local.space = shape, lane_workspace(shape)
     return _local.space

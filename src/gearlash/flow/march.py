@@ -15,7 +15,7 @@ from gearlash.system import Record, Status, System, given
 from . import _march
 from ._motion import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
 from ._record import Record as Kept
-from ._tables import ORDER, Array, Shape, aligned, aligned_ints, sizes_of
+from ._tables import ORDER, Array, Shape, aligned, sizes_of
 from .arguments import empty
 from .events import Events, Trace
 from .propagators import Propagators, propagators_of
@@ -25,12 +25,12 @@ STATUS = {
     TOO_MANY: Status.TOO_MANY_EVENTS,
     DIVERGED: Status.DIVERGED,
 }
-CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon;
-WORK = 1e7  # fewer where their cells have more than so many table entries
+PERIODS_PER_CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon;
+ENTRIES_PER_CALL = 1e7  # fewer where their cells have more than so many table entries
 MOST_PIECES = 2_000_000
-FAR = 1e7  # mesh cycles of one call, and from phase zero: it cannot be interrupted, and phases keep digits
-LONGEST = 10_000_000  # base periods of a stretch
-ROOMS = 32  # shapes whose work space a thread keeps: along a map the number of cells changes now and then
+MOST_CYCLES = 1e7  # of one call, which cannot be interrupted; and from phase zero, so that phases keep digits
+LONGEST_STRETCH = 10_000_000  # base periods of a stretch
+KEPT_WORKSPACES = 32  # of a thread: along a map the number of cells, and so the shape, changes now and then
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -178,7 +178,10 @@ def march(system: System | Propagators, start: ArrayLike, stretches: int, stretc
     """
     props = propagators_of(system)
     state = start_state(props, start)
-    stretches, stretch = given.whole("stretches", stretches, 0), given.whole("stretch", stretch, 1, LONGEST)
+    stretches, stretch = (
+        given.whole("stretches", stretches, 0),
+        given.whole("stretch", stretch, 1, LONGEST_STRETCH),
+    )
     states = empty(stretches + 1, len(state))
     states[0] = state
     counts = np.zeros((stretches, columns_of(props)), dtype=np.int64)
@@ -195,7 +198,7 @@ def march(system: System | Propagators, start: ArrayLike, stretches: int, stretc
 def block_of(props: Propagators, stretch: int) -> int:
     """Stretches of one kernel call at the most."""
     shape = props.shape
-    most = min(CALL, WORK / (shape.cells * (1 + shape.n) * shape.rows))
+    most = min(PERIODS_PER_CALL, ENTRIES_PER_CALL / (shape.cells * (1 + shape.n) * shape.rows))
     return max(1, int(most) // stretch)
 
 
@@ -374,7 +377,10 @@ def orthonormal_growth(
 
 def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float, float]:
     """Base phase (whole base periods before the start), start after it and length, both in cells."""
-    cycles, phase = given.number("cycles", cycles, 0.0, FAR), given.number("phase", phase, -FAR, FAR)
+    cycles, phase = (
+        given.number("cycles", cycles, 0.0, MOST_CYCLES),
+        given.number("phase", phase, -MOST_CYCLES, MOST_CYCLES),
+    )
     base = float(props.system.cycles * floor(phase / props.system.cycles))
     return base, _snapped((phase - base) * props.cells_per_cycle), _snapped(cycles * props.cells_per_cycle)
 
@@ -425,7 +431,7 @@ def run_all(
     place, strobes (motions, stretches+1, n) written, counts (motions, stretches, columns) added to. Where a
     motion comes to a region without tables, they are built, and it goes on. Returns outcomes (motions,)."""
     shape, motions = props.shape, len(states)
-    room = room_of(shape)
+    room = workspace_of(shape)
     u, starts, flat, frame = room.vectors(motions, 0 if tangents is None else len(tangents))
     starts[:] = states
     if tangents is not None:
@@ -435,9 +441,10 @@ def run_all(
     while True:
         tables = props.tables
         code = _march.run(
-            room.sizes, tables.memory, tables.slot_of, props.rules, u, flat, room.modes, room.on,
-            room.position, room.progress, start, length, NO_HOLD if hold is None else hold, strobes, counts,
-            _NO_SUMS if sums is None else sums.reshape(-1), outcomes, *(record or room.nothing), *room.space,
+            room.sizes, tables.memory, tables.slot_of, props.rules, u, flat, start, length,
+            NO_HOLD if hold is None else hold, strobes, counts,
+            _NO_SUMS if sums is None else sums.reshape(-1), outcomes, *(record or room.nothing),
+            room.numbers, room.ints,
         )  # fmt: skip
         if code != NEED_REGION:
             break
@@ -448,15 +455,15 @@ def run_all(
     return outcomes
 
 
-class _Room:
+class _Workspace:
     """Work space of the kernel, and what it goes on from after a region was built."""
 
     def __init__(self, shape: Shape):
         self.sizes = sizes_of(shape)
         self.shape = shape
-        self.space = _march.scratch(shape)
-        self.modes, self.on, self.progress = aligned_ints(shape.clearances, shape.clearances, 3)
-        (self.position,) = aligned(6)
+        self.numbers, self.ints = _march.scratch(shape)
+        parts = _march.split(shape, self.numbers, self.ints)
+        self.position, self.progress = parts.position, parts.progress
         self.nothing = Kept(
             np.array([-1, 0], dtype=np.int64),
             np.empty((0, 2)),
@@ -483,19 +490,19 @@ class _Room:
         return found
 
 
-_rooms = threading.local()
+_workspaces = threading.local()
 
 
-def room_of(shape: Shape) -> _Room:
+def workspace_of(shape: Shape) -> _Workspace:
     """This thread's for systems of this shape."""
-    if not hasattr(_rooms, "kept"):
-        _rooms.kept = {}
-    rooms: dict[Shape, _Room] = _rooms.kept
+    if not hasattr(_workspaces, "kept"):
+        _workspaces.kept = {}
+    rooms: dict[Shape, _Workspace] = _workspaces.kept
     room = rooms.get(shape)
     if room is None:
-        if len(rooms) >= ROOMS:
+        if len(rooms) >= KEPT_WORKSPACES:
             rooms.clear()
-        room = rooms[shape] = _Room(shape)
+        room = rooms[shape] = _Workspace(shape)
     return room
 
 

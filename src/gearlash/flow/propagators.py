@@ -55,10 +55,10 @@ from .regions import (
 )
 
 TRUNCATION = 1e-15  # bound on the Taylor remainder of every unit column of every cell map
-FINER, NEAR = 1.1, 10  # factor to the next grid, for so many tries
-FAR_FINER = 1.5  # the same after them
-LATER = 1e-14  # the same for regions that are met only later, on the grid of the first ones
-ONE_CALL = 4_000_000  # numbers of tables that one call writes: a tenth of a second
+REFINEMENT, GENTLE_TRIES = 1.1, 10  # factor to the next grid, for so many tries
+LATE_REFINEMENT = 1.5  # the same after them
+LATER_TRUNCATION = 1e-14  # the same for regions that are met only later, on the grid of the first ones
+NUMBERS_PER_CALL = 4_000_000  # numbers of tables that one call writes: a tenth of a second
 RULES = {ContactRule.ALWAYS: ALWAYS, ContactRule.IN_CONTACT: IN_CONTACT, ContactRule.NO_TENSION: NO_TENSION}
 
 
@@ -195,14 +195,14 @@ class Propagators(Record):
             check_memory(self.system, self.shape, 1 + len(self.responses), len(self.units))
             tables, old = None, self.tables
             try:
-                tables = _with_regions(self, [code], LATER)
+                tables = _with_regions(self, [code], LATER_TRUNCATION)
             finally:
                 if tables is None:  # as it was: another region may come here
                     old.room[old.used : old.used + self.shape.slot] = 0.0
             if tables is None:
                 raise GearlashError(
-                    f"the Taylor remainder of a region is above {LATER:.0e}: the sides of the clearances are "
-                    "too different for one grid of cells"
+                    f"the Taylor remainder of a region is above {LATER_TRUNCATION:.0e}: the sides of the "
+                    "clearances are too different for one grid of cells"
                 )
             self.store["now"] = tables
 
@@ -257,7 +257,7 @@ def propagators(system: System, reuse: Propagators | None = None) -> Propagators
         found = _on_grid(system, units, key, int(cells))
         if found is not None:
             return found
-        cells, tried = ceil((FINER if tried < NEAR else FAR_FINER) * cells), tried + 1
+        cells, tried = ceil((REFINEMENT if tried < GENTLE_TRIES else LATE_REFINEMENT) * cells), tried + 1
 
 
 def propagators_of(system: System | Propagators) -> Propagators:
@@ -397,14 +397,14 @@ def _assemble(
 
 def _calls(shape: Shape) -> Iterator[tuple[int, int]]:
     """The cells in pieces for one call of a kernel each: first, and first of the next."""
-    piece = max(1, ONE_CALL * shape.cells // shape.slot)
+    piece = max(1, NUMBERS_PER_CALL * shape.cells // shape.slot)
     return ((i, min(i + piece, shape.cells)) for i in range(0, shape.cells, piece))
 
 
 def _copy(old: Array, new: Array) -> None:
     """In pieces: gigabytes in new memory take seconds, in which Ctrl-C would not be answered."""
-    for i in range(0, len(old), ONE_CALL):
-        new[i : i + ONE_CALL] = old[i : i + ONE_CALL]
+    for i in range(0, len(old), NUMBERS_PER_CALL):
+        new[i : i + NUMBERS_PER_CALL] = old[i : i + NUMBERS_PER_CALL]
 
 
 def left_out(series: Array, width: float) -> tuple[float, float]:

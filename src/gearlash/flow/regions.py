@@ -17,10 +17,10 @@ from ._cells import EDGE, FORCED, OFFSET, spectral_radius
 from ._tables import FREE, MINUS, PLUS, Array
 
 Sides = tuple[int, ...]
-FEW = 3  # clearances up to which every region is asked for its fastest rate
-ALIKE = 3.0  # condition number of the directions h/|h| above which no centres are used
-KEPT = 64  # answers about systems, by the system itself: building its propagators asks for each several times
-STEP = 1.85  # (spectral radius + highest harmonic) × cell duration aimed at: degree 23 then suffices
+MOST_ENUMERATED = 3  # clearances up to which every region is asked for its fastest rate
+WORST_CONDITION = 3.0  # condition number of the directions h/|h| above which no centres are used
+CACHED_ANSWERS = 64  # by system: building its propagators asks for each of them several times
+RATE_PER_CELL = 1.85  # (spectral radius + highest harmonic) × cell duration aimed at: degree 23 then suffices
 
 
 def code_of(sides: Sides) -> int:
@@ -31,7 +31,7 @@ def sides_of(code: int, count: int) -> Sides:
     return tuple(code // 3**c % 3 for c in range(count))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_ANSWERS)
 def twin(system: System, code: int) -> int:
     """A region with the same homogeneous part: side + in place of side -, where both are alike."""
     sides = [
@@ -46,7 +46,7 @@ def _alike(clearance: Clearance) -> bool:
     return np.array_equal(plus, minus) and len(set(clearance.dampings)) == 1
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_ANSWERS)
 def extreme_regions(system: System) -> tuple[Sides, ...]:
     """Regions that decide the grid: all clearances free, all closed on one side, and on the other where that
     is another system. Sides that do not act are never closed."""
@@ -97,7 +97,7 @@ def matrix_of(system: System, sides: Sides) -> Array:
     return _matrix(system, _dampings(system, sides))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_ANSWERS)
 def _matrix(system: System, dampings: tuple[float, ...]) -> Array:
     matrix = system.matrix.astype(np.float64)
     for clearance, damping in zip(system.clearances, dampings, strict=True):
@@ -112,7 +112,7 @@ def forcing_of(system: System, sides: Sides) -> Array:
     return _forcing(system, _dampings(system, sides))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_ANSWERS)
 def _forcing(system: System, dampings: tuple[float, ...]) -> Array:
     count = max(harmonics(system.forcing), *(harmonics(c.offset) for c in system.clearances))
     base = padded(system.forcing, count)
@@ -132,7 +132,7 @@ def centres_of(system: System) -> Array:
     if len(readers) == 1:
         return readers / (readers @ readers.T)
     directions = readers / np.linalg.norm(readers, axis=1)[:, None]
-    if np.linalg.cond(directions) > ALIKE:
+    if np.linalg.cond(directions) > WORST_CONDITION:
         return np.zeros_like(readers)
     return np.ascontiguousarray(np.linalg.pinv(readers).T)
 
@@ -152,7 +152,7 @@ def first_guess(system: System) -> float:
     """Cells from the fastest rate that occurs in any region; infinite where that is beyond numbers."""
     # a modulated stiffness moves the motion's rates by its harmonics: the two add up; a forcing does not
     own = system.period * fastest_of(system) + 2 * pi * highest_moved(system)
-    cells = max(own, 2 * pi * highest_turn(system)) / STEP
+    cells = max(own, 2 * pi * highest_turn(system)) / RATE_PER_CELL
     return max(4.0, np.ceil(cells)) if isfinite(cells) else inf
 
 
@@ -160,7 +160,7 @@ def fastest_of(system: System, regions: Iterable[Sides] = ()) -> float:
     """The fastest rate that occurs in any of these regions (else in all that matter: of many clearances with
     all contacts closed, or open), stiffness at its extremes."""
     fastest, count = 0.0, len(system.clearances)
-    every = [sides_of(code, count) for code in range(3**count)] if 1 < count <= FEW else []
+    every = [sides_of(code, count) for code in range(3**count)] if 1 < count <= MOST_ENUMERATED else []
     for sides in regions or every or extreme_regions(system):
         closed = any(side != FREE for side in sides)
         for swing in (-1.0, 1.0) if closed else (0.0,):

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash.flow import Propagators, propagators_of
-from gearlash.flow.march import LONGEST, start_state
+from gearlash.flow.march import LONGEST_STRETCH, start_state
 from gearlash.system import GearlashError, System, given, shown
 
 from .results import Attractor
@@ -76,4 +76,4 @@ def _trial(props: Propagators, trial: Any, settings: Settings) -> tuple[Array, i
     parts = given.items("trial", trial, "a state and a number of base periods")
     if len(parts) != 2:
         raise GearlashError(f"trial = {shown(trial)}: expected a state and a number of base periods")
-    return start_state(props, parts[0]), given.whole("period of the trial", parts[1], 1, LONGEST)
+    return start_state(props, parts[0]), given.whole("period of the trial", parts[1], 1, LONGEST_STRETCH)

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators, propagators_of
-from gearlash.flow.march import LONGEST, start_state
+from gearlash.flow.march import LONGEST_STRETCH, start_state
 from gearlash.system import CARRIED, ContactRule, GearlashError, System, given
 
 from .subspaces import by_subspaces, ordered
@@ -74,7 +74,7 @@ def spectrum(
     "Product eigenvalue problems", SIAM Rev. 47 (2005), doi:10.1137/S0036144504443110. Where the sum of the
     logarithms is not the trace, digits were lost all the same; then, and where there are too many maps, each
     group of multipliers of like size is computed in its own subspace (`subspaces`)."""
-    state, period = start_state(props, state), given.whole("period", period, 1, LONGEST)
+    state, period = start_state(props, state), given.whole("period", period, 1, LONGEST_STRETCH)
     shrinking = fastest_shrinking(props) * props.system.period
     parts = max(1, ceil(shrinking / FACTOR_CONTRACTION))
     factors = _factors(props, state, period, parts)

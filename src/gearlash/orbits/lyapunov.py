@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
 from gearlash.flow import Propagators, propagators_of
-from gearlash.flow.march import LONGEST, start_state
+from gearlash.flow.march import LONGEST_STRETCH, start_state
 from gearlash.system import CARRIED, Record, Status, System, given
 
 from .floquet import cut, mean_trace
@@ -116,7 +116,10 @@ def lyapunov(
     z = start_state(props, start)
     n = len(z)
     count = n if count is None else given.whole("count", count, 1, n)
-    periods, settle = given.whole("periods", periods, 1, LONGEST), given.whole("settle", settle, 0, LONGEST)
+    periods, settle = (
+        given.whole("periods", periods, 1, LONGEST_STRETCH),
+        given.whole("settle", settle, 0, LONGEST_STRETCH),
+    )
     parts = cut(props, z)
     frame = (
         np.eye(n)[:count]

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash import flow
 from gearlash.flow import Lap, Propagators, propagators_of
-from gearlash.flow.march import LONGEST, start_state
+from gearlash.flow.march import LONGEST_STRETCH, start_state
 from gearlash.system import CARRIED, Record, Status, System, given
 
 TOLERANCE = 1e-11  # of the residual: above it the status is not ok
@@ -171,7 +171,7 @@ def shoot(
     """
     props = propagators_of(system)
     z: Array = start_state(props, start)
-    period = given.whole("period", period, 1, LONGEST // props.system.cycles)
+    period = given.whole("period", period, 1, LONGEST_STRETCH // props.system.cycles)
     iterations = given.whole("iterations", iterations)
     reach = None if reach is None else given.number("reach", reach)
     parts = _parts(period)

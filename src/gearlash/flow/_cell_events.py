@@ -1,10 +1,9 @@
-"""A cell looked at in pieces: event by event, however they come."""
+"""A cell gone through event by event, in whatever order they come."""
 
 from __future__ import annotations
 
 from gearlash._kernel.jit import inlined, inner
 
-from ._exits import NONE
 from ._motion import (
     DIVERGED,
     FRESH,
@@ -12,12 +11,13 @@ from ._motion import (
     NEEDED,
     OK,
     TOO_MANY,
+    apply_map,
     bounded,
-    leap,
-    leave_behind,
+    forget_crossed,
     slot_place,
 )
 from ._record import keep_event, keep_piece
+from ._root_isolation import NO_ROOT
 from ._surfaces import next_exit
 from ._switch import region_code, side_of, switch_state, switch_tangent
 from ._tables import FREE, OVER_MINUS, OVER_PLUS, Shape
@@ -26,23 +26,23 @@ EVENTS_PER_CELL = 4096
 
 
 @inner
-def in_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record):
+def cell_events(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record):
     """Cell k from motion.position to local time ``end``, event by event, and on into the next cell where that
     is its end; ``arriving``: the crossings at a position only."""
     if not bounded(motion.u, shape.p):  # no polynomial of infinities can be subdivided to an end
         return DIVERGED
-    outcome = _by_pieces(shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record)
+    outcome = _events_until(shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record)
     if outcome == OK and not arriving and end == 1.0:
         slot = slot_place(shape, slot_of, motion.modes)
         step = slot + shape.step + k * (1 + shape.n) * shape.rows
-        leap(shape, memory, step, shape.rows, motion.u, motion.tangents, m, motion.moved)
+        apply_map(shape, memory, step, shape.rows, motion.u, motion.tangents, m, motion.moved)
         motion.position[0], motion.position[1] = motion.position[0] + 1.0, 0.0
-        leave_behind(motion)
+        forget_crossed(motion)
     return outcome
 
 
 @inner
-def _by_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record):
+def _events_until(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving, hold, counts, record):
     """The same up to ``end`` only."""
     events = 0
     cell = motion.position[0]
@@ -53,7 +53,7 @@ def _by_pieces(shape: Shape, memory, slot_of, rules, motion, m, k, end, arriving
         at, which, boundary, behind, undecided = _first(
             shape, memory, slot, k, rules, motion, s, stop, int(hold[0]), held
         )
-        if at == NONE:
+        if at == NO_ROOT:
             if arriving:
                 break
             if undecided:
@@ -101,9 +101,9 @@ def _held(hold, cell, s, end):
 
 @inlined
 def _first(shape: Shape, memory, slot, k, rules, motion, s, stop, held_clearance, held):
-    """First exit of any clearance in [s, stop]: (time or NONE, clearance, boundary, mode behind,
+    """First exit of any clearance in [s, stop]: (time or NO_ROOT, clearance, boundary, mode behind,
     undecided)."""
-    best, which, through, behind, undecided = NONE, 0, 0, 0, False
+    best, which, through, behind, undecided = NO_ROOT, 0, 0, 0, False
     for c in range(shape.clearances):
         at, boundary, target, open_case = next_exit(
             shape, memory, slot, k, c, motion.modes[c], rules[c], motion.u, s, stop,

@@ -1,47 +1,48 @@
-"""Crossings of several motions on the workbench (`_eight`) at the same time."""
+"""Crossings of several motions, which were gathered in one block (`_lanes`), at the same time."""
 
 from __future__ import annotations
 
 from gearlash._kernel.jit import inlined
 
 from ._blocks import LANES
-from ._eight import (
-    FRESH_ONES,
-    INSIDE,
+from ._lane_vectors import (
+    bounds_lanes,
+    choose,
+    jets_lanes,
+    lead_back_lanes,
+    linear_lanes,
+    powers_lanes,
+    values_lanes,
+)
+from ._lanes import (
+    AT_START,
+    GATHER_BLOCK,
+    IN_MID_CELL,
     ON_MINUS,
     ON_PLUS,
     PROVED,
-    WORKBENCH,
     inside,
     slot_of_mode,
     used_rows,
 )
-from ._exits import MOST_STEPS, halley
-from ._glance import AGAIN, ONCE, THERE_AND_BACK, farthest, leaving
-from ._lanes import (
-    bounds_abreast,
-    choose,
-    jets_abreast,
-    lead_back_abreast,
-    linear_abreast,
-    powers_abreast,
-    values_abreast,
-)
-from ._surfaces import ROUNDING, inward_of
+from ._root_isolation import MOST_HALLEY_STEPS, halley
+from ._sign_test import EXIT_AND_RETURN, LATER_EXIT, ONE_EXIT, farthest, leaving
+from ._surfaces import PLACE_ROUNDING, inward_of
 from ._tables import FREE, MINUS, ORDER, PLUS, TERMS, Shape
 from ._vector import move, multiple, ones_in, times
 
-FEW = 2  # so many crossings alone cost as much as eight at once
+FEWEST_LANES = 2  # so many crossings alone cost as much as eight at once
 
 
 @inlined
 def _polish(lanes, mask, place, sign):
-    """`at` ← where each crosses, from `lo`, `hi` and the guess in `at`: `_exits.polish`, eight at a time."""
+    """`at` ← where each crosses, from `lo`, `hi` and the guess in `at`: `_root_isolation.polish`, eight at
+    a time."""
     for lane in range(LANES):
         guess, lo, hi = lanes.at[lane], lanes.lo[lane], lanes.hi[lane]
         lanes.at[lane] = guess if lo < guess < hi else 0.5 * (lo + hi)
-    for _ in range(MOST_STEPS):
-        jets_abreast(lanes.gap, lanes.at, lanes.jet)
+    for _ in range(MOST_HALLEY_STEPS):
+        jets_lanes(lanes.gap, lanes.at, lanes.jet)
         for lane in range(LANES):
             if (mask >> lane) & 1 != 0:
                 done, lanes.at[lane], lanes.lo[lane], lanes.hi[lane] = halley(
@@ -58,16 +59,16 @@ def _polish(lanes, mask, place, sign):
 def _switch(shape: Shape, memory, source, target, k, side, sign, edge, mask, lanes):
     """u ← the virtual starts behind crossings at `at`: `_switch.switch_state`, eight at a time."""
     used = used_rows(shape)
-    powers_abreast(lanes.at, lanes.powers)
+    powers_lanes(lanes.at, lanes.powers)
     move(lanes.gap, 0, lanes.push, 0, LANES * TERMS)
-    bounds_abreast(-edge, 1.0, lanes.push, 0.0, lanes.push)
+    bounds_lanes(-edge, 1.0, lanes.push, 0.0, lanes.push)
     times(lanes.powers, 0, lanes.push, 0, LANES * TERMS)
-    linear_abreast(memory, shape.hilbert, TERMS, TERMS, ORDER + 1, lanes.push, 0, lanes.moments, 0)
+    linear_lanes(memory, shape.hilbert, TERMS, TERMS, ORDER + 1, lanes.push, 0, lanes.moments, 0)
     times(lanes.powers, 0, lanes.moments, 0, LANES * TERMS)
     push = target + shape.push + (2 * k + side) * (ORDER + 1) * shape.p
-    linear_abreast(memory, push, shape.p, used, ORDER + 1, lanes.moments, 0, lanes.out, 0)
+    linear_lanes(memory, push, shape.p, used, ORDER + 1, lanes.moments, 0, lanes.out, 0)
     multiple(memory[shape.scalars + 1], lanes.at, 0, lanes.limit, 0, LANES)
-    lead_back_abreast(
+    lead_back_lanes(
         -sign, lanes.limit, lanes.out, memory, source + shape.centre, target + shape.centre, lanes.u, used
     )
     choose(mask, lanes.out, lanes.u, 0, used)
@@ -85,37 +86,37 @@ def _bracket(shape: Shape, memory, mode, mask, lanes):
     for sure: the first part of `_surfaces.one_crossing`."""
     for lane in range(LANES):  # a place that is to be inside or beyond
         inward = inward_of(mode, lanes.boundary[lane])
-        side = -inward if lanes.verdict[lane] == THERE_AND_BACK else inward
+        side = -inward if lanes.verdict[lane] == EXIT_AND_RETURN else inward
         if (mask >> lane) & 1 == 0:
             continue
-        if lanes.verdict[lane] == ONCE:
-            lanes.at[lane] = inside(lanes, WORKBENCH, lane)
+        if lanes.verdict[lane] == ONE_EXIT:
+            lanes.at[lane] = inside(lanes, GATHER_BLOCK, lane)
         else:
             lanes.at[lane] = farthest(lanes.seen, lane * TERMS, side)
-    values_abreast(lanes.gap, lanes.at, lanes.limit)
+    values_lanes(lanes.gap, lanes.at, lanes.limit)
     for lane in range(LANES):
         if (mask >> lane) & 1 == 0:
             continue
         verdict, boundary = lanes.verdict[lane], lanes.boundary[lane]
         inward, place = inward_of(mode, boundary), _place(shape, memory, mode, boundary)
-        lanes.lo[lane], lanes.hi[lane] = inside(lanes, WORKBENCH, lane), 1.0
-        if verdict != ONCE or lanes.lo[lane] > 0.0:
-            side, between = (-inward if verdict == THERE_AND_BACK else inward), lanes.at[lane]
-            near = lanes.near[lane] + ROUNDING * memory[shape.reach]
-            late = verdict == ONCE or between > lanes.lo[lane]
+        lanes.lo[lane], lanes.hi[lane] = inside(lanes, GATHER_BLOCK, lane), 1.0
+        if verdict != ONE_EXIT or lanes.lo[lane] > 0.0:
+            side, between = (-inward if verdict == EXIT_AND_RETURN else inward), lanes.at[lane]
+            near = lanes.near[lane] + PLACE_ROUNDING * memory[shape.reach]
+            late = verdict == ONE_EXIT or between > lanes.lo[lane]
             if not (late and side * (lanes.limit[lane] - place) > near):
                 mask &= ~(1 << lane)
                 continue
-            if verdict == THERE_AND_BACK:
+            if verdict == EXIT_AND_RETURN:
                 lanes.hi[lane] = between
             else:
                 lanes.lo[lane] = between
-        lanes.at[lane] = leaving(lanes.seen, lane * TERMS, inward, place, verdict == AGAIN)
+        lanes.at[lane] = leaving(lanes.seen, lane * TERMS, inward, place, verdict == LATER_EXIT)
     return mask
 
 
 @inlined
-def _cross_together(shape: Shape, memory, slot_of, slot, k, mode, boundary, mask, lanes, counts, stretch):
+def _cross_lanes(shape: Shape, memory, slot_of, slot, k, mode, boundary, mask, lanes, counts, stretch):
     """Carries the motions of a mask over their crossings of the same boundary in cell k."""
     side = 0 if boundary > 0 else 1
     behind = FREE if mode != FREE else (PLUS if boundary > 0 else MINUS)
@@ -123,9 +124,9 @@ def _cross_together(shape: Shape, memory, slot_of, slot, k, mode, boundary, mask
     _polish(lanes, mask, _place(shape, memory, mode, boundary), inward_of(mode, boundary))
     edge = boundary * memory[shape.gaps + side] if sign > 0.0 else 0.0
     _switch(shape, memory, slot, target, k, side, sign, edge, mask, lanes)
-    for which in (mode, ON_PLUS, ON_MINUS, FRESH_ONES, PROVED):
+    for which in (mode, ON_PLUS, ON_MINUS, AT_START, PROVED):
         lanes.masks[which] &= ~mask
-    for which in (behind, INSIDE, ON_PLUS if boundary > 0 else ON_MINUS):
+    for which in (behind, IN_MID_CELL, ON_PLUS if boundary > 0 else ON_MINUS):
         lanes.masks[which] |= mask
     for lane in range(LANES):
         if (mask >> lane) & 1 != 0:
@@ -134,13 +135,13 @@ def _cross_together(shape: Shape, memory, slot_of, slot, k, mode, boundary, mask
 
 
 @inlined
-def crossing(shape: Shape, memory, slot_of, slot, k, mode, mask, lanes, counts, stretch):
+def cross_in_lanes(shape: Shape, memory, slot_of, slot, k, mode, mask, lanes, counts, stretch):
     """Carries those of a mask over their next crossing, boundary by boundary, unless they are few or it is
     not certain. Returns those that it left."""
-    if ones_in(mask) < FEW:
+    if ones_in(mask) < FEWEST_LANES:
         return mask
     series = slot + shape.gap + k * (1 + shape.n) * TERMS
-    linear_abreast(memory, series, TERMS, TERMS, 1 + shape.n, lanes.u, 0, lanes.gap, 0)
+    linear_lanes(memory, series, TERMS, TERMS, 1 + shape.n, lanes.u, 0, lanes.gap, 0)
     sure = _bracket(shape, memory, mode, mask, lanes)
     left, upward = mask & ~sure, 0
     for lane in range(LANES):
@@ -148,8 +149,8 @@ def crossing(shape: Shape, memory, slot_of, slot, k, mode, mask, lanes, counts, 
             upward |= 1 << lane
     for boundary in (1, -1):
         group = upward if boundary > 0 else sure & ~upward
-        if ones_in(group) < FEW:
+        if ones_in(group) < FEWEST_LANES:
             left |= group
         else:
-            _cross_together(shape, memory, slot_of, slot, k, mode, boundary, group, lanes, counts, stretch)
+            _cross_lanes(shape, memory, slot_of, slot, k, mode, boundary, group, lanes, counts, stretch)
     return left

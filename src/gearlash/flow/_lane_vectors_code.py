@@ -1,4 +1,4 @@
-"""The primitives of `_lanes` as LLVM's own vector instructions. Imported for compiling only."""
+"""The primitives of `_lane_vectors` as LLVM's own vector instructions. Imported for compiling only."""
 
 from __future__ import annotations
 
@@ -65,12 +65,12 @@ if not TYPE_CHECKING:
         def block(number, _):
             row = builder.mul(number, _INDEX(ROWS))
             into = builder.gep(out, [builder.mul(row, _INDEX(LANES))])
-            _product(builder, ROWS, builder.gep(table, [row]), stride, count, x, into, abreast=True)
+            _product(builder, ROWS, builder.gep(table, [row]), stride, count, x, into, in_lanes=True)
 
         _loop(builder, builder.sdiv(rows, _INDEX(ROWS)), block)
 
     @intrinsic
-    def linear_abreast(typing, table, at, stride, rows, count, x, first, out, to):
+    def linear_lanes(typing, table, at, stride, rows, count, x, first, out, to):
         whole = types.int64
         signature = types.void(table, whole, whole, whole, whole, x, whole, out, whole)
 
@@ -80,7 +80,7 @@ if not TYPE_CHECKING:
             x, out = _from_row(builder, x, first), _from_row(builder, out, to)
             pointer = _VECTOR.element.as_pointer()
             kinds = [pointer, _INDEX, _INDEX, _INDEX, pointer, pointer]
-            function = _function(builder.module, "gearlash_linear_abreast", kinds, _write_linear)
+            function = _function(builder.module, "gearlash_linear_lanes", kinds, _write_linear)
             builder.call(function, [builder.gep(table, [at]), stride, rows, count, x, out])
             return context.get_dummy_value()
 
@@ -104,20 +104,20 @@ if not TYPE_CHECKING:
         _keep(builder, terms[0], out, 0)
 
     @intrinsic
-    def weigh_abreast(typing, weights, at, count, x, first, out):
+    def weigh_lanes(typing, weights, at, count, x, first, out):
         def generate(context, builder, signature, arguments):
             weights, x, out = _pointers(context, builder, signature, arguments, 0, 3, 5)
             x = _from_row(builder, x, arguments[4])
             pointer = _VECTOR.element.as_pointer()
             kinds = [pointer, _INDEX, pointer, pointer]
-            function = _function(builder.module, "gearlash_weigh_abreast", kinds, _write_weigh)
+            function = _function(builder.module, "gearlash_weigh_lanes", kinds, _write_weigh)
             builder.call(function, [builder.gep(weights, [arguments[1]]), arguments[2], x, out])
             return context.get_dummy_value()
 
         return types.void(weights, types.int64, types.int64, x, types.int64, out), generate
 
     @intrinsic
-    def bounds_abreast(typing, place, sign, near, more, out):
+    def bounds_lanes(typing, place, sign, near, more, out):
         def generate(context, builder, signature, arguments):
             near, out = _pointers(context, builder, signature, arguments, 2, 4)
             place, sign, _, more, _ = arguments
@@ -130,7 +130,7 @@ if not TYPE_CHECKING:
         return types.void(number, number, near, number, out), generate
 
     @intrinsic
-    def apart_from_abreast(typing, table, at, x, first, out, rows):
+    def difference_lanes(typing, table, at, x, first, out, rows):
         def generate(context, builder, signature, arguments):
             table, x, out = _pointers(context, builder, signature, arguments, 0, 2, 4)
             _, at, _, first, _, rows = arguments
@@ -149,7 +149,7 @@ if not TYPE_CHECKING:
         return types.void(table, whole, x, whole, out, whole), generate
 
     @intrinsic
-    def lead_back_abreast(typing, factor, scale, change, centres, before, after, u, rows):
+    def lead_back_lanes(typing, factor, scale, change, centres, before, after, u, rows):
         def generate(context, builder, signature, arguments):
             scale, change, centres, u = _pointers(context, builder, signature, arguments, 1, 2, 3, 6)
             factor, _, _, _, before, after, _, rows = arguments
@@ -189,11 +189,11 @@ if not TYPE_CHECKING:
         return generate
 
     @intrinsic
-    def over_abreast(typing, values, at, limits):
+    def over_lanes(typing, values, at, limits):
         return types.int64(values, types.int64, limits), _every(">")
 
     @intrinsic
-    def under_abreast(typing, values, at, limits):
+    def under_lanes(typing, values, at, limits):
         return types.int64(values, types.int64, limits), _every("<")
 
     @intrinsic
@@ -256,7 +256,7 @@ if not TYPE_CHECKING:
         return types.void(values, types.int64, types.int64, out), generate
 
     @intrinsic
-    def powers_abreast(typing, s, out):
+    def powers_lanes(typing, s, out):
         def generate(context, builder, signature, arguments):
             s, out = _pointers(context, builder, signature, arguments, 0, 1)
             factors = [_row(builder, s, 0)]
@@ -296,8 +296,8 @@ if not TYPE_CHECKING:
         return generate
 
     @intrinsic
-    def values_abreast(typing, c, s, out):
-        return types.void(c, s, out), _polynomials("gearlash_values_abreast", _write_values)
+    def values_lanes(typing, c, s, out):
+        return types.void(c, s, out), _polynomials("gearlash_values_lanes", _write_values)
 
     def _write_jets(builder, c, s, out):
         """Step by step what `_series.jet` does."""
@@ -328,5 +328,5 @@ if not TYPE_CHECKING:
             _keep(builder, value, out, i)
 
     @intrinsic
-    def jets_abreast(typing, c, s, out):
-        return types.void(c, s, out), _polynomials("gearlash_jets_abreast", _write_jets)
+    def jets_lanes(typing, c, s, out):
+        return types.void(c, s, out), _polynomials("gearlash_jets_lanes", _write_jets)

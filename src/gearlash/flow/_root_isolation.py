@@ -18,16 +18,16 @@ from ._blocks import LANES
 from ._series import jet, recentre
 from ._tables import ORDER, TERMS, Shape
 from ._vector import linear, powers, times, weigh
-from ._work import DEPTH, LIMITS, LOCAL, ONES, POWERS, SCALED, STACK, SURFACE
+from ._workspace import DEPTH, LIMITS, LOCAL, ONES, POWERS, SCALED, STACK, SURFACE
 
-NONE = 2.0  # "no root in [0, 1]"
-CLEAR, ONE, OPEN = 0, 1, 2
-MOST_STEPS = 100  # of `polish`
+NO_ROOT = 2.0  # "no root in [0, 1]"
+NO_CHANGE, ONE_CHANGE, UNDECIDED = 0, 1, 2
+MOST_HALLEY_STEPS = 100  # of `polish`
 
 
 @inlined
-def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
-    """First s in [start, end] at which the distance polynomial in `SURFACE` turns negative, or `NONE`, and
+def first_root(shape: Shape, memory, work, start, end, bound, slope_bound, on):
+    """First s in [start, end] at which the distance polynomial in `SURFACE` turns negative, or `NO_ROOT`, and
     whether anything stayed undecided.
 
     ``bound`` and ``slope_bound`` cover rounding and remainder of the polynomial and of its derivative. A
@@ -52,7 +52,7 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
             undecided = not (here == 0.0 and speed == 0.0)
         leaving = True
     if length <= 0.0:
-        return NONE, undecided
+        return NO_ROOT, undecided
     if length != 1.0:
         powers(length, work, POWERS)
         times(work, POWERS, work, LOCAL, TERMS)
@@ -62,9 +62,9 @@ def first_exit(shape: Shape, memory, work, start, end, bound, slope_bound, on):
         first, limit = 1, slope_bound * length
         size -= abs(here)
     if 2.0 * abs(work[LOCAL + first]) - size > limit and work[LOCAL + first] > 0.0:
-        return NONE, undecided  # the leading term outweighs all others
+        return NO_ROOT, undecided  # the leading term outweighs all others
     s, open_case = _isolate(shape, memory, work, first, limit)
-    return (start + length * s if s < NONE else NONE), undecided or open_case
+    return (start + length * s if s < NO_ROOT else NO_ROOT), undecided or open_case
 
 
 @inlined
@@ -79,9 +79,9 @@ def _isolate(shape: Shape, memory, work, first, bound):
         top -= 1
         b, lo, hi = STACK + top * TERMS, work[LIMITS + 2 * top], work[LIMITS + 2 * top + 1]
         verdict, place = _verdict(work, b, m, bound)
-        if verdict == CLEAR:
+        if verdict == NO_CHANGE:
             continue
-        if verdict == ONE:
+        if verdict == ONE_CHANGE:
             if place < 0:
                 return lo, undecided  # at the beginning, within rounding
             fall = work[b + place] - work[b + place + 1]
@@ -103,26 +103,27 @@ def _isolate(shape: Shape, memory, work, first, bound):
         work[LIMITS + 2 * top + 2], work[LIMITS + 2 * top + 3] = lo, middle
         work[LIMITS + 2 * top], work[LIMITS + 2 * top + 1] = middle, hi
         top += 2
-    return NONE, undecided
+    return NO_ROOT, undecided
 
 
 @inlined
 def _verdict(work, b, m, bound):
-    """(CLEAR, 0): all coefficients above the bound. (ONE, i): above it up to i, then below it, with one at
-    most between them that may be either: exactly one root (i = -1: at the beginning). Else (OPEN, 0)."""
+    """(NO_CHANGE, 0): all coefficients are above the bound. (ONE_CHANGE, i): they are above it up to i, then
+    below it, with one at most between them that may be either: exactly one root (i = -1: at the beginning).
+    Else (UNDECIDED, 0)."""
     i = 0
     while i <= m and work[b + i] > bound:
         i += 1
     if i > m:
-        return CLEAR, 0
+        return NO_CHANGE, 0
     before = i - 1
     if work[b + i] >= -bound:
         i += 1
     if i > m:
-        return OPEN, 0  # the last one may be either
+        return UNDECIDED, 0  # the last one may be either
     while i <= m and work[b + i] < -bound:
         i += 1
-    return (ONE if i > m else OPEN), before
+    return (ONE_CHANGE if i > m else UNDECIDED), before
 
 
 @inner
@@ -165,7 +166,7 @@ def polish(work, at, place, lo, hi, guess, sign):
     Halley's method kept inside a shrinking bracket. It ends where the next step, of third order, would be
     below rounding."""
     s = guess if lo < guess < hi else 0.5 * (lo + hi)
-    for _ in range(MOST_STEPS):
+    for _ in range(MOST_HALLEY_STEPS):
         value, slope, half_bend = jet(work, at, s)
         done, s, lo, hi = halley(value - place, slope, half_bend, sign, lo, hi, s)
         if done:
@@ -196,7 +197,7 @@ def halley(value, slope, half_bend, sign, lo, hi, s):
 def all_roots(c, at, degree, basis, table, stack, limits, out):
     """All simple roots in (0, 1] of a polynomial, ascending; returns their number (used for extrema).
 
-    basis from place ``table``: Taylor to Bernstein; stack, limits: work space as in `_work`, flat."""
+    basis from place ``table``: Taylor to Bernstein; stack, limits: work space as in `_workspace`, flat."""
     linear(basis, table, TERMS, TERMS, degree + 1, c, at, stack, 0)
     limits[0], limits[1] = 0.0, 1.0
     count, top = 0, 1
