@@ -3,6 +3,7 @@ that no longer knows one of them does not slow everything down in silence."""
 
 from __future__ import annotations
 
+import ast
 import re
 import tomllib
 from collections.abc import Callable
@@ -14,6 +15,8 @@ import numba
 import numpy as np
 import pytest
 
+import gearlash
+from gearlash._kernel.declare import KERNELS
 from gearlash._kernel.jit import array_of, float64, int64
 from gearlash._kernel.options import COUNTED, ENTRY, HELPER, INLINED, NOT_COUNTED
 
@@ -99,3 +102,31 @@ def test_kernels_of_the_flow_count_no_references():
     made.compile(kernel.signature)  # pyright: ignore[reportFunctionMemberAccess]
     text = next(iter(made.inspect_llvm().values()))  # pyright: ignore[reportFunctionMemberAccess]
     assert counted(text) == 0
+
+
+PUBLIC = {"numba": "", "numba.extending": "intrinsic", "llvmlite": "", "llvmlite.binding": ""}
+"""Modules that numba's and llvmlite's pages describe, and what alone is taken of one."""
+
+
+def test_nothing_private_of_numba_is_used():
+    """Only described modules are imported, nothing of them by a name with an underscore."""
+    for path in Path(gearlash.__file__).parent.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            imported: list[tuple[str, str]] = []
+            if isinstance(node, ast.Import):
+                imported = [(alias.name, "") for alias in node.names]
+            elif isinstance(node, ast.ImportFrom) and not node.level:
+                imported = [(node.module or "", alias.name) for alias in node.names]
+            for module, name in imported:
+                if module.partition(".")[0] in ("numba", "llvmlite"):
+                    assert module in PUBLIC, f"{path}: {module}"
+                    assert not name.startswith("_"), f"{path}: {name}"
+                    assert not PUBLIC[module] or name == PUBLIC[module], f"{path}: {name}"
+
+
+def test_entry_points_take_at_most_twenty_arguments():
+    """Each costs every call its time."""
+    from gearlash.flow import _ensemble  # noqa: F401  (declares its kernel)
+
+    counts = {name: len(kernel.signature.args) for name, kernel in KERNELS.items()}
+    assert max(counts.values()) <= 20, counts

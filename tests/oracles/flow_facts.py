@@ -249,11 +249,11 @@ def closed_orbit_that_parts() -> None:
 def grid_that_is_too_coarse() -> None:
     """However few cells are tried first, the maps are exact: the majorant asks for more."""
     module: Any = sys.modules["gearlash.flow.regions"]
-    assert isinstance(module.STEP, float)
-    aimed, module.STEP = module.STEP, 12.0
+    assert isinstance(module.RATE_PER_CELL, float)
+    aimed, module.RATE_PER_CELL = module.RATE_PER_CELL, 12.0
     system = oscillator(omega=0.2, gap=(9.0, 9.0), ground=(0.9, 0.1), force=HARMONIC)
     props = flow.propagators(system)
-    module.STEP = aimed
+    module.RATE_PER_CELL = aimed
     expected = moved(system, 0, [0.2, -0.4], 1.0, 0.0)
     assert np.abs(flow.carry(props, [0.2, -0.4], 1.0).state - expected).max() < 1e-13
 

@@ -104,26 +104,32 @@ _CHOSEN = "best, which, through, behind = (at, c, boundary, target) if {} else (
 BOUNDS = (
     Mutant(
         "no rest at all",
-        "memory[at + shape.rest + row] = tail + ROUNDING * size",
+        "memory[at + shape.rest + row] = tail + TABLE_ROUNDING * size",
         "memory[at + shape.rest + row] = 0.0",
         _ROUNDING,
     ),
     Mutant(
-        "rough coefficients exact", "tail + ROUNDING * size + spared", "tail + ROUNDING * size", _CELL_END
+        "rough coefficients exact",
+        "tail + TABLE_ROUNDING * size + spared",
+        "tail + TABLE_ROUNDING * size",
+        _CELL_END,
     ),
     Mutant("unit rounding zero", "UNIT_ROUNDING = 2.0**-53", "UNIT_ROUNDING = 0.0", _ROUNDING),
     Mutant(
         "place of a boundary exact",
-        "near = bound + ROUNDING * memory[shape.reach + c]",
+        "near = bound + PLACE_ROUNDING * memory[shape.reach + c]",
         "near = 0.0",
         _ROUNDING,
     ),
     Mutant(
-        "bounds a thousandfold", "near = bound + ROUNDING * memory[shape.reach + c]", "near = 1e-10", _TOUCH
+        "bounds a thousandfold",
+        "near = bound + PLACE_ROUNDING * memory[shape.reach + c]",
+        "near = 1e-10",
+        _TOUCH,
     ),
     Mutant(
         "no bound in a first exit",
-        "start, end, near, DERIVED * near, on == boundary",
+        "start, end, near, DERIVATIVE_BOUND * near, on == boundary",
         "start, end, 0.0, 0.0, on == boundary",
         _ROUNDING,
     ),
@@ -139,7 +145,7 @@ BOUNDS = (
     ),
     Mutant(
         "no majorant",
-        "return value + rest * FALL / (1.0 - FALL), derived + rest * (LAST + 2.0)",
+        "return value + rest * TAIL_RATIO / (1.0 - TAIL_RATIO), derived + rest * (LAST_TERM + 2.0)",
         "return 0.0, 0.0",
         _COARSE,
     ),
@@ -165,11 +171,16 @@ DIRECTIONS = (
     ),
     Mutant(
         "crossed boundary forgotten",
-        "DERIVED * near, on == boundary",
-        "DERIVED * near, False",
+        "DERIVATIVE_BOUND * near, on == boundary",
+        "DERIVATIVE_BOUND * near, False",
         "crossing_at_a_crawl",
     ),
-    Mutant("any crossing blocks", "DERIVED * near, on == boundary", "DERIVED * near, on != 0", _NO_WIDTH),
+    Mutant(
+        "any crossing blocks",
+        "DERIVATIVE_BOUND * near, on == boundary",
+        "DERIVATIVE_BOUND * near, on != 0",
+        _NO_WIDTH,
+    ),
     Mutant(
         "other boundary blocked",
         "motion.on[which] = boundary events += 1",
@@ -229,20 +240,20 @@ PROOFS = (
     ),
     Mutant(
         "no return behind a crossing",
-        "return AGAIN if _two_changes(beyond, inside) else UNSURE",
+        "return LATER_EXIT if _two_changes(beyond, inside) else UNSURE",
         "return CLEAR",
         _RETURN,
     ),
     Mutant(
         "there and back where nothing is between",
-        "if (verdict != ONCE and between <= s) or not side * (polynomial(work, x, between) - place) > near:",
-        "if verdict != ONCE and between <= s:",
+        "or not side * (polynomial(work, x, between) - place) > near:",
+        ":",
         _TOUCH,
     ),
     Mutant(
         "two changes taken for one",
-        "return THERE_AND_BACK if _two_changes(inside, beyond) else UNSURE",
-        "return ONCE",
+        "return EXIT_AND_RETURN if _two_changes(inside, beyond) else UNSURE",
+        "return ONE_EXIT",
         _TOUCH,
     ),
     Mutant(
@@ -253,7 +264,7 @@ PROOFS = (
     ),
     Mutant("a stretch in between ignored", "(first & (first + 1)) == 0", "True", _TOUCH),
     Mutant(
-        "crossed boundary of a glance forgotten",
+        "crossed boundary of a sign test forgotten",
         "motion.on[which], s, proved = boundary, at, False",
         "motion.on[which], s, proved = -boundary, at, False",
         _NO_WIDTH,
@@ -267,8 +278,8 @@ PROOFS = (
     Mutant("the wrong ones from the queue", "place = first + waiting", "place = first", _EIGHT),
     Mutant(
         "mode of a motion left behind",
-        "for which in range(KINDS): mark(lanes, target",
-        "for which in range(INSIDE, KINDS): mark(lanes, target",
+        "for which in range(MASK_KINDS): mark(lanes, target",
+        "for which in range(IN_MID_CELL, MASK_KINDS): mark(lanes, target",
         _EIGHT,
     ),
     Mutant(
@@ -279,8 +290,8 @@ PROOFS = (
     ),
     Mutant(
         "crossed boundary of one of eight kept",
-        "for which in (INSIDE, ON_PLUS, ON_MINUS, FRESH_ONES):",
-        "for which in (INSIDE, FRESH_ONES):",
+        "for which in (IN_MID_CELL, ON_PLUS, ON_MINUS, AT_START):",
+        "for which in (IN_MID_CELL, AT_START):",
         _EIGHT,
     ),
     Mutant(
@@ -382,7 +393,7 @@ SWITCHES = (
     Mutant(
         "last crossing first",
         f"if at < best: {_CHOICE}",
-        f"if at < NONE: {_CHOICE}",
+        f"if at < NO_ROOT: {_CHOICE}",
         _TWO,
     ),
     Mutant(
