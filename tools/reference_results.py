@@ -222,7 +222,7 @@ def _statuses() -> Iterator[str]:
     yield "## Statuses"
     yield ""
     yield "Of attractors, points and located values; only `ok` is a result to rely on without reading on."
-    yield "Points of sweeps and maps know two more: `failed` (the message says why), `not-computed` (stopped"
+    yield "Only points of sweeps and maps are `failed` (the message says why) or `not-computed` (stopped"
     yield "before). A run and a study as a whole are `not-excited` where nothing in the system varies with"
     yield "time, or nothing that varies moves it: then nothing was asked (give ripple or error). A study as a"
     yield "whole is `incomplete` if it was stopped, `failed` if no point is ok, `partly-failed` if a point"

@@ -50,7 +50,6 @@ def test_every_status_is_described():
         outcome.INCOMPLETE,
         outcome.FAILED,
         outcome.PARTLY_FAILED,
-        outcome.NOT_COMPUTED,
         excitation.NOT_EXCITED,
     }
     assert [status for status in {*map(str, Status), *ours} if f"`{status}`" not in page] == []

@@ -8,6 +8,7 @@ import pytest
 
 from cli.conftest import Gearlash
 from gearlash.cli.answers.outcome import study_status, troubles
+from gearlash.system import Status
 
 NARROW = str(Path(__file__).resolve().parents[1] / "cases" / "narrow.toml")  # gap from -0.5 on
 
@@ -15,23 +16,26 @@ NARROW = str(Path(__file__).resolve().parents[1] / "cases" / "narrow.toml")  # g
 @pytest.mark.parametrize(
     ("complete", "statuses", "status"),
     [
-        (True, {"ok": 9}, "ok"),
-        (True, {"ok": 5, "unresolved": 5}, "ok"),
-        (True, {"ok": 4, "unresolved": 5}, "partly-failed"),
-        (True, {"ok": 8, "failed": 1}, "partly-failed"),
-        (True, {"failed": 9}, "failed"),
-        (True, {"unresolved": 9}, "failed"),
-        (False, {"ok": 5, "not-computed": 4}, "incomplete"),
+        (True, {Status.OK: 9}, "ok"),
+        (True, {Status.OK: 5, Status.UNRESOLVED: 5}, "ok"),
+        (True, {Status.OK: 4, Status.UNRESOLVED: 5}, "partly-failed"),
+        (True, {Status.OK: 8, Status.FAILED: 1}, "partly-failed"),
+        (True, {Status.FAILED: 9}, "failed"),
+        (True, {Status.UNRESOLVED: 9}, "failed"),
+        (False, {Status.OK: 5, Status.NOT_COMPUTED: 4}, "incomplete"),
     ],
 )
-def test_status_of_a_study(complete: bool, statuses: dict[str, int], status: str):
+def test_status_of_a_study(complete: bool, statuses: dict[Status, int], status: str):
     assert study_status(complete, statuses) == status
 
 
 def test_troubles_are_counted_and_the_first_reason_told():
-    assert troubles({"ok": 9}, "") == ""
-    assert troubles({"ok": 8, "failed": 1}, "x = 1, too small") == "1 of 9 points failed: x = 1, too small"
-    said = troubles({"ok": 3, "failed": 2, "unresolved": 1}, "x = 1, too small", "pixel")
+    assert troubles({Status.OK: 9}, "") == ""
+    assert (
+        troubles({Status.OK: 8, Status.FAILED: 1}, "x = 1, too small")
+        == "1 of 9 points failed: x = 1, too small"
+    )
+    said = troubles({Status.OK: 3, Status.FAILED: 2, Status.UNRESOLVED: 1}, "x = 1, too small", "pixel")
     assert said == (
         "2 of 6 pixels failed, the first: x = 1, too small; 1 of 6 pixels is flagged (1 unresolved)"
     )

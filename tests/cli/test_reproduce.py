@@ -22,6 +22,7 @@ from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 from gearlash.jobs import DIED
 from gearlash.results import load as load_dataset
+from gearlash.system import Status
 
 NAN = float("nan")
 
@@ -58,7 +59,7 @@ def found(case: Case, complete: bool = True) -> Reproduction:
         table2=(),
         claims=(row, row, lost),
         checks=(Check("largest residual", "1e-13", "≤ 1e-11", True), Check("points", "3", "reported", None)),
-        run=Run({"sweeps": 1.0, "total": 75.0}, 2, 2, {}, {"ok": 3}, complete),
+        run=Run({"sweeps": 1.0, "total": 75.0}, 2, 2, {}, {Status.OK: 3}, complete),
     )
 
 

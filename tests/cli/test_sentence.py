@@ -7,7 +7,7 @@ import pytest
 from cli.conftest import Gearlash
 from gearlash.cli.answers.sentence import coexisting, rate
 from gearlash.results.beside import Beside, BesideMotion
-from gearlash.system import Label, MotionKind, Signature, read_label
+from gearlash.system import Label, MotionKind, Signature, Status, read_label
 
 RATES = {
     ((0.3,), 1): "once per mesh cycle",
@@ -56,7 +56,7 @@ def _label(text: str) -> Label:
 
 
 def motion(label: str, starts: int, impacts: bool = True) -> BesideMotion:
-    return BesideMotion(_label(label), "ok", starts, impacts, {})
+    return BesideMotion(_label(label), Status.OK, starts, impacts, {})
 
 
 @pytest.mark.parametrize(

@@ -10,9 +10,9 @@ import pytest
 from gearlash.branches import GrazingPoint, locate_grazing, locate_multiplier
 from gearlash.orbits import Aperiodic, Orbit, Settings, Verdict, attractor, grazing_checks, shoot
 from gearlash.orbits.certificate import Closed, _Examined
-from gearlash.results import FAILED, NOT_COMPUTED, blank
+from gearlash.results import blank
 from gearlash.studies import point
-from gearlash.system import ContactRule, Family
+from gearlash.system import ContactRule, Family, Status
 from orbits.contacts import one_dof_under, two_gaps
 from orbits.members import article, built, cold, one_dof, orbit
 
@@ -176,5 +176,5 @@ def test_points_carry_it():
     assert (good.certificate, good.certificate_reason) == ("certified", "")
     assert bad.certificate == "failed"
     assert bad.certificate_reason == bad.message
-    assert blank(1.0, FAILED, "why").certificate == "failed"
-    assert blank(1.0, NOT_COMPUTED, "stopped").certificate == ""
+    assert blank(1.0, Status.FAILED, "why").certificate == "failed"
+    assert blank(1.0, Status.NOT_COMPUTED, "stopped").certificate == ""

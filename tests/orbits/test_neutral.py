@@ -100,4 +100,4 @@ def test_sweeps_and_maps_carry_neutral_points():
     assert sweep.points[0].status == "neutral"
     plane = gl.map_plane(family, axis, gl.Axis.even("omega", 0.9, 1.0, 2))
     assert plane.shares[MotionKind.NEUTRAL] == 2
-    assert plane.statuses["neutral"] == 2
+    assert plane.statuses[Status.NEUTRAL] == 2

@@ -16,11 +16,16 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
+from gearlash.system import Status
+
 from .commands import COMMANDS
 from .record import kept, record
 
 NEW_NAMES: dict[str, str] = {}
 """Old name → new name of a field or of a value that is a word: the one table of what was renamed since."""
+
+ADVICE = {status.advice for status in Status}
+"""What stood behind the reasons of some certificates: since then advice is told beside a reason only."""
 
 PROSE = {"sentence", "message", "advice", "ended", "reason", "note", "notes", "beyond", "expected", "remark"}
 OF_THE_RUN = {"gearlash", "hash", "seconds", "duration", "created", "workers", "process", "python", "numpy"}
@@ -58,7 +63,7 @@ def _of_fields(old: dict[str, Any], new: dict[str, Any], at: str, loose: float) 
 
 def _equal(old: Any, new: Any, at: str, loose: float) -> bool:
     if isinstance(old, str):
-        return NEW_NAMES.get(old, old) == new
+        return NEW_NAMES.get(old, old) == new or any(old == f"{new}: {advice}" for advice in ADVICE)
     if isinstance(old, bool) or not (isinstance(old, float) and isinstance(new, float)):
         return old == new
     solved = SOLVED & set(at.split("/")[-2:])

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gearlash.results import FAILED, Axis, Direction, Point, Sweep, blank, coexisting, same_motion
-from gearlash.system import GearlashError, MotionKind, Signature
+from gearlash.results import Axis, Direction, Point, Sweep, blank, coexisting, same_motion
+from gearlash.system import GearlashError, MotionKind, Signature, Status
 
 
 @pytest.mark.parametrize(
@@ -47,7 +47,7 @@ def test_even_values_hold_both_ends_in_either_order():
 def orbit(label: str, strobes, size: float = 1.0) -> Point:
     signature = Signature.parse(label)
     return Point(
-        1.0, "ok", "", signature, signature.period, strobes=np.array(strobes), minimum=0.0, maximum=size
+        1.0, Status.OK, "", signature, signature.period, strobes=np.array(strobes), minimum=0.0, maximum=size
     )
 
 
@@ -64,10 +64,10 @@ def test_closeness_is_measured_by_the_size_of_the_motion():
 
 
 def test_what_was_not_computed_differs_from_nothing():
-    assert same_motion(blank(1.0, FAILED, "no"), orbit("1-1-0", [0.1]))
+    assert same_motion(blank(1.0, Status.FAILED, "no"), orbit("1-1-0", [0.1]))
     axis = Axis("D", np.array([1.0]))
     rows = [
-        Sweep(axis, Direction.COLD, (blank(1.0, FAILED, "no"),)),
+        Sweep(axis, Direction.COLD, (blank(1.0, Status.FAILED, "no"),)),
         Sweep(axis, Direction.UP, (orbit("1-1-0", [0.1]),)),
         Sweep(axis, Direction.DOWN, (orbit("1-0-0", [0.1]),)),
     ]
@@ -77,7 +77,7 @@ def test_what_was_not_computed_differs_from_nothing():
 
 @pytest.mark.parametrize("label", ["unresolved", "neutral"])
 def test_what_is_no_attractor_coexists_with_none(label: str):
-    axis, other = Axis("D", np.array([1.0])), Point(1.0, label, "", MotionKind(label), 0)
+    axis, other = Axis("D", np.array([1.0])), Point(1.0, Status(label), "", MotionKind(label), 0)
     rows = [Sweep(axis, Direction.COLD, (other,)), Sweep(axis, Direction.UP, (orbit("1-1-0", [0.1]),))]
     assert coexisting(rows).tolist() == [False]
 
@@ -86,7 +86,7 @@ def test_runs_of_one_label():
     axis = Axis("D", np.arange(5.0))
     points = (
         *(orbit(label, [0.0]) for label in ("1-0-0", "1-0-0", "1-1-0")),
-        blank(3.0, FAILED, ""),
+        blank(3.0, Status.FAILED, ""),
         orbit("1-1-0", [0.0]),
     )
     sweep = Sweep(axis, Direction.COLD, points)

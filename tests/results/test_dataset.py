@@ -12,7 +12,7 @@ import xarray as xr
 
 from gearlash import case, results
 from gearlash.results import Axis, Point, Sweep, blank
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, Status
 
 ARTICLE = case.load("article-first-harmonic")
 AXIS = Axis("omega", np.array([0.9, 1.0, 1.1]))
@@ -32,7 +32,7 @@ def a_point(value: float, hits: int = 0, **more) -> Point:
         "minimum": -value,
         "maximum": value,
     }
-    return Point(value, "ok", "made up", **(given | more))
+    return Point(value, Status.OK, "made up", **(given | more))
 
 
 def a_sweep(direction="cold", hits=(0, 1, 3)) -> Sweep:
@@ -93,7 +93,7 @@ def test_provenance_says_what_was_not_given():
 
 
 def test_an_incomplete_sweep_says_so():
-    points = (a_point(0.9), blank(1.0, results.NOT_COMPUTED, "cancelled"), blank(1.1, results.FAILED, "no"))
+    points = (a_point(0.9), blank(1.0, Status.NOT_COMPUTED, "cancelled"), blank(1.1, Status.FAILED, "no"))
     sweep = Sweep(AXIS, results.Direction.COLD, points, complete=False, message="cancelled")
     data = results.sweep_dataset(ARTICLE, [sweep])
     assert (data.attrs["complete"], data.attrs["message"]) == (0, "cancelled")

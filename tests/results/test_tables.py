@@ -9,7 +9,8 @@ import pytest
 import xarray as xr
 
 import gearlash as gl
-from gearlash.results import NOT_COMPUTED, blank
+from gearlash.results import blank
+from gearlash.system import Status
 
 SPUR = gl.load_case("kahraman-singh")
 
@@ -50,10 +51,10 @@ def test_long_motions_do_not_multiply_the_rows(tmp_path: Path):
 
 def test_a_sweep_of_nothing_but_blanks_has_its_rows(tmp_path: Path):
     axis = gl.Axis.even("omega", 1.2, 1.4, 3)
-    points = tuple(blank(float(value), NOT_COMPUTED, "stopped") for value in axis.values)
+    points = tuple(blank(float(value), Status.NOT_COMPUTED, "stopped") for value in axis.values)
     sweep = gl.Sweep(axis, "cold", points, complete=False)  # pyright: ignore[reportArgumentType]
     frame = read(gl.save_dataset(gl.sweep_dataset(SPUR, [sweep]), tmp_path / "sweep.nc"))
-    assert frame["status"].tolist() == [NOT_COMPUTED] * 3
+    assert frame["status"].tolist() == [Status.NOT_COMPUTED] * 3
 
 
 @pytest.mark.parametrize("gaps", [(0.5, 1.0), (-2.0, -1.0)])

@@ -15,9 +15,7 @@ from gearlash import case, studies
 from gearlash.jobs import Execution, Progress
 from gearlash.results import (
     CERTIFICATES,
-    FAILED,
     NO_LABEL,
-    NOT_COMPUTED,
     STATUSES,
     Axis,
     PlaneMap,
@@ -29,7 +27,7 @@ from gearlash.results import (
 from gearlash.studies import Settings, map_plane
 from gearlash.studies.model import Source
 from gearlash.studies.pixels import Stretch, record_kind, work
-from gearlash.system import Family, GearlashError, Parameter, Signature
+from gearlash.system import Family, GearlashError, Parameter, Signature, Status
 
 ARTICLE = case.load("article-first-harmonic")
 CLASSICAL = case.load("kahraman-singh")
@@ -120,8 +118,8 @@ def test_a_pixel_that_fails_is_flagged_and_the_map_goes_on():
     gaps = Axis("D", np.array([-0.5, 0.5, 1.0]))
     found = map_plane(CLASSICAL, Axis.even("omega", 0.6, 0.9, 4), gaps)
     assert found.complete
-    assert [STATUSES[code] for code in found.status[:, 2]] == [FAILED, "ok", "ok"]
-    assert found.statuses == {FAILED: 4, "ok": 8}
+    assert [STATUSES[code] for code in found.status[:, 2]] == [Status.FAILED, "ok", "ok"]
+    assert found.statuses == {Status.FAILED: 4, "ok": 8}
     assert found.certificates["failed"] == 4
     assert set(found.reasons) == {(0, column) for column in range(4)}
     assert "D" in found.reasons[0, 3]
@@ -133,7 +131,7 @@ def test_a_pixel_that_fails_is_flagged_and_the_map_goes_on():
 def test_a_map_of_failures_only():
     found = map_plane(CLASSICAL, SPEEDS, Axis("D", np.array([-2.0, -1.0])))
     assert found.complete
-    assert found.statuses == {FAILED: 10}
+    assert found.statuses == {Status.FAILED: 10}
     assert (found.labels, found.shares) == ((), {})
 
 
@@ -148,7 +146,7 @@ def test_cancel_keeps_what_was_computed():
         CLASSICAL, SPEEDS, GAPS, execution=Execution(progress=after_nine, cancel=cancel, chunk=3)
     )
     assert (found.complete, found.message, found.computed) == (False, "cancelled", 9)
-    assert found.statuses == {NOT_COMPUTED: 21, "ok": 9}
+    assert found.statuses == {Status.NOT_COMPUTED: 21, "ok": 9}
     assert plane_dataset(CLASSICAL, found).attrs["complete"] == 0
 
 

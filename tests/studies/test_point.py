@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from gearlash import case, flow, orbits, studies
-from gearlash.results import FAILED
-from gearlash.system import Family, GearlashError, Parameter
+from gearlash.system import Family, GearlashError, Parameter, Status
 
 ARTICLE = case.load("article-first-harmonic").family()[0]
 CLASSICAL = case.load("kahraman-singh").family()[0]
@@ -90,7 +89,7 @@ def test_aperiodic_point_keeps_a_stretch_and_no_period():
 
 def test_a_value_out_of_range_is_flagged_with_its_reason():
     found = studies.point(CLASSICAL, {"D": -1.0}, name="D")
-    assert (found.status, found.label, found.value) == (FAILED, None, -1.0)
+    assert (found.status, found.label, found.value) == (Status.FAILED, None, -1.0)
     assert "D" in found.message
     assert not found.computed
 
@@ -117,7 +116,7 @@ def test_what_a_family_raises_fails_the_point_with_its_reason(error: Exception):
 
     family = Family((Parameter("omega", 0.6),), ("X",), build, lambda values: np.zeros(1))
     found = studies.point(family)
-    assert found.status == FAILED
+    assert found.status == Status.FAILED
     assert found.message == f"build failed at omega = 0.6: {type(error).__name__}: {error}".removesuffix(": ")
     with pytest.raises(GearlashError) as raised:
         family.system()

@@ -10,9 +10,9 @@ import pytest
 
 from gearlash import case, results, studies
 from gearlash.jobs import Execution, Progress
-from gearlash.results import FAILED, NOT_COMPUTED, content_hash, sweep_dataset
+from gearlash.results import content_hash, sweep_dataset
 from gearlash.studies import Axis
-from gearlash.system import Family, GearlashError, Parameter, UnknownNameError
+from gearlash.system import Family, GearlashError, Parameter, Status, UnknownNameError
 
 ARTICLE = case.load("article-first-harmonic")
 CLASSICAL = case.load("kahraman-singh")
@@ -91,7 +91,7 @@ def test_values_that_fail_are_flagged_and_the_sweep_goes_on():
     for direction in ("cold", "up", "down"):
         found = studies.sweep(CLASSICAL, axis, direction=direction)
         assert found.complete
-        assert [point.status for point in found.points] == [FAILED, "ok", "ok"]
+        assert [point.status for point in found.points] == [Status.FAILED, "ok", "ok"]
         assert "D" in found.points[0].message
         assert found.points[0].value == -0.5
 
@@ -107,7 +107,7 @@ def test_cancel_keeps_what_was_computed():
         CLASSICAL, SPEEDS, direction="down", execution=Execution(progress=after_five, cancel=cancel)
     )
     assert (found.complete, found.message, found.computed) == (False, "cancelled", 5)
-    assert [point.status for point in found.points] == [NOT_COMPUTED] * 11 + ["ok"] * 5
+    assert [point.status for point in found.points] == [Status.NOT_COMPUTED] * 11 + ["ok"] * 5
     dataset = sweep_dataset(CLASSICAL, [found])
     assert dataset.attrs["complete"] == 0
     assert np.isnan(dataset["largest_exponent"].values[0, :11]).all()

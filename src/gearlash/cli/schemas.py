@@ -13,7 +13,7 @@ from dataclasses import MISSING, fields, is_dataclass
 from enum import Enum
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
-from gearlash.system import Label
+from gearlash.system import Label, Status
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 SIMPLE = {
@@ -21,6 +21,7 @@ SIMPLE = {
     int: "integer",
     str: "string",
     Label: "string",
+    Status: "string",
     bool: "boolean",
     type(None): "null",
 }

@@ -237,7 +237,7 @@ class Search:
         return self.nothing_attracts(told, Average(0.0, rounding, self.motion.used))
 
     def nothing_attracts(self, told: str, found: Average) -> Neutral:
-        message = f"one of a continuum of motions, {told}: {Status.NEUTRAL.advice}"
+        message = f"one of a continuum of motions, {told}"
         return Neutral(*self.common(found), Status.NEUTRAL, message, self.motion.undecided)
 
     def aperiodic(self, last: bool) -> Attractor | None:
@@ -333,8 +333,7 @@ class Search:
         return Aperiodic(*self.common(found), status, message, self.motion.undecided)
 
     def unresolved(self, status: Status, reason: str, found: Average) -> Unresolved:
-        message = f"{reason}: {status.advice}"
-        return Unresolved(*self.common(found), status, message, self.motion.undecided)
+        return Unresolved(*self.common(found), status, reason, self.motion.undecided)
 
     def common(self, found: Average) -> tuple[Propagators, Array, float, float, int]:
         return self.props, self.state.copy(), found.value, found.error, self.motion.used

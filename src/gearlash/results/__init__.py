@@ -11,7 +11,7 @@ from .dataset import sweep_dataset
 from .digest import content_hash
 from .plane import CERTIFICATES, NO_LABEL, STATUSES, PlaneMap
 from .plane_dataset import plane_dataset
-from .point import FAILED, NOT_COMPUTED, Point, blank, not_computed
+from .point import Point, blank, not_computed
 from .provenance import provenance
 from .store import load, save
 from .sweep import Direction, Sweep
@@ -19,8 +19,6 @@ from .table import table
 
 __all__ = [
     "CERTIFICATES",
-    "FAILED",
-    "NOT_COMPUTED",
     "NO_LABEL",
     "STATUSES",
     "Axis",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from gearlash.system import Label
+from gearlash.system import Label, Status
 
 
 @dataclass(frozen=True)
@@ -13,7 +13,7 @@ class BesideMotion:
     """A motion that one or more of the other starts lead to."""
 
     label: Annotated[Label, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral or unresolved"]
-    status: Annotated[str, "ok, or why it is not to be relied on"]
+    status: Annotated[Status, "ok, or why it is not to be relied on"]
     starts: Annotated[int, "how many of the other starts lead to it"]
     impacts: Annotated[bool | None, "does it have impacts? null where nothing was settled"]
     start: Annotated[dict[str, float], "the first of these starts, by state name: --initial takes it"]

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.case import Case
-from gearlash.system import Family, GearlashError, given
+from gearlash.system import Family, GearlashError, Status, given
 
 from .compare import coexisting
 from .physical import physical_axis, physical_unit
-from .point import NOT_COMPUTED, Point
+from .point import Point
 from .provenance import provenance
 from .sweep import Sweep
 from .variables import PADDED, SCALARS, Variable, dimension
@@ -91,7 +91,7 @@ class _Row:
         found, blanks, places = [], {}, []
         for point in points:
             place = len(found)
-            if point.status == NOT_COMPUTED:
+            if point.status is Status.NOT_COMPUTED:
                 place = blanks.setdefault(point.message, place)
             if place == len(found):
                 found.append(point)

@@ -13,12 +13,15 @@ from numpy.typing import NDArray
 from gearlash.system import GearlashError, Label, Record, Status, read_label
 
 from .axis import Axis
-from .point import FAILED, NOT_COMPUTED
 
 Array = NDArray[Any]
 Named = TypeVar("Named")
 
-STATUSES = (NOT_COMPUTED, FAILED, *map(str, Status))
+STATUSES = (
+    Status.NOT_COMPUTED,
+    Status.FAILED,
+    *(one for one in Status if one not in (Status.NOT_COMPUTED, Status.FAILED)),
+)
 """What the codes of `PlaneMap.status` mean."""
 CERTIFICATES = ("", "certified", "uncertain", "failed")
 """What the codes of `PlaneMap.certificate` mean; the first: nothing was computed."""
@@ -92,7 +95,7 @@ class PlaneMap(Record):
     @property
     def computed(self) -> int:
         """How many pixels were computed."""
-        return int(np.count_nonzero(self.status != STATUSES.index(NOT_COMPUTED)))
+        return int(np.count_nonzero(self.status != STATUSES.index(Status.NOT_COMPUTED)))
 
     @property
     def impact_free(self) -> NDArray[np.bool_]:
@@ -100,7 +103,7 @@ class PlaneMap(Record):
         return (self.period > 0) & (self.drive == 0) & (self.back == 0) & (self.others == 0)
 
     @property
-    def statuses(self) -> dict[str, int]:
+    def statuses(self) -> dict[Status, int]:
         """How many pixels have which status."""
         return _counted(self.status, STATUSES)
 

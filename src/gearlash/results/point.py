@@ -9,14 +9,9 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import Label, Record, read_label
+from gearlash.system import Label, Record, Status, read_label
 
 Array = NDArray[np.float64]
-
-NOT_COMPUTED = "not-computed"
-"""Status of a point that a study did not come to: it was cancelled or interrupted."""
-FAILED = "failed"
-"""Status of a point whose system could not be built or solved; its message says why."""
 
 NAN = float("nan")
 
@@ -58,7 +53,7 @@ class Point(Record):
     )
 
     value: float
-    status: str
+    status: Status
     message: str
     label: Label | None = None
     period: int = 0
@@ -100,7 +95,7 @@ class Point(Record):
     @property
     def computed(self) -> bool:
         """Is there a motion here at all, periodic or not?"""
-        return self.status not in (FAILED, NOT_COMPUTED)
+        return self.status.computed
 
     @property
     def impact_free(self) -> bool:
@@ -122,19 +117,19 @@ class Point(Record):
         return replace(self, value=float(value))
 
 
-def blank(value: float, status: str, message: str) -> Point:
+def blank(value: float, status: Status, message: str) -> Point:
     """A point of which nothing is known but why."""
-    failed = status == FAILED
+    failed = status is Status.FAILED
     return Point(
         float(value), status, message,
-        certificate=FAILED if failed else "", certificate_reason=message if failed else "",
+        certificate="failed" if failed else "", certificate_reason=message if failed else "",
     )  # fmt: skip
 
 
 def not_computed(values: Iterable[float], reason: str) -> Iterator[Point]:
     """Blank points of what was stopped before. They share all but the value: there may be a hundred thousand,
     and whoever stopped a study waits for them."""
-    pattern = blank(0.0, NOT_COMPUTED, reason)
+    pattern = blank(0.0, Status.NOT_COMPUTED, reason)
     for value in values:
         point, parts = object.__new__(Point), pattern.__dict__.copy()
         parts["value"] = float(value)

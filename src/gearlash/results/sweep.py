@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from gearlash.system import GearlashError, Label, Named, Record, given
+from gearlash.system import GearlashError, Label, Named, Record, Status, given
 
 from .axis import Axis
-from .point import NOT_COMPUTED, Point
+from .point import Point
 
 
 class Direction(Named):
@@ -47,10 +47,10 @@ class Sweep(Record):
     @property
     def computed(self) -> int:
         """How many points were computed."""
-        return sum(point.status != NOT_COMPUTED for point in self.points)
+        return sum(point.status is not Status.NOT_COMPUTED for point in self.points)
 
     @property
-    def statuses(self) -> dict[str, int]:
+    def statuses(self) -> dict[Status, int]:
         """How many points have which status."""
         return dict(Counter(point.status for point in self.points))
 
@@ -65,10 +65,10 @@ class Sweep(Record):
         """How many of the computed points are certified, uncertain, failed."""
         return dict(Counter(point.certificate for point in self.points if point.certificate))
 
-    def runs(self) -> list[tuple[int, int, Label | str]]:
+    def runs(self) -> list[tuple[int, int, Label | Status]]:
         """Maximal stretches of one label: (first index, last index, label), in the order of the axis. Where
         there is no motion the status takes the place of the label."""
-        found: list[tuple[int, int, Label | str]] = []
+        found: list[tuple[int, int, Label | Status]] = []
         for i, point in enumerate(self.points):
             label = point.status if point.label is None else point.label
             if found and found[-1][2] == label:

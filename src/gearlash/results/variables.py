@@ -35,7 +35,7 @@ def _crossing_force(name: str, long_name: str) -> Variable:
 
 
 SCALARS = (
-    _plain("status", "outcome of the computation", "U"),
+    Variable("status", "outcome of the computation", lambda point: str(point.status), "U"),
     _plain("message", "what is known about the motion", "U"),
     Variable(
         "label",

@@ -180,7 +180,7 @@ def _motion(found: Attractor, start: Array, starts: int, names: list[str]) -> Be
     impacts = bool(found.signature.impacts) if isinstance(found, Orbit) else bool(len(found.events))
     return BesideMotion(
         label=found.label,
-        status=str(found.status),
+        status=found.status,
         starts=starts,
         impacts=impacts,
         start=dict(zip(names, map(float, start), strict=True)),

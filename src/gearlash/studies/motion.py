@@ -14,7 +14,7 @@ from gearlash.flow import Trace
 from gearlash.flow.events import gap_displacement, gap_velocity
 from gearlash.orbits import Attractor, Orbit, orbit_at
 from gearlash.orbits.grazing import motion_of
-from gearlash.system import Family, GearlashError, Label, MotionKind, Record, arguments, given, shown
+from gearlash.system import Family, GearlashError, Label, MotionKind, Record, Status, arguments, given, shown
 
 Array = NDArray[np.float64]
 
@@ -108,7 +108,7 @@ class Motion(Record):
     gap_plus: float
     gap_minus: float
     label: Label
-    status: str
+    status: Status
     message: str
     period: int
     largest_exponent: float
@@ -198,7 +198,7 @@ def motion(
         gap_plus=gap.gap_plus,
         gap_minus=gap.gap_minus,
         label=attractor.label if label is None else label,
-        status=str(attractor.status),
+        status=attractor.status,
         message=attractor.message,
         period=orbit.period if orbit else 0,
         largest_exponent=float(attractor.largest_exponent),
@@ -244,7 +244,7 @@ def touching(family: Family, point: GrazingPoint) -> Motion:
         phase = float(extrema.phase[np.argmin(np.abs(extrema.displacement - edge))])
     touch = phase, point.boundary
     found = motion(orbit, value=point.value, touch=touch, label=MotionKind.GRAZING, clearance=point.clearance)
-    return replace(found, status=str(point.status), message=f"touches a boundary: {point.kind}")
+    return replace(found, status=point.status, message=f"touches a boundary: {point.kind}")
 
 
 def _phases(trace: Trace, cycles: float, clearance: int) -> Array:

@@ -14,7 +14,6 @@ from gearlash.jobs import Carry, Part, handing_on, stopping
 from gearlash.orbits import Aperiodic, Attractor, Neutral, Orbit, Settings, Unresolved, Verdict, attractor
 from gearlash.orbits.results import SAMPLE
 from gearlash.results.plane import CERTIFICATES, STATUSES
-from gearlash.results.point import FAILED
 from gearlash.system import CARRIED, Family, GearlashError, Status
 
 from .model import Source
@@ -63,7 +62,10 @@ def failed_record(kind: np.dtype) -> np.ndarray:
     """The record () of a pixel that failed."""
     record = np.zeros((), kind)
     record["kind"], record["exponent"] = NOTHING, np.nan
-    record["status"], record["certificate"] = STATUSES.index(FAILED), CERTIFICATES.index(Verdict.FAILED)
+    record["status"], record["certificate"] = (
+        STATUSES.index(Status.FAILED),
+        CERTIFICATES.index(Verdict.FAILED),
+    )
     return record
 
 

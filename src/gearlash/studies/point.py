@@ -12,7 +12,7 @@ from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.flow.events import gap_displacement
 from gearlash.orbits import Attractor, Orbit, Settings, attractor
-from gearlash.results import FAILED, Point, blank
+from gearlash.results import Point, blank
 from gearlash.system import Family, GearlashError, Status, given, plain_values, short_name
 
 from .arguments import checked_settings
@@ -93,7 +93,7 @@ def evaluate(
         return summary(attractor(props, begin, settings, trial), value), props
     except (GearlashError, LinAlgError) as error:
         value = values.get(name, value) if name is not None else value
-        return blank(value, FAILED, str(error) or type(error).__name__), reuse
+        return blank(value, Status.FAILED, str(error) or type(error).__name__), reuse
 
 
 def summary(found: Attractor, value: float = NOT_A_NUMBER) -> Point:
@@ -101,7 +101,7 @@ def summary(found: Attractor, value: float = NOT_A_NUMBER) -> Point:
     orbit = found if isinstance(found, Orbit) else None
     about = {
         "value": float(value),
-        "status": str(found.status),
+        "status": found.status,
         "message": found.message,
         "label": found.label,
         "largest_exponent": float(found.largest_exponent),

@@ -17,7 +17,8 @@ from gearlash.branches import GrazingPoint
 from gearlash.jobs import Chain, Execution, run
 from gearlash.jobs.chains import Work
 from gearlash.orbits import Settings
-from gearlash.results import NOT_COMPUTED, Direction, Point, Sweep, same_motion
+from gearlash.results import Direction, Point, Sweep, same_motion
+from gearlash.system import Status
 
 from .between import Stretch, look_between
 from .ends import NARROW, Bracket, find_end
@@ -264,6 +265,6 @@ class Search:
 def _with_neighbours(points: tuple[Point, ...]) -> tuple[Point, ...]:
     """Those that a study came to, and what is next to them: of a sweep that was stopped the others, of which
     there may be a hundred thousand, tell nothing."""
-    came = np.array([False, *(point.status != NOT_COMPUTED for point in points), False])
+    came = np.array([False, *(point.status is not Status.NOT_COMPUTED for point in points), False])
     near = came[:-2] | came[1:-1] | came[2:]
     return points if near.all() else tuple(point for point, told in zip(points, near, strict=True) if told)

@@ -80,6 +80,8 @@ class Status(Named):
     DIVERGED = "diverged"
     NOT_ADMISSIBLE = "not-admissible"
     NOT_FOUND = "not-found"
+    FAILED = "failed"
+    NOT_COMPUTED = "not-computed"
 
     @property
     def advice(self) -> str:
@@ -90,6 +92,11 @@ class Status(Named):
     def ok(self) -> bool:
         """Whether it is ``OK``."""
         return self is Status.OK
+
+    @property
+    def computed(self) -> bool:
+        """Whether there is a result at all: nothing failed, and no study was stopped before it."""
+        return self not in (Status.FAILED, Status.NOT_COMPUTED)
 
 
 CARRIED = (Status.OK, Status.UNCERTAIN)
@@ -113,4 +120,6 @@ _ADVICE = {
     Status.NOT_ADMISSIBLE: "the point solves the equations, but the orbit crosses a boundary elsewhere "
     "than assumed: start from an orbit nearer to the grazing point",
     Status.NOT_FOUND: "nothing was found in the interval: widen it or change the starting orbit",
+    Status.FAILED: "change what the message names",
+    Status.NOT_COMPUTED: "call it again for the rest",
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gearlash.system import Label
+from gearlash.system import Label, Status
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class RuleLabel:
 
     parameter: str
     value: float
-    label: Label | str
+    label: Label | Status
     back_hit: bool
     certificate: str
 

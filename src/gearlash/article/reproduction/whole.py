@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from gearlash.case import Case
 from gearlash.studies.motion import Motion
-from gearlash.system import Label, Record
+from gearlash.system import Label, Record, Status
 
 from .claims import ClaimRow, Table2Row
 from .events import Coincidence, Event
@@ -107,7 +107,7 @@ class Run:
     workers: int
     cores: int
     versions: Mapping[str, str]
-    statuses: Mapping[str, int]
+    statuses: Mapping[Status, int]
     complete: bool
     certificates: Mapping[str, int] = field(default_factory=dict)
 

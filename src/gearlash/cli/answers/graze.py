@@ -243,19 +243,14 @@ def _outcome(start: Point, found: bool) -> tuple[str, str]:
         return str(Status.OK), Status.OK.advice
     if start.periodic:  # followed in vain
         return str(Status.NOT_FOUND), "start from another value (--near), or another motion (--initial)"
-    if start.status == Status.OK:  # aperiodic
+    if start.status is Status.OK:  # aperiodic
         return str(Status.NOT_FOUND), (
             "start where the motion is periodic (--near), or from a state on a periodic motion (--initial)"
         )
-    if start.status in tuple(Status):
-        return start.status, Status(start.status).advice
-    return start.status, "change what the message names"
+    return str(start.status), start.status.advice
 
 
 def _message(start: Point, paths: tuple[Path, ...]) -> str:
     if start.periodic:
         return "; ".join(f"{path.direction} to {path.reached:.6g}: {path.ended}" for path in paths)
-    said = start.message
-    for status in Status:
-        said = said.removesuffix(f": {status.advice}")
-    return f"{said}; only a periodic motion can be followed to a grazing"
+    return f"{start.message}; only a periodic motion can be followed to a grazing"

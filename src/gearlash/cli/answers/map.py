@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import numpy as np
 
 from gearlash.case import Case
-from gearlash.system import Label, MotionKind, Signature
+from gearlash.system import Label, MotionKind, Signature, Status
 
 from .excitation import Unexcited, idle_study
 from .outcome import PIXELS, study_status, troubles
@@ -55,7 +55,7 @@ class MapAnswer:
     start: Annotated[
         dict[str, float] | None, "state that every pixel started from (--initial); null: the cold start"
     ]
-    statuses: Annotated[dict[str, int], "number of pixels by status"]
+    statuses: Annotated[dict[Status, int], "number of pixels by status"]
     certificates: Annotated[dict[str, int], "number of pixels certified, uncertain, failed"]
     impact_free: Annotated[int, "number of pixels with a periodic motion without any impact"]
     labels: Annotated[tuple[MapLabel, ...], "the most frequent first"]
@@ -118,8 +118,6 @@ def _labels(plane: PlaneMap) -> Iterator[MapLabel]:
 
 
 def _sentence(plane: PlaneMap, axes: tuple[AxisUsed, AxisUsed], idle: Unexcited | None) -> str:
-    from gearlash.results import NOT_COMPUTED
-
     ends = (axis.asked.span(axis.lower, axis.upper) for axis in axes)
     if idle is not None:
         return f"{' and '.join(ends)}: {idle.cause}; {idle.advice}"
@@ -133,7 +131,7 @@ def _sentence(plane: PlaneMap, axes: tuple[AxisUsed, AxisUsed], idle: Unexcited 
             f"free of impacts {_percent(free / plane.computed)}, "
             f"aperiodic {_percent(restless / plane.computed)}"
         )
-    missing = plane.statuses.get(NOT_COMPUTED, 0)
+    missing = plane.statuses.get(Status.NOT_COMPUTED, 0)
     trouble = troubles(plane.statuses, _first_failure(plane, axes), "pixel")
     if trouble:
         parts.append(trouble)

@@ -10,7 +10,6 @@ from .excitation import NOT_EXCITED, Unexcited
 
 OK, INCOMPLETE, FAILED, PARTLY_FAILED = "ok", "incomplete", "failed", "partly-failed"
 RESUME = "call it again for the rest"  # what to do about incomplete
-NOTHING, NOT_COMPUTED = "failed", "not-computed"  # statuses of a point: no motion, stopped before
 MEANING = (
     "ok; incomplete if it was stopped; failed if no {0} is ok; partly-failed if a {0} has no motion (its "
     "system could not be built or solved), or most are not ok; not-excited if nothing varies with time"
@@ -18,7 +17,7 @@ MEANING = (
 POINTS, PIXELS = MEANING.format("point"), MEANING.format("pixel")
 
 
-def study_status(complete: bool, statuses: Mapping[str, int], idle: Unexcited | None = None) -> str:
+def study_status(complete: bool, statuses: Mapping[Status, int], idle: Unexcited | None = None) -> str:
     """Of a study with so many points of each status; ``idle`` says why it answers nothing, if so."""
     if not complete:
         return INCOMPLETE
@@ -27,15 +26,15 @@ def study_status(complete: bool, statuses: Mapping[str, int], idle: Unexcited | 
     good, every = statuses.get(Status.OK, 0), sum(statuses.values())
     if not good:
         return FAILED
-    return PARTLY_FAILED if statuses.get(NOTHING) or 2 * good < every else OK
+    return PARTLY_FAILED if statuses.get(Status.FAILED) or 2 * good < every else OK
 
 
-def troubles(statuses: Mapping[str, int], reason: str, what: str = "point") -> str:
+def troubles(statuses: Mapping[Status, int], reason: str, what: str = "point") -> str:
     """How many points failed, the first with its reason, and how many are flagged; empty where none is.
     ``reason`` is that of the first that failed."""
     every = sum(statuses.values())
-    failed = statuses.get(NOTHING, 0)
-    flagged = {s: n for s, n in statuses.items() if n and s not in (Status.OK, NOTHING, NOT_COMPUTED)}
+    failed = statuses.get(Status.FAILED, 0)
+    flagged = {s: n for s, n in statuses.items() if n and s.computed and not s.ok}
     parts = []
     if failed:
         first = f", the first: {reason}" if failed > 1 else f": {reason}"

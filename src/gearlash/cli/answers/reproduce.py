@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
+from gearlash.system import Status
+
 from .outcome import FAILED, PARTLY_FAILED, POINTS, study_status, troubles
 from .parts import CaseUsed, case_used
 
@@ -68,7 +70,7 @@ class ReproduceAnswer:
     verdicts: Annotated[dict[str, int], "number of claims by verdict"]
     claims: tuple[Claim, ...]
     checks: tuple[Measured, ...]
-    statuses: Annotated[dict[str, int], "number of points of all sweeps by status"]
+    statuses: Annotated[dict[Status, int], "number of points of all sweeps by status"]
     certificates: Annotated[dict[str, int], "number of points certified, uncertain, failed"]
     seconds: Annotated[dict[str, float], "by stage"]
     workers: int

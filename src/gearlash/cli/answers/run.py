@@ -24,7 +24,7 @@ from .parts import (
     multiplier_rows,
 )
 from .physical import PhysicalRun, physical_run
-from .sentence import message_of, run_sentence
+from .sentence import run_sentence
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.orbits import Attractor, Orbit
@@ -107,7 +107,7 @@ def run_answer(
 
     orbit = attractor if isinstance(attractor, Orbit) else None
     idle = unexcited(case, attractor)
-    status, message, advice = str(attractor.status), message_of(attractor), attractor.status.advice
+    status, message, advice = str(attractor.status), attractor.message, attractor.status.advice
     if idle is not None:
         status, message, advice = NOT_EXCITED, idle.cause, idle.advice
     if missing:

@@ -47,7 +47,7 @@ def run_sentence(
     if idle is not None:
         return f"{here}: {_idle(case, attractor, numbers, idle)}"
     if isinstance(attractor, Unresolved | Neutral) or numbers is None:
-        return f"{here}: {attractor.label}, {message_of(attractor)}"
+        return f"{here}: {attractor.label}, {attractor.message}"
     label = attractor.signature.short if isinstance(attractor, Orbit) else "aperiodic"
     parts = [f"{here}: {label}, {_doing(case, attractor, numbers)}"]
     if impact_free is not None:
@@ -66,7 +66,7 @@ def _doing(case: Case, attractor: Attractor, numbers: MotionNumbers) -> str:
 def _idle(case: Case, attractor: Attractor, numbers: MotionNumbers | None, idle: Unexcited) -> str:
     """That nothing was asked, and what is there all the same."""
     if numbers is None:
-        there = message_of(attractor)
+        there = attractor.message
     elif at_rest(attractor):
         there = f"it rests, {_doing(case, attractor, numbers)}"
     else:
@@ -101,11 +101,6 @@ def _named(motion: BesideMotion, own: Label) -> str:
     label = motion.label.short if isinstance(motion.label, Signature) else str(motion.label)
     label = f"a different {label}" if motion.label == own else label
     return label if motion.impacts else f"{label}, without impacts"
-
-
-def message_of(attractor: Attractor) -> str:
-    """What the search says, without the advice that goes with its status."""
-    return attractor.message.removesuffix(f": {attractor.status.advice}")
 
 
 def contacts(numbers: MotionNumbers) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
-from gearlash.system import MotionKind, label_text
+from gearlash.system import MotionKind, Status, label_text
 
 from .asked import Asked
 from .excitation import Unexcited, idle_study
@@ -89,7 +89,7 @@ class SweepAnswer:
     parameters: Annotated[dict[str, float], "every parameter but the swept one, by short name"]
     axis: AxisUsed
     start: Annotated[dict[str, float] | None, START]
-    statuses: Annotated[dict[str, int], "number of points by status, all directions together"]
+    statuses: Annotated[dict[Status, int], "number of points by status, all directions together"]
     certificates: Annotated[dict[str, int], "number of points certified, uncertain, failed"]
     coexisting: Annotated[
         tuple[tuple[float, float], ...], "intervals in which directions found different attractors"
@@ -146,13 +146,11 @@ def axis_used(case: Case, axis: Axis, named: str, unit: str = "") -> AxisUsed:
 
 
 def _way(sweep: Sweep) -> SweepWay:
-    from gearlash.results import NOT_COMPUTED
-
     values = sweep.axis.values
     regimes = (
         Regime(str(label), float(values[i]), float(values[j]), j - i + 1) for i, j, label in sweep.runs()
     )
-    points = tuple(_point(point) for point in sweep.points if point.status != NOT_COMPUTED)
+    points = tuple(_point(point) for point in sweep.points if point.status is not Status.NOT_COMPUTED)
     return SweepWay(sweep.direction.value, sweep.complete, sweep.message, tuple(regimes), points)
 
 
@@ -189,21 +187,17 @@ def _intervals(axis: Axis, flags: Iterable[bool]) -> tuple[tuple[float, float], 
 
 def first_failure(asked: Asked, sweeps: Sequence[Sweep]) -> str:
     """Where the first point failed, and why."""
-    from gearlash.results import FAILED
-
-    failed = (point for sweep in sweeps for point in sweep.points if point.status == FAILED)
+    failed = (point for sweep in sweeps for point in sweep.points if point.status is Status.FAILED)
     return next((f"{asked.text(point.value)}, {point.message}" for point in failed), "")
 
 
 def _sentence(
     axis: AxisUsed,
     sweeps: Sequence[Sweep],
-    statuses: Mapping[str, int],
+    statuses: Mapping[Status, int],
     beside: Sequence[tuple[float, float]],
     idle: Unexcited | None,
 ) -> str:
-    from gearlash.results import NOT_COMPUTED
-
     ends = axis.asked.span(axis.lower, axis.upper)
     ways = ", ".join(str(sweep.direction) for sweep in sweeps)
     if idle is not None:
@@ -215,7 +209,7 @@ def _sentence(
         text += " and aperiodic motion"
     if beside:
         text += f", attractors coexist in {len(beside)} interval{'s' if len(beside) > 1 else ''}"
-    missing = statuses.get(NOT_COMPUTED, 0)
+    missing = statuses.get(Status.NOT_COMPUTED, 0)
     trouble = troubles(statuses, first_failure(axis.asked, sweeps))
     if trouble:
         text += f"; {trouble}"

@@ -9,7 +9,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
-from gearlash.system import Signature, label_text
+from gearlash.system import Signature, Status, label_text
 
 from .asked import Asked
 from .excitation import idle_study
@@ -41,7 +41,7 @@ class ZonesAnswer:
     axis: AxisUsed
     asked: Annotated[Asked, "the unit that the sentence and the table tell values in"]
     start: Annotated[dict[str, float] | None, START]
-    statuses: Annotated[dict[str, int], "number of points of the three sweeps by status"]
+    statuses: Annotated[dict[Status, int], "number of points of the three sweeps by status"]
     resolution: Annotated[
         float,
         "step of the axis: a zone narrower than that may have been missed, and so may other motions that "

@@ -67,8 +67,9 @@ def map(
     from gearlash.cli.settings import search_settings
     from gearlash.cli.workers import executor_for
     from gearlash.jobs import Execution
-    from gearlash.results import NOT_COMPUTED, Axis
+    from gearlash.results import Axis
     from gearlash.studies import map_plane
+    from gearlash.system import Status
 
     x, y = (Axis(over.short, over.values) for over in (across, up))
     with executor_for(chosen, workers, len(x) * len(y)) as executor, progress_bar("map") as progress:
@@ -80,7 +81,7 @@ def map(
             settings=search_settings(family, periods, max_period, case),
             execution=Execution(executor, progress=progress),
         )
-    end_if_nothing(set(found.statuses) != {NOT_COMPUTED})
+    end_if_nothing(set(found.statuses) != {Status.NOT_COMPUTED})
     named, units = (across.named, up.named), (across.unit, up.unit)
     answer = map_answer(chosen, family.complete(), named, found, units, start)
     with delivery():

@@ -24,7 +24,7 @@ def map_view(answer: MapAnswer, width: int) -> Iterator[Text]:
     yield from facts("", list(_facts(answer)), width)
     shown, x, y = answer.labels[:MOST_LINES], answer.x.asked, answer.y.asked
     rows = [
-        [row.label, str(row.pixels), f"{100.0 * row.share:.1f} %", _span(row.x, x), _span(row.y, y)]
+        [str(row.label), str(row.pixels), f"{100.0 * row.share:.1f} %", _span(row.x, x), _span(row.y, y)]
         for row in shown
     ]
     columns = [
@@ -52,7 +52,7 @@ def _facts(answer: MapAnswer) -> Iterator[tuple[str, str]]:
     for axis in (answer.x, answer.y):
         yield from _physical(axis)
     for status in Status:
-        if status in answer.statuses and not status.ok:  # such pixels are called flagged
+        if status in answer.statuses and status.computed and not status.ok:  # such pixels are called flagged
             yield status, status.advice
     if answer.failed:
         first = answer.failed[0]
