@@ -11,6 +11,10 @@ class Kernel:
     """An entry point: called like the function that it was made of, positional arguments only. It is loaded,
     or compiled, when it is first called or when all are asked for (`prepare`)."""
 
+    make_ready: Callable[[Kernel], None]
+    """What loads or compiles one, given by `prepare`, which knows how: here it is only known that it is done
+    at the first call."""
+
     def __init__(self, function: FunctionType, signature: Any, options: dict[str, Any], alone: bool):
         self.function, self.signature, self.options, self.alone = function, signature, options, alone
         self.name = f"{function.__module__}.{function.__qualname__}"
@@ -28,9 +32,7 @@ class Kernel:
         return f"<kernel {self.name}>"
 
     def _first(self, *arguments: Any) -> Any:
-        from .prepare import make_ready
-
-        make_ready(self)
+        Kernel.make_ready(self)
         return self.entry(*arguments)
 
 

@@ -89,6 +89,9 @@ def _loaded(kernel: Kernel) -> bool:
     return True
 
 
+Kernel.make_ready = make_ready
+
+
 def _keep(kernel: Kernel, entry: Callable[..., Any], files: cache.Files) -> None:
     kernel.entry = entry
     cache.write(kernel.name, files)
