@@ -75,6 +75,7 @@ def calls() -> tuple[Call, ...]:
     statistics = gl.motion_statistics(orbit)
     branch = gl.continue_branch(spur, "omega", lower=1.4, upper=1.42, values={"omega": 1.41})
     special = branch.special[0]
+    law = gl.grazing_law(spur, branch, special)
     execution = gl.Execution(chunk=1, progress=print, cancel=threading.Event())
     study = {"values": {}, "start": [0.0, 0.0], "settings": QUICK, "execution": execution}
 
@@ -90,7 +91,7 @@ def calls() -> tuple[Call, ...]:
         gl.march(props, [0.0, 0.0], 3), gl.march_many(props, [[0.0, 0.0]], 3),
         gl.variational(props, [0.0, 0.0], 1.0), trace.extrema, trace.samples(9),
         gl.Zone(end, end, "omega", gl.Quiet.IMPACT_FREE, True, (seen,), (span,)), gl.Interval(end, end),
-        branch, branch.points[0], special, branch.ends[0], gl.ContinuationSettings(),
+        branch, branch.points[0], special, law, branch.ends[0], gl.ContinuationSettings(),
         end, seen, span, gl.Touch(0.5, 1.0, 0.0, 1),
     )  # fmt: skip
     bifurcation = gl.locate_multiplier(family, "omega", orbit, -1)
@@ -138,6 +139,8 @@ def calls() -> tuple[Call, ...]:
             "cancel": threading.Event()}),
         Call("switch_branch", gl.switch_branch, {
             "model": spur, "branch": branch, "special": special, "steps": gl.ContinuationSettings()}),
+        Call("grazing_law", gl.grazing_law, {"model": spur, "branch": branch, "special": special}),
+        Call("GrazingLaw.at", law.at, {"depth": 1e-4}),
         Call("Branch.of_kind", branch.of_kind, {"kind": "fold"}),
         Call("Branch.at", branch.at, {"value": 1.4}),
         Call("SpecialKind", gl.SpecialKind, {"value": "fold"}),

@@ -3,7 +3,7 @@
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, PlaneMap, Point, Sweep, coexisting, same_motion
 
-from .continuation import continue_branch, switch_branch
+from .continuation import continue_branch, grazing_law, switch_branch
 from .first_grazing import first_grazing
 from .impact_free import impact_free_speeds
 from .model import Model, open_workers, prepare
@@ -30,6 +30,7 @@ __all__ = [
     "coexisting",
     "continue_branch",
     "first_grazing",
+    "grazing_law",
     "impact_free_speeds",
     "map_plane",
     "open_workers",

@@ -9,8 +9,10 @@ from gearlash.branches.continuation import (
     Branch,
     BranchPoint,
     ContinuationSettings,
+    GrazingLaw,
     SpecialPoint,
     continue_orbit,
+    law_at,
     switched,
 )
 from gearlash.jobs import Execution
@@ -154,6 +156,48 @@ def switch_branch(
             )
         )
     return tuple(found)
+
+
+def grazing_law(model: Model, branch: Branch, special: SpecialPoint) -> GrazingLaw:
+    """How the multipliers of a branch move at a touch, predicted from the field.
+
+    Parameters
+    ----------
+    model : Case or Family
+        That of the branch.
+    branch : Branch
+    special : SpecialPoint
+        One of its grazings.
+
+    Returns
+    -------
+    GrazingLaw
+        λ0 + c √d for every multiplier, the next fold or doubling by the law and as computed, and whether the
+        conditions of the law hold.
+
+    Raises
+    ------
+    GearlashError
+        For a point that is no grazing, or one from the gap under `no-tension`, which has no such law.
+
+    References
+    ----------
+    M. di Bernardo, C. Budd, A. Champneys, Physica D 160 (2001) 222, doi:10.1016/S0167-2789(01)00349-9.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> branch = gl.continue_branch(case, "omega", lower=0.7, upper=1.6, values={"omega": 1.5})
+    >>> low = min(branch.of_kind("grazing"), key=lambda special: special.value)
+    >>> law = gl.grazing_law(case, branch, low)
+    >>> law.generic, law.predicted_kind.value
+    (True, 'fold')
+    """
+    family = Source.of(model).family()
+    given.instance("branch", branch, Branch, "a Branch, as from gearlash.continue_branch")
+    given.instance("special", special, SpecialPoint, "one of branch.special")
+    return law_at(family, branch, special)
 
 
 def _interval(

@@ -1,6 +1,7 @@
 """Branches of periodic orbits, stable or not, by pseudo-arclength continuation, with their special points."""
 
 from .extrema import Extremum
+from .local_law import GrazingLaw, law_at
 from .points import Branch, BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
 from .settings import ContinuationSettings
 from .switching import Switched, switched
@@ -13,9 +14,11 @@ __all__ = [
     "EndKind",
     "EndOfBranch",
     "Extremum",
+    "GrazingLaw",
     "SpecialKind",
     "SpecialPoint",
     "Switched",
     "continue_orbit",
+    "law_at",
     "switched",
 ]
