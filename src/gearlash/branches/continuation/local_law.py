@@ -21,7 +21,7 @@ from gearlash.flow.regions import matrix_of
 from gearlash.orbits import Orbit, orbit_at
 from gearlash.orbits.floquet import ordered
 from gearlash.orbits.grazing import force_gradient
-from gearlash.system import Clearance, ContactRule, Family, GearlashError, Record, evaluate
+from gearlash.system import Clearance, ContactRule, Family, GearlashError, Record, evaluate, given
 
 from .corner import abrupt
 from .equations import Array, Line
@@ -105,7 +105,7 @@ class GrazingLaw(Record):
         ndarray of complex, of shape (n,)
             In the order of `multipliers`.
         """
-        return self.multipliers + self.coefficients * np.sqrt(depth)
+        return self.multipliers + self.coefficients * np.sqrt(given.number("depth", depth, 0.0))
 
 
 def law_at(family: Family, branch: Branch, special: SpecialPoint) -> GrazingLaw:
