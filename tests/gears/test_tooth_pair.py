@@ -23,6 +23,7 @@ from gearlash.gears.tooth_pair import (
     tooth_load,
 )
 from gearlash.system import GearlashError
+from oracles.tooth_fem import middle_deflection
 
 STEEL = materials.named("steel")
 LOAD = 300e3  # N/m, in the middle of the 100 to 1600 N/mm of ISO 6336-1
@@ -177,3 +178,44 @@ def test_undercut_makes_teeth_softer():
 def test_a_tip_rounded_beyond_its_width_is_refused():
     with pytest.raises(GearlashError, match="rounded more"):
         tooth_form(CylindricalGear(40, 2e-3, rack=BasicRack(root_radius=0.8)))
+
+
+@pytest.mark.parametrize(
+    "gear", [CylindricalGear(z, 4e-3, profile_shift=x) for z, x in ((20, 0.0), (30, 0.0), (30, 0.4))]
+)
+def test_a_tooth_against_finite_elements(gear):
+    form = tooth_form(gear)
+
+    def both(diameter: float) -> tuple[float, float]:
+        curvature = gear.roll_length(diameter)
+        theory = tooth_compliance(form, tooth_load(form, curvature), STEEL)
+        return theory, middle_deflection(gear, curvature)
+
+    low, high = both(gear.reference_diameter), both(0.999 * gear.tip_diameter)
+    assert high[1] / high[0] == pytest.approx(1.0, abs=0.03)
+    # From the reference circle to the tip the tooth bends more and more: there the theory of beams is 6 to 11
+    # % above.
+    assert 0.88 < (high[1] - low[1]) / (high[0] - low[0]) < 0.97
+    # The body gives way by more than the half plane of the theory, by 0.2 to 0.8 F/(bE) for these.
+    assert 0.2 < (low[1] - low[0]) * STEEL.youngs_modulus < 0.8
+
+
+def test_finite_elements_do_not_depend_on_their_size():
+    gear = CylindricalGear(30, 4e-3)
+    curvature = gear.roll_length(gear.reference_diameter)
+    assert middle_deflection(gear, curvature, 2) == pytest.approx(
+        middle_deflection(gear, curvature), rel=0.01
+    )
+
+
+@pytest.mark.parametrize("teeth", [(20, 30), (20, 60), (30, 60)])
+def test_a_pair_of_finite_element_teeth_lies_between_theory_and_measurement(teeth):
+    # ISO 6336-1: measured teeth have 0.8 of the theoretical stiffness.
+    one = pair(teeth)
+    place = 0.5 * sum(one.path_of_contact)
+    curvatures = place, one.tangent_length - place
+    loads = [tooth_load(tooth_form(g), rho) for g, rho in zip(one.gears, curvatures, strict=True)]
+    relative = curvatures[0] * curvatures[1] / sum(curvatures)
+    compliance = contact_compliance((loads[0], loads[1]), relative, LOAD, (STEEL, STEEL))
+    compliance += sum(middle_deflection(g, rho) for g, rho in zip(one.gears, curvatures, strict=True))
+    assert 0.8 < 1.0 / compliance / ms.theoretical_stiffness(one) < 1.0

@@ -6,7 +6,7 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gearlash.gears.mesh_cycle import MeshCycle
@@ -22,6 +22,7 @@ points = st.integers(2, 12).flatmap(
 )
 
 
+@settings(max_examples=25)
 @given(points)
 def test_series_against_a_fine_sum(given_points):
     phases, values = given_points
