@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
 from typing import Any
 
 import pytest
@@ -50,11 +51,15 @@ def told(name: str, value: Any, wanted: set[str]) -> Iterator[str]:
 
 
 def fields_told(name: str, value: type) -> Iterator[str]:
-    """Arguments of a class that are not among its parameters or attributes, or have no type."""
+    """Arguments of a class that are not among its parameters or attributes, or have no type. Fields of what a
+    command answers are described where they are declared: ``Annotated[float, "what it is"]``."""
     document = get_doc_object(value, config={"show_class_members": False})
     entries = [*document["Parameters"], *document["Attributes"]]
     described = {part.strip(): entry.type for entry in entries for part in entry.name.split(",")}
+    declared = {field.name: str(field.type) for field in fields(value)} if is_dataclass(value) else {}
     for argument in inspect.signature(value).parameters:
+        if declared.get(argument, "").startswith("Annotated["):
+            continue
         if argument not in described:
             yield f"{name}: {argument} is not described"
         elif not described[argument]:

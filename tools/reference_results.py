@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+import re
 import types
 from collections.abc import Iterator
 from dataclasses import is_dataclass
@@ -12,6 +14,8 @@ from gearlash.cli.kinds import KINDS, answer_kind
 from gearlash.cli.schemas import SIMPLE, described_fields
 from gearlash.system import Status
 
+SECTION = re.compile(r"\n\n\w[\w ]*\n-{4,}\n")
+"""The heading of a section of a docstring: the page has the text before the first one."""
 HEAD = """\
 # Results
 
@@ -151,7 +155,8 @@ def _record(title: str, record: type, about: str = "") -> Iterator[str]:
 
 
 def _first(record: type) -> str:
-    doc = " ".join((record.__doc__ or "").split())
+    text = SECTION.split(inspect.cleandoc(record.__doc__ or ""))[0]
+    doc = " ".join(text.split())
     return _cell(doc.rstrip("."))
 
 

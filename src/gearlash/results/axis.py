@@ -69,6 +69,16 @@ class Axis(Record):
             Numbers, or texts as a case file has them: ``"1000 rpm"``. A unit behind one holds for both.
         count : int
             From 2 to 100,000,000; or 1, where both ends are one value.
+
+        Returns
+        -------
+        Axis
+            With the unit of the ends.
+
+        Raises
+        ------
+        GearlashError
+            For ends and counts that do not fit.
         """
         said = f"axis {shown(name)}"
         (low, one), (high, two) = (_end(said, end) for end in (lower, upper))

@@ -19,8 +19,31 @@ CLOSE = (
 
 @arguments
 def same_motion(one: Point, other: Point) -> bool:
-    """The same attractor, as far as labels and σ_t show. Orbits are compared as sets (a shift by base periods
-    is no difference); two aperiodic motions count as one. A point without a motion differs from none.
+    """Whether two points show the same attractor, as far as labels and σ_t tell.
+
+    Orbits are compared as sets, so that a shift by base periods is no difference. Two aperiodic motions count
+    as one. A point without a motion differs from no other.
+
+    Parameters
+    ----------
+    one, other : Point
+
+    Returns
+    -------
+    bool
+
+    Raises
+    ------
+    GearlashError
+        For what is no point.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> cold, other = (gl.point(case, {"omega": 0.8}, start=start) for start in (None, [0.0, -1.0]))
+    >>> str(cold.label), str(other.label), gl.same_motion(cold, other)
+    ('1-0-0', '1-1-0', False)
     """
     return _same(one, other)
 
@@ -46,8 +69,32 @@ def _settled(point: Point) -> bool:
 
 @arguments
 def coexisting(sweeps: Sequence[Sweep]) -> NDArray[np.bool_]:
-    """(m,): at which values of the common axis the sweeps found different attractors. What is unresolved may
-    be on its way to any of them, and neutral motion is no attractor: neither counts."""
+    """Where sweeps of one axis found different attractors.
+
+    What is unresolved may be on its way to any of them, and neutral motion is no attractor: neither counts.
+
+    Parameters
+    ----------
+    sweeps : sequence of Sweep
+        Of one axis, such as one up and one down.
+
+    Returns
+    -------
+    ndarray of bool, shape (m,)
+        For every value of the axis.
+
+    Raises
+    ------
+    GearlashError
+        For no sweep, and for sweeps with different numbers of points.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> ways = gl.sweeps(gl.load_case("kahraman-singh"), gl.Axis.even("omega", 0.7, 0.9, 3), ["up", "down"])
+    >>> gl.coexisting(ways).tolist()
+    [False, True, False]
+    """
     if len({len(sweep.points) for sweep in sweeps}) > 1:
         raise GearlashError("sweeps of one axis: these have different numbers of points")
     settled = np.array([[_settled(point) for point in sweep.points] for sweep in sweeps], dtype=bool)

@@ -15,9 +15,33 @@ if TYPE_CHECKING:
 
 @arguments
 def content_hash(dataset: xr.Dataset) -> str:
-    """SHA-256 of the decoded arrays: names, dimensions, kinds and values of all variables and coordinates, in
-    the order of their names. Attributes, compression and the order in a file do not count; every NaN is the
-    same NaN.
+    """One number for the content of a dataset: the same where all decoded arrays are the same.
+
+    Names, dimensions, kinds and values of all variables and coordinates count. Attributes, compression and
+    the order in a file do not; every NaN is the same NaN.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        As from `sweep_dataset` or `load_dataset`.
+
+    Returns
+    -------
+    str
+        SHA-256, in hexadecimal digits.
+
+    Raises
+    ------
+    GearlashError
+        For what is no dataset.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case, axis = gl.load_case("kahraman-singh"), gl.Axis.even("omega", 0.7, 0.8, 2)
+    >>> one, two = (gl.sweep_dataset(case, [gl.sweep(case, axis)]) for _ in range(2))
+    >>> gl.content_hash(one) == gl.content_hash(two)
+    True
     """
     digest = hashlib.sha256()
     for name in sorted(map(str, dataset.variables)):

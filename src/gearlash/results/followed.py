@@ -12,7 +12,24 @@ INTERRUPTED = "interrupted"  # why a motion was not followed further
 
 @dataclass(frozen=True)
 class Passed:
-    """A change of the motion on the way that is no grazing (none: no stable orbit was found there)."""
+    """A change of the motion on the way that is no grazing (none: no stable orbit was found there).
+
+    Attributes
+    ----------
+    kind : {"fold", "doubling"}
+    value : float
+        Of the parameter.
+    label_below, label_above : Signature or MotionKind
+        Of the motions below and above this value.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> path, _ = gl.first_grazing(case, "omega", gl.point(case, {"omega": 1.0}, name="omega"), "down")
+    >>> [(change.kind, round(change.value, 4)) for change in path.passed]
+    [('fold', 0.708)]
+    """
 
     kind: str
     value: float
@@ -22,9 +39,18 @@ class Passed:
 
 @dataclass(frozen=True)
 class Path:
-    """Where the motion was followed to."""
+    """Where the motion was followed to.
 
-    direction: Literal["down", "up"]
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> path, _ = gl.first_grazing(case, "omega", gl.point(case, {"omega": 0.8}, name="omega"), "up")
+    >>> path.ended, path.decided
+    ('grazing at 0.8206310877', True)
+    """
+
+    direction: Annotated[Literal["down", "up"], "to lower values of the parameter, or to higher ones"]
     reached: Annotated[float, "last value at which it was found"]
     ended: Annotated[str, "why it was not followed further"]
     decided: Annotated[

@@ -10,9 +10,18 @@ Ending = Literal["contact", "stability", "unsolved"]
 
 @dataclass(frozen=True)
 class ImpactFree:
-    """Where one motion without impacts exists and is stable (values of ω): that of teeth which never part, on
-    the side of the load. It says nothing about other motions at the same speeds, nor which starts lead to
-    this one. Null: not met within the search."""
+    """Where one motion without impacts exists and is stable, in values of ω.
+
+    It is the motion of teeth that never part, on the side of the load. Nothing is said about other motions at
+    the same speeds, nor which starts lead to this one. Null: not met within the search.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> found = gl.impact_free_speeds(gl.load_case("kahraman-singh"))
+    >>> found.here, round(found.upper, 4), found.upper_ending
+    (True, 0.8206, 'contact')
+    """
 
     here: Annotated[bool, "this motion exists at this speed (perhaps beside the one that was found)"]
     lower: Annotated[float | None, "lower end of the interval around this speed in which it exists"]

@@ -45,12 +45,38 @@ VARIABLES = {
 
 
 def plane_dataset(model: Case | Family, plane: PlaneMap) -> xr.Dataset:
-    """A map as a dataset over its two axes (rows: ``plane.y``, columns: ``plane.x``) and ``label_name``.
+    """A map as a dataset over its two axes, with units and provenance.
 
     ``label``, ``status`` and ``certificate`` are codes: of ``label_name``, and of the attributes
     ``flag_values`` and ``flag_meanings``. The axes are dimensionless; their physical counterparts (rpm, Hz,
     µm, N·m) are further coordinates where the case has scales. Attributes hold case, versions, what was not
-    given, and the reasons of failed pixels. Raises `GearlashError` for axes that the model does not have.
+    given, and the reasons of failed pixels.
+
+    Parameters
+    ----------
+    model : Case or Family
+        Of which the map is.
+    plane : PlaneMap
+        As from `map_plane`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Rows are those of ``plane.y``, columns those of ``plane.x``.
+
+    Raises
+    ------
+    GearlashError
+        For axes that the model does not have.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> speeds, loads = gl.Axis.even("omega", 0.7, 0.9, 3), gl.Axis.even("load", 0.1, 0.3, 2)
+    >>> dataset = gl.plane_dataset(case, gl.map_plane(case, speeds, loads))
+    >>> dict(dataset.sizes)
+    {'load': 2, 'omega': 3, 'label_name': 2}
     """
     import xarray as xr
 

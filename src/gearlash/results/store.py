@@ -34,9 +34,40 @@ IMPOSSIBLE = (errno.ENAMETOOLONG, errno.ENOTDIR, errno.EEXIST, errno.EINVAL)
 
 
 def save(dataset: xr.Dataset, path: str | Path) -> Path:
-    """Writes a dataset beside its place, then moves it there in one step. Folders are made; an older file is
-    replaced; `~` is home. The root group of the file has what is one number a point, every further dimension
-    a group of its name. Raises `OSError` where that cannot be written.
+    """Writes a dataset to a NetCDF file, which is there whole or not at all.
+
+    It is written beside its place, then moved there in one step. Folders are made; an older file is replaced.
+    The root group of the file has what is one number a point, every further dimension a group of its name.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        As from `sweep_dataset` or `plane_dataset`.
+    path : str or Path
+        Of the file; `~` is home.
+
+    Returns
+    -------
+    Path
+        Where it lies.
+
+    Raises
+    ------
+    OSError
+        Where the file cannot be written.
+    GearlashError
+        For what is no dataset, and no path of a file.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> found = gl.sweep_dataset(case, [gl.sweep(case, gl.Axis.even("omega", 0.7, 0.8, 2))])
+    >>> with TemporaryDirectory() as folder:
+    ...     path = gl.save_dataset(found, f"{folder}/sweep.nc")
+    ...     path.name, gl.load_dataset(path).identical(found)
+    ('sweep.nc', True)
     """
     content = netcdf(dataset)
     path = given.path("path", path)
@@ -130,8 +161,33 @@ def _told_as(path: Path) -> Iterator[None]:
 
 
 def load(path: str | Path) -> xr.Dataset:
-    """The dataset of a file, in memory and closed. Raises `GearlashError` for a file that `save` did not
-    write, that is no regular one or larger than `LARGEST`, packed or unpacked.
+    """The dataset of a file that `save_dataset` wrote; it is in memory, and the file is closed.
+
+    Parameters
+    ----------
+    path : str or Path
+        Of the file; `~` is home.
+
+    Returns
+    -------
+    xarray.Dataset
+
+    Raises
+    ------
+    GearlashError
+        For a file that gearlash did not write, that is no regular one, or larger than 4 GB, packed or
+        unpacked.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> found = gl.sweep_dataset(case, [gl.sweep(case, gl.Axis.even("omega", 0.7, 0.8, 2))])
+    >>> with TemporaryDirectory() as folder:
+    ...     again = gl.load_dataset(gl.save_dataset(found, f"{folder}/sweep.nc"))
+    >>> gl.content_hash(again) == gl.content_hash(found)
+    True
     """
     import xarray as xr
 

@@ -16,9 +16,33 @@ if TYPE_CHECKING:
 
 
 def table(dataset: xr.Dataset) -> pd.DataFrame:
-    """One row a point of a sweep, or a pixel of a map, by the values of its axes; codes are written out as
-    what they mean. What is several numbers a point (states, points on sections) is not in it. Raises
-    `GearlashError` for a dataset that is neither."""
+    """A dataset as a table, with one row for every point of a sweep or pixel of a map.
+
+    What is several numbers a point (states, points on sections) is not in it.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        As from `sweep_dataset`, `plane_dataset` or `load_dataset`.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Indexed by the values of the axes; codes are written out as what they mean.
+
+    Raises
+    ------
+    GearlashError
+        For another dataset.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> found = gl.sweep(case, gl.Axis.even("omega", 0.7, 0.9, 3))
+    >>> gl.table(gl.sweep_dataset(case, [found]))["label"].tolist()
+    ['1-0-0', '1-0-0', '1-1-0']
+    """
     import xarray as xr
 
     given.instance("dataset", dataset, xr.Dataset, "a dataset, as from gearlash.sweep_dataset")
