@@ -115,14 +115,16 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         Sweep as Sweep,
         coexisting as coexisting,
         content_hash as content_hash,
-        load_branch as load_branch,
         plane_dataset as plane_dataset,
         same_motion as same_motion,
-        save_branch as save_branch,
         sweep_dataset as sweep_dataset,
         table as table,
         load as load_dataset,
         save as save_dataset,
+    )
+    from .results.branch_file import (
+        load_branch as load_branch,
+        save_branch as save_branch,
     )
     from .results.beside import (
         Beside as Beside,
@@ -301,13 +303,12 @@ _PUBLIC = {
         "Sweep",
         "coexisting",
         "content_hash",
-        "load_branch",
         "plane_dataset",
         "same_motion",
-        "save_branch",
         "sweep_dataset",
         "table",
     ),
+    "gearlash.results.branch_file": ("load_branch", "save_branch"),
     "gearlash.results.beside": (
         "Beside",
         "BesideMotion",

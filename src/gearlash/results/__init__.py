@@ -5,7 +5,6 @@ save(dataset, "sweep.nc");  load("sweep.nc")
 """
 
 from .axis import Axis
-from .branch_file import load_branch, save_branch
 from .compare import coexisting, same_motion
 from .dataset import sweep_dataset
 from .digest import content_hash
@@ -30,13 +29,11 @@ __all__ = [
     "coexisting",
     "content_hash",
     "load",
-    "load_branch",
     "not_computed",
     "plane_dataset",
     "provenance",
     "same_motion",
     "save",
-    "save_branch",
     "sweep_dataset",
     "table",
 ]
