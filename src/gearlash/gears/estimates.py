@@ -15,7 +15,7 @@ from . import backlash, gear_fits, mesh_stiffness, unloaded_error
 from .cylindrical_pair import CylindricalPair
 from .gear_body import GearBody, mean_tooth_diameter
 from .materials import Material, named
-from .mesh_cycle import MeshCycle, ripple_ranges
+from .mesh_cycle import ripple_ranges
 from .mesh_stiffness import Rim
 from .tooth_pair import calculated_mesh
 
@@ -138,15 +138,14 @@ def _stiffness(drawing: Drawing) -> Estimate:
 
 
 def _ripples(drawing: Drawing, count: int) -> list[Estimate]:
-    """The parabola; in the range all shapes, and the teeth as calculated."""
+    """The teeth as calculated; in the range the published shapes."""
     pair = drawing.pair
     load = drawing.line_load or USUAL_LINE_LOAD
-    calculated = calculated_mesh(pair, count, load, drawing.chosen_materials).harmonics.real
-    each = np.vstack([ripple_ranges(pair, count), calculated])
-    values = MeshCycle.of_pair(pair).harmonics(count)
+    values = calculated_mesh(pair, count, load, drawing.chosen_materials).harmonics.real
+    each = np.vstack([ripple_ranges(pair, count), values])
     source = (
-        "sliced contact lines of unmodified flanks; pairs by Cai and Hayashi; range: equal stiffness "
-        "per length, Sánchez et al., Weber and Banaschek"
+        "sliced contact lines of unmodified flanks; pairs of teeth by Weber and Banaschek; range: equal "
+        "stiffness per length, Cai and Hayashi, Sánchez et al."
     )
     return [
         Estimate(float(value), float(column.min()), float(column.max()), source)
