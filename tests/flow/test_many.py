@@ -11,8 +11,8 @@ from gearlash import flow
 from gearlash.case import load
 from gearlash.flow import _ensemble, many
 from gearlash.flow._lanes import MOST_MOTIONS
-from gearlash.flow.march import block_of
 from gearlash.flow.propagators import Propagators
+from gearlash.flow.run import block_of
 from gearlash.system import ContactRule, GearlashError, Status
 from oracles.flow_facts import eight_as_alone
 from oracles.members import random_member, random_start

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from gearlash import flow
+from gearlash.flow import tables
 from oracles.members import random_member
 
 building = sys.modules["gearlash.flow.propagators"]
@@ -24,7 +25,7 @@ def test_any_pieces_give_the_same_bytes(states: int, monkeypatch: pytest.MonkeyP
     heavier = dataclasses.replace(system, forcing=1.5 * system.forcing)
     found, counts = [], []
     for numbers in (10**9, 1):  # all cells at once, and each alone
-        monkeypatch.setattr(building, "NUMBERS_PER_CALL", numbers)
+        monkeypatch.setattr(tables, "NUMBERS_PER_CALL", numbers)
         props = flow.propagators(system)
         props.build(int(np.flatnonzero(props.tables.slot_of < 0)[0]))
         others = flow.propagators(heavier, reuse=props)
@@ -41,7 +42,7 @@ def test_no_call_writes_more_than_it_may(monkeypatch: pytest.MonkeyPatch):
     widths = []
     kernel = building.respond
     monkeypatch.setattr(building, "respond", lambda *a: widths.append(a[12] - a[11]) or kernel(*a))
-    monkeypatch.setattr(building, "NUMBERS_PER_CALL", 100_000)
+    monkeypatch.setattr(tables, "NUMBERS_PER_CALL", 100_000)
     system, _ = random_member(np.random.default_rng(3), 4, 1)
     props = flow.propagators(dataclasses.replace(system, omega=1e-2))
     assert len(widths) > 4

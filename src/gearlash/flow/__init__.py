@@ -1,21 +1,14 @@
 """The exact flow: cell propagators, contact events, marching, variational flow."""
 
 from ._tables import ROUGH, TERMS
-from .events import Events, Extrema, Samples, Trace
+from .carried import Carried, Hold, Strobes
+from .events import Events
 from .growth import Growth, growth
 from .laps import Lap, chain, lap
 from .many import ManyStrobes, march_many
-from .march import (
-    Carried,
-    Hold,
-    Strobes,
-    carry,
-    march,
-    orthonormal_growth,
-    trace,
-    variational,
-)
+from .march import carry, march, orthonormal_growth, trace, variational
 from .propagators import Propagators, propagators, propagators_of
+from .traces import Extrema, Samples, Trace
 
 __all__ = [
     "ROUGH",

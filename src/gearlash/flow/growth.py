@@ -9,8 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash.system import Record, Status, System, given
 
-from .march import LONGEST_STRETCH, STATUS, block_of, columns_of, run_all, start_state
+from .march import start_state
 from .propagators import Propagators, propagators_of
+from .run import LONGEST_STRETCH, STATUS, block_of, columns_of, run_all
 
 Array = NDArray[np.float64]
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from gearlash.system import Status
 
 from ._tables import Array
-from .march import run_one, with_doubt
 from .propagators import Propagators
+from .run import run_one, with_doubt
 
 
 class Lap(NamedTuple):

@@ -17,8 +17,8 @@ from ._lanes import MOST_MOTIONS, Lanes
 from ._motion import OK
 from ._tables import ALWAYS, FREE, MINUS, PLUS, Array, Shape
 from .arguments import empty
-from .march import LONGEST_STRETCH, NO_HOLD, STATUS, block_of, columns_of, run_all, workspace_of
 from .propagators import Propagators, propagators_of
+from .run import LONGEST_STRETCH, NO_HOLD, STATUS, block_of, columns_of, run_all, workspace_of
 
 # Of one kernel call, at the most (but eight motions are always allowed):
 # Of one kernel call, at the most (but eight motions are always allowed):

@@ -1,135 +1,26 @@
-"""Carrying states through a system, and reporting every contact."""
+"""Carrying a state through a system, and reporting every contact."""
 
 from __future__ import annotations
 
-import threading
-from dataclasses import dataclass
 from math import floor, isfinite
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearlash.system import Record, Status, System, given
+from gearlash.system import Status, System, given
 
-from . import _march
-from ._motion import DIVERGED, NEED_REGION, NEEDED, OK, TOO_MANY
+from ._motion import OK
 from ._record import Record as Kept
-from ._tables import ORDER, Array, Shape, aligned, sizes_of
+from ._tables import ORDER, Array
 from .arguments import empty
-from .events import Events, Trace
+from .carried import Carried, Hold, Strobes
+from .events import Events
 from .propagators import Propagators, propagators_of
+from .run import LONGEST_STRETCH, STATUS, block_of, columns_of, run_all, run_one, with_doubt
+from .traces import Trace
 
-STATUS = {
-    OK: Status.OK,
-    TOO_MANY: Status.TOO_MANY_EVENTS,
-    DIVERGED: Status.DIVERGED,
-}
-PERIODS_PER_CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon;
-ENTRIES_PER_CALL = 1e7  # fewer where their cells have more than so many table entries
 MOST_PIECES = 2_000_000
 MOST_CYCLES = 1e7  # of one call, which cannot be interrupted; and from phase zero, so that phases keep digits
-LONGEST_STRETCH = 10_000_000  # base periods of a stretch
-KEPT_WORKSPACES = 32  # of a thread: along a map the number of cells, and so the shape, changes now and then
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Strobes(Record):
-    """A motion sampled at equal phases, and the contacts that it made in between.
-
-    Attributes
-    ----------
-    states : array (stretches + 1, n)
-        The state at the start and at the end of every stretch.
-    contacts : array (stretches, 4·clearances) of int
-        Of each clearance and stretch: engagements at + and at -, releases at + and at -.
-    undecided : int
-        Places where it could not be decided within rounding whether a boundary is touched.
-    status : Status
-        Whether the motion was carried to its end; where not, the later rows are missing.
-
-    Examples
-    --------
-    >>> import gearlash as gl
-    >>> family, _ = gl.load_case("kahraman-singh").family()
-    >>> strobes = gl.march(family.system({"omega": 0.9}), family.start({"omega": 0.9}), 20)
-    >>> strobes.states.shape, strobes.contacts.shape, strobes.status.ok
-    ((21, 2), (20, 4), True)
-    """
-
-    _printed: ClassVar = ("status", "undecided", "states", "contacts")
-
-    states: Array
-    contacts: Array
-    undecided: int
-    status: Status
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Carried(Record):
-    """A state carried from one phase to another.
-
-    Attributes
-    ----------
-    state : array (n,)
-        Where the motion came to.
-    jacobian : array (n, n), or None
-        Its derivative with respect to the start, where that was asked for.
-    contacts : array (4·clearances,) of int
-        Of each clearance: engagements at + and at -, releases at + and at -.
-    undecided : int
-        Places where it could not be decided within rounding whether a boundary is touched.
-    status : Status
-        Whether the motion was carried to its end.
-
-    Examples
-    --------
-    >>> import gearlash as gl
-    >>> family, _ = gl.load_case("kahraman-singh").family()
-    >>> carried = gl.variational(family.system(), family.start(), 1.0)
-    >>> carried.state.shape, carried.jacobian.shape
-    ((2,), (2, 2))
-    """
-
-    _printed: ClassVar = ("status", "undecided", "state", "contacts")
-
-    state: Array
-    jacobian: Array | None
-    contacts: Array
-    undecided: int
-    status: Status
-
-
-@dataclass(frozen=True, repr=False)
-class Hold(Record):
-    """A boundary that is not treated as crossed between two phases.
-
-    What is left is the one-sided, smooth system in which a grazing extremum may pass through the boundary.
-
-    Parameters
-    ----------
-    boundary : int
-        +1 or -1: the side of the clearance.
-    begin, end : float
-        Phases, in mesh cycles from phase zero, between which it is held.
-    clearance : int, default 0
-        Number of the clearance.
-
-    Examples
-    --------
-    >>> import gearlash as gl
-    >>> family, _ = gl.load_case("kahraman-singh").family()
-    >>> system, start = family.system({"omega": 0.9}), [1.1, -0.5]
-    >>> len(gl.trace(system, start, 0.5).events)
-    1
-    >>> len(gl.trace(system, start, 0.5, hold=gl.Hold(1, 0.0, 0.5)).events)
-    0
-    """
-
-    boundary: int
-    begin: float
-    end: float
-    clearance: int = 0
 
 
 def start_state(props: Propagators, start: ArrayLike) -> Array:
@@ -193,13 +84,6 @@ def march(system: System | Propagators, start: ArrayLike, stretches: int, stretc
     undecided = int(counts[:, -1].sum())
     status = with_doubt(STATUS[outcome], undecided)
     return Strobes(states[: done + 1], counts[:done, :-1], undecided, status)
-
-
-def block_of(props: Propagators, stretch: int) -> int:
-    """Stretches of one kernel call at the most."""
-    shape = props.shape
-    most = min(PERIODS_PER_CALL, ENTRIES_PER_CALL / (shape.cells * (1 + shape.n) * shape.rows))
-    return max(1, int(most) // stretch)
 
 
 def carry(
@@ -385,141 +269,7 @@ def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, f
     return base, _snapped((phase - base) * props.cells_per_cycle), _snapped(cycles * props.cells_per_cycle)
 
 
-NO_HOLD, _NO_SUMS = np.zeros(4), np.empty(0)
-
-
-def columns_of(props: Propagators) -> int:
-    return 4 * props.shape.clearances + 1
-
-
-def run_one(
-    props: Propagators,
-    state: Array,
-    start: float,
-    length: float,
-    stretches: int,
-    *,
-    tangents: Array | None = None,
-    sums: Array | None = None,
-    hold: Hold | None = None,
-    base: float = 0.0,
-    record: Kept | None = None,
-) -> tuple[Status, Array, Array]:
-    """`run_all` of one motion: state (n,) and the rows of tangents (m, n) are carried in place. Returns its
-    status, strobes (stretches+1, n) and counts (stretches, columns)."""
-    strobes = np.empty((1, stretches + 1, len(state)))
-    counts = np.zeros((1, stretches, columns_of(props)), dtype=np.int64)
-    outcomes = run_all(
-        props, state[None], start, length, strobes, counts, tangents, sums, _hold(props, hold, base), record
-    )
-    return STATUS[int(outcomes[0])], strobes[0], counts[0]
-
-
-def run_all(
-    props: Propagators,
-    states: Array,
-    start: float,
-    length: float,
-    strobes: Array,
-    counts: Array,
-    tangents: Array | None = None,
-    sums: Array | None = None,
-    hold: Array | None = None,
-    record: Kept | None = None,
-) -> Array:
-    """Calls the kernel: states (motions, n), and of one motion the rows of tangents (m, n), are carried in
-    place, strobes (motions, stretches+1, n) written, counts (motions, stretches, columns) added to. Where a
-    motion comes to a region without tables, they are built, and it goes on. Returns outcomes (motions,)."""
-    shape, motions = props.shape, len(states)
-    room = workspace_of(shape)
-    u, starts, flat, frame = room.vectors(motions, 0 if tangents is None else len(tangents))
-    starts[:] = states
-    if tangents is not None:
-        frame[:] = tangents
-    outcomes = np.zeros(motions, dtype=np.int64)
-    room.progress[:] = 0
-    while True:
-        tables = props.tables
-        code = _march.run(
-            room.sizes, tables.memory, tables.slot_of, props.rules, u, flat, start, length,
-            NO_HOLD if hold is None else hold, strobes, counts,
-            _NO_SUMS if sums is None else sums.reshape(-1), outcomes, *(record or room.nothing),
-            room.numbers, room.ints,
-        )  # fmt: skip
-        if code != NEED_REGION:
-            break
-        props.build(int(room.position[NEEDED]))
-    states[:] = starts
-    if tangents is not None:
-        tangents[:] = frame
-    return outcomes
-
-
-class _Workspace:
-    """Work space of the kernel, and what it goes on from after a region was built."""
-
-    def __init__(self, shape: Shape):
-        self.sizes = sizes_of(shape)
-        self.shape = shape
-        self.numbers, self.ints = _march.scratch(shape)
-        parts = _march.split(shape, self.numbers, self.ints)
-        self.position, self.progress = parts.position, parts.progress
-        self.nothing = Kept(
-            np.array([-1, 0], dtype=np.int64),
-            np.empty((0, 2)),
-            np.empty((0, ORDER + 1, shape.n)),
-            np.empty((0, 4)),
-            np.empty((0, shape.n)),
-        )
-        self._vectors: dict[tuple[int, int], tuple[Array, Array, Array, Array]] = {}
-
-    def vectors(self, motions: int, tangents: int) -> tuple[Array, Array, Array, Array]:
-        """Where the states (motions, n) of so many motions lie for the kernel, and as what they are filled
-        in; the same of tangents."""
-        found = self._vectors.get((motions, tangents))
-        if found is None:
-            p, inside = self.shape.p, slice(1, 1 + self.shape.n)
-            u, flat = aligned(motions * p, tangents * p)
-            starts, frame = u.reshape(motions, p), flat.reshape(tangents, p)
-            found = u, starts[:, inside], flat, frame[:, inside]
-            if motions == 1:  # of many, every call may have another number
-                self._vectors[motions, tangents] = found
-        u, _, flat, _ = found
-        u[:], flat[:] = 0.0, 0.0  # a motion that diverged leaves NaN even in what only pads
-        u[:: self.shape.p] = 1.0
-        return found
-
-
-_workspaces = threading.local()
-
-
-def workspace_of(shape: Shape) -> _Workspace:
-    """This thread's for systems of this shape."""
-    if not hasattr(_workspaces, "kept"):
-        _workspaces.kept = {}
-    rooms: dict[Shape, _Workspace] = _workspaces.kept
-    room = rooms.get(shape)
-    if room is None:
-        if len(rooms) >= KEPT_WORKSPACES:
-            rooms.clear()
-        room = rooms[shape] = _Workspace(shape)
-    return room
-
-
 def _snapped(position: float) -> float:
     """A position that differs from a cell edge by rounding only is that edge."""
     edge = round(position)
     return float(edge) if abs(position - edge) <= 4e-16 * max(1.0, abs(position)) else position
-
-
-def _hold(props: Propagators, hold: Hold | None, base: float) -> Array:
-    if hold is None:
-        return NO_HOLD
-    given.instance("hold", hold, Hold, "a Hold: boundary, begin, end, clearance")
-    given.whole("clearance of the hold", hold.clearance, 0, len(props.rules) - 1)
-    window = (np.array([hold.begin, hold.end]) - base) * props.cells_per_cycle
-    return np.array([float(hold.clearance), float(hold.boundary), *window])
-
-
-def with_doubt(status: Status, undecided: int) -> Status:
-    return Status.UNCERTAIN if status.ok and undecided else status

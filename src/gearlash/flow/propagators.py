@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import ceil, exp, factorial, hypot, pi
+from math import ceil, pi
 from typing import Any, ClassVar
 
 import numpy as np
 
-from gearlash.system import ContactRule, GearlashError, Record, System, derivative, given, padded
-from gearlash.system.harmonics import harmonics
+from gearlash.system import ContactRule, GearlashError, Record, System, given, padded
 from gearlash.system.piecewise import MOST_CLEARANCES
 
 from ._assemble import assemble, laps
 from ._cells import EDGE, OFFSET, respond, stiffness_series
-from ._surfaces import NO_STOP
 from ._tables import (
     ALWAYS,
     IN_CONTACT,
@@ -39,6 +36,7 @@ from .budget import (
     regions_likely,
     regions_possible,
 )
+from .equations import left_out, write_region, write_system
 from .regions import (
     Sides,
     centres_of,
@@ -53,39 +51,14 @@ from .regions import (
     twin,
     units_of,
 )
+from .tables import Tables, calls, copy_in_pieces
 
 TRUNCATION = 1e-15  # bound on the Taylor remainder of every unit column of every cell map
 REFINEMENT, GENTLE_TRIES = 1.1, 10  # factor to the next grid, for so many tries
 LATE_REFINEMENT = 1.5  # the same after them
 LATER_TRUNCATION = 1e-14  # the same for regions that are met only later, on the grid of the first ones
-NUMBERS_PER_CALL = 4_000_000  # numbers of tables that one call writes: a tenth of a second
+
 RULES = {ContactRule.ALWAYS: ALWAYS, ContactRule.IN_CONTACT: IN_CONTACT, ContactRule.NO_TENSION: NO_TENSION}
-
-
-@dataclass
-class Tables:
-    """What kernels read: replaced as a whole when a region is added. What was there is never changed; a new
-    region is written behind it. There is room for as many as the budget allows (pages of it that nobody has
-    written to take no memory); where more was allowed later, everything is copied."""
-
-    room: Array
-    used: int
-    slot_of: Array  # (3^clearances) int: slot of each region, or -1
-
-    @cached_property
-    def memory(self) -> Array:
-        """The room, to be read."""
-        memory = self.room.view()
-        memory.setflags(write=False)
-        return memory
-
-    def with_space(self, more: int) -> Array:
-        """The room, or a larger one with the same content, with space for so many numbers behind it."""
-        if self.used + more <= len(self.room):
-            return self.room
-        (room,) = aligned(self.used + 2 * more)
-        _copy(self.room[: self.used], room[: self.used])
-        return room
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -277,7 +250,7 @@ def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagator
     fitting = (allowed() - 8.0 * shape.slots) / of_region(shape, len(units))
     (room,) = aligned(shape.slots + regions_possible(system, fitting) * shape.slot)
     constants(shape, room)
-    _write_system(system, shape, room)
+    write_system(system, shape, room)
     stiffness_series(sizes_of(shape), room)
     rules = np.array([RULES[c.contact] for c in system.clearances], dtype=np.int64)
     nothing = Tables(room, shape.slots, np.full(3 ** len(rules), -1, dtype=np.int64))
@@ -298,7 +271,7 @@ def _with_regions(props: Propagators, codes: list[int], bound: float) -> Tables 
         like = twin(system, code)
         if like != code and slot_of[like] >= 0:
             place = shape.slots + int(slot_of[like]) * shape.slot
-            _copy(memory[place : place + shape.slot], memory[at : at + shape.slot])
+            copy_in_pieces(memory[place : place + shape.slot], memory[at : at + shape.slot])
             props.responses[code] = props.responses[like]
         else:
             responses = _responses(props, memory, at, sides_of(code, shape.clearances))
@@ -322,12 +295,12 @@ def _responses(props: Propagators, memory: Array, at: int, sides: Sides) -> tupl
     actors = np.array([c.g for c in system.clearances], dtype=np.float64)
     last, read = np.zeros((2, shape.n)), np.zeros((2, shape.clearances, ORDER + 1))
     value = derived = 0.0
-    for first, until in _calls(shape):
+    for first, until in calls(shape):
         value, derived = respond(
             sizes_of(shape), memory, at, matrix, readers, actors, props.centres,
             np.array(sides, dtype=np.int64), props.units, ends, gaps, first, until, last, read,
         )  # fmt: skip
-    _write_region(system, shape, memory, at, matrix)
+    write_region(system, shape, memory, at, matrix)
     return ends, gaps, value, derived
 
 
@@ -335,8 +308,8 @@ def _with_amplitudes(system: System, reuse: Propagators) -> Propagators:
     """The same homogeneous tables under other loads, errors and gaps."""
     tables, shape = reuse.tables, reuse.shape
     (memory,) = aligned(len(tables.room))
-    _copy(tables.room[: tables.used], memory[: tables.used])
-    _write_system(system, shape, memory)
+    copy_in_pieces(tables.room[: tables.used], memory[: tables.used])
+    write_system(system, shape, memory)
     found = Propagators(
         system,
         shape,
@@ -387,73 +360,12 @@ def _assemble(
         memory[at + shape.tail + 4 * c : at + shape.tail + 4 * c + 4] = (
             size * tail, size * tail * total + own, size * derived, size * derived * total + own_derived,
         )  # fmt: skip
-    for first, until in _calls(shape):
+    for first, until in calls(shape):
         assemble(
             sizes_of(shape), memory, at, amplitudes, ends, gaps, np.array(sides, dtype=np.int64), props.rules,
             everything, first, until,
         )  # fmt: skip
     laps(sizes_of(shape), memory, at, np.array(sides, dtype=np.int64))
-
-
-def _calls(shape: Shape) -> Iterator[tuple[int, int]]:
-    """The cells in pieces for one call of a kernel each: first, and first of the next."""
-    piece = max(1, NUMBERS_PER_CALL * shape.cells // shape.slot)
-    return ((i, min(i + piece, shape.cells)) for i in range(0, shape.cells, piece))
-
-
-def _copy(old: Array, new: Array) -> None:
-    """In pieces: gigabytes in new memory take seconds, in which Ctrl-C would not be answered."""
-    for i in range(0, len(old), NUMBERS_PER_CALL):
-        new[i : i + NUMBERS_PER_CALL] = old[i : i + NUMBERS_PER_CALL]
-
-
-def left_out(series: Array, width: float) -> tuple[float, float]:
-    """Bounds on what the Taylor series of a Fourier series over a phase ``width`` leaves out behind degree
-    ORDER, and on its derivative in local time: Σ_{j>m} r^j/j! ≤ e^r r^(m+1)/(m+1)! for a harmonic that turns
-    by r."""
-    value = 0.0
-    for n in range(1, harmonics(series) + 1):
-        turn = n * width
-        size = hypot(series[2 * n - 1], series[2 * n])
-        value += size * exp(turn) * turn ** (ORDER + 1) / factorial(ORDER + 1)
-    return value, (ORDER + 1) * value
-
-
-def _write_system(system: System, shape: Shape, memory: Array) -> None:
-    """What is the same in all regions: scalars, gaps, how gaps are read, stiffness."""
-    rate, width = system.omega / system.cycles, 2 * shape.harmonics + 1
-    memory[shape.scalars : shape.scalars + 3] = rate, system.period / shape.cells, 2 * pi / shape.cells
-    for c, clearance in enumerate(system.clearances):
-        plus = clearance.gap_plus if clearance.stops(1) else NO_STOP
-        minus = clearance.gap_minus if clearance.stops(-1) else NO_STOP
-        at = shape.gaps + 4 * c
-        memory[at : at + 4] = plus, minus, *clearance.dampings
-        stops = [abs(gap) for gap in (plus, minus) if gap < NO_STOP]
-        memory[shape.reach + c] = sum(stops) + float(np.abs(clearance.offset).sum())
-        at = shape.reads + c * shape.p + 1
-        memory[at : at + shape.n] = clearance.h
-        at = shape.speed + c * shape.p + 1
-        memory[at : at + shape.n] = clearance.h @ system.matrix
-        drift = padded(clearance.h @ system.forcing, shape.harmonics)
-        drift = drift - rate * padded(derivative(clearance.offset), shape.harmonics)
-        for place, series in (
-            (shape.offset + c * width, clearance.offset),
-            (shape.drift + c * width, drift),
-            (shape.stiffness + 2 * c * width, clearance.stiffness_plus),
-            (shape.stiffness + (2 * c + 1) * width, clearance.stiffness_minus),
-        ):
-            memory[place : place + width] = padded(series, shape.harmonics)
-        for side, series in enumerate((clearance.stiffness_plus, clearance.stiffness_minus)):
-            memory[shape.lost + 2 * c + side] = left_out(series, 2 * pi / shape.cells)[0]
-
-
-def _write_region(system: System, shape: Shape, memory: Array, at: int, matrix: Array) -> None:
-    """The equations of one region, for expansions of the state."""
-    columns = memory[at + shape.matrix : at + shape.matrix + (shape.n + shape.clearances) * shape.p]
-    columns = columns.reshape(shape.n + shape.clearances, shape.p)
-    columns[: shape.n, 1 : 1 + shape.n] = matrix.T
-    for c, clearance in enumerate(system.clearances):
-        columns[shape.n + c, 1 : 1 + shape.n] = clearance.g
 
 
 def _key(system: System, units: Array) -> tuple:
