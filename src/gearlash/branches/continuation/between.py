@@ -1,5 +1,4 @@
-"""Orbits between two neighbours of a branch: told by how far along the chord they lie, which goes round a
-fold like anywhere else."""
+"""Orbits between two neighbours of a branch, told by how far along the way they lie."""
 
 from __future__ import annotations
 
@@ -13,13 +12,14 @@ from .equations import Array
 from .node import Node, node_near
 
 LOOKS = 60
-SHARP = 1e-13  # of the chord: where a zero is bracketed so closely, it is found
-AGREE = 0.3  # least cosine between the branch and the chord
+SHARP = 1e-13  # of the way: where a zero is bracketed so closely, it is found
+AGREE = 0.1  # least progress of a place along the direction of the branch
+WELL = 0.1  # least component of the direction for the parameter to tell a place
 
 
 @dataclass(frozen=True, eq=False)
 class Between:
-    """The piece of a branch between two orbits; places on it are lengths along the chord."""
+    """The piece of a branch between two orbits; places on it go from 0 to its length."""
 
     left: Node
     right: Node
@@ -30,7 +30,14 @@ class Between:
         return float(np.linalg.norm(self.right.u - self.left.u))
 
     @cached_property
-    def chord(self) -> Array:
+    def row(self) -> Array:
+        """What tells a place: row·(u - left) from 0 to `length`. The parameter, where that runs along well: a
+        system is then built once for each orbit; else the chord, which goes round a fold, too."""
+        turns = self.left.direction[-1], self.right.direction[-1]
+        if turns[0] * turns[1] > 0.0 and min(map(abs, turns)) > WELL:
+            row = np.zeros_like(self.left.u)
+            row[-1] = self.length / (self.right.u[-1] - self.left.u[-1])
+            return row
         return (self.right.u - self.left.u) / self.length
 
     def node(self, place: float) -> Node | None:
@@ -41,7 +48,7 @@ class Between:
         guess, part = self._guess(left, right, place), self._part(left, right, place)
         slope = (1.0 - part) * left.slope + part * right.slope
         found = node_near(
-            left.equations, guess, self.chord, float(self.chord @ self.left.u) + place, left, slope,
+            left.equations, guess, self.row, float(self.row @ self.left.u) + place, left, slope,
             exact=False,
         )  # fmt: skip
         if found.node is None:
@@ -51,7 +58,7 @@ class Between:
         return node
 
     def place(self, node: Node) -> float:
-        return float(self.chord @ (node.u - self.left.u))
+        return float(self.row @ (node.u - self.left.u))
 
     def _neighbours(self, place: float) -> tuple[Node, Node]:
         """The nearest known orbits on both sides."""
@@ -65,7 +72,7 @@ class Between:
     def _guess(self, left: Node, right: Node, place: float) -> Array:
         """By the cubic with the values and directions at both ends."""
         width, t = self.place(right) - self.place(left), self._part(left, right, place)
-        one, two = (n.direction / max(float(self.chord @ n.direction), AGREE) * width for n in (left, right))
+        one, two = (n.direction / max(float(self.row @ n.direction), AGREE) * width for n in (left, right))
         h00, h10 = (1 + 2 * t) * (1 - t) ** 2, t * (1 - t) ** 2
         h01, h11 = t * t * (3 - 2 * t), t * t * (t - 1)
         return h00 * left.u + h10 * one + h01 * right.u + h11 * two

@@ -11,6 +11,7 @@ from math import acos
 
 import numpy as np
 
+from .between import WELL
 from .changes import halves
 from .corner import Corner, corner
 from .equations import Array
@@ -89,10 +90,8 @@ class Follower:
             guess = predicted(before, node, length)
             limit = self.limit(node, guess)
             if limit is None:
-                target = float(node.direction @ node.u) + length
-                found = node_near(
-                    node.equations, guess, node.direction, target, node, slope_ahead(before, node, length)
-                )
+                slope = slope_ahead(before, node, length)
+                found = node_near(node.equations, guess, *told_by(before, node, guess), node, slope)
             else:
                 found = self.at_limit(node, guess, limit)
             refused = self.refused(node, found, guess, length)
@@ -179,6 +178,17 @@ def of_linear_doubling(node: Node) -> bool:
     if any(map(any, node.orbit.signature.counts)) or abs(float(node.direction[-1])) > FLAT:
         return False
     return float(np.abs(node.spectrum.multipliers - 1.0).min()) <= FLAT
+
+
+def told_by(before: Node | None, node: Node, guess: Array) -> tuple[Array, float]:
+    """The row that says where on the branch the next orbit lies, and its value. Far from a fold the parameter
+    does: a system is then built once for each orbit. Else the direction of the branch does."""
+    turns = [node.direction[-1]] if before is None else [node.direction[-1], before.direction[-1]]
+    row = node.direction
+    if min(map(abs, turns)) > WELL and min(turns) * max(turns) > 0.0:
+        row = np.zeros_like(guess)
+        row[-1] = 1.0
+    return row, float(row @ guess)
 
 
 def slope_ahead(before: Node | None, node: Node, length: float) -> Array:

@@ -23,7 +23,7 @@ CLOSE = 1e-13  # of the parameter: a step of the secant method that is the last
 
 @dataclass(frozen=True, eq=False)
 class Located:
-    """A zero of a test function: its place on the chord, the orbit there, error of the parameter, kind (None
+    """A zero of a test function: its place on the way, the orbit there, error of the parameter, kind (None
     where the zero is no special point: two real reciprocal multipliers), and what else is to be told."""
 
     change: Change
@@ -140,7 +140,7 @@ def _as_doubled(piece: Between, orbit: Orbit, value: float) -> Node | None:
     here = equations.evaluate(equations.unknowns(twice, value), orbit.propagators)
     if here is None:
         return None
-    chord = piece.chord.copy()
+    chord = (piece.right.u - piece.left.u) / piece.length
     chord[-1] = 0.0
     node = Node(equations, here, piece.left.slope, chord, twice, Extrema.of(twice))
     return node.linked(piece.left)
