@@ -143,6 +143,7 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         Model as Model,
         Quiet as Quiet,
         Zone as Zone,
+        ZoneEnd as ZoneEnd,
         ZoneMotion as ZoneMotion,
         Zones as Zones,
         continue_branch as continue_branch,
@@ -156,7 +157,6 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         sweeps as sweeps,
         switch_branch as switch_branch,
         zones as zones,
-        End as ZoneEnd,
     )
     from .studies.beside import (
         motions_beside as motions_beside,
@@ -326,6 +326,7 @@ _PUBLIC = {
         "Model",
         "Quiet",
         "Zone",
+        "ZoneEnd",
         "ZoneMotion",
         "Zones",
         "continue_branch",
@@ -358,7 +359,6 @@ _PUBLIC = {
 _RENAMED = {
     "CaseContent": ("gearlash.case.kinds", "Content"),
     "CaseKind": ("gearlash.case.kinds", "Kind"),
-    "ZoneEnd": ("gearlash.studies", "End"),
     "case_schema": ("gearlash.case", "schema"),
     "load_case": ("gearlash.case", "load"),
     "load_dataset": ("gearlash.results", "load"),

@@ -3,12 +3,6 @@
 from __future__ import annotations
 
 UNDOCUMENTED: dict[str, set[str]] = {
-    "branches": {
-        "BifurcationPoint",
-        "GrazingPoint",
-        "locate_grazing",
-        "locate_multiplier",
-    },
     "results": {
         "Beside",
         "BesideMotion",
@@ -16,18 +10,5 @@ UNDOCUMENTED: dict[str, set[str]] = {
         "Point",
         "Sweep",
         "sweep_dataset",
-    },
-    "studies": {
-        "Interval",
-        "Physical",
-        "Quiet",
-        "Sampled",
-        "Transition",
-        "Zone",
-        "ZoneEnd",
-        "ZoneMotion",
-        "Zones",
-        "transitions",
-        "zones",
     },
 }

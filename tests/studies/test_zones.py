@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from gearlash import case, flow, orbits, studies
 from gearlash.branches import GrazingPoint, locate_multiplier
 from gearlash.jobs import Execution, Progress
-from gearlash.studies import Axis, Direction, End, Interval, Quiet
+from gearlash.studies import Axis, Direction, Interval, Quiet, ZoneEnd
 from gearlash.studies.model import Source
 from gearlash.studies.quiet import Row, Search
 from gearlash.studies.zone import BASIN, RANGE, UNKNOWN, Zone, ZoneMotion, intersection, union
@@ -219,7 +219,7 @@ def test_an_orbit_that_turns_unstable_ends_the_zone_there():
 
 def ends(pair: tuple[int, int]) -> Interval:
     low, high = sorted(pair)
-    return Interval(End(float(low), "x"), End(float(high + 1), "x"))
+    return Interval(ZoneEnd(float(low), "x"), ZoneEnd(float(high + 1), "x"))
 
 
 ROWS = st.lists(
@@ -239,11 +239,13 @@ def test_interval_algebra_is_that_of_sets(rows):
 
 
 def test_margins():
-    zone = Zone(End(1.0, "fold", 0.1), End(2.0, RANGE), "D", Quiet.IMPACT_FREE, True)
+    zone = Zone(ZoneEnd(1.0, "fold", 0.1), ZoneEnd(2.0, RANGE), "D", Quiet.IMPACT_FREE, True)
     assert zone.margin(1.5) == pytest.approx(0.4)
     assert zone.margin(0.7) == pytest.approx(-0.3)
     assert zone.margin(2.5) == pytest.approx(-0.5)
-    assert Zone(End(1.0, RANGE), End(2.0, RANGE), "D", Quiet.IMPACT_FREE, True).margin(1.2) == math.inf
+    assert (
+        Zone(ZoneEnd(1.0, RANGE), ZoneEnd(2.0, RANGE), "D", Quiet.IMPACT_FREE, True).margin(1.2) == math.inf
+    )
 
 
 def test_motions_coexist_only_where_they_overlap():
@@ -254,7 +256,7 @@ def test_motions_coexist_only_where_they_overlap():
     apart = (motions[0], ZoneMotion(Signature(2, 1), ("up",), 1.5, 1.6, False))
 
     def make(motions):
-        return Zone(End(1.0, RANGE), End(2.0, RANGE), "D", Quiet.IMPACT_FREE, False, motions)
+        return Zone(ZoneEnd(1.0, RANGE), ZoneEnd(2.0, RANGE), "D", Quiet.IMPACT_FREE, False, motions)
 
     assert make(motions).coexisting == motions
     assert make(apart).coexisting == ()
@@ -342,7 +344,7 @@ def test_an_end_of_one_row_is_looked_at_in_the_others():
     row = Row(up.direction, up.points, frozenset(p.value for p in up.points))
     point = next(e.point for z in studies.zones(CLASSICAL, SPEEDS).wider for e in (z.upper,))
     assert isinstance(point, GrazingPoint)
-    end = End(0.5, "grazing", 1e-12, point=point)
+    end = ZoneEnd(0.5, "grazing", 1e-12, point=point)
     ((at, found),) = search.probes(row, {(Direction.COLD, 0.4, 0.6): end})
     assert (at, found) == (0, end)
     (probed,) = search.probed([row], [[(at, found)]], "omega", 0.1)

@@ -30,8 +30,42 @@ NAMES = {-1: "period doubling", 1: "fold"}
 
 @dataclass(frozen=True, eq=False, repr=False)
 class BifurcationPoint(Record):
-    """Where a multiplier is ``multiplier`` (±1): value of parameter ``name`` with its error estimate, state
-    (n,) at phase zero, label of the orbit there, all its multipliers."""
+    """Where a multiplier of a periodic orbit is -1 or +1, solved for.
+
+    Parameters
+    ----------
+    name : str
+        Short name of the parameter.
+    value : float
+        Of it, dimensionless.
+    error : float
+        Estimate: the last step of Newton's method.
+    values : mapping of str to float
+        All parameters there.
+    multiplier : {-1, 1}
+        Doubling or fold.
+    period : int
+        Of the orbit, in mesh cycles.
+    state : ndarray of shape (n,)
+        At phase zero.
+    label : Signature or MotionKind
+        Of the orbit there.
+    multipliers : ndarray of shape (n,)
+        All of them, complex, by modulus, descending.
+    residual : float
+        Of all equations.
+    status : Status
+        `not-converged` and `not-admissible` say that it is no result.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> orbit = gl.attractor(family.system({"omega": 0.75}), [1.0, 0.0])
+    >>> fold = gl.locate_multiplier(family, "omega", orbit, 1, values={"omega": 0.75})
+    >>> fold.kind, str(fold.label), round(fold.value, 6)
+    ('fold', '1-1-0', 0.828464)
+    """
 
     _printed: ClassVar = ("name", "value", "error", "status", "kind", "label", "residual")
 
@@ -49,6 +83,7 @@ class BifurcationPoint(Record):
 
     @property
     def kind(self) -> str:
+        """Period doubling or fold."""
         return NAMES[self.multiplier]
 
 
@@ -60,9 +95,46 @@ def locate_multiplier(
     *,
     values: Mapping[str, float | str] | None = None,
 ) -> BifurcationPoint:
-    """The value of ``name`` nearest to the orbit's at which a multiplier of it is ``multiplier`` (-1 or +1).
+    """The value of a parameter at which a multiplier of a periodic orbit is -1 or +1.
 
-    Status `not-admissible`: a multiplier +1 where the orbit is born from one of half its period, no fold.
+    Newton's method for the orbit and the parameter together, from the orbit that is given.
+
+    Parameters
+    ----------
+    model : Case or Family
+    name : str
+        The parameter that is solved for: a short name, or the physical one of a case.
+    orbit : Orbit
+        Near the point, found at ``values``.
+    multiplier : {-1, 1}
+        -1 for a doubling, 1 for a fold.
+    values : mapping of str to float or str, optional
+        Parameters of the member that the orbit is of, ``name`` among them; the model's own where nothing is
+        given.
+
+    Returns
+    -------
+    BifurcationPoint
+        Its status is `not-converged` where no solution was come to, and `not-admissible` for a multiplier +1
+        where the orbit is born from one of half its period, which is no fold.
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit.
+
+    References
+    ----------
+    Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, ch. 10, doi:10.1007/978-1-4757-3978-7.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> orbit = gl.attractor(family.system({"omega": 0.75}), [1.0, 0.0])
+    >>> fold = gl.locate_multiplier(family, "omega", orbit, 1, values={"omega": 0.75})
+    >>> round(fold.value, 6), fold.status.value
+    (0.828464, 'ok')
     """
     family, members, name = checked(model, values, name, orbit)
     multiplier = given.whole("multiplier", multiplier, -1, 1)

@@ -40,14 +40,60 @@ CLOSED = 1e-11  # residual of a solution
 
 @dataclass(frozen=True, eq=False, repr=False)
 class GrazingPoint(Record):
-    """A touch solved for: ``value`` of parameter ``name`` with its error estimate, ``phase`` (mesh cycles
-    from ``state_zero``) and state (n,) of the touch, ``a0`` = X'', multipliers of the one-sided orbit,
-    labels of the same orbit just below and above ``value`` and whether it is stable there
-    (`MotionKind.NONE` and None on a side where it was not found: beyond a touch it may end within less than
-    can be told apart).
-    ``state_zero`` is the orbit at phase zero, a start for either side.
-    ``clearance`` is the index of the gap, ``clearance_name`` its name; for ``surface`` "force" the touch is
-    Φ = 0 and ``a0`` = Φ''."""
+    """A touch of a periodic orbit and a boundary, solved for.
+
+    Parameters
+    ----------
+    name : str
+        Short name of the parameter.
+    value : float
+        Of it, dimensionless.
+    error : float
+        Estimate of its error.
+    values : mapping of str to float
+        All parameters there.
+    boundary : {1, -1}
+        Σ1 or Σ2.
+    phase : float
+        Of the touch, in mesh cycles from ``state_zero``.
+    a0 : float
+        X'' there, per unit of τ squared; Φ'' of the surface "force".
+    period : int
+        Of the orbit, in mesh cycles.
+    state : ndarray of shape (n,)
+        At the touch.
+    state_zero : ndarray of shape (n,)
+        The orbit at phase zero: a start for either side.
+    multipliers : ndarray of shape (n,)
+        Of the one-sided orbit, complex, by modulus, descending.
+    exponent : float
+        The largest of them, per unit of τ.
+    label_below, label_above : Signature or MotionKind
+        Of the same orbit just below and above ``value``; `MotionKind.NONE` where it was not found: beyond a
+        touch it may end within less than can be told apart.
+    residual : float
+        Of all equations.
+    status : Status
+        `not-converged` and `not-admissible` say that it is no result.
+    clearance : int
+        Index of the gap.
+    clearance_name : str
+        Its name.
+    surface : {"gap", "force"}
+        What is touched: X = ±D, or Φ = 0 with the rule `no-tension`.
+    stable_below, stable_above : bool, optional
+        Whether the orbit is stable there; None where it was not found.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> orbit = gl.attractor(family.system({"omega": 0.8}), family.start())
+    >>> nearest = gl.grazing_checks(orbit)[0]
+    >>> point = gl.locate_grazing(family, "omega", orbit, nearest, values={"omega": 0.8})
+    >>> round(point.value, 6), str(point.label_below), str(point.label_above)
+    (0.820631, '1-0-0', '1-1-0')
+    """
 
     _printed: ClassVar = (
         "name",
@@ -125,10 +171,50 @@ def locate_grazing(
     *,
     values: Mapping[str, float | str] | None = None,
 ) -> GrazingPoint:
-    """The value of parameter ``name`` at which the extremum ``check`` of ``orbit`` (found at ``values``)
-    touches its boundary. The value is good to about 1e-12 of itself where the status is ok; `not-converged`
-    (also: the way there leaves the range of the parameter, or comes to values that have no system) and
-    `not-admissible` (the labels beside it do not differ by one contact) say that it is no result."""
+    """The value of a parameter at which an extremum of a periodic orbit touches its boundary.
+
+    Newton's method for the orbit, the phase of the touch and the parameter together. The extremum is not
+    treated as a crossing, so that the equations are smooth whichever side the orbit comes from.
+
+    Parameters
+    ----------
+    model : Case or Family
+    name : str
+        The parameter that is solved for: a short name, or the physical one of a case.
+    orbit : Orbit
+        Near the touch, found at ``values``.
+    check : GrazingCheck
+        The extremum, of `grazing_checks`.
+    values : mapping of str to float or str, optional
+        Parameters of the member that the orbit is of, ``name`` among them; the model's own where nothing is
+        given.
+
+    Returns
+    -------
+    GrazingPoint
+        Good to about 1e-12 of the value where its status is ok. It is `not-converged` where no solution was
+        come to, or the way there leaves the range of the parameter or comes to values that have no system,
+        and `not-admissible` where the labels beside it do not differ by one contact.
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit.
+
+    References
+    ----------
+    M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008, ch. 6, doi:10.1007/978-1-84628-708-4.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> orbit = gl.attractor(case.family()[0].system({"omega": 0.8}), [1.1, 0.0])
+    >>> nearest = gl.grazing_checks(orbit)[0]
+    >>> point = gl.locate_grazing(case, "omega", orbit, nearest, values={"omega": 0.8})
+    >>> round(point.value, 9), point.status.value
+    (0.820631088, 'ok')
+    """
     family, members, name = checked(model, values, name, orbit)
     given.instance("check", check, GrazingCheck, "one of gearlash.grazing_checks(orbit)")
     given.whole("clearance of the check", check.clearance, 0, len(orbit.propagators.rules) - 1)

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 
-from gearlash.studies.zone import End, Quiet, Zone, Zones
+from gearlash.studies.zone import Quiet, Zone, ZoneEnd, Zones
 
 from . import style
 from .bifurcation import directions, new_points, scatter
@@ -150,7 +150,7 @@ def _draw(axes: Axes, bands: Sequence[_Band]) -> list[Line2D]:
     return [seen[kind] for kind in sorted(seen, key=lambda kind: kind == HALVED)]
 
 
-def _tick(axes: Axes, end: End, height: float, seen: dict[str, Line2D]) -> None:
+def _tick(axes: Axes, end: ZoneEnd, height: float, seen: dict[str, Line2D]) -> None:
     """The end of a band: solved for (filled), or found by halving (hollow)."""
     kind = end.kind if end.point is not None else HALVED
     marker = TICKS.get(kind, OTHER_TICK) if end.point is not None else "s"

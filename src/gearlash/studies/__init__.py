@@ -10,13 +10,12 @@ from .model import Model, open_workers, prepare
 from .plane import map_plane
 from .point import point, summary
 from .sweep import sweep, sweeps
-from .zone import End, Interval, Quiet, Zone, ZoneMotion, Zones
+from .zone import Interval, Quiet, Zone, ZoneEnd, ZoneMotion, Zones
 from .zones import zones
 
 __all__ = [
     "Axis",
     "Direction",
-    "End",
     "Interval",
     "Model",
     "PlaneMap",
@@ -25,6 +24,7 @@ __all__ = [
     "Settings",
     "Sweep",
     "Zone",
+    "ZoneEnd",
     "ZoneMotion",
     "Zones",
     "coexisting",

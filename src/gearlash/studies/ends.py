@@ -24,7 +24,7 @@ from .model import Source
 from .point import summary
 from .row import Neighbour, continued, neighbour_after
 from .transitions import kind_of_end, unlocated
-from .zone import BASIN, End, Quiet
+from .zone import BASIN, Quiet, ZoneEnd
 
 NARROW = 1e-6  # of the value: width at which halving ends
 ROUGH = 1e-4  # the same where one side is not periodic: no label is sharp there, and each costs much
@@ -92,7 +92,7 @@ class _Search:
     fixed: Mapping[str, float]
     bracket: Bracket
 
-    def along_the_orbit(self) -> End | None:
+    def along_the_orbit(self) -> ZoneEnd | None:
         """The end met first by the orbit of the side that the sweep comes from, as far beyond the other side
         as the bracket is wide: a sweep may have lost in a step what goes on. None where no orbit is
         followed, or none of those that follow each other comes to an end."""
@@ -146,15 +146,15 @@ class _Search:
             return far
         return self.step(float(value), neighbour_after(Neighbour(self.bracket.start, None), change.before))
 
-    def told(self, change: _Change, after: Label | None, beyond: Point | None = None) -> End:
+    def told(self, change: _Change, after: Label | None, beyond: Point | None = None) -> ZoneEnd:
         """The end at a change of the orbit that the sweep follows; ``after``: the label beyond."""
         before, way = change.before.label, str(self.bracket.direction)
         labels = (before, after) if self.quiet(change.before) else (after, before)
         kind = change.kind or (unlocated(change.before, beyond) if beyond else "")
         reason = _reason(beyond) if beyond else ""
-        return End(change.value, kind, change.error, *labels, way, change.point, reason)
+        return ZoneEnd(change.value, kind, change.error, *labels, way, change.point, reason)
 
-    def by_halving(self) -> End:
+    def by_halving(self) -> ZoneEnd:
         """The end in a bracket that is halved by the sweep's own way, and what the orbits on both sides of it
         say of it."""
         below, above, nearest = self.narrowed(self.bracket.below, self.bracket.above)
@@ -168,9 +168,9 @@ class _Search:
                     (labels[0], change.before.label),
                     "",
                 )  # the orbit that ends: beyond is its slow ghost
-            return End(change.value, change.kind, change.error, *labels, way, change.point, reason)
+            return ZoneEnd(change.value, change.kind, change.error, *labels, way, change.point, reason)
         middle, half = 0.5 * (below.value + above.value), 0.5 * (above.value - below.value)
-        return End(middle, self.unsolved(inside, outside), half, *labels, way, None, reason)
+        return ZoneEnd(middle, self.unsolved(inside, outside), half, *labels, way, None, reason)
 
     def narrowed(self, below: Point, above: Point) -> tuple[Point, Point, list[Point]]:
         """A bracket of relative width `NARROW` (or `ROUGH`), and the periodic points nearest to it on

@@ -32,7 +32,7 @@ TOLERANCE = 1e-9  # relative, of an end
 NARROW = 1e-3  # of a bracket: no step is nearer to its ends, so that both close in
 
 Margin = Callable[[float], float]
-End = tuple[float, Ending]  # a value on the impact-free side, what ends there
+Found = tuple[float, Ending]  # a value on the impact-free side, what ends there
 
 
 def impact_free_speeds(
@@ -178,7 +178,7 @@ def _closed(system: System, side: int) -> System:
 
 def _change(
     margin: Margin, start: float, known: float, factor: float, last: float
-) -> tuple[End | None, float]:
+) -> tuple[Found | None, float]:
     """The first change of sign of the margin from ``start`` to ``last``, as a value on its positive side, and
     the value farthest away that was looked at."""
     path = [(start, known)]
@@ -194,7 +194,7 @@ def _change(
     return None, last
 
 
-def _hidden(margin: Margin, path: list[Sample]) -> End | None:
+def _hidden(margin: Margin, path: list[Sample]) -> Found | None:
     """A loss of the margin beside the middle one of three speeds, where it is lowest of the three and a
     closer look finds it gone."""
     if len(path) < 3 or not path[2][1] > -inf:
@@ -205,7 +205,7 @@ def _hidden(margin: Margin, path: list[Sample]) -> End | None:
     return _narrowed(margin, path[0], lowest) if lowest[1] <= 0.0 else None
 
 
-def _narrowed(margin: Margin, here: Sample, there: Sample) -> End:
+def _narrowed(margin: Margin, here: Sample, there: Sample) -> Found:
     """Illinois method between two samples of different sign, halving where one is no number: M. Dowell and
     P. Jarratt, BIT 11 (1971) 168-174."""
     inside, outside = (here, there) if here[1] > 0.0 else (there, here)

@@ -23,13 +23,13 @@ from gearlash.system import Status
 from .between import Stretch, look_between
 from .ends import NARROW, Bracket, find_end
 from .model import Source
-from .zone import RANGE, UNKNOWN, End, Interval, Quiet
+from .zone import RANGE, UNKNOWN, Interval, Quiet, ZoneEnd
 
 STEPS = 128  # of the whole axis in which quiet motion is followed, at least
 PIECE = 128  # points of a task
 PASSES = 3  # in which the ends of one sweep are looked at in the others
 BESIDE = 8.0  # uncertainties of an end beside which another sweep is looked at, and at least `NARROW` of it
-Ends = Mapping[tuple[Direction, float, float], End]
+Ends = Mapping[tuple[Direction, float, float], ZoneEnd]
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,7 +192,7 @@ class Search:
             self.reasons.append(outcome.reason)
         return {name: found[0] for name, found in outcome.results.items() if found}
 
-    def probes(self, row: Row, ends: Ends) -> list[tuple[int, End]]:
+    def probes(self, row: Row, ends: Ends) -> list[tuple[int, ZoneEnd]]:
         """Grazings that end other rows' intervals and lie between quiet neighbours of this one (the index of
         the lower), not looked at yet."""
         values = np.array([point.value for point in row.points])
@@ -210,7 +210,7 @@ class Search:
         return [found[value] for value in sorted(found)]
 
     def probed(
-        self, rows: Sequence[Row], probes: Sequence[Sequence[tuple[int, End]]], name: str, step: float
+        self, rows: Sequence[Row], probes: Sequence[Sequence[tuple[int, ZoneEnd]]], name: str, step: float
     ) -> list[Row]:
         """Every row with points on both sides of those ends."""
         asked = {row.direction: those for row, those in zip(rows, probes, strict=True)}
@@ -249,13 +249,13 @@ class Search:
     def interval(self, row: Row, first: int, last: int, ends: Ends) -> Interval:
         """The interval of a stretch."""
 
-        def end(inside: int, outside: int) -> End:
+        def end(inside: int, outside: int) -> ZoneEnd:
             point, way = row.points[inside], str(row.direction)
             if not 0 <= outside < len(row.points):
-                return End(point.value, RANGE, inside=point.label, direction=way)
+                return ZoneEnd(point.value, RANGE, inside=point.label, direction=way)
             beyond = row.points[outside]
             reason = beyond.message if not beyond.computed else "stopped early"
-            unknown = End(point.value, UNKNOWN, inside=point.label, direction=way, reason=reason)
+            unknown = ZoneEnd(point.value, UNKNOWN, inside=point.label, direction=way, reason=reason)
             below, above = sorted((point.value, beyond.value))
             return ends.get((row.direction, below, above), unknown)
 

@@ -52,16 +52,27 @@ SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)
 
 
 class Sampled(Protocol):
-    """What is needed of a point of a sweep."""
+    """What is needed of a point of a sweep, to be compared with its neighbour."""
 
     @property
-    def value(self) -> float: ...
+    def value(self) -> float:
+        """Of the parameter, dimensionless."""
+        ...
+
     @property
-    def label(self) -> Label | None: ...
+    def label(self) -> Label | None:
+        """Of the motion there, if any was found."""
+        ...
+
     @property
-    def period(self) -> int: ...
+    def period(self) -> int:
+        """In mesh cycles; 0 where no periodic motion was proved."""
+        ...
+
     @property
-    def state(self) -> NDArray[np.float64]: ...
+    def state(self) -> NDArray[np.float64]:
+        """The state (n,) at phase zero."""
+        ...
 
 
 SAMPLED = "value", "label", "period", "state"
@@ -69,13 +80,35 @@ SAMPLED = "value", "label", "period", "state"
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Transition(Record):
-    """A change of the motion between parameter values ``lower`` < ``upper``: its kind, the labels on both
-    sides (one label twice, where a fold or a jump leads from one orbit to another of the same), and the point
-    solved for (None where only the interval is known). ``value`` is the point's, or the middle of the
-    interval.
+    """A change of the motion between two values of a parameter.
 
     A ``change of basin`` is no end of a motion: the orbit of one side exists at the other too, where the
-    sweep found another one, so all that is known is that it changed over between the two points."""
+    sweep found another one, so all that is known is that it changed over between the two points.
+
+    Parameters
+    ----------
+    name : str
+        Short name of the parameter.
+    kind : str
+        Grazing, doubling, fold, jump, change of basin, onset of aperiodic motion, no periodic motion proved
+        beyond, or not decided.
+    lower, upper : float
+        Values between which it happens, dimensionless.
+    label_below, label_above : Signature or MotionKind, optional
+        Of the motion on both sides: one label twice, where a fold or a jump leads from one orbit to another
+        of the same label.
+    point : GrazingPoint or BifurcationPoint, optional
+        What was solved for; None where only the interval is known.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> up = gl.sweep(case, gl.Axis.even("omega", 0.8, 0.825, 3), direction="up")
+    >>> (change,) = gl.transitions(case, "omega", up.points)
+    >>> change.kind, str(change.label_below)
+    ('grazing', '1-0-0')
+    """
 
     _printed: ClassVar = ("name", "kind", "value", "label_below", "label_above")
 
@@ -89,6 +122,7 @@ class Transition(Record):
 
     @property
     def value(self) -> float:
+        """That of the point, or the middle of the interval."""
         return self.point.value if self.point is not None else 0.5 * (self.lower + self.upper)
 
 
@@ -142,9 +176,41 @@ def transitions(
     values: Mapping[str, float | str] | None = None,
     rising: bool = True,
 ) -> tuple[Transition, ...]:
-    """All changes of the motion along ``points`` (ascending in ``name``), jumps between orbits of one label
-    among them. ``rising`` says from which side an orbit is followed first. Intervals with an end that is not
-    periodic are reported without a point."""
+    """All changes of the motion along the points of a sweep, each solved for.
+
+    Jumps between orbits of one label are among them. An interval with an end that is not periodic is told
+    without a point.
+
+    Parameters
+    ----------
+    model : Case or Family
+    name : str
+        The parameter that the points go along: a short name, or the physical one of a case.
+    points : sequence of Sampled
+        Points of a sweep, ascending, with dimensionless values.
+    values : mapping of str to float or str, optional
+        Other parameters than ``name``; the model's own where nothing is given.
+    rising : bool
+        Whether an orbit is followed upwards first, as an up sweep comes along, or downwards.
+
+    Returns
+    -------
+    tuple of Transition
+        Ascending.
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> up = gl.sweep(case, gl.Axis.even("omega", 0.8, 0.825, 3), direction="up")
+    >>> [(change.kind, round(change.value, 6)) for change in gl.transitions(case, "omega", up.points)]
+    [('grazing', 0.820631)]
+    """
     family = Source.of(model).family()
     name = short_name(model, family, name)
     members = family.complete(plain_values(model, family, values))

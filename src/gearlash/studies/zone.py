@@ -20,30 +20,67 @@ BASIN = "change of basin"
 
 
 class Quiet(Named):
-    """What makes a motion count: no impact at all, or none on the back side. Only proved periodic motions
-    count.
-    """
+    """What makes a motion count as quiet: no impact at all, or none on the back side.
+
+    Only proved periodic motions count."""
 
     IMPACT_FREE = "impact-free"
     DRIVE_SIDE_ONLY = "drive-side-only"
 
     def holds(self, point: Point) -> bool:
-        """Does it hold for this motion?"""
+        """Whether a motion of a study is quiet.
+
+        Parameters
+        ----------
+        point : Point
+
+        Returns
+        -------
+        bool
+        """
         return point.impact_free if self is Quiet.IMPACT_FREE else point.drive_side_only
 
     def holds_signature(self, signature: Signature) -> bool:
-        """The same of a periodic motion by what it meets."""
+        """Whether a periodic motion is quiet, by what it meets.
+
+        Parameters
+        ----------
+        signature : Signature
+
+        Returns
+        -------
+        bool
+        """
         return signature.impacts == 0 if self is Quiet.IMPACT_FREE else signature.back_impacts == 0
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class End(Record):
-    """One end of an interval: dimensionless value, known within ± ``uncertainty``, and what happens there.
+class ZoneEnd(Record):
+    """One end of an interval of quiet motion, and what happens there.
 
-    ``kind`` is grazing, fold, jump, onset of aperiodic motion, no periodic motion proved beyond (see
-    `transitions`), change of basin, the end of the range, or that nothing was computed beyond.
-    ``inside`` and ``outside`` are the labels; ``reason`` says why there is none outside, where there is none;
-    ``direction`` is the sweep whose attractor changes, ``point`` what was solved for, where it was.
+    Parameters
+    ----------
+    value : float
+        Of the parameter, dimensionless.
+    kind : str
+        Grazing, fold, doubling, jump, onset of aperiodic motion, no periodic motion proved beyond (see
+        `transitions`), change of basin, the end of the range, or that nothing was computed beyond.
+    uncertainty : float
+        The end lies within ± this of ``value``.
+    inside, outside : Signature or MotionKind, optional
+        Labels of the motion on both sides.
+    direction : str
+        Of the sweep whose attractor changes.
+    point : GrazingPoint or BifurcationPoint, optional
+        What was solved for, where it was.
+    reason : str
+        Why there is no label outside, where there is none.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> print(gl.ZoneEnd(0.5, "end of the range"))
+    not bounded within the range
     """
 
     value: float
@@ -76,7 +113,25 @@ class End(Record):
 
 @dataclass(frozen=True, repr=False)
 class ZoneMotion(Record):
-    """A motion seen from ``lower`` to ``upper`` (values of the axis) by sweeps of these ``directions``."""
+    """A motion that was seen in a zone, with the stretch in which it was seen.
+
+    Parameters
+    ----------
+    label : Signature or MotionKind
+    directions : tuple of str
+        Of the sweeps that saw it.
+    lower, upper : float
+        First and last value of the axis at which they saw it.
+    quiet : bool
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> axis = gl.Axis.even("omega", 0.5, 0.6, 3)
+    >>> (zone,) = gl.zones(gl.load_case("kahraman-singh"), axis).zones
+    >>> zone.motions[0].directions, zone.motions[0].quiet
+    (('cold', 'up', 'down'), True)
+    """
 
     label: Label
     directions: tuple[str, ...]
@@ -87,7 +142,21 @@ class ZoneMotion(Record):
 
 @dataclass(frozen=True, repr=False)
 class Physical(Record):
-    """An interval in a physical unit."""
+    """An interval in a physical unit.
+
+    Parameters
+    ----------
+    name : str
+        Of the physical quantity.
+    lower, upper : float
+    unit : str
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.Physical("pinion_speed", 1000.0, 1500.0, "rpm").unit
+    'rpm'
+    """
 
     name: str
     lower: float
@@ -97,25 +166,68 @@ class Physical(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Interval(Record):
-    """Between two ends."""
+    """An interval of a parameter between two ends.
 
-    lower: End
-    upper: End
+    Parameters
+    ----------
+    lower, upper : ZoneEnd
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> lower, upper = gl.ZoneEnd(0.5, "grazing"), gl.ZoneEnd(0.75, "fold")
+    >>> gl.Interval(lower, upper).width
+    0.25
+    """
+
+    lower: ZoneEnd
+    upper: ZoneEnd
 
     @property
     def width(self) -> float:
+        """From end to end."""
         return self.upper.value - self.lower.value
 
     def contains(self, value: float) -> bool:
+        """Whether a value lies between the ends, or at one of them.
+
+        Parameters
+        ----------
+        value : float
+            Dimensionless.
+
+        Returns
+        -------
+        bool
+        """
         return self.lower.value <= value <= self.upper.value
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Zone(Interval):
-    """An interval of ``name`` in which motion is quiet: for every attractor that was found (``every``), or
-    at every value for at least one of them.
+    """An interval of a parameter in which motion is quiet.
 
-    ``motions`` are all motions that were seen in it; where two were seen at one value, attractors coexist.
+    Parameters
+    ----------
+    lower, upper : ZoneEnd
+    name : str
+        Short name of the parameter.
+    quiet : Quiet
+        What counts as quiet.
+    every : bool
+        Whether every attractor that was found is quiet, or at every value at least one of them.
+    motions : tuple of ZoneMotion
+        All that were seen in it; where two were seen at one value, attractors coexist.
+    physical : tuple of Physical
+        The interval in physical units.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> axis = gl.Axis.even("omega", 0.5, 0.6, 3)
+    >>> (zone,) = gl.zones(gl.load_case("kahraman-singh"), axis).zones
+    >>> zone.lower.value, zone.upper.value, str(zone.motions[0].label)
+    (0.5, 0.6, '1-0-0')
     """
 
     _printed: ClassVar = ("name", "quiet", "every", "lower", "upper")
@@ -138,8 +250,18 @@ class Zone(Interval):
         )
 
     def margin(self, value: float) -> float:
-        """Distance of a value inside to the nearer end at which something happens, less its uncertainty;
-        infinite where neither end is bounded within the range, negative outside."""
+        """Distance of a value to the nearer end at which something happens, less its uncertainty.
+
+        Parameters
+        ----------
+        value : float
+            Dimensionless.
+
+        Returns
+        -------
+        float
+            Infinite where neither end is bounded within the range, negative outside.
+        """
         below = value - self.lower.value - self.lower.uncertainty if self.lower.bounded else inf
         above = self.upper.value - self.upper.uncertainty - value if self.upper.bounded else inf
         if not self.contains(value):
@@ -157,12 +279,37 @@ class Zone(Interval):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Zones(Record):
-    """``zones``: where every attractor found by the sweeps is quiet. ``wider``: intervals where at least
-    one of them is, as far as they reach beyond a zone of the first kind. A zone narrower than ``resolution``
-    (the step of the axis) may have been missed, and so may other motions that live between two values of
-    the axis only; inside the zones quiet motion was followed in steps of ``step`` at the most, and an
-    interruption narrower than that may have been missed. ``complete`` is False where something was not
-    computed, ``message`` says why."""
+    """What was found along an axis: intervals of quiet motion, and how closely was looked.
+
+    Parameters
+    ----------
+    quiet : Quiet
+        What counts as quiet.
+    axis : Axis
+    zones : tuple of Zone
+        Where every attractor found by the sweeps is quiet.
+    wider : tuple of Zone
+        Where at least one of them is, as far as that reaches beyond the zones of the first kind.
+    sweeps : tuple of Sweep
+        What they were found from.
+    complete : bool
+        False where something was not computed.
+    message : str
+        Why it was not.
+    resolution : float
+        Step of the axis. A narrower zone may have been missed, and so may other motions that live between two
+        values of the axis only.
+    step : float
+        Widest step in which quiet motion was followed inside the zones. A narrower interruption may have been
+        missed.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> found = gl.zones(gl.load_case("kahraman-singh"), gl.Axis.even("omega", 0.5, 0.6, 3))
+    >>> found.complete, round(found.resolution, 3), found.nearest(0.7)
+    (True, 0.05, 0.6)
+    """
 
     _printed: ClassVar = ("quiet", "axis", "zones", "wider", "complete", "message")
 
@@ -177,11 +324,31 @@ class Zones(Record):
     step: float = field(default=0.0)
 
     def at(self, value: float) -> Zone | None:
-        """The zone (for every attractor) that holds a value."""
+        """The zone that holds a value, in which every attractor found is quiet.
+
+        Parameters
+        ----------
+        value : float
+            Dimensionless.
+
+        Returns
+        -------
+        Zone or None
+        """
         return next((zone for zone in self.zones if zone.contains(value)), None)
 
     def nearest(self, value: float) -> float | None:
-        """The value nearest to this one at which every attractor found is quiet."""
+        """The nearest value at which every attractor found is quiet.
+
+        Parameters
+        ----------
+        value : float
+            Dimensionless.
+
+        Returns
+        -------
+        float or None
+        """
         held = [min(max(value, zone.lower.value), zone.upper.value) for zone in self.zones]
         return min(held, key=lambda v: abs(v - value), default=None)
 

@@ -35,16 +35,50 @@ def zones(
     settings: Settings | None = None,
     execution: Execution | None = None,
 ) -> Zones:
-    """Maximal intervals of ``axis`` with quiet motion, their ends located, and what coexists in them.
+    """Intervals of a parameter with quiet motion, their ends located, and what coexists in them.
 
     A zone counts where every attractor that cold, up and down sweeps find is quiet; intervals where only
-    some are come beside it. ``known`` are such sweeps made before (of this model, axis, ``values``,
-    ``start`` and ``settings``); without them all three are computed. Between two points at which a sweep
-    found quiet motion, that motion is followed in steps of at most a 128th of the axis, with closer looks
-    where it comes nearest to an impact, and beside every grazing that ends another sweep's interval. An end
-    is solved for (grazing, fold) where the sweep's own attractor is seen to change there, else halved to
-    about 1e-6 of itself. The progress counts points, then stretches, then ends. Other arguments as in
-    `sweep`.
+    some are come beside it. Between two points at which a sweep found quiet motion, that motion is followed
+    in steps of at most a 128th of the axis, with closer looks where it comes nearest to an impact, and beside
+    every grazing that ends another sweep's interval. An end is met by following the sweep's own orbit to
+    where it changes or ends (grazing, fold, loss of stability). What is found from cold starts, and motion
+    that is not periodic, is halved to about 1e-6 of the value instead (1e-4 where one side is not periodic).
+
+    Parameters
+    ----------
+    model : Case or Family
+    axis : Axis
+        At least two values.
+    quiet : Quiet or str
+        What counts as quiet: "impact-free" or "drive-side-only".
+    values : mapping of str to float or str, optional
+        Other parameters than the axis, over those of the model.
+    known : sequence of Sweep, optional
+        Sweeps made before, of this model, axis, ``values``, ``start`` and ``settings``; without them a cold,
+        an up and a down sweep are computed.
+    start : array_like of shape (n,), optional
+        State at phase zero that the sweeps start from; the cold start without.
+    settings : Settings, optional
+        How attractors are looked for.
+    execution : Execution, optional
+        How the work is carried out. Its progress counts points, then stretches, then ends.
+
+    Returns
+    -------
+    Zones
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit, and for sweeps of another question.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> axis = gl.Axis.even("omega", 0.6, 0.9, 4)
+    >>> found = gl.zones(gl.load_case("kahraman-singh"), axis)
+    >>> [(round(zone.upper.value, 4), zone.upper.kind) for zone in found.zones]
+    [(0.708, 'fold')]
     """
     return zones_of_kinds(
         model, axis, [quiet], values=values, known=known, start=start, settings=settings, execution=execution

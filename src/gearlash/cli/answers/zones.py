@@ -20,7 +20,8 @@ from .zones_parts import Resident, ZoneEnd, ZoneFound
 from .zones_words import headline
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.studies.zone import End, Zone, ZoneMotion, Zones
+    from gearlash.studies.zone import Zone, ZoneMotion, Zones
+    from gearlash.studies.zone import ZoneEnd as FoundEnd
 
 
 RANGE_END = "end of the range"
@@ -107,7 +108,7 @@ def _zone(case: Case, zone: Zone, here: float, asked: Asked) -> ZoneFound:
     )
 
 
-def _end(case: Case, name: str, end: End, back_met: bool, asked: Asked) -> ZoneEnd:
+def _end(case: Case, name: str, end: FoundEnd, back_met: bool, asked: Asked) -> ZoneEnd:
     physical = physical_values(case, name, end.value, computed=end.bounded, back_side_met=back_met)
     if end.kind == RANGE_END:  # as it was typed: it rests on nothing
         physical = tuple(replace(p, rests_on=()) if p.name == asked.name else p for p in physical)
