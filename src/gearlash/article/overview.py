@@ -17,10 +17,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from gearlash.branches import GrazingPoint, locate_grazing
+from gearlash.branches import GrazingPoint
 from gearlash.case import Case, load
 from gearlash.case.edges import shown_edge
-from gearlash.orbits import Orbit, Settings, attractor, grazing_checks
+from gearlash.orbits import Orbit, Settings, attractor
 from gearlash.plots import portraits, style
 from gearlash.plots.bifurcation import directions, scatter
 from gearlash.plots.branch import Branch, branches, differs
@@ -28,7 +28,9 @@ from gearlash.plots.framing import frame
 from gearlash.plots.regimes import FREE, short
 from gearlash.plots.units import VELOCITY, Units, X, name, second
 from gearlash.results import Axis, sweep_dataset
+from gearlash.studies.first_grazing import first_grazing
 from gearlash.studies.motion import Motion, motion, touching
+from gearlash.studies.point import point
 from gearlash.studies.sweep import sweeps
 from gearlash.system import Family, GearlashError, Signature
 
@@ -53,7 +55,7 @@ def compute(case: Case, points: int = POINTS) -> OverviewData:
     family, _ = case.family()
     axis = Axis("omega", np.linspace(*SPAN, points))
     dataset = sweep_dataset(case, sweeps(case, axis, ("cold", "up", "down"), settings=Settings(budget=4_000)))
-    lower, upper = _ends(family)
+    lower, upper = ends(family)
     motions = (
         motion(_orbit(family, upper, 1.0 - PICTURED), value=upper.value * (1.0 - PICTURED)),
         touching(family, upper),
@@ -62,29 +64,18 @@ def compute(case: Case, points: int = POINTS) -> OverviewData:
     return OverviewData(dataset, (lower.value, upper.value), motions)
 
 
-def _ends(family: Family) -> tuple[GrazingPoint, GrazingPoint]:
-    """The grazings in which the window without impacts ends, each from an orbit inside it near to it."""
-    found = []
-    for step in (-0.002, 0.002):
-        omega, last = INSIDE, _inside(family, INSIDE, None)
-        if last is None:
-            raise GearlashError(f"no motion without impacts at omega = {INSIDE}: there is no window to draw")
-        while SPAN[0] < omega < SPAN[1]:
-            beyond = _inside(family, omega + step, last)
-            if beyond is None:
-                break
-            omega, last = omega + step, beyond
-        values = family.complete({"omega": omega})
-        check = grazing_checks(last)[0]
-        found.append(locate_grazing(family, "omega", last, check, values=values))
-    return found[0], found[1]
-
-
-def _inside(family: Family, omega: float, last: Orbit | None) -> Orbit | None:
-    start = family.start({"omega": omega}) if last is None else last.state
-    trial = None if last is None else (last.state, 1)
-    found = attractor(family.system({"omega": omega}), start, trial=trial)
-    return found if isinstance(found, Orbit) and found.label == "1-0-0" else None
+def ends(family: Family) -> tuple[GrazingPoint, GrazingPoint]:
+    """The grazings in which the window without impacts ends."""
+    inside = point(family, {"omega": INSIDE}, name="omega")
+    if not inside.impact_free:
+        raise GearlashError(f"no motion without impacts at omega = {INSIDE}: there is no window to draw")
+    _, lower = first_grazing(family, "omega", inside, "down")
+    _, upper = first_grazing(family, "omega", inside, "up")
+    if lower is None or upper is None:
+        raise GearlashError(
+            "the window without impacts has no grazing at both ends: there is nothing to draw"
+        )
+    return lower, upper
 
 
 def _orbit(family: Family, point: GrazingPoint, factor: float) -> Orbit:
