@@ -28,14 +28,37 @@ STATE_NAME = "state_name"
 
 
 def sweep_dataset(model: Case | Family, sweeps: Sequence[Sweep]) -> xr.Dataset:
-    """Sweeps over one axis, one per direction, as a dataset.
+    """Sweeps of one axis as a dataset, with units and provenance.
 
     Dimensions: ``direction``, the name of the axis, ``state_name``, and for points on sections ``strobe``,
     ``drive_hit``, ``back_hit``, ``back_release`` (padded with NaN). The axis is dimensionless; its physical
     counterparts (rpm, Hz, µm, N·m) are further coordinates where the case has scales. Every variable has
     ``long_name`` and ``units``; dimensionless ones also ``physical_units`` and ``physical_factor`` where
-    there are scales. Attributes hold case, versions and what was not given. Raises `GearlashError` for sweeps
-    that do not belong together.
+    there are scales. Attributes hold case, versions and what was not given.
+
+    Parameters
+    ----------
+    model : Case or Family
+        Of which the sweeps are.
+    sweeps : sequence of Sweep
+        As from `sweeps`: of one axis and with the same fixed parameters, each direction once.
+
+    Returns
+    -------
+    xarray.Dataset
+
+    Raises
+    ------
+    GearlashError
+        For sweeps that do not go together, and an axis that the model does not have.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> dataset = gl.sweep_dataset(case, gl.sweeps(case, gl.Axis.even("omega", 0.7, 0.9, 3), ["up", "down"]))
+    >>> dataset["label"].sel(direction="up").values.tolist()
+    ['1-0-0', '1-0-0', '1-1-0']
     """
     import xarray as xr
 

@@ -33,18 +33,46 @@ MOST_PIXELS = 1_000_000
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PlaneMap(Record):
-    """Attractors from cold starts over ``x`` and ``y``; every array has the shape (len(y), len(x)).
+    """One attractor for each pixel of a plane of two parameters, in arrays of shape (len(y), len(x)).
 
-    ``label`` (int16; int32 beyond 32,767 labels): index into ``labels`` (P-Q-R of proved orbits,
-    aperiodic, neutral, unresolved), `NO_LABEL` where there is no motion. ``period`` (mesh cycles),
-    ``drive``, ``back`` (impacts of the first clearance in it) and ``others`` (of all further ones),
-    int32: 0 where nothing periodic was proved. ``exponent``: the largest Lyapunov exponent per unit of τ,
-    float64, NaN where unknown. ``periods``: base periods marched, int32. ``status`` and ``certificate``,
-    uint8: index into `STATUSES` and `CERTIFICATES`.
+    Attributes
+    ----------
+    x, y : Axis
+        The parameters by short name, and their dimensionless values.
+    labels : tuple of Signature or MotionKind
+        All labels of the map.
+    label : ndarray of int16 (int32 beyond 32,767 labels)
+        Index into ``labels``; -1 where there is no motion.
+    period : ndarray of int32
+        In mesh cycles; 0 where nothing periodic was proved.
+    drive, back : ndarray of int32
+        Impacts on either side of the first clearance in one period.
+    others : ndarray of int32
+        Impacts in all further clearances.
+    exponent : ndarray of float64
+        Largest Lyapunov exponent per unit of τ; NaN where unknown.
+    periods : ndarray of int32
+        Base periods that the motion was followed.
+    status : ndarray of uint8
+        Index into `results.STATUSES`.
+    certificate : ndarray of uint8
+        Index into `results.CERTIFICATES`.
+    reasons : mapping of (int, int) to str
+        Row and column of every failed pixel, and why it failed.
+    complete : bool
+        False where the map was stopped early; what is missing has the status `not-computed`.
+    message : str
+        Why it is not complete.
+    fixed : mapping of str to float
+        Other parameters that were set, over those of the model.
 
-    ``reasons``: (row, column) of every failed pixel → why. Where the map was stopped early ``complete`` is
-    False, ``message`` says why, and what is missing has the status `not-computed`. ``fixed`` are the
-    parameters that were set beside the case's own.
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> speeds, loads = gl.Axis.even("omega", 0.7, 0.9, 3), gl.Axis.even("load", 0.1, 0.3, 2)
+    >>> found = gl.map_plane(gl.load_case("kahraman-singh"), speeds, loads)
+    >>> found.shape, str(found.label_at(0, 2)), found.impact_free.tolist()
+    ((2, 3), '1-1-0', [[True, True, False], [True, True, True]])
     """
 
     _printed: ClassVar = ("x", "y", "shares", "statuses", "complete", "message", "fixed")
@@ -120,7 +148,18 @@ class PlaneMap(Record):
         return dict(sorted(found.items(), key=lambda item: (-item[1], str(item[0]))))
 
     def label_at(self, row: int, column: int) -> Label | None:
-        """The label of a pixel; None where there is no motion."""
+        """The label of a pixel.
+
+        Parameters
+        ----------
+        row, column : int
+            Index of the value of ``y``, and of that of ``x``.
+
+        Returns
+        -------
+        Signature or MotionKind or None
+            None where there is no motion.
+        """
         code = int(self.label[row, column])
         return None if code == NO_LABEL else self.labels[code]
 

@@ -22,22 +22,65 @@ def _nothing() -> Array:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Point(Record):
-    """One attractor at one value of the parameter under study: plain numbers and small arrays, all
-    dimensionless.
+    """One attractor at one value of the parameter under study.
 
-    ``label`` is the signature P-Q-R of a proved orbit, else aperiodic, neutral or unresolved; None where
-    nothing was computed. A text is read as what it stands for. ``period`` (mesh
-    cycles), ``drive`` and ``back`` (impacts on either side of the first clearance in it) are 0 where
-    nothing periodic was proved, and ``others`` has the same pair of every further clearance; ``leading``
-    is the multiplier of largest modulus. ``certificate`` is certified, uncertain or failed, or empty
-    where nothing was computed, and ``certificate_reason`` says why. ``state`` (n,) at phase zero starts
-    other computations.
+    Plain numbers and small arrays, all dimensionless. Sections, forces and phases are those of the first
+    clearance, over one period of an orbit or over 200 base periods of another motion. Files hold −Φ in the
+    columns of the forces of sections (`results.forces`).
 
-    Of the first clearance, over one period, or over 200 base periods of another motion: ``strobes`` X on
-    σ_t; contact force Φ (positive where the drive side is compressed) and phase (mesh cycles from zero) of
-    the impacts on either side (S2 → S1, S2 → S3) and of the releases of the back side (S3 → S2); extremes
-    of X, of Φ and its rms, share of time without contact (0 to 1). Stored columns of these forces hold −Φ
-    (`results.forces`).
+    Attributes
+    ----------
+    value : float
+        Of the parameter; NaN where none was named.
+    status : Status
+        To be read first.
+    message : str
+        How the attractor was found, or why it was not.
+    label : Signature or MotionKind, optional
+        P-Q-R of a proved orbit, else aperiodic, neutral or unresolved; None where nothing was computed. A
+        text is read as what it stands for.
+    period : int
+        In mesh cycles; 0 where nothing periodic was proved.
+    drive, back : int
+        Impacts on either side in one period; 0 where nothing periodic was proved.
+    largest_exponent, exponent_error : float
+        Lyapunov exponent per unit of τ, and the half-width of its 95 % interval.
+    leading : complex
+        Multiplier of largest modulus; NaN without an orbit.
+    residual : float
+        By how much the orbit misses to close; see `Shot`.
+    periods_used : int
+        Base periods that the motion was followed.
+    state : ndarray of shape (n,)
+        At phase zero; starts other computations.
+    strobes : ndarray of shape (P,)
+        X on σ_t.
+    drive_force, drive_phase : ndarray of shape (m,)
+        Contact force Φ, positive where the drive side is compressed, and phase in mesh cycles of the impacts
+        on the drive side (S2 → S1).
+    back_force, back_phase : ndarray of shape (m,)
+        The same of impacts on the back side (S2 → S3).
+    back_release_force, back_release_phase : ndarray of shape (m,)
+        The same of releases of the back side (S3 → S2).
+    minimum, maximum : float
+        Extremes of X.
+    force_min, force_max, force_rms : float
+        Extremes of Φ, and the root of its mean square.
+    share_without_contact : float
+        Of the time, 0 to 1.
+    others : tuple of (int, int)
+        Impacts on either side of every further clearance.
+    certificate : str
+        Certified, uncertain or failed; empty where nothing was computed.
+    certificate_reason : str
+        Why it is not certified.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> found = gl.point(gl.load_case("kahraman-singh"), {"omega": 0.9}, name="omega")
+    >>> found.value, str(found.status), str(found.label), found.impact_free
+    (0.9, 'ok', '1-1-0', False)
     """
 
     _printed: ClassVar = (
@@ -89,17 +132,17 @@ class Point(Record):
 
     @property
     def periodic(self) -> bool:
-        """A proved periodic orbit?"""
+        """Whether it is a proved periodic orbit."""
         return self.period > 0
 
     @property
     def computed(self) -> bool:
-        """Is there a motion here at all, periodic or not?"""
+        """Whether there is a motion here at all, periodic or not."""
         return self.status.computed
 
     @property
     def impact_free(self) -> bool:
-        """A proved orbit without any impact, in any clearance?"""
+        """Whether it is a proved orbit without any impact, in any clearance."""
         return self.periodic and self.drive == 0 and self.back == 0 and self.other_impacts == 0
 
     @property
@@ -109,16 +152,25 @@ class Point(Record):
 
     @property
     def drive_side_only(self) -> bool:
-        """A proved orbit without an impact on the back side of any clearance?"""
+        """Whether it is a proved orbit without an impact on the back side of any clearance."""
         return self.periodic and self.back == 0 and not any(back for _, back in self.others)
 
     def at(self, value: float) -> Point:
-        """The same, with the value of the parameter."""
+        """The same point with another value of the parameter.
+
+        Parameters
+        ----------
+        value : float
+
+        Returns
+        -------
+        Point
+        """
         return replace(self, value=float(value))
 
 
 def blank(value: float, status: Status, message: str) -> Point:
-    """A point of which nothing is known but why."""
+    """A point of which only the reason is known why there is no motion."""
     failed = status is Status.FAILED
     return Point(
         float(value), status, message,

@@ -23,9 +23,30 @@ class Direction(Named):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Sweep(Record):
-    """``points`` in the order of the axis, whatever the direction, one for every value. Where the sweep was
-    stopped early ``complete`` is False, ``message`` says why, and what is missing has the status
-    `not-computed`. ``fixed`` are the parameters that were set beside the case's own.
+    """One attractor for each value of a parameter.
+
+    Attributes
+    ----------
+    axis : Axis
+        The parameter by short name, and its dimensionless values.
+    direction : Direction
+    points : tuple of Point
+        In the order of the axis, whatever the direction, one for every value.
+    complete : bool
+        False where the sweep was stopped early; what is missing has the status `not-computed`.
+    message : str
+        Why it is not complete.
+    fixed : mapping of str to float
+        Other parameters that were set, over those of the model.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> found = gl.sweep(gl.load_case("kahraman-singh"), gl.Axis.even("omega", 0.5, 1.0, 6))
+    >>> found.shares
+    {1-0-0: 4, 1-1-0: 2}
+    >>> found.runs()
+    [(0, 3, 1-0-0), (4, 5, 1-1-0)]
     """
 
     _printed: ClassVar = ("axis", "direction", "shares", "statuses", "complete", "message", "fixed")
@@ -66,8 +87,13 @@ class Sweep(Record):
         return dict(Counter(point.certificate for point in self.points if point.certificate))
 
     def runs(self) -> list[tuple[int, int, Label | Status]]:
-        """Maximal stretches of one label: (first index, last index, label), in the order of the axis. Where
-        there is no motion the status takes the place of the label."""
+        """Maximal stretches of one label, in the order of the axis.
+
+        Returns
+        -------
+        list of (int, int, Signature or MotionKind or Status)
+            First index, last index, label; where there is no motion the status takes the place of the label.
+        """
         found: list[tuple[int, int, Label | Status]] = []
         for i, point in enumerate(self.points):
             label = point.status if point.label is None else point.label
