@@ -21,7 +21,7 @@ from gearlash.report.blocks import (
     Table,
     Text,
 )
-from gearlash.report.data import as_json, plain
+from gearlash.report.data import as_json, plain_data
 from gearlash.report.page import html, subscripts
 from gearlash.report.svg import inline
 from gearlash.system import GearlashError
@@ -146,7 +146,7 @@ def test_numbers_read_well(made: str, said: str) -> None:
 
 
 def test_what_is_no_number_is_null_in_json() -> None:
-    made = plain(
+    made = plain_data(
         {"a": np.array([1.0, np.nan, np.inf]), "b": 1 - 2j, "c": (True, None, "x"), "d": np.int64(3)}
     )
     assert made == {"a": [1.0, None, None], "b": {"re": 1.0, "im": -2.0}, "c": [True, None, "x"], "d": 3}

@@ -122,7 +122,7 @@ def test_what_cannot_be_followed_is_refused_in_words():
     with pytest.raises(gl.GearlashError, match="outside the interval"):
         gl.continue_branch(case, "omega", lower=1.2, upper=1.3, values={"omega": 1.0})
     with pytest.raises(gl.GearlashError, match="not periodic"):
-        gl.continue_branch(case, "omega", gl.Point(1.0, "ok", "chaos"), lower=0.9, upper=1.1)
+        gl.continue_branch(case, "omega", gl.Point(1.0, gl.Status.OK, "chaos"), lower=0.9, upper=1.1)
     family, _ = case.family()
     with pytest.raises(gl.GearlashError, match="omega"):
         gl.continue_branch(family, "omega", lower=-1.0, upper=1.3)

@@ -22,19 +22,19 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .reproduction import Coexisting as Coexisting
     from .reproduction import Coincidence as Coincidence
     from .reproduction import Diagram as Diagram
+    from .reproduction import DiagramMark as DiagramMark
     from .reproduction import End as End
     from .reproduction import Event as Event
-    from .reproduction import Mark as Mark
     from .reproduction import Opening as Opening
     from .reproduction import Part as Part
     from .reproduction import Reading as Reading
+    from .reproduction import ReportedZone as ReportedZone
     from .reproduction import Reproduction as Reproduction
     from .reproduction import RuleEffect as RuleEffect
+    from .reproduction import RuleGrazing as RuleGrazing
     from .reproduction import RuleLabel as RuleLabel
     from .reproduction import Run as Run
     from .reproduction import Table2Row as Table2Row
-    from .reproduction import Touch as Touch
-    from .reproduction import Zone as Zone
     from .study import STAGES as STAGES
     from .study import Scope as Scope
     from .study import reproduce as reproduce
@@ -52,7 +52,7 @@ _WHERE = {
         "Diagram",
         "End",
         "Event",
-        "Mark",
+        "DiagramMark",
         "Opening",
         "Part",
         "Reading",
@@ -61,8 +61,8 @@ _WHERE = {
         "RuleLabel",
         "Run",
         "Table2Row",
-        "Touch",
-        "Zone",
+        "RuleGrazing",
+        "ReportedZone",
     ),
     "study": ("STAGES", "Scope", "reproduce"),
 }
@@ -79,20 +79,20 @@ __all__ = [
     "Coexisting",
     "Coincidence",
     "Diagram",
+    "DiagramMark",
     "End",
     "Event",
-    "Mark",
     "Opening",
     "Part",
     "Reading",
+    "ReportedZone",
     "Reproduction",
     "RuleEffect",
+    "RuleGrazing",
     "RuleLabel",
     "Run",
     "Scope",
     "Table2Row",
-    "Touch",
-    "Zone",
     "load",
     "reproduce",
     "table2_type",

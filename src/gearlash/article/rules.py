@@ -21,7 +21,7 @@ from gearlash.studies.sweep import sweep
 from gearlash.studies.transitions import GRAZING, transitions
 from gearlash.system import ContactRule, Family
 
-from .reproduction import RuleEffect, RuleLabel, Touch
+from .reproduction import RuleEffect, RuleGrazing, RuleLabel
 from .rows import SETTINGS
 
 MULTIBODY_SPEEDS = (0.942, 1.047)  # ω of the article's multibody runs
@@ -86,7 +86,7 @@ def _label(name: str, p) -> RuleLabel:
     )
 
 
-def _end(family: Family, values: Mapping[str, float], quiet: Point, to: float) -> Touch | None:
+def _end(family: Family, values: Mapping[str, float], quiet: Point, to: float) -> RuleGrazing | None:
     """The grazing at the end, on the way to a frequency, of the interval in which an impact-free orbit
     exists."""
     member = {**values, "omega": quiet.value}
@@ -99,8 +99,8 @@ def _end(family: Family, values: Mapping[str, float], quiet: Point, to: float) -
     return None
 
 
-def _touch(point: GrazingPoint) -> Touch:
-    return Touch(
+def _touch(point: GrazingPoint) -> RuleGrazing:
+    return RuleGrazing(
         point.value,
         point.error,
         point.label_below,

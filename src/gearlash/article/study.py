@@ -26,7 +26,7 @@ from .claims import Claim, load
 from .doubled import coincidences
 from .events import EventSearch, Found
 from .pair import check_pair
-from .reproduction import BearingMode, Check, Diagram, Event, Mark, Reproduction, Run, Zone
+from .reproduction import BearingMode, Check, Diagram, DiagramMark, Event, ReportedZone, Reproduction, Run
 from .rows import SETTINGS, Row, distinct, rows
 from .rules import effects
 from .table2 import fill
@@ -233,10 +233,10 @@ def _diagram(
     return Diagram(name, dict(fixed), sweep_dataset(case, [row.sweep for row in done]), marks)
 
 
-def _mark(transition: Transition, directions: Sequence[Direction], article: bool) -> Mark:
+def _mark(transition: Transition, directions: Sequence[Direction], article: bool) -> DiagramMark:
     boundary = getattr(transition.point, "boundary", 0)
     where = "all" if len(directions) == 3 else ",".join(str(d) for d in directions)
-    return Mark(
+    return DiagramMark(
         transition.value,
         transition.kind,
         boundary,
@@ -248,7 +248,7 @@ def _mark(transition: Transition, directions: Sequence[Direction], article: bool
 
 
 def _window(
-    case: Case, done: Sequence[Row], zones: Sequence[Zone], values: Mapping[str, float]
+    case: Case, done: Sequence[Row], zones: Sequence[ReportedZone], values: Mapping[str, float]
 ) -> tuple[Motion, ...]:
     """Every motion found at one ω of the impact-free zone: where most of them coexist, else in its middle."""
     wide = next((z.reading(SOME) for z in zones if z.kind == "impact-free"), None)
@@ -280,7 +280,7 @@ def _window(
 
 
 def _bearings(
-    case: Case, done: Sequence[Row], zones: Sequence[Zone], fixed: Mapping[str, float]
+    case: Case, done: Sequence[Row], zones: Sequence[ReportedZone], fixed: Mapping[str, float]
 ) -> tuple[BearingMode, ...]:
     """Bearings in resonance inside the impact-free window, with the motion there."""
     wide = next((z.reading(SOME) for z in zones if z.kind == "impact-free"), None)

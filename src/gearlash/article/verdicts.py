@@ -16,7 +16,7 @@ from gearlash.system import MotionKind, label_text
 from .claims import Claim
 from .judge import NOT_FOUND, REPRODUCED, SHIFTED, coincides, same_label, verdict
 from .pair import FITTED, is_bundled
-from .reproduction import NAN, ClaimRow, Coincidence, Event, Part, Reading, Zone
+from .reproduction import NAN, ClaimRow, Coincidence, Event, Part, Reading, ReportedZone
 from .rows import Row
 from .zoning import SOME
 
@@ -27,7 +27,7 @@ class Evidence:
 
     case: Case
     events: Sequence[Event]
-    zones: Sequence[Zone]
+    zones: Sequence[ReportedZone]
     rows: Mapping[str, Sequence[Row]]
     motions: Mapping[str, Sequence[tuple[str, Point]]]  # claim id → (start, what was found)
 
@@ -191,7 +191,7 @@ def _zone(claim: Claim, evidence: Evidence) -> ClaimRow:
     )
 
 
-def _found(evidence: Evidence, claim: Claim) -> Zone:
+def _found(evidence: Evidence, claim: Claim) -> ReportedZone:
     return next(z for z in evidence.zones if (z.kind, z.parameter) == (claim.zone, claim.parameter))
 
 
@@ -199,7 +199,7 @@ def _interval(reading: Reading) -> str:
     return f"[{reading.lower.value:.4f}, {reading.upper.value:.4f}]" if reading.found else "none"
 
 
-def _needed_reading(zone: Zone) -> str:
+def _needed_reading(zone: ReportedZone) -> str:
     """The readings that reach the verdict, where not all of them do."""
     compared = [r for r in zone.readings if r.way != SOME]
     alike = [r.name for r in compared if r.verdict == zone.verdict]

@@ -16,7 +16,7 @@ from gearlash.studies.zones import ZoneMotion, Zones, zones
 
 from .claims import Claim
 from .judge import NOT_FOUND, deviation, verdict
-from .reproduction import NAN, Coexisting, End, Reading, Zone
+from .reproduction import NAN, Coexisting, End, Reading, ReportedZone
 from .rows import SETTINGS, Row
 from .starts import STARTS, starting
 
@@ -40,7 +40,7 @@ def article_zones(
     rows: Sequence[Row],
     executor: Executor,
     progress: ProgressCallback | None = None,
-) -> Zone:
+) -> ReportedZone:
     """The zone that the claim means, in each reading: cold, up, down, for some and for every attractor that
     these find, and from each of the simple starts. The one nearest to the article is named; `some` is no way
     of scanning, so it is not compared."""
@@ -55,7 +55,7 @@ def article_zones(
     compared = [r for r in readings if r.found and r.way != SOME]
     nearest = min(compared, key=lambda r: abs(r.deviation), default=None)
     assert claim.interval is not None
-    return Zone(
+    return ReportedZone(
         name=f"{claim.title}: {claim.zone}",
         parameter=claim.parameter,
         fixed=dict(claim.fixed),

@@ -49,7 +49,7 @@ from ._lanes import (
     used_rows,
 )
 from ._march import begin, scratch_in
-from ._motion import DIVERGED, DIVERGED_BEYOND, OK, Motion, forget_crossed
+from ._motion import DIVERGED, DIVERGED_BEYOND, OK, MotionState, forget_crossed
 from ._record import Record
 from ._root_isolation import NO_ROOT, ones
 from ._sign_test import CLEAR, UNSURE
@@ -326,7 +326,7 @@ def march_ensemble(
     shape = shape_of(sizes)
     room = scratch_in(shape, numbers, ints)
     u = room.origin
-    motion = Motion(
+    motion = MotionState(
         u, u[:0], room.modes, room.position, room.work, room.moved, room.zc, room.series, room.factors,
         room.sides, room.on,
     )  # fmt: skip

@@ -9,7 +9,7 @@ import numpy as np
 from gearlash._kernel.jit import float64, inlined, inner, int64, kernel
 
 from ._expand import carry_inside
-from ._motion import FRESH, NEED_REGION, NEEDED, OK, Motion, sides_of, slot_place
+from ._motion import FRESH, NEED_REGION, NEEDED, OK, MotionState, sides_of, slot_place
 from ._record import Record
 from ._root_isolation import all_roots, ones
 from ._series import polynomial
@@ -37,8 +37,8 @@ from ._workspace import DEPTH, GAPS
 
 
 class Scratch(NamedTuple):
-    """Work space of one motion: of `Motion`, and for tangents. It comes to kernels as one array of numbers
-    and one of whole numbers, as each argument of an entry point takes its time in every call."""
+    """Work space of one motion: of its `MotionState`, and for tangents. It comes to kernels as one array of
+    numbers and one of whole numbers, as each argument of an entry point takes its time in every call."""
 
     position: Array
     work: Array
@@ -265,7 +265,7 @@ def run(
     record = Record(used, piece, poly, event, state)
     while progress[MOTION] < motions:
         which = progress[MOTION]
-        motion = Motion(
+        motion = MotionState(
             u[which * p : (which + 1) * p], tangents[which * m * p : (which + 1) * m * p], room.modes,
             room.position, room.work, room.moved, room.zc, room.series, room.factors, room.sides, room.on,
         )  # fmt: skip

@@ -21,7 +21,7 @@ DIVERGED_BEYOND = 1e200
 NEEDED, FRESH = 4, 5  # places in `position`
 
 
-class Motion(NamedTuple):
+class MotionState(NamedTuple):
     """What moves, and work space; all arrays are changed in place."""
 
     u: Array  # (p): (1, z - c) at the beginning of the cell, under the flow of the present region

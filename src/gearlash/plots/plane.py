@@ -20,7 +20,7 @@ from gearlash.system import Label, Signature, UnknownNameError, read_label
 from . import style
 from .fills import NONE, Fill, fills, legend_order
 from .regimes import short
-from .units import ASSUMED, SYMBOLS, Units, name, plain, second
+from .units import ASSUMED, SYMBOLS, Units, literal, name, second
 
 WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
 KEY = "P-Q-R: P cycles with Q impacts on the drive side, R on the back side; R = 0 is left out."
@@ -90,11 +90,11 @@ def _title(dataset: xr.Dataset, axes: tuple[str, str]) -> str:
     values, fixed = (json.loads(dataset.attrs.get(key, "{}")) for key in ("parameters", "fixed"))
     shown = dict.fromkeys([*SYMBOLS, *fixed])
     parts = [
-        f"{SYMBOLS.get(each, plain(each))} = {values[each]:.4g}"
+        f"{SYMBOLS.get(each, literal(each))} = {values[each]:.4g}"
         for each in shown
         if each in values and each not in axes
     ]
-    return ",  ".join([plain(str(dataset.attrs.get("case_name", ""))), *parts]).removeprefix(",  ")
+    return ",  ".join([literal(str(dataset.attrs.get("case_name", ""))), *parts]).removeprefix(",  ")
 
 
 def _looks(names: Sequence[Label | None], codes: NDArray[np.int64]) -> list[Fill]:

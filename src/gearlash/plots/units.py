@@ -40,10 +40,10 @@ SYMBOLS = {"omega": "ω", "D": "D", "load": "f_m", "ripple": "ε₁", "error": "
 
 def name(parameter: str) -> str:
     """Axis label of a parameter: words and symbol; all are numbers of one unless the label says rad."""
-    return NAMES.get(parameter, plain(parameter.replace("_", " ")))
+    return NAMES.get(parameter, literal(parameter.replace("_", " ")))
 
 
-def plain(text: str) -> str:
+def literal(text: str) -> str:
     """Somebody's own words as matplotlib is to draw them: a dollar sign begins no formula."""
     return text.replace("$", r"\$")
 

@@ -19,7 +19,7 @@ from .branch import axis_name, branches
 from .marks import OTHER_TICK, TICKS
 from .regimes import DRIVE, FREE
 from .strip import key, strip
-from .units import ASSUMED, Units, name, plain, second
+from .units import ASSUMED, Units, literal, name, second
 
 WIDTH = 140.0  # mm of the panels: what is left beside the labels
 ROW = 6.0  # mm of a band
@@ -101,7 +101,7 @@ def zone_bands(
     second(lower, twin, below=9.5)
     bars.tick_params(which="both", bottom=False, top=False)
     if title:
-        upper.set_title(plain(f"{title} (every, some: of the attractors found)"), pad=6.0)
+        upper.set_title(literal(f"{title} (every, some: of the attractors found)"), pad=6.0)
     here = list(_present(panels, present))
     figure.legend(
         handles=[*directions(rows, shown), *key(seen), *_key(bands), *marks, *here],

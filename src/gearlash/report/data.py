@@ -55,11 +55,12 @@ def as_json(result: Any) -> str:
     <BLANKLINE>
     """
     return (
-        json.dumps({"format": FORMAT, **plain(result)}, ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+        json.dumps({"format": FORMAT, **plain_data(result)}, ensure_ascii=False, indent=1, allow_nan=False)
+        + "\n"
     )
 
 
-def plain(thing: Any) -> Any:
+def plain_data(thing: Any) -> Any:
     """A result in lists, dicts, numbers and texts. Complex numbers become ``{"re", "im"}``, NaN and
     infinities null.
     """
@@ -73,9 +74,9 @@ def plain(thing: Any) -> Any:
         case float() | np.floating():
             return float(thing) if isfinite(thing) else None
         case complex() | np.complexfloating():
-            return {"re": plain(float(thing.real)), "im": plain(float(thing.imag))}
+            return {"re": plain_data(float(thing.real)), "im": plain_data(float(thing.imag))}
         case np.ndarray():
-            return [plain(x) for x in thing.tolist()]
+            return [plain_data(x) for x in thing.tolist()]
         case Case():
             return _case(thing)
         case Motion():
@@ -83,18 +84,18 @@ def plain(thing: Any) -> Any:
         case xr.Dataset():
             return _dataset(thing)
         case Mapping():
-            return {str(key): plain(value) for key, value in thing.items()}
+            return {str(key): plain_data(value) for key, value in thing.items()}
         case list() | tuple() | set() | frozenset():
-            return [plain(each) for each in thing]
+            return [plain_data(each) for each in thing]
     if dataclasses.is_dataclass(thing) and not isinstance(thing, type):
-        return {f.name: plain(getattr(thing, f.name)) for f in dataclasses.fields(thing)}
+        return {f.name: plain_data(getattr(thing, f.name)) for f in dataclasses.fields(thing)}
     raise GearlashError(f"{type(thing).__name__} has no form in JSON")
 
 
 def _case(case: Case) -> dict[str, Any]:
     about = {"name": case.name, "kind": case.kind, "hash": case.hash}
-    values = [plain(value) for value in case.values()]
-    return {**about, "values": values, "notes": [plain(note) for note in case.notes()]}
+    values = [plain_data(value) for value in case.values()]
+    return {**about, "values": values, "notes": [plain_data(note) for note in case.notes()]}
 
 
 def _motion(motion: Motion) -> dict[str, Any]:
@@ -104,12 +105,15 @@ def _motion(motion: Motion) -> dict[str, Any]:
     out: dict[str, Any] = {}
     for field in dataclasses.fields(motion):
         value = getattr(motion, field.name)
-        out[field.name] = _short(value[chosen]) if field.name in curves else plain(value)
+        out[field.name] = _short(value[chosen]) if field.name in curves else plain_data(value)
     return out
 
 
 def _short(values: np.ndarray) -> list[Any]:
-    return [plain(float(f"{x:.{DIGITS}g}")) if isinstance(x, float) else plain(x) for x in values.tolist()]
+    return [
+        plain_data(float(f"{x:.{DIGITS}g}")) if isinstance(x, float) else plain_data(x)
+        for x in values.tolist()
+    ]
 
 
 def _dataset(dataset: xr.Dataset) -> dict[str, Any]:
@@ -119,7 +123,7 @@ def _dataset(dataset: xr.Dataset) -> dict[str, Any]:
     ]
     return {
         "dimensions": {str(name): size for name, size in dataset.sizes.items() if str(name) not in PADDED},
-        "coordinates": {str(name): plain(c.values) for name, c in dataset.coords.items()},
-        "variables": {name: plain(dataset[name].values) for name in names},
+        "coordinates": {str(name): plain_data(c.values) for name, c in dataset.coords.items()},
+        "variables": {name: plain_data(dataset[name].values) for name in names},
         "units": {name: str(dataset[name].attrs.get("units", "")) for name in names},
     }

@@ -25,7 +25,7 @@ class Variable:
     quantity: str = ""
 
 
-def _plain(name: str, long_name: str, dtype: str = "f8", units: str = "1", quantity: str = "") -> Variable:
+def _same(name: str, long_name: str, dtype: str = "f8", units: str = "1", quantity: str = "") -> Variable:
     return Variable(name, long_name, attrgetter(name), dtype, units, quantity)
 
 
@@ -36,48 +36,51 @@ def _crossing_force(name: str, long_name: str) -> Variable:
 
 SCALARS = (
     Variable("status", "outcome of the computation", lambda point: str(point.status), "U"),
-    _plain("message", "what is known about the motion", "U"),
+    _same("message", "what is known about the motion", "U"),
     Variable(
         "label",
         "signature P-Q-R (and /Q-R of every further clearance), or aperiodic, neutral or unresolved",
         lambda point: label_text(point.label),
         "U",
     ),
-    _plain("period", "least period P, 0 where none was proved", "i4", "mesh cycles"),
-    _plain("drive", "impacts Q on the drive side per period (first clearance)", "i4"),
-    _plain("back", "impacts R on the back side per period (first clearance)", "i4"),
-    _plain("other_impacts", "impacts in all further clearances per period", "i4"),
-    _plain("certificate", "certified, uncertain or failed; empty where nothing was computed", "U"),
-    _plain("certificate_reason", "why it is not certified", "U"),
-    _plain("largest_exponent", "largest Lyapunov exponent", quantity="rate"),
-    _plain("exponent_error", "half-width of its 95 % interval, 0 on periodic orbits", quantity="rate"),
+    _same("period", "least period P, 0 where none was proved", "i4", "mesh cycles"),
+    _same("drive", "impacts Q on the drive side per period (first clearance)", "i4"),
+    _same("back", "impacts R on the back side per period (first clearance)", "i4"),
+    _same("other_impacts", "impacts in all further clearances per period", "i4"),
+    _same("certificate", "certified, uncertain or failed; empty where nothing was computed", "U"),
+    _same("certificate_reason", "why it is not certified", "U"),
+    _same("largest_exponent", "largest Lyapunov exponent", quantity="rate"),
+    _same("exponent_error", "half-width of its 95 % interval, 0 on periodic orbits", quantity="rate"),
     Variable("leading_real", "multiplier of largest modulus, real part", lambda point: point.leading.real),
     Variable(
         "leading_imag", "multiplier of largest modulus, imaginary part", lambda point: point.leading.imag
     ),
     Variable("leading_modulus", "multiplier of largest modulus, modulus", lambda point: abs(point.leading)),
-    _plain("residual", "of the closed orbit, of each state relative to what rounding acts on"),
-    _plain("periods_used", "base periods marched", "i4", "base periods"),
-    _plain("minimum", "least X", quantity="length"),
-    _plain("maximum", "largest X", quantity="length"),
-    _plain("force_min", "least contact force Φ (negative: back side, or damping)", quantity="force"),
-    _plain("force_max", "largest contact force Φ", quantity="force"),
-    _plain("force_rms", "rms of the contact force Φ", quantity="force"),
-    _plain("share_without_contact", "share of time without contact, 0 to 1"),
+    _same("residual", "of the closed orbit, of each state relative to what rounding acts on"),
+    _same("periods_used", "base periods marched", "i4", "base periods"),
+    _same("minimum", "least X", quantity="length"),
+    _same("maximum", "largest X", quantity="length"),
+    _same("force_min", "least contact force Φ (negative: back side, or damping)", quantity="force"),
+    _same("force_max", "largest contact force Φ", quantity="force"),
+    _same("force_rms", "rms of the contact force Φ", quantity="force"),
+    _same("share_without_contact", "share of time without contact, 0 to 1"),
 )
 
 PADDED = (
-    (_plain("state", "state at phase zero"), "state_name"),
-    (_plain("strobes", "X on σ_t", quantity="length"), "strobe"),
+    (_same("state", "state at phase zero"), "state_name"),
+    (_same("strobes", "X on σ_t", quantity="length"), "strobe"),
     (_crossing_force("drive_force", "F = -Φ at impacts on the drive side, σ_d"), "drive_hit"),
-    (_plain("drive_phase", "phase of these impacts", units="mesh cycles"), "drive_hit"),
+    (_same("drive_phase", "phase of these impacts", units="mesh cycles"), "drive_hit"),
     (_crossing_force("back_force", "F = -Φ at impacts on the back side"), "back_hit"),
-    (_plain("back_phase", "phase of these impacts", units="mesh cycles"), "back_hit"),
+    (_same("back_phase", "phase of these impacts", units="mesh cycles"), "back_hit"),
     (
         _crossing_force("back_release_force", "F = -Φ where the back side is left (σ_b as printed)"),
         "back_release",
     ),
-    (_plain("back_release_phase", "phase where the back side is left", units="mesh cycles"), "back_release"),
+    (
+        _same("back_release_phase", "phase where the back side is left", units="mesh cycles"),
+        "back_release",
+    ),
 )
 """Variables of several numbers a point, with the dimension they run along."""
 

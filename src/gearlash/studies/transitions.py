@@ -127,7 +127,7 @@ class Transition(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class _Motion:
+class _MotionAt:
     """A motion at one parameter value: an orbit, or a label only."""
 
     value: float
@@ -136,14 +136,14 @@ class _Motion:
     orbit: Orbit | None = None
 
     @staticmethod
-    def of(node: Node) -> _Motion:
-        return _Motion(node.value, node.label, node.state, node.orbit)
+    def of(node: Node) -> _MotionAt:
+        return _MotionAt(node.value, node.label, node.state, node.orbit)
 
     @cached_property
     def node(self) -> Node | None:
         return None if self.orbit is None else Node(self.value, self.orbit)
 
-    def is_at(self, other: _Motion) -> bool:
+    def is_at(self, other: _MotionAt) -> bool:
         """Whether two orbits at one value are the same, at whichever base period they begin."""
         one, two = self.orbit, other.orbit
         if one is None or two is None or one.shot.period != two.shot.period:
@@ -158,7 +158,7 @@ class _Way:
     if it did not arrive, the point it ends at (None: not solved for) and the nearest value beyond its end."""
 
     changes: tuple[Transition, ...]
-    last: _Motion
+    last: _MotionAt
     outcome: Outcome
     beyond: float
     point: SolvedPoint | None = None
@@ -245,7 +245,7 @@ class _Finder:
     rising: bool
     trail: list[Sampled] = field(default_factory=list)
     """Points of the sweep on one branch with the one where the next interval begins, the last first."""
-    known: dict[float, _Motion | None] = field(default_factory=dict)
+    known: dict[float, _MotionAt | None] = field(default_factory=dict)
     """Motions of the last few points, by value."""
 
     def between(self, below: Sampled, above: Sampled) -> list[Transition]:
@@ -274,7 +274,7 @@ class _Finder:
         found = list(self.followed(near, far, 0))
         return found if self.rising else found[::-1]
 
-    def goes_on(self, near: _Motion, far: _Motion) -> bool:
+    def goes_on(self, near: _MotionAt, far: _MotionAt) -> bool:
         """Whether one step along the branch of the points before leads from one to the other: then it need
         not be followed."""
         behind = [motion.node if (motion := self.motion(point)) else None for point in self.trail]
@@ -283,7 +283,7 @@ class _Finder:
             return False
         return joins(self.family, self.values, self.name, near.node, earlier, far.node)
 
-    def motion(self, point: Sampled) -> _Motion | None:
+    def motion(self, point: Sampled) -> _MotionAt | None:
         """The orbit of a point of the sweep, solved for again, once."""
         if point.value not in self.known:
             while len(self.known) > KEPT:
@@ -291,15 +291,15 @@ class _Finder:
             self.known[point.value] = self.solved(point)
         return self.known[point.value]
 
-    def solved(self, point: Sampled) -> _Motion | None:
+    def solved(self, point: Sampled) -> _MotionAt | None:
         try:
             props = flow.propagators(self.family.system(self.at(point.value)))
             orbit = orbit_at(props, point.state, max(1, point.period // props.system.cycles))
         except FAILURES:
             return None
-        return None if orbit is None else _Motion(point.value, orbit.label, orbit.state, orbit)
+        return None if orbit is None else _MotionAt(point.value, orbit.label, orbit.state, orbit)
 
-    def followed(self, near: _Motion, far: _Motion, depth: int) -> Iterator[Transition]:
+    def followed(self, near: _MotionAt, far: _MotionAt, depth: int) -> Iterator[Transition]:
         """The changes in the order in which they are met from ``near``."""
         longest = 2 * max(motion.orbit.shot.period for motion in (near, far) if motion.orbit)
         there = self.way(near, far.value, longest)
@@ -338,7 +338,7 @@ class _Finder:
             yield from self.followed(near, middle, depth + 1)
             yield from self.followed(middle, far, depth + 1)
 
-    def middle(self, there: _Way, far: _Motion) -> _Motion | None:
+    def middle(self, there: _Way, far: _MotionAt) -> _MotionAt | None:
         """The motion half way from the end of an orbit to ``far``, reached from that orbit."""
         value = 0.5 * (there.beyond + far.value)
         try:
@@ -347,9 +347,9 @@ class _Finder:
             return None
         if isinstance(found, Unresolved):  # too slow to be proved anything: the change is near
             return None
-        return _Motion(value, found.label, found.final_state, found if isinstance(found, Orbit) else None)
+        return _MotionAt(value, found.label, found.final_state, found if isinstance(found, Orbit) else None)
 
-    def way(self, start: _Motion, to: float, longest: int) -> _Way:
+    def way(self, start: _MotionAt, to: float, longest: int) -> _Way:
         """An orbit followed to a value, through doublings up to a period of ``longest`` base periods."""
         assert start.orbit is not None
         if start.value == to:
@@ -360,7 +360,7 @@ class _Finder:
             self.family, self.name, start.orbit, to, values=self.at(start.value), longest=longest
         ):
             if isinstance(step, PathEnd):
-                return _Way(tuple(changes), _Motion.of(step.last), step.outcome, step.beyond, point)
+                return _Way(tuple(changes), _MotionAt.of(step.last), step.outcome, step.beyond, point)
             if step.after is None:
                 point = step.point
             else:
@@ -373,7 +373,7 @@ class _Finder:
         lower, upper = min(below.value, point.value), max(above.value, point.value)
         return Transition(self.name, kind_of(point), lower, upper, below.label, above.label, point)
 
-    def end(self, way: _Way, beyond: _Motion) -> Iterator[Transition]:
+    def end(self, way: _Way, beyond: _MotionAt) -> Iterator[Transition]:
         """Where an orbit ends, and what motion there is beyond. A touch after which the orbit is not stable
         is told as the touch of this orbit, and then the jump from it."""
         last, point = (way.last.value, way.last.label), way.point
@@ -406,7 +406,7 @@ class _Finder:
         return Transition(self.name, kind, lower, upper, below, above, point)
 
     def interval(
-        self, kind: str, one: _Motion | Sampled, two: _Motion | Sampled, label: Label | None = None
+        self, kind: str, one: _MotionAt | Sampled, two: _MotionAt | Sampled, label: Label | None = None
     ) -> Transition:
         """A change of which only the interval is known; ``label`` is that of the first motion, where it has
         changed since."""

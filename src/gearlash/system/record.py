@@ -25,7 +25,7 @@ class Record:
         hold(self)
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...]]:
-        return _made, (type(self), {name: _plain(getattr(self, name)) for name in _names(self)})
+        return _made, (type(self), {name: _writable(getattr(self, name)) for name in _names(self)})
 
     def __repr__(self) -> str:
         rows = (f"{name}={_inside(value)}" for name, value in _rows(self))
@@ -58,6 +58,6 @@ def _inside(value: Any) -> str:
     return type(value).__name__ if isinstance(value, Record) and not own else brief(value)
 
 
-def _plain(value: Any) -> Any:
+def _writable(value: Any) -> Any:
     """A read-only view of a mapping does not pickle."""
     return dict(value) if isinstance(value, MappingProxyType) else value

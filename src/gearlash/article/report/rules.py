@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gearlash.article import Reproduction
-from gearlash.article.reproduction import RuleEffect, RuleLabel, Touch
+from gearlash.article.reproduction import RuleEffect, RuleGrazing, RuleLabel
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Bullets, Cell, Note, Section, Strong, Table, Text
 from gearlash.report.numbers import number, percent
@@ -62,7 +62,7 @@ def _window(rules: tuple[RuleEffect, ...], quantities: Quantities) -> Table:
     )
 
 
-def _end(touch: Touch | None, quantities: Quantities) -> Cell:
+def _end(touch: RuleGrazing | None, quantities: Quantities) -> Cell:
     if touch is None:
         return "not found"
     place = quantities.place("omega", touch.value, 9)

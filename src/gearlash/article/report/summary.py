@@ -4,7 +4,7 @@ rests on.
 
 from __future__ import annotations
 
-from gearlash.article import NOT_FOUND, REPRODUCED, SHIFTED, Reproduction, Zone
+from gearlash.article import NOT_FOUND, REPRODUCED, SHIFTED, ReportedZone, Reproduction
 from gearlash.article.reproduction import Reading
 from gearlash.article.zoning import EVERY, SOME
 from gearlash.plots.regimes import short
@@ -38,7 +38,7 @@ def _zones(done: Reproduction, quantities: Quantities) -> list[Text]:
     return [_zone(zone, quantities) for zone in done.zones]
 
 
-def _zone(zone: Zone, quantities: Quantities) -> Text:
+def _zone(zone: ReportedZone, quantities: Quantities) -> Text:
     some, every = zone.reading(SOME), zone.reading(EVERY)
     quiet = "without any impact" if zone.kind == "impact-free" else "without impacts on the back side"
     what = "Speed: " if zone.parameter == "omega" else "Backlash: "
@@ -64,7 +64,7 @@ def _zone(zone: Zone, quantities: Quantities) -> Text:
     return Text(tuple(parts))
 
 
-def _between(zone: Zone, reading: Reading, quantities: Quantities) -> list[Inline]:
+def _between(zone: ReportedZone, reading: Reading, quantities: Quantities) -> list[Inline]:
     low, high = reading.lower.value, reading.upper.value
     words = f"{symbol(zone.parameter)} = {number(low, 5)} to {number(high, 5)}"
     physical = quantities.physical(zone.parameter, low, high)

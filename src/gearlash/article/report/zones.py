@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isfinite
 
 from gearlash import plots
-from gearlash.article import Reproduction, Zone
+from gearlash.article import ReportedZone, Reproduction
 from gearlash.article.reproduction import BearingMode, Coexisting, End, Reading
 from gearlash.article.zoning import EVERY, SOME
 from gearlash.plots.regimes import short
@@ -65,7 +65,7 @@ def _intro() -> Block:
     )
 
 
-def panel(zone: Zone) -> plots.Panel:
+def panel(zone: ReportedZone) -> plots.Panel:
     """The chart of one zone in all its readings."""
     low, high = zone.reported
     bars = [plots.Bar("article", low, high, "reported", "", number(low), number(high))]
@@ -106,7 +106,7 @@ def _end(end: End) -> str:
     return f"{number(end.value, 5)}  {end.how}"
 
 
-def _table(zone: Zone, quantities: Quantities) -> Table:
+def _table(zone: ReportedZone, quantities: Quantities) -> Table:
     """A reading a row."""
     name = symbol(zone.parameter)
     reported: tuple[Cell, ...] = ("the article", interval(*zone.reported), "", "", "", "", "")
@@ -126,7 +126,7 @@ def _table(zone: Zone, quantities: Quantities) -> Table:
     )
 
 
-def _row(zone: Zone, reading: Reading, quantities: Quantities) -> tuple[Cell, ...]:
+def _row(zone: ReportedZone, reading: Reading, quantities: Quantities) -> tuple[Cell, ...]:
     name: Inline = Strong(reading.name) if reading.way == zone.nearest else reading.name
     if not reading.found:
         return name, "not found", NOTHING, NOTHING, NOTHING, NOTHING, verdict(reading.verdict)
@@ -152,7 +152,7 @@ def _edge(end: End) -> Cell:
     return [end.how, f"beyond: {short(end.next_label)}", uncertainty(end.uncertainty)]
 
 
-def _inside(zone: Zone, quantities: Quantities) -> list[Block]:
+def _inside(zone: ReportedZone, quantities: Quantities) -> list[Block]:
     """What coexists in the widest reading, how far from the boundary its middle is, and what may be "
     "missed."""
     some, name = zone.reading(SOME), symbol(zone.parameter)

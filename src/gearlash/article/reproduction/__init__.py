@@ -2,9 +2,9 @@
 
 from .claims import ClaimRow, Part, Table2Row
 from .events import Coincidence, Event, Opening
-from .rules import BearingMode, RuleEffect, RuleLabel, Touch
-from .whole import Check, Diagram, Mark, Reproduction, Run
-from .zones import Coexisting, End, Reading, Zone
+from .rules import BearingMode, RuleEffect, RuleGrazing, RuleLabel
+from .whole import Check, Diagram, DiagramMark, Reproduction, Run
+from .zones import Coexisting, End, Reading, ReportedZone
 
 NAN = float("nan")
 
@@ -16,17 +16,17 @@ __all__ = [
     "Coexisting",
     "Coincidence",
     "Diagram",
+    "DiagramMark",
     "End",
     "Event",
-    "Mark",
     "Opening",
     "Part",
     "Reading",
+    "ReportedZone",
     "Reproduction",
     "RuleEffect",
+    "RuleGrazing",
     "RuleLabel",
     "Run",
     "Table2Row",
-    "Touch",
-    "Zone",
 ]

@@ -8,7 +8,7 @@ from gearlash.system import Label, Status
 
 
 @dataclass(frozen=True)
-class Touch:
+class RuleGrazing:
     """A grazing that was solved for.
 
     Attributes
@@ -64,23 +64,23 @@ class RuleEffect:
     rule : str
     stated : bool
         Whether it is the rule of the case itself.
-    lower, upper : Touch or None
+    lower, upper : RuleGrazing or None
         Ends in ω of the motion without impacts; None where they were not found.
     speeds : tuple of RuleLabel
         Cold starts at the article's two multibody speeds.
     backlash : tuple of RuleLabel
         Points of a sweep over D, followed down.
-    back_side : tuple of Touch
+    back_side : tuple of RuleGrazing
         Back-side grazings along it.
     """
 
     rule: str
     stated: bool
-    lower: Touch | None
-    upper: Touch | None
+    lower: RuleGrazing | None
+    upper: RuleGrazing | None
     speeds: tuple[RuleLabel, ...]
     backlash: tuple[RuleLabel, ...]
-    back_side: tuple[Touch, ...]
+    back_side: tuple[RuleGrazing, ...]
 
 
 @dataclass(frozen=True)

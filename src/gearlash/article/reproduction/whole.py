@@ -13,14 +13,14 @@ from gearlash.system import Label, Record, Status
 from .claims import ClaimRow, Table2Row
 from .events import Coincidence, Event
 from .rules import BearingMode, RuleEffect
-from .zones import Zone
+from .zones import ReportedZone
 
 if TYPE_CHECKING:
     import xarray
 
 
 @dataclass(frozen=True)
-class Mark:
+class DiagramMark:
     """A located change of the motion along a sweep.
 
     Attributes
@@ -59,14 +59,14 @@ class Diagram(Record):
         Values of the other parameters.
     dataset : xarray.Dataset
         The sweeps of all directions, as of `gearlash.sweep_dataset`.
-    marks : tuple of Mark
+    marks : tuple of DiagramMark
         What was located along them.
     """
 
     parameter: str
     fixed: Mapping[str, float]
     dataset: xarray.Dataset
-    marks: tuple[Mark, ...]
+    marks: tuple[DiagramMark, ...]
 
 
 @dataclass(frozen=True)
@@ -122,7 +122,7 @@ class Reproduction(Record):
     frequency, backlash : Diagram
         The sweeps over ω and over D.
     events : tuple of Event
-    zones : tuple of Zone
+    zones : tuple of ReportedZone
     window : tuple of Motion
         Every motion found at one ω of the zone without impacts.
     table2 : tuple of Table2Row
@@ -141,7 +141,7 @@ class Reproduction(Record):
     frequency: Diagram
     backlash: Diagram
     events: tuple[Event, ...]
-    zones: tuple[Zone, ...]
+    zones: tuple[ReportedZone, ...]
     window: tuple[Motion, ...]
     table2: tuple[Table2Row, ...]
     claims: tuple[ClaimRow, ...]

@@ -92,7 +92,7 @@ class Reading:
 
 
 @dataclass(frozen=True)
-class Zone:
+class ReportedZone:
     """A stable zone of the article, and its readings.
 
     Attributes

@@ -33,7 +33,7 @@ class Condition:
 
 
 @dataclass(frozen=True)
-class Touch:
+class TouchFound:
     """A grazing point."""
 
     value: Annotated[float, "of the parameter, dimensionless"]
@@ -82,7 +82,9 @@ class GrazeAnswer:
     near: Annotated[float, "its value at the start"]
     asked: Annotated[Asked, "the unit that the sentence tells values in"]
     label: Annotated[str, "of the attractor there"]
-    points: Annotated[tuple[Touch, ...], "the first that this motion meets below and above, nearest first"]
+    points: Annotated[
+        tuple[TouchFound, ...], "the first that this motion meets below and above, nearest first"
+    ]
     paths: Annotated[tuple[Path, ...], "how the motion was followed, downwards and upwards"]
     result: Literal["graze"] = "graze"
 
@@ -128,10 +130,10 @@ def graze_answer(
     )
 
 
-def _touch(case: Case, family: Family, point: GrazingPoint) -> Touch:
+def _touch(case: Case, family: Family, point: GrazingPoint) -> TouchFound:
     from gearlash.article import table2_type
 
-    return Touch(
+    return TouchFound(
         value=point.value,
         error=point.error,
         physical=physical_values(case, point.name, point.value, back_side_met=_meets_back(point)),
@@ -185,7 +187,12 @@ def _curvature(point: GrazingPoint) -> str:
 
 
 def _sentence(
-    over: str, asked: Asked, near: float, touches: tuple[Touch, ...], paths: tuple[Path, ...], several: bool
+    over: str,
+    asked: Asked,
+    near: float,
+    touches: tuple[TouchFound, ...],
+    paths: tuple[Path, ...],
+    several: bool,
 ) -> str:
     """What was found, along this motion; the nearest is called so only if the other way was followed as
     far."""
@@ -227,7 +234,7 @@ def _several(family: Family, parameters: Mapping[str, float]) -> bool:
     return len(family.system(parameters).clearances) > 1
 
 
-def _physically(asked: Asked, touch: Touch) -> str:
+def _physically(asked: Asked, touch: TouchFound) -> str:
     """A value found in the unit that was asked for, else in the first that the case has."""
     if not touch.physical:
         return ""

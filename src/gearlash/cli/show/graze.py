@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from gearlash.case.units import pretty
-from gearlash.cli.answers.graze import GrazeAnswer, Touch
+from gearlash.cli.answers.graze import GrazeAnswer, TouchFound
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
@@ -32,7 +32,7 @@ def graze_view(answer: GrazeAnswer, width: int) -> Iterator[Text]:
         yield from note(footnote, width)
 
 
-def _facts(touch: Touch, marks: Marks) -> Iterator[tuple[str, str]]:
+def _facts(touch: TouchFound, marks: Marks) -> Iterator[tuple[str, str]]:
     if touch.physical:
         shown = (marks.of(quantity(p.value, pretty(p.unit), 8), p.rests_on) for p in touch.physical)
         yield "physical", ", ".join(shown)
