@@ -1,9 +1,15 @@
-"""Studies ask for many attractors at once: points, sweeps, maps, stable zones."""
+"""Studies ask for many attractors at once: points, sweeps, maps, stable zones.
+
+Continuation is imported when it is first used: most studies do without.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
 
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, PlaneMap, Point, Sweep, coexisting, same_motion
 
-from .continuation import continue_branch, grazing_law, switch_branch
 from .first_grazing import first_grazing
 from .impact_free import impact_free_speeds
 from .model import Model, open_workers, prepare
@@ -12,6 +18,9 @@ from .point import point, summary
 from .sweep import sweep, sweeps
 from .zone import Interval, Quiet, Zone, ZoneEnd, ZoneMotion, Zones
 from .zones import zones
+
+if TYPE_CHECKING:
+    from .continuation import continue_branch, grazing_law, switch_branch
 
 __all__ = [
     "Axis",
@@ -43,3 +52,11 @@ __all__ = [
     "switch_branch",
     "zones",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in ("continue_branch", "grazing_law", "switch_branch"):
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from . import continuation
+
+    return getattr(continuation, name)
