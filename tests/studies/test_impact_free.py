@@ -9,7 +9,8 @@ from gearlash.branches import locate_grazing
 from gearlash.case import load
 from gearlash.gears import spur
 from gearlash.orbits import Orbit, attractor, grazing_checks
-from gearlash.studies.impact_free import REACH, _change, closed_margin, impact_free_speeds
+from gearlash.orbits.sign_change import first_sign_change
+from gearlash.studies.impact_free import SPEED_REACH, closed_margin, ending, impact_free_speeds
 
 FAMILY = load("article-first-harmonic").family()[0]
 
@@ -80,11 +81,11 @@ def test_a_loss_of_contact_between_two_steps_is_found(centre: float, factor: flo
         return 1.0 - 1.5 / (1.0 + ((omega - centre) / 5e-3) ** 2)
 
     start, last = (1.0, 1.7) if factor > 1.0 else (1.7, 1.0)
-    found, _ = _change(margin, start, margin(start), factor, last)
+    found, _ = first_sign_change(margin, (start, margin(start)), factor, last)
     assert found is not None
     edge = 5e-3 * np.sqrt(0.5)
-    assert found[0] == pytest.approx(centre - edge if factor > 1.0 else centre + edge, rel=1e-8)
-    assert found[1] == "contact"
+    assert found.value == pytest.approx(centre - edge if factor > 1.0 else centre + edge, rel=1e-8)
+    assert ending(found) == "contact"
 
 
 def test_an_end_of_stability_is_not_called_a_loss_of_contact():
@@ -112,10 +113,10 @@ def test_where_the_motion_cannot_be_solved_for_it_is_not_called_unstable():
     def margin(omega: float) -> float:
         return 1.0 if omega < 1.25 else np.nan
 
-    found, reached = _change(margin, 1.0, 1.0, 1.01, 2.0)
+    found, reached = first_sign_change(margin, (1.0, 1.0), 1.01, 2.0)
     assert found is not None
-    assert found[0] == pytest.approx(1.25, rel=1e-8)
-    assert found[1] == "unsolved"
+    assert found.value == pytest.approx(1.25, rel=1e-8)
+    assert ending(found) == "unsolved"
     assert 1.25 <= reached < 1.27
 
 
@@ -126,8 +127,8 @@ def test_no_speed_is_looked_at_beyond_what_is_said():
         asked.append(omega)
         return -1.0
 
-    assert _change(margin, 1.0, -1.0, 1.01, 2.0) == (None, 2.0)
-    assert _change(margin, 1.0, -1.0, 1.0 / 1.01, 0.5) == (None, 0.5)
+    assert first_sign_change(margin, (1.0, -1.0), 1.01, 2.0) == (None, 2.0)
+    assert first_sign_change(margin, (1.0, -1.0), 1.0 / 1.01, 0.5) == (None, 0.5)
     assert (min(asked), max(asked)) == (0.5, 2.0)
 
 
@@ -137,4 +138,4 @@ def test_what_lies_farther_off_than_the_nearest_was_not_searched():
     assert found.nearest is not None
     assert found.searched_to <= 1.01 * found.nearest
     assert found.searched_from == pytest.approx(0.942 - (found.nearest - 0.942))
-    assert found.searched_from > 0.942 / REACH
+    assert found.searched_from > 0.942 / SPEED_REACH

@@ -22,9 +22,9 @@ from .steps import UNBUILT, checked, difference, longest_step, member, within_ra
 
 Array = NDArray[Any]
 ITERATIONS = 30
-STEP = 1e-6  # of state and parameter: for derivatives
+DERIVATIVE_STEP = 1e-6  # of state and parameter: for derivatives
 CLOSED = 1e-10  # residual of a solution
-NEAR = 1e-2  # distance of an orbit of half the period, and of its multiplier from -1, at a doubling
+HALF_PERIOD_NEAR = 1e-2  # at a doubling: distance of the orbit of half the period, of its multiplier to -1
 NAMES = {-1: "period doubling", 1: "fold"}
 
 
@@ -171,8 +171,8 @@ def born_by_doubling(props: Propagators, state: Array, period: int) -> bool:
     half = shoot(props, state, period // 2)
     if half.residual > CLOSED:
         return False
-    near = np.abs(half.state - state).max() <= NEAR * max(1.0, float(np.abs(state).max()))
-    return bool(near and np.abs(np.linalg.eigvals(half.monodromy) + 1.0).min() <= NEAR)
+    near = np.abs(half.state - state).max() <= HALF_PERIOD_NEAR * max(1.0, float(np.abs(state).max()))
+    return bool(near and np.abs(np.linalg.eigvals(half.monodromy) + 1.0).min() <= HALF_PERIOD_NEAR)
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,12 +202,12 @@ class _Problem:
         n, z, mu = len(unknown) - 1, unknown[:-1], float(unknown[-1])
         matrix = np.empty((n + 1, n + 1))
         matrix[:n, :n] = jacobian - np.eye(n)
-        scale = STEP * max(1.0, float(np.abs(z).max()))
+        scale = DERIVATIVE_STEP * max(1.0, float(np.abs(z).max()))
         for i in range(n):
             shift = scale * np.eye(n)[i]
             up, down = self.equations(props, z + shift)[0], self.equations(props, z - shift)[0]
             matrix[n, i] = (up[n] - down[n]) / (2 * scale)
-        step = difference(self.family, self.name, mu, STEP * max(abs(mu), 1e-3))
+        step = difference(self.family, self.name, mu, DERIVATIVE_STEP * max(abs(mu), 1e-3))
         matrix[:, n] = (self.equations(self.system_at(mu + step, props), z)[0] - value) / step
         return matrix
 

@@ -24,7 +24,7 @@ from .node import Array, Node
 from .stepping import Earlier, Line, Refusal, Step
 from .steps import UNBUILT, checked
 
-FIRST, LONGEST, NARROW = 1e-6, 1e-2, 1e-9  # of the scale: first, longest and shortest step
+FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 1e-6, 1e-2, 1e-9  # of the scale: first, longest and shortest step
 STRAIGHT, BENT = 0.02, 0.06  # bends below which the next step is longer
 MOST = 20_000  # steps
 LONGEST_PERIOD = 64  # base periods: of the orbit of a doubling that is still followed
@@ -37,7 +37,7 @@ DIRECTIONS = (
     3e-2,
     0.1,
 )  # of the ranges: how far beside the single orbit the doubled is sought
-NEAR = 0.2  # of the ranges: how far from the single orbit the doubled one may lie there
+DOUBLED_NEAR = 0.2  # of the ranges: how far from the single orbit the doubled one may lie there
 OF_CONTACTS = (Refusal.LABEL, Refusal.CROSSED, Refusal.TOUCHED)
 """Refusals that touches explain; an orbit that is not stable is explained by none."""
 
@@ -94,7 +94,7 @@ def joins(
     """Whether ``after`` is the continuation of ``before``, as `follow` would find in one step, and not too
     long a one; ``earlier``: orbits of the branch before that, the last first, one at least."""
     width, scale = abs(after.value - before.value), max(abs(before.value), abs(after.value))
-    if not earlier or width > LONGEST * scale:
+    if not earlier or width > LONGEST_STEP * scale:
         return False
     return Line(family, values, name, scale).judged(before, earlier, after).refusal is None
 
@@ -109,7 +109,7 @@ class _Follower:
     def run(self, node: Node) -> Iterator[Passage | PathEnd]:
         earlier: Earlier = ()
         sign = 1.0 if self.to > node.value else -1.0
-        width = first = FIRST * self.line.scale
+        width = first = FIRST_STEP * self.line.scale
         for _ in range(MOST):
             if node.value == self.to:
                 yield PathEnd(Outcome.ARRIVED, node, node.value)
@@ -133,7 +133,7 @@ class _Follower:
                 node, earlier, width = met.after, (), first
                 continue
             width = 0.5 * abs(value - node.value)
-            if width < NARROW * self.line.scale:
+            if width < SHORTEST_STEP * self.line.scale:
                 yield PathEnd(
                     without_point(self.line, node, step.refusal),
                     node,
@@ -145,7 +145,7 @@ class _Follower:
 
     def longer(self, width: float, step: Step) -> float:
         factor = 3.0 if step.bend < STRAIGHT else 1.5 if step.bend < BENT else 1.0
-        return min(factor * width, LONGEST * self.line.scale)
+        return min(factor * width, LONGEST_STEP * self.line.scale)
 
     def ahead(self, node: Node, earlier: Earlier, value: float, refusal: Refusal | None) -> Causes:
         """What may have stopped a step, solved for once an orbit."""
@@ -217,7 +217,7 @@ class _Follower:
         if orbit is None or orbit.period != period or not orbit.stable:
             return None
         node = Node(value, orbit)
-        return node if node.apart(state) <= NEAR else None
+        return node if node.apart(state) <= DOUBLED_NEAR else None
 
     def doubled(self, point: BifurcationPoint, value: float) -> Node | None:
         """The stable orbit of twice the period beside a doubling, with twice its contacts."""

@@ -33,7 +33,7 @@ from .surface import Touching
 
 Array = NDArray[np.float64]
 ITERATIONS = 40
-STEP = 1e-6  # of the parameter: for its derivative
+DERIVATIVE_STEP = 1e-6  # of the parameter: for its derivative
 AGED = 1e-5  # change of the parameter, of itself, after which that derivative is taken again
 CLOSED = 1e-11  # residual of a solution
 
@@ -325,7 +325,7 @@ class _Problem:
         """Derivative (n+2,) of the residual, here ``value``, along the parameter: another system, so most of
         the time that an iteration takes."""
         mu = float(unknown[-1])
-        step = difference(self.family, self.name, mu, STEP * max(abs(mu), 1e-3))
+        step = difference(self.family, self.name, mu, DERIVATIVE_STEP * max(abs(mu), 1e-3))
         return (self.residual(self.system_at(mu + step, props), unknown) - value) / step
 
     def solve(self) -> tuple[Propagators, Array, float, float]:

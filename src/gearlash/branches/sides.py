@@ -17,8 +17,8 @@ from gearlash.system import Family, Label, MotionKind, Signature
 
 from .steps import UNBUILT, member
 
-BESIDE = (1e-6, 1e-8, 1e-10)  # relative distances at which the labels are read, until both are
-NEAR = 1e-2  # of the state's size: an orbit that lies farther away is another one
+LABEL_DISTANCES = (1e-6, 1e-8, 1e-10)  # relative distances at which the labels are read, until both are
+SAME_ORBIT = 1e-2  # of the state's size: an orbit that lies farther away is another one
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +60,7 @@ class Sides:
         """Both sides of a point: its value, the touching orbit at phase zero, its period in mesh cycles."""
         value, zero, period = point
         found: Sides | None = None
-        for relative in BESIDE:
+        for relative in LABEL_DISTANCES:
             away = relative * max(abs(value), 1e-3)
             below, above = (
                 Side(_orbit(family, values, name, value + sign * away, zero, period, reuse))
@@ -116,5 +116,5 @@ def _orbit(
         return None
     if found is None:
         return None
-    near = np.abs(found.state - zero).max() <= NEAR * max(1.0, float(np.abs(zero).max()))
+    near = np.abs(found.state - zero).max() <= SAME_ORBIT * max(1.0, float(np.abs(zero).max()))
     return found if near else None

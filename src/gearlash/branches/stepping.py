@@ -22,7 +22,7 @@ from .steps import UNBUILT, member
 BEND = 0.15  # of a step's length: how far beside the curve through the orbits before it may end
 SHORT = 1e-2  # of the orbit's ranges: longest step where there is no orbit before, so no curve
 LONG = 0.2  # the same where there is one
-ROUNDING = 1e-7  # of the ranges: below it no direction is told
+NO_DIRECTION = 1e-7  # of the ranges: below it no direction is told
 TOUCHING = 1e-7  # of the scale: width of a step below which an extremum that only comes near has not crossed
 BORN = 1e-5  # the same for extrema that are born or end near a boundary
 GRID_STEP = 0.1  # of the motion's size: longest step on a coarse grid that needs no transient
@@ -97,10 +97,10 @@ class Line:
             return Step(None, Refusal.FAR)
         ahead = np.tensordot(weights, [each.course for each in nodes], 1)
         beside = before.between(node.course, ahead)
-        if earlier and beside > BEND * moved + ROUNDING:
+        if earlier and beside > BEND * moved + NO_DIRECTION:
             return Step(None, Refusal.FAR)
         refusal = self.compared(before, earlier, node)
-        return Step(node, refusal, beside / (moved + ROUNDING) if earlier else 0.0)
+        return Step(node, refusal, beside / (moved + NO_DIRECTION) if earlier else 0.0)
 
     def compared(self, before: Node, earlier: Earlier, after: Node) -> Refusal | None:
         """What speaks against ``after`` as the continuation, although it lies where it should."""

@@ -14,7 +14,7 @@ from gearlash.orbits.contact_force import force_series
 from gearlash.orbits.grazing import Surface, force_gradient
 
 Array = NDArray[np.float64]
-STEP = 1e-5  # mesh cycles: for derivatives in time
+TIME_STEP = 1e-5  # mesh cycles: for derivatives in time
 
 
 @dataclass(frozen=True)
@@ -48,8 +48,8 @@ class Touching:
         as with X = ±D and X' = 0 the contact force is zero."""
         if self.kind == "force":
             return float(self._force(props, z0, phase)[2])
-        before, after = (self.values(props, z0, phase + d)[1] for d in (-STEP, STEP))
-        return float((after - before) / (2 * STEP * 2 * np.pi / props.system.omega))
+        before, after = (self.values(props, z0, phase + d)[1] for d in (-TIME_STEP, TIME_STEP))
+        return float((after - before) / (2 * TIME_STEP * 2 * np.pi / props.system.omega))
 
     def rows(self, props: Propagators, z0: Array, phase: float) -> Array:
         """∂(H, H')/∂z0 (2, n)."""
@@ -57,8 +57,8 @@ class Touching:
         if self.kind == "gap":
             h = system.clearances[self.clearance].h
             return np.stack([h, h @ system.matrix]) @ self._flow(props, z0, phase)
-        below, here, above = (self._force_row(props, z0, phase + d) for d in (-STEP, 0.0, STEP))
-        return np.stack([here, (above - below) / (2 * STEP * 2 * np.pi / system.omega)])
+        below, here, above = (self._force_row(props, z0, phase + d) for d in (-TIME_STEP, 0.0, TIME_STEP))
+        return np.stack([here, (above - below) / (2 * TIME_STEP * 2 * np.pi / system.omega)])
 
     def _force_row(self, props: Propagators, z0: Array, phase: float) -> Array:
         gradient = force_gradient(props.system, self.clearance, phase, self.hold.boundary)

@@ -30,7 +30,9 @@ NARROW = 1e-6  # of the value: width at which halving ends
 ROUGH = 1e-4  # the same where one side is not periodic: no label is sharp there, and each costs much
 HALVINGS = 40
 ORBITS = 4  # that are followed one after the other, where one ends and the next one is as quiet
-BESIDE = 3.0  # bracket widths: how near to a bracket the end of an orbit must be to be what happens in it
+EXPLAINED_WITHIN = (
+    3.0  # bracket widths: how near to a bracket the end of an orbit must be to be what happens in it
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -193,13 +195,13 @@ class _Search:
         """The change of an orbit beside a narrow bracket that happens in it."""
         width = above.value - below.value
         for point in nearest:
-            last = above.value + BESIDE * width
+            last = above.value + EXPLAINED_WITHIN * width
             if point.value >= above.value:
-                last = below.value - BESIDE * width
+                last = below.value - EXPLAINED_WITHIN * width
             change = self.first_change(point, last)
             if change is None or not change.kind:
                 continue
-            slack = width * (BESIDE if change.after is None else 1e-3)
+            slack = width * (EXPLAINED_WITHIN if change.after is None else 1e-3)
             if below.value - slack <= change.value <= above.value + slack:
                 return change
         return None

@@ -19,20 +19,15 @@ from gearlash import flow
 from gearlash.case import Case
 from gearlash.orbits import Orbit, orbit_at
 from gearlash.orbits.contact_force import force_extrema
-from gearlash.orbits.minimum import Sample, bracketed_minimum
+from gearlash.orbits.sign_change import SignChange, first_sign_change
 from gearlash.results.impact_free import Ending, ImpactFree
 from gearlash.system import ContactRule, GearlashError, Parameter, System, given, plain_values
 
 from .model import Model, Source
 
-STEP = 1.01  # factor from one speed of the search to the next
-REACH = 2.0  # factor to which it goes, up and down
-SPEEDS = 2 * ceil(log(REACH) / log(STEP))  # that it tries, about, where nothing changes
-TOLERANCE = 1e-9  # relative, of an end
-NARROW = 1e-3  # of a bracket: no step is nearer to its ends, so that both close in
-
-Margin = Callable[[float], float]
-Found = tuple[float, Ending]  # a value on the impact-free side, what ends there
+SPEED_STEP = 1.01  # factor from one speed of the search to the next
+SPEED_REACH = 2.0  # factor to which it goes, up and down
+SPEEDS = 2 * ceil(log(SPEED_REACH) / log(SPEED_STEP))  # that it tries, about, where nothing changes
 
 
 def impact_free_speeds(
@@ -96,27 +91,27 @@ def impact_free_speeds(
 
     known = margin(omega)
     here = known > 0.0
-    up, searched_to = _change(margin, omega, known, STEP, highest)
+    up, searched_to = first_sign_change(margin, (omega, known), SPEED_STEP, highest)
     if not here and up is not None:  # what lies farther off than this one is not the nearest
-        lowest = max(lowest, 2.0 * omega - up[0])
-    down, searched_from = _change(margin, omega, known, 1.0 / STEP, lowest)
-    ends = [end[0] for end in (down, up) if end is not None]
+        lowest = max(lowest, 2.0 * omega - up.value)
+    down, searched_from = first_sign_change(margin, (omega, known), 1.0 / SPEED_STEP, lowest)
+    ends = [end.value for end in (down, up) if end is not None]
     return ImpactFree(
         here=here,
-        lower=down[0] if here and down else None,
-        upper=up[0] if here and up else None,
-        lower_ending=down[1] if here and down else None,
-        upper_ending=up[1] if here and up else None,
+        lower=down.value if here and down else None,
+        upper=up.value if here and up else None,
+        lower_ending=ending(down) if here and down else None,
+        upper_ending=ending(up) if here and up else None,
         nearest=None if here else min(ends, key=lambda end: abs(end - omega), default=None),
         searched_from=searched_from,
         searched_to=searched_to,
-        step=STEP - 1.0,
+        step=SPEED_STEP - 1.0,
     )
 
 
 def _reach(parameter: Parameter, omega: float) -> tuple[float, float]:
     """The least and the largest speed of the search."""
-    return max(omega / REACH, parameter.lower), min(omega * REACH, parameter.upper)
+    return max(omega / SPEED_REACH, parameter.lower), min(omega * SPEED_REACH, parameter.upper)
 
 
 def closed_margin(system: System, side: int) -> float:
@@ -176,50 +171,9 @@ def _closed(system: System, side: int) -> System:
     return replace(system, clearances=(closed,))
 
 
-def _change(
-    margin: Margin, start: float, known: float, factor: float, last: float
-) -> tuple[Found | None, float]:
-    """The first change of sign of the margin from ``start`` to ``last``, as a value on its positive side, and
-    the value farthest away that was looked at."""
-    path = [(start, known)]
-    farther = min if factor > 1.0 else max
-    while path[-1][0] != last:
-        there = farther(path[-1][0] * factor, last)
-        path.append((there, margin(there)))
-        hidden = _hidden(margin, path[-3:])
-        if hidden is not None:
-            return hidden, there
-        if (path[-1][1] > 0.0) != (known > 0.0):
-            return _narrowed(margin, path[-2], path[-1]), there
-    return None, last
-
-
-def _hidden(margin: Margin, path: list[Sample]) -> Found | None:
-    """A loss of the margin beside the middle one of three speeds, where it is lowest of the three and a
-    closer look finds it gone."""
-    if len(path) < 3 or not path[2][1] > -inf:
-        return None
-    if not 0.0 < path[1][1] <= min(path[0][1], path[2][1]) < inf:
-        return None
-    lowest = bracketed_minimum(margin, *path)
-    return _narrowed(margin, path[0], lowest) if lowest[1] <= 0.0 else None
-
-
-def _narrowed(margin: Margin, here: Sample, there: Sample) -> Found:
-    """Illinois method between two samples of different sign, halving where one is no number: M. Dowell and
-    P. Jarratt, BIT 11 (1971) 168-174."""
-    inside, outside = (here, there) if here[1] > 0.0 else (there, here)
-    last = 0
-    while abs(inside[0] - outside[0]) > TOLERANCE * abs(inside[0]):
-        share = inside[1] / (inside[1] - outside[1]) if outside[1] > -inf else 0.5
-        at = inside[0] + min(max(share, NARROW), 1.0 - NARROW) * (outside[0] - inside[0])
-        found = margin(at)
-        if found > 0.0:
-            inside, outside = (at, found), (outside[0], outside[1] / 2.0 if last > 0 else outside[1])
-            last = 1
-        else:
-            outside, inside = (at, found), (inside[0], inside[1] / 2.0 if last < 0 else inside[1])
-            last = -1
-    if isnan(outside[1]):
-        return inside[0], "unsolved"
-    return inside[0], "contact" if outside[1] > -inf else "stability"
+def ending(change: SignChange) -> Ending:
+    """What ends the impact-free motion at a change of its margin: beyond it the motion meets the gap, is not
+    stable, or was not solved for."""
+    if isnan(change.beyond):
+        return "unsolved"
+    return "contact" if change.beyond > -inf else "stability"
