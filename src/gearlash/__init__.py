@@ -131,8 +131,8 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         BesideMotion as BesideMotion,
     )
     from .results.followed import (
-        Passed as Passed,
-        Path as Path,
+        FollowedPath as FollowedPath,
+        PassedBifurcation as PassedBifurcation,
     )
     from .results.impact_free import (
         Ending as Ending,
@@ -314,8 +314,8 @@ _PUBLIC = {
         "BesideMotion",
     ),
     "gearlash.results.followed": (
-        "Passed",
-        "Path",
+        "FollowedPath",
+        "PassedBifurcation",
     ),
     "gearlash.results.impact_free": (
         "Ending",

@@ -17,7 +17,7 @@ SEEDS, EACH = 10, 400
 NEEDS_MORE = ("loads", "load_dataset", "load_branch", "switch_branch", "reproduce")
 """What fits them takes a file, or minutes."""
 HANDED_OUT = {
-    *("Beside", "BesideMotion", "ImpactFree", "Passed", "Path", "Progress"),
+    *("Beside", "BesideMotion", "ImpactFree", "PassedBifurcation", "FollowedPath", "Progress"),
     *("Entry", "Excitation", "Note", "Problem", "Provenance", "Value"),
     *("GrazingConditions", "Neutral", "Unresolved", "Transition", "register_kind"),
 }

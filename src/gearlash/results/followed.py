@@ -11,7 +11,7 @@ INTERRUPTED = "interrupted"  # why a motion was not followed further
 
 
 @dataclass(frozen=True)
-class Passed:
+class PassedBifurcation:
     """A change of the motion on the way that is no grazing (none: no stable orbit was found there).
 
     Attributes
@@ -38,7 +38,7 @@ class Passed:
 
 
 @dataclass(frozen=True)
-class Path:
+class FollowedPath:
     """Where the motion was followed to.
 
     Examples
@@ -57,4 +57,4 @@ class Path:
         bool, "whether a grazing, the end of the motion, or the end of the search is there; else it was lost"
     ]
     beyond: Annotated[str, "what the orbit does just beyond its grazing"]
-    passed: Annotated[tuple[Passed, ...], "changes on the way that are no grazing"]
+    passed: Annotated[tuple[PassedBifurcation, ...], "changes on the way that are no grazing"]

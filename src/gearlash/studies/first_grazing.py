@@ -11,7 +11,7 @@ from gearlash.branches import BifurcationPoint, GrazingPoint, Outcome, Passage, 
 from gearlash.jobs.stop import interruptible
 from gearlash.orbits import Settings, orbit_at
 from gearlash.results import Direction, Point
-from gearlash.results.followed import INTERRUPTED, Passed, Path
+from gearlash.results.followed import INTERRUPTED, FollowedPath, PassedBifurcation
 from gearlash.system import Family, GearlashError, MotionKind, given, plain_values, short_name
 
 from .arguments import checked_settings
@@ -32,7 +32,7 @@ def first_grazing(
     values: Mapping[str, float | str] | None = None,
     settings: Settings | None = None,
     tell: Callable[[int, int], object] | None = None,
-) -> tuple[Path, GrazingPoint | None]:
+) -> tuple[FollowedPath, GrazingPoint | None]:
     """Follows one periodic motion in one parameter, through doublings, until a contact is born or dies.
 
     Parameters
@@ -53,7 +53,7 @@ def first_grazing(
 
     Returns
     -------
-    path : Path
+    path : FollowedPath
         How far the motion was followed and why not farther. The way ends 95 % of the value away from it, or
         at the end of the parameter's range.
     touch : GrazingPoint or None
@@ -93,7 +93,7 @@ def first_grazing(
             for step in _steps(family, others, name, start, to, told, settings):
                 if isinstance(step, PathEnd):
                     ended, decided = _ended(step, family, name)
-                    return Path(direction, step.last.value, ended, decided, "", tuple(passed)), None
+                    return FollowedPath(direction, step.last.value, ended, decided, "", tuple(passed)), None
                 if isinstance(step.point, GrazingPoint):
                     found = step
                     beyond = _beyond(family, others, name, step, direction)
@@ -101,12 +101,12 @@ def first_grazing(
                 passed.append(_passed(step.point, step, direction))
     except KeyboardInterrupt:
         if found is None:
-            return Path(direction, reached, INTERRUPTED, False, "", tuple(passed)), None
+            return FollowedPath(direction, reached, INTERRUPTED, False, "", tuple(passed)), None
         beyond = INTERRUPTED
     assert found is not None  # what is followed ends with a PathEnd
     assert isinstance(found.point, GrazingPoint)
     ended = f"grazing at {found.value:.10g}"
-    return Path(direction, found.value, ended, True, beyond, tuple(passed)), found.point
+    return FollowedPath(direction, found.value, ended, True, beyond, tuple(passed)), found.point
 
 
 def _checked(
@@ -169,10 +169,10 @@ def _ended(end: PathEnd, family: Family, name: str) -> tuple[str, bool]:
     return f"at {end.beyond:.10g} {end.outcome}", True
 
 
-def _passed(point: BifurcationPoint, met: Passage, direction: str) -> Passed:
+def _passed(point: BifurcationPoint, met: Passage, direction: str) -> PassedBifurcation:
     before, after = met.before.label, met.after.label if met.after else MotionKind.NONE
     below, above = (before, after) if direction == "up" else (after, before)
-    return Passed("doubling" if point.multiplier < 0 else "fold", point.value, below, above)
+    return PassedBifurcation("doubling" if point.multiplier < 0 else "fold", point.value, below, above)
 
 
 def _beyond(family: Family, values: Mapping[str, float], name: str, met: Passage, direction: str) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
-from gearlash.results.followed import INTERRUPTED, Path
+from gearlash.results.followed import INTERRUPTED, FollowedPath
 from gearlash.system import Family, Label, Signature, Status, label_text
 
 from .asked import Asked
@@ -85,7 +85,7 @@ class GrazeAnswer:
     points: Annotated[
         tuple[TouchFound, ...], "the first that this motion meets below and above, nearest first"
     ]
-    paths: Annotated[tuple[Path, ...], "how the motion was followed, downwards and upwards"]
+    paths: Annotated[tuple[FollowedPath, ...], "how the motion was followed, downwards and upwards"]
     result: Literal["graze"] = "graze"
 
 
@@ -97,7 +97,7 @@ def graze_answer(
     named: str,
     unit: str,
     start: Point,
-    paths: tuple[Path, ...],
+    paths: tuple[FollowedPath, ...],
     found: list[GrazingPoint],
 ) -> GrazeAnswer:
     """The record of what was found on the paths from ``start``; ``named`` is the parameter as typed, ``unit``
@@ -191,7 +191,7 @@ def _sentence(
     asked: Asked,
     near: float,
     touches: tuple[TouchFound, ...],
-    paths: tuple[Path, ...],
+    paths: tuple[FollowedPath, ...],
     several: bool,
 ) -> str:
     """What was found, along this motion; the nearest is called so only if the other way was followed as
@@ -257,7 +257,7 @@ def _outcome(start: Point, found: bool) -> tuple[str, str]:
     return str(start.status), start.status.advice
 
 
-def _message(start: Point, paths: tuple[Path, ...]) -> str:
+def _message(start: Point, paths: tuple[FollowedPath, ...]) -> str:
     if start.periodic:
         return "; ".join(f"{path.direction} to {path.reached:.6g}: {path.ended}" for path in paths)
     return f"{start.message}; only a periodic motion can be followed to a grazing"
