@@ -30,9 +30,7 @@ NARROW = 1e-6  # of the value: width at which halving ends
 ROUGH = 1e-4  # the same where one side is not periodic: no label is sharp there, and each costs much
 HALVINGS = 40
 ORBITS = 4  # that are followed one after the other, where one ends and the next one is as quiet
-EXPLAINED_WITHIN = (
-    3.0  # bracket widths: how near to a bracket the end of an orbit must be to be what happens in it
-)
+EXPLAINED_WITHIN = 3.0  # bracket widths: an orbit that ends so near to a bracket is what happens in it
 
 
 @dataclass(frozen=True, eq=False)
