@@ -30,7 +30,19 @@ ADVICE = {status.advice for status in Status}
 PROSE = {"sentence", "message", "advice", "ended", "reason", "note", "notes", "beyond", "expected", "remark"}
 OF_THE_RUN = {"gearlash", "hash", "seconds", "duration", "created", "workers", "process", "python", "numpy"}
 OF_THE_RUN |= {"report"}  # where it was written to
-SOLVED = {"value", "lower", "upper", "below", "above", "uncertainty", "nearest", "lower_rpm", "upper_rpm"}
+SOLVED = {
+    "value",
+    "lower",
+    "upper",
+    "margin",
+    "margin_asked",
+    "below",
+    "above",
+    "uncertainty",
+    "nearest",
+    "lower_rpm",
+    "upper_rpm",
+}
 SOLVED |= {"deviation"}  # of what is solved for from what an article printed
 SOLVED_WITHIN = 1e-10
 
