@@ -113,7 +113,7 @@ def nearest_name(name: object, valid: Iterable[str]) -> str | None:
 def shown(value: object) -> str:
     """A value as it appears in a problem: texts and numbers as they stand, cut to a readable length."""
     if isinstance(value, str):
-        return cut(repr(value[: short_text.LONGEST]))
+        return cut(repr(value[: short_text.LONGEST_TEXT]))
     if isinstance(value, int) and value.bit_length() < 10_000:  # Python turns no longer ones into digits
         return cut(repr(value))
     return short_text.shown(value)

@@ -8,7 +8,7 @@ EVALUATIONS = 12  # at one minimum, at the most
 ALWAYS = 3  # of them, whatever they find
 LITTLE = 0.1  # of what is left: an evaluation that gains less is the last
 GOLDEN = 0.382
-NEAR = 0.1  # of the wider side: a value nearer to the middle says nothing new
+TOO_NEAR = 0.1  # of the wider side: a value nearer to the middle says nothing new
 
 Sample = tuple[float, float]  # value of the parameter, distance there
 
@@ -46,6 +46,6 @@ def _next(left: Sample, middle: Sample, right: Sample) -> float:
     if rise != fall:
         step = -0.5 * (fall * above + rise * below) / (rise - fall)
         inside = step * above < above * above if step * above > 0.0 else step * below > -below * below
-        if inside and abs(step) >= NEAR * abs(wide):
+        if inside and abs(step) >= TOO_NEAR * abs(wide):
             return middle[0] + step
     return middle[0] + GOLDEN * wide

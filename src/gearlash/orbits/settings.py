@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from gearlash.system import Record, given
 
-MOST = 1_000_000_000  # base periods
+MOST_PERIODS = 1_000_000_000  # base periods
 
 
 @dataclass(frozen=True, repr=False)
@@ -50,5 +50,7 @@ class Settings(Record):
 
     def __post_init__(self) -> None:
         for name, least in (("max_period", 1), ("budget", 1), ("patience", 0), ("exponent_periods", 1)):
-            object.__setattr__(self, name, given.whole(f"Settings.{name}", getattr(self, name), least, MOST))
+            object.__setattr__(
+                self, name, given.whole(f"Settings.{name}", getattr(self, name), least, MOST_PERIODS)
+            )
         object.__setattr__(self, "precision", given.positive("Settings.precision", self.precision))

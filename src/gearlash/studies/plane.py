@@ -34,7 +34,7 @@ from .pixels import (
 )
 
 OTHER_GAPS = "its system has another number of clearances than the first of the map"
-CHUNK = 64  # pixels a task: about a second of work, of which a cancel has to wait for the rest
+PIXELS_OF_A_TASK = 64  # about a second of work, of which a cancel has to wait for the rest
 _NO_CLEARANCE = bytes(record_kind(1).itemsize)
 NAMED = {
     APERIODIC: MotionKind.APERIODIC,
@@ -98,7 +98,7 @@ def map_plane(
     state = checked_start(family, start)
     begin = None if state is None else tuple(map(float, state))
     execution = checked_execution(source, execution)
-    chunk = CHUNK if execution.chunk is None else execution.chunk
+    chunk = PIXELS_OF_A_TASK if execution.chunk is None else execution.chunk
     grid = _Grid(x, y, _keeps(family, fixed, x, y))
     form = Stretch(source, tuple(fixed.items()), grid.inner.name, (), begin, checked_settings(settings))
     outcome = run(work, grid.chains(form, chunk), execution)

@@ -18,8 +18,8 @@ from .model import Model, Source
 from .named import plain_axis
 from .row import Neighbour, Segment, work
 
-SHOWN = 5_000  # points of which, done by one process, each is a task, so that progress shows it
-CHUNK = 8  # points a task: some ten milliseconds of work for a fraction of one of talk
+POINT_TASKS = 5_000  # points up to which each is a task of its own in one process, to show progress
+POINTS_OF_A_TASK = 8  # some ten milliseconds of work, for less than one of communication
 
 
 def sweep(
@@ -160,7 +160,7 @@ def _directions(directions: Sequence[Direction | str]) -> list[Direction]:
 def _chunk(execution: Execution, points: int) -> int:
     if execution.chunk is None:
         alone = execution.executor is None or isinstance(execution.executor, Inline)
-        return 1 if alone and points <= SHOWN else CHUNK
+        return 1 if alone and points <= POINT_TASKS else POINTS_OF_A_TASK
     return execution.chunk
 
 

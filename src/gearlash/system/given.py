@@ -29,9 +29,9 @@ Array = NDArray[np.float64]
 Kind = TypeVar("Kind", bound=StrEnum)
 Thing = TypeVar("Thing")
 LARGEST_COUNT = 2**53
-FAR_MOST = 10_000  # beyond it an upper end is told only to those who passed it
+LONG_RANGE = 10_000  # beyond it an upper end is told only to those who passed it
 LONGEST_NAME = 200
-BEYOND = 1e150
+LARGEST_REAL = 1e150
 _KINDS = {"b": "truth values", "c": "complex numbers", "U": "text", "S": "text", "T": "text", "V": "records"}
 _KINDS |= {"m": "times", "M": "dates"}
 
@@ -70,7 +70,7 @@ def whole(name: str, value: Any, least: int = 1, most: int = LARGEST_COUNT) -> i
     except TypeError:
         found = None
     if found is None or not least <= found <= most:
-        closed = most < FAR_MOST or (found is not None and found > most)
+        closed = most < LONG_RANGE or (found is not None and found > most)
         limits = f"{least} to {most:,}" if closed else f"{least} or more"
         raise GearlashError(f"{name} is {shown(value)}: expected a whole number, {limits}")
     return found
@@ -101,8 +101,8 @@ def reals(name: str, value: Any) -> Array:
     else:
         plain = _real(value)
         found = np.array(plain) if isinstance(plain, float) else _converted(name, value, "any")
-    if (np.abs(found[np.isfinite(found)]) > BEYOND).any():
-        raise GearlashError(f"{name}: expected numbers up to {BEYOND:g}")
+    if (np.abs(found[np.isfinite(found)]) > LARGEST_REAL).any():
+        raise GearlashError(f"{name}: expected numbers up to {LARGEST_REAL:g}")
     return found
 
 

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 from .annotated import hold
 from .short_text import brief, cut
 
-LONGEST = 380  # characters of a repr
+LONGEST_REPR = 380  # characters of a repr
 
 
 class Record:
@@ -29,7 +29,7 @@ class Record:
 
     def __repr__(self) -> str:
         rows = (f"{name}={_inside(value)}" for name, value in _rows(self))
-        return cut(f"{type(self).__name__}({', '.join(rows)})", LONGEST)
+        return cut(f"{type(self).__name__}({', '.join(rows)})", LONGEST_REPR)
 
     def _repr_html_(self) -> str:
         """A table, for notebooks."""

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-LONGEST = 60
+LONGEST_TEXT = 60
 FEW = 6  # numbers of an array that are shown; of longer ones its shape
 
 
@@ -18,7 +18,7 @@ class _Short(reprlib.Repr):
 
     def __init__(self) -> None:
         super().__init__()
-        self.maxstring = self.maxother = self.maxlong = LONGEST
+        self.maxstring = self.maxother = self.maxlong = LONGEST_TEXT
 
     def repr_int(self, x: int, level: int) -> str:
         if x.bit_length() > 13_000:  # Python itself refuses to print 5000 digits
@@ -55,7 +55,7 @@ def brief(value: Any) -> str:
     return shown(value)
 
 
-def cut(text: str, longest: int = LONGEST) -> str:
+def cut(text: str, longest: int = LONGEST_TEXT) -> str:
     """The text, cut to at most ``longest`` characters."""
     return text if len(text) <= longest else text[: longest - 1] + "…"
 
@@ -68,4 +68,4 @@ def _array(value: np.ndarray) -> str:
 
 def _collected(parts: list[str], count: int, ends: str) -> str:
     text = f"{ends[0]}{', '.join(parts)}{ends[1]}"
-    return text if count <= FEW and len(text) <= LONGEST else f"{count} of them"
+    return text if count <= FEW and len(text) <= LONGEST_TEXT else f"{count} of them"
