@@ -15,16 +15,10 @@ def check(case: CaseArgument, settings: Settings = None, as_json: AsJson = False
     known otherwise. A file with problems has all of them listed, and exit code 2.
     """
     from gearlash.cli.answers.check import check_answer
+    from gearlash.cli.frame import show_answer
     from gearlash.cli.inputs import read_case
-    from gearlash.cli.jsonio import write_stdout
-    from gearlash.cli.terminal import show
 
     answer = check_answer(read_case(case, settings))
     with delivery():
-        if as_json:
-            write_stdout(answer)
-        else:
-            from gearlash.cli.show.check import check_view
-
-            show(check_view, answer)
+        show_answer(answer, as_json)
     return ExitCode.OK

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, code_of, command, delivery
+from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from gearlash.branches import GrazingPoint
+    from gearlash.orbits import Settings as SearchSettings
+    from gearlash.results import Point
+    from gearlash.results.followed import Path
+    from gearlash.system import Family
 
 
 @command
@@ -38,12 +47,11 @@ def graze(
     keeps what was found, marked incomplete.
     """
     from gearlash.cli.folder import claim_if
+    from gearlash.cli.frame import deliver
     from gearlash.cli.inputs import named_near, read_case, read_near, read_start
-    from gearlash.cli.interrupt import expect_results
-    from gearlash.cli.jsonio import write_file, write_stdout
+    from gearlash.cli.jsonio import write_file
     from gearlash.cli.notice import load_engine
     from gearlash.cli.slow import tell_if_slow
-    from gearlash.cli.terminal import show
 
     chosen = read_case(case, settings)
     short, changed = read_near(chosen, over, near, settings)
@@ -56,36 +64,33 @@ def graze(
     tell_if_slow(family, parameters)
 
     from gearlash.cli.answers.graze import graze_answer
-    from gearlash.cli.late import late_bar
     from gearlash.cli.settings import search_settings
-    from gearlash.studies import first_grazing, point
 
     search = search_settings(family, periods, max_period, case)
-    first = point(family, parameters, name=short, start=list(start.values()), settings=search)
-    expect_results()
-    others = {each: value for each, value in parameters.items() if each != short}
-    with late_bar("following the motion") as tell:
-        walks = (
-            [
-                first_grazing(family, short, first, way, values=others, settings=search, tell=tell)
-                for way in ("down", "up")
-            ]
-            if first.periodic
-            else []
-        )
+    first, walks = _followed(family, parameters, short, list(start.values()), search)
     found = [touch for _, touch in walks if touch is not None]
     answer = graze_answer(
         chosen, family, parameters, short, named, unit, first, tuple(path for path, _ in walks), found
     )
-    with delivery():
-        try:
-            if folder:
-                write_file(answer, folder.file("graze.json"))
-        finally:  # an answer that took long is shown even if it cannot be kept
-            if as_json:
-                write_stdout(answer)
-            else:
-                from gearlash.cli.show.graze import graze_view
+    code = deliver(answer, as_json, lambda: folder and write_file(answer, folder.file("graze.json")))
+    return ExitCode.OK if answer.points else code
 
-                show(graze_view, answer)
-    return ExitCode.OK if answer.points else code_of(answer.status)
+
+def _followed(
+    family: Family, parameters: Mapping[str, float], over: str, start: list[float], search: SearchSettings
+) -> tuple[Point, list[tuple[Path, GrazingPoint | None]]]:
+    """The motion to begin with, and, of a periodic one, the ways down and up with the touches they end at."""
+    from gearlash.cli.interrupt import expect_results
+    from gearlash.cli.late import late_bar
+    from gearlash.studies import first_grazing, point
+
+    first = point(family, parameters, name=over, start=start, settings=search)
+    expect_results()
+    if not first.periodic:
+        return first, []
+    others = {each: value for each, value in parameters.items() if each != over}
+    with late_bar("following the motion") as tell:
+        return first, [
+            first_grazing(family, over, first, way, values=others, settings=search, tell=tell)
+            for way in ("down", "up")
+        ]

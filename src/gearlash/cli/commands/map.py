@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, code_of, command, delivery
+from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import (
     AsJson,
     CaseArgument,
@@ -45,56 +45,32 @@ def map(
     (everything, NetCDF), map.json, and the map as SVG and PDF. Ctrl-C keeps what was computed, marked
     incomplete.
     """
-    from gearlash.cli.folder import claim_if
-    from gearlash.cli.inputs import read_case, read_plane, read_start
-    from gearlash.cli.interrupt import end_if_nothing, expect_results
-    from gearlash.cli.jsonio import write_stdout
-    from gearlash.cli.notice import load_engine
-    from gearlash.cli.slow import ends, tell_if_slow
-    from gearlash.cli.terminal import show
+    from gearlash.cli.frame import StudyInputs, deliver
+    from gearlash.cli.inputs import read_plane
 
-    chosen = read_case(case, settings)
-    across, up = read_plane(chosen, over, settings)
-    family, _ = chosen.family()
-    start = read_start(family, family.complete(), initial) if initial else None
-    folder = claim_if(out, ["map.nc", "map.json", "map.svg", "map.pdf"])
-    load_engine(data=folder is not None)
-    tell_if_slow(family, *ends(across, up))
-    expect_results()
+    asked = StudyInputs.read(case, settings, initial, lambda case: read_plane(case, over, settings))
+    folder = asked.made_ready(out, "map")
 
     from gearlash.cli.answers.map import map_answer
+    from gearlash.cli.interrupt import end_if_nothing
     from gearlash.cli.progress import progress_bar
-    from gearlash.cli.settings import search_settings
     from gearlash.cli.workers import executor_for
     from gearlash.jobs import Execution
-    from gearlash.results import Axis
     from gearlash.studies import map_plane
     from gearlash.system import Status
 
-    x, y = (Axis(over.short, over.values) for over in (across, up))
-    with executor_for(chosen, workers, len(x) * len(y)) as executor, progress_bar("map") as progress:
-        found = map_plane(
-            chosen,
-            x,
-            y,
-            start=None if start is None else list(start.values()),
-            settings=search_settings(family, periods, max_period, case),
-            execution=Execution(executor, progress=progress),
-        )
+    ((x, y), search, (across, up)) = asked.ranges(), asked.search(periods, max_period), asked.axes
+    with executor_for(asked.case, workers, len(x) * len(y)) as executor, progress_bar("map") as progress:
+        execution = Execution(executor, progress=progress)
+        found = map_plane(asked.case, x, y, start=asked.start, settings=search, execution=execution)
     end_if_nothing(set(found.statuses) != {Status.NOT_COMPUTED})
     named, units = (across.named, up.named), (across.unit, up.unit)
-    answer = map_answer(chosen, family.complete(), named, found, units, start)
-    with delivery():
-        try:
-            if folder:
-                from gearlash.cli.files import write_map
+    answer = map_answer(asked.case, asked.parameters, named, found, units, asked.named_start)
 
-                write_map(folder, chosen, found, answer)
-        finally:  # an answer that took long is shown even if it cannot be kept
-            if as_json:
-                write_stdout(answer)
-            else:
-                from gearlash.cli.show.map import map_view
+    def keep() -> None:
+        if folder:
+            from gearlash.cli.files import write_map
 
-                show(map_view, answer)
-    return code_of(answer.status)
+            write_map(folder, asked.case, found, answer)
+
+    return deliver(answer, as_json, keep)

@@ -59,10 +59,10 @@ def reproduce(
     """
     from gearlash.article.pair import check_pair
     from gearlash.cli.folder import claim
+    from gearlash.cli.frame import show_answer
     from gearlash.cli.inputs import read_case
-    from gearlash.cli.jsonio import write_file, write_stdout
+    from gearlash.cli.jsonio import write_file
     from gearlash.cli.notice import load_engine
-    from gearlash.cli.terminal import show
 
     chosen = read_case(case, settings)
     check_pair(chosen)
@@ -90,12 +90,7 @@ def reproduce(
     answer = reproduce_answer(found, str(page))
     with delivery():
         write_file(answer, folder.file("reproduce.json"))
-        if as_json:
-            write_stdout(answer)
-        else:
-            from gearlash.cli.show.reproduce import reproduce_view
-
-            show(reproduce_view, answer)
+        show_answer(answer, as_json)
     return code_of(answer.status)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from gearlash.cli.exits import ExitCode, code_of, command, delivery
+from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
 
 if TYPE_CHECKING:
@@ -32,11 +32,10 @@ def run(
     run.json, and the phase portrait and history as SVG and PDF.
     """
     from gearlash.cli.folder import MOTION_FILES, claim_if
+    from gearlash.cli.frame import deliver
     from gearlash.cli.inputs import read_case, read_start
     from gearlash.cli.interrupt import expect_results
-    from gearlash.cli.jsonio import write_stdout
     from gearlash.cli.slow import tell_if_slow
-    from gearlash.cli.terminal import show
 
     chosen = read_case(case, settings)
     family, _ = chosen.family()
@@ -56,20 +55,14 @@ def run(
     found = attractor(family.system(parameters), list(start.values()), search)
     expect_results()
     answer = _answer(chosen, family, parameters, start, found, search)
-    with delivery():
-        try:
-            if folder:
-                from gearlash.cli.files import write_motion
 
-                write_motion(folder, chosen, found, answer)
-        finally:  # an answer that took long is shown even if it cannot be kept
-            if as_json:
-                write_stdout(answer)
-            else:
-                from gearlash.cli.show.run import run_view
+    def keep() -> None:
+        if folder:
+            from gearlash.cli.files import write_motion
 
-                show(run_view, answer)
-    return code_of(answer.status)
+            write_motion(folder, chosen, found, answer)
+
+    return deliver(answer, as_json, keep)
 
 
 def _answer(

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, code_of, command, delivery
+from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import (
     AsJson,
     CaseArgument,
@@ -43,59 +43,35 @@ def sweep(
     coexist. --out writes sweep.nc (everything, NetCDF), sweep.json, and the bifurcation diagram as SVG and
     PDF. Ctrl-C keeps what was computed, marked incomplete.
     """
-    from gearlash.cli.folder import claim_if
-    from gearlash.cli.inputs import read_case, read_over, read_start
-    from gearlash.cli.interrupt import end_if_nothing, expect_results
-    from gearlash.cli.jsonio import write_stdout
-    from gearlash.cli.notice import load_engine
-    from gearlash.cli.slow import ends, tell_if_slow
-    from gearlash.cli.terminal import show
+    from gearlash.cli.frame import StudyInputs, deliver
+    from gearlash.cli.inputs import read_over
 
-    chosen = read_case(case, settings)
-    along = read_over(chosen, over, settings)
-    family, _ = chosen.family()
-    start = read_start(family, family.complete(), initial) if initial else None
-    ways = [name for name, wanted in (("cold", cold), ("up", up), ("down", down)) if wanted] or [
-        "cold",
-        "up",
-        "down",
-    ]
-    folder = claim_if(out, ["sweep.nc", "sweep.json", "sweep.svg", "sweep.pdf"])
-    load_engine(data=folder is not None)
-    tell_if_slow(family, *ends(along))
-    expect_results()
+    asked = StudyInputs.read(case, settings, initial, lambda case: (read_over(case, over, settings),))
+    chosen = {"cold": cold, "up": up, "down": down}
+    ways = [name for name, wanted in chosen.items() if wanted] or list(chosen)
+    folder = asked.made_ready(out, "sweep")
 
     from gearlash.cli.answers.sweep import sweep_answer
+    from gearlash.cli.interrupt import end_if_nothing
     from gearlash.cli.progress import progress_bar
-    from gearlash.cli.settings import search_settings
     from gearlash.cli.workers import executor_for
     from gearlash.jobs import Execution
-    from gearlash.results import Axis
     from gearlash.studies import sweeps
 
-    axis = Axis(along.short, along.values)
-    with executor_for(chosen, workers, len(axis) * len(ways)) as executor, progress_bar("sweep") as progress:
-        found = sweeps(
-            chosen,
-            axis,
-            ways,
-            start=None if start is None else list(start.values()),
-            settings=search_settings(family, periods, max_period, case),
-            execution=Execution(executor, progress=progress),
-        )
+    ((axis,), search, (along,)) = asked.ranges(), asked.search(periods, max_period), asked.axes
+    with (
+        executor_for(asked.case, workers, len(axis) * len(ways)) as executor,
+        progress_bar("sweep") as progress,
+    ):
+        execution = Execution(executor, progress=progress)
+        found = sweeps(asked.case, axis, ways, start=asked.start, settings=search, execution=execution)
     end_if_nothing(any(point.computed for each in found for point in each.points))
-    answer = sweep_answer(chosen, family.complete(), along.named, found, along.unit, start)
-    with delivery():
-        try:
-            if folder:
-                from gearlash.cli.files import write_sweep
+    answer = sweep_answer(asked.case, asked.parameters, along.named, found, along.unit, asked.named_start)
 
-                write_sweep(folder, chosen, found, answer)
-        finally:  # an answer that took long is shown even if it cannot be kept
-            if as_json:
-                write_stdout(answer)
-            else:
-                from gearlash.cli.show.sweep import sweep_view
+    def keep() -> None:
+        if folder:
+            from gearlash.cli.files import write_sweep
 
-                show(sweep_view, answer)
-    return code_of(answer.status)
+            write_sweep(folder, asked.case, found, answer)
+
+    return deliver(answer, as_json, keep)

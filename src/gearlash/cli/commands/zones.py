@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, code_of, command, delivery
+from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import (
     AsJson,
     CaseArgument,
@@ -23,6 +23,9 @@ from gearlash.cli.options import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from gearlash.cli.frame import StudyInputs
+    from gearlash.orbits import Settings as SearchSettings
+    from gearlash.studies import Zones
     from gearlash.system import Family
 
 LOOKED_AT = 400  # values at which a back side is looked for, about
@@ -62,65 +65,50 @@ def zones(
     attractor found is quiet, where at least one is, and what coexists. --out writes zones.json, the
     sweeps as zones.nc, and the zones over them as SVG and PDF.
     """
-    from gearlash.cli.folder import claim_if
-    from gearlash.cli.inputs import read_case, read_over, read_start
-    from gearlash.cli.interrupt import end_if_nothing, expect_results
-    from gearlash.cli.jsonio import write_stdout
-    from gearlash.cli.notice import load_engine
-    from gearlash.cli.slow import ends, tell_if_slow
-    from gearlash.cli.terminal import show
+    from gearlash.cli.frame import StudyInputs, deliver
+    from gearlash.cli.inputs import read_over
 
-    chosen = read_case(case, settings)
-    along = read_over(chosen, over, settings)
-    family, _ = chosen.family()
-    named = read_start(family, family.complete(), initial) if initial else None
-    start = None if named is None else list(named.values())
-    kinds = _kinds(kind, family, along.short, along.values.tolist())
-    folder = claim_if(out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf"])
-    load_engine(data=folder is not None)
-    tell_if_slow(family, *ends(along))
-    expect_results()
+    asked = StudyInputs.read(case, settings, initial, lambda case: (read_over(case, over, settings),))
+    (along,) = asked.axes
+    kinds = _kinds(kind, asked.family, along.short, along.values.tolist())
+    folder = asked.made_ready(out, "zones")
 
     from gearlash.cli.answers.zones import zones_answer
+
+    found = _found(asked, kinds, asked.search(periods, max_period), workers)
+    answer = zones_answer(asked.case, asked.parameters, along.named, along.unit, found, asked.named_start)
+
+    def keep() -> None:
+        if folder:
+            from gearlash.cli.files import write_zones
+
+            write_zones(folder, asked.case, found, answer)
+
+    return deliver(answer, as_json, keep)
+
+
+def _found(
+    asked: StudyInputs, kinds: Sequence[Kind], search: SearchSettings, workers: int | None
+) -> tuple[Zones, ...]:
+    """Sweeps in all three directions, and then the ends of the zones."""
+    from gearlash.cli.interrupt import end_if_nothing
     from gearlash.cli.progress import progress_bar
-    from gearlash.cli.settings import search_settings
     from gearlash.cli.workers import executor_for
     from gearlash.jobs import Execution
-    from gearlash.results import Axis
     from gearlash.studies import sweeps
     from gearlash.studies.zones import zones_of_kinds
 
-    axis, search = Axis(along.short, along.values), search_settings(family, periods, max_period, case)
-    with executor_for(chosen, workers, 3 * len(axis)) as executor:
+    (axis,), start = asked.ranges(), asked.start
+    with executor_for(asked.case, workers, 3 * len(axis)) as executor:
         with progress_bar("sweeps") as progress:
             execution = Execution(executor, progress=progress)
-            ways = sweeps(chosen, axis, start=start, settings=search, execution=execution)
+            ways = sweeps(asked.case, axis, start=start, settings=search, execution=execution)
         end_if_nothing(any(point.computed for each in ways for point in each.points))
         with progress_bar("ends") as progress:
-            found = zones_of_kinds(
-                chosen,
-                axis,
-                kinds,
-                known=ways,
-                start=start,
-                settings=search,
-                execution=Execution(executor, progress=progress),
+            execution = Execution(executor, progress=progress)
+            return zones_of_kinds(
+                asked.case, axis, kinds, known=ways, start=start, settings=search, execution=execution
             )
-    answer = zones_answer(chosen, family.complete(), along.named, along.unit, found, named)
-    with delivery():
-        try:
-            if folder:
-                from gearlash.cli.files import write_zones
-
-                write_zones(folder, chosen, found, answer)
-        finally:  # an answer that took long is shown even if it cannot be kept
-            if as_json:
-                write_stdout(answer)
-            else:
-                from gearlash.cli.show.zones import zones_view
-
-                show(zones_view, answer)
-    return code_of(answer.status)
 
 
 def _kinds(kind: Kind | None, family: Family, name: str, values: Sequence[float]) -> list[Kind]:
