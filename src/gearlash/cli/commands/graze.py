@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from gearlash.branches import GrazingPoint
     from gearlash.orbits import Settings as SearchSettings
     from gearlash.results import Point
-    from gearlash.results.followed import Path
+    from gearlash.results.followed import FollowedPath
     from gearlash.system import Family
 
 
@@ -78,7 +78,7 @@ def graze(
 
 def _followed(
     family: Family, parameters: Mapping[str, float], over: str, start: list[float], search: SearchSettings
-) -> tuple[Point, list[tuple[Path, GrazingPoint | None]]]:
+) -> tuple[Point, list[tuple[FollowedPath, GrazingPoint | None]]]:
     """The motion to begin with, and, of a periodic one, the ways down and up with the touches they end at."""
     from gearlash.cli.interrupt import expect_results
     from gearlash.cli.late import late_bar
