@@ -35,9 +35,10 @@ class Growth(Record):
 def growth(
     system: System | Propagators, start: ArrayLike, tangent: ArrayLike, periods: int, stretch: int
 ) -> Growth:
-    """Marches from phase zero over ``periods`` base periods, in stretches of ``stretch`` of them and what is
-    left. Ends early, with its status, where the motion could not be carried on. In a period of very many
-    cells the tangent is given its length again several times, so that it neither vanishes nor overflows."""
+    """Marches from phase zero over ``periods`` base periods, in stretches of ``stretch`` of them; the last
+    one may be shorter. Ends early, with its status, where the motion could not be carried on. In a period of
+    very many cells the tangent is made a unit vector again several times, so that it neither vanishes nor
+    overflows."""
     props = propagators_of(system)
     state = start_state(props, start)
     frame = given.numbers("tangent", tangent, (len(state),))[None]

@@ -1,5 +1,5 @@
 """The variational flow as orbits need it: over whole base periods with the states on the way, and from place
-to place. For callers that have checked what they hand over: it is asked for several times for every orbit."""
+to place. Arguments are not checked here, as every orbit asks several times: callers have checked them."""
 
 from __future__ import annotations
 

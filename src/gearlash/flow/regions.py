@@ -17,7 +17,7 @@ from ._cells import EDGE, FORCED, OFFSET, spectral_radius
 from ._tables import FREE, MINUS, PLUS, Array
 
 Sides = tuple[int, ...]
-MOST_ENUMERATED = 3  # clearances up to which every region is asked for its fastest rate
+MOST_ENUMERATED = 3  # up to so many clearances, the fastest rate is looked for in every region
 WORST_CONDITION = 3.0  # condition number of the directions h/|h| above which no centres are used
 CACHED_ANSWERS = 64  # by system: building its propagators asks for each of them several times
 RATE_PER_CELL = 1.85  # (spectral radius + highest harmonic) × cell duration aimed at: degree 23 then suffices

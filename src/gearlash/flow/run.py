@@ -20,8 +20,9 @@ STATUS = {
     TOO_MANY: Status.TOO_MANY_EVENTS,
     DIVERGED: Status.DIVERGED,
 }
-PERIODS_PER_CALL = 4_000  # base periods in one kernel call at the most, so that Ctrl-C is answered soon;
-ENTRIES_PER_CALL = 1e7  # fewer where their cells have more than so many table entries
+# Of one kernel call, at the most, so that Ctrl-C is answered soon:
+PERIODS_PER_CALL = 4_000
+ENTRIES_PER_CALL = 1e7  # table entries that all periods of the call pass
 KEPT_WORKSPACES = 32  # of a thread: along a map the number of cells, and so the shape, changes now and then
 LONGEST_STRETCH = 10_000_000  # base periods of a stretch
 NO_HOLD, _NO_SUMS = np.zeros(4), np.empty(0)
@@ -102,7 +103,8 @@ def run_all(
 
 
 class _Workspace:
-    """Work space of the kernel, and what it goes on from after a region was built."""
+    """Work space of the kernel. It also keeps how far a call came that met a region without tables, so that
+    the next call goes on from there."""
 
     def __init__(self, shape: Shape):
         self.sizes = sizes_of(shape)
@@ -140,7 +142,7 @@ _workspaces = threading.local()
 
 
 def workspace_of(shape: Shape) -> _Workspace:
-    """This thread's for systems of this shape."""
+    """The work space of this thread for systems of this shape."""
     if not hasattr(_workspaces, "kept"):
         _workspaces.kept = {}
     rooms: dict[Shape, _Workspace] = _workspaces.kept
