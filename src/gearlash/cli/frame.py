@@ -6,7 +6,7 @@ command does not use, it does not load.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -61,15 +61,15 @@ class StudyInputs:
         """The state to start from; None: the cold start."""
         return None if self.named_start is None else list(self.named_start.values())
 
-    def made_ready(self, out: Path | None, name: str) -> OutFolder | None:
-        """The folder of --out with places for the files called ``name``; then the kernels are there, a slow
+    def made_ready(self, out: Path | None, files: Sequence[str]) -> OutFolder | None:
+        """The folder of --out with places for these ``files``; then the kernels are there, a slow
         system is told, and what comes is worth keeping."""
         from .folder import claim_if
         from .interrupt import expect_results
         from .notice import load_engine
         from .slow import ends, tell_if_slow
 
-        folder = claim_if(out, [f"{name}.{ending}" for ending in ("nc", "json", "svg", "pdf")])
+        folder = claim_if(out, files)
         load_engine(data=folder is not None)
         tell_if_slow(self.family, *ends(*self.axes))
         expect_results()

@@ -49,7 +49,7 @@ def map(
     from gearlash.cli.inputs import read_plane
 
     asked = StudyInputs.read(case, settings, initial, lambda case: read_plane(case, over, settings))
-    folder = asked.made_ready(out, "map")
+    folder = asked.made_ready(out, ["map.nc", "map.json", "map.svg", "map.pdf"])
 
     from gearlash.cli.answers.map import map_answer
     from gearlash.cli.interrupt import end_if_nothing

@@ -49,7 +49,7 @@ def sweep(
     asked = StudyInputs.read(case, settings, initial, lambda case: (read_over(case, over, settings),))
     chosen = {"cold": cold, "up": up, "down": down}
     ways = [name for name, wanted in chosen.items() if wanted] or list(chosen)
-    folder = asked.made_ready(out, "sweep")
+    folder = asked.made_ready(out, ["sweep.nc", "sweep.json", "sweep.svg", "sweep.pdf"])
 
     from gearlash.cli.answers.sweep import sweep_answer
     from gearlash.cli.interrupt import end_if_nothing

@@ -71,7 +71,7 @@ def zones(
     asked = StudyInputs.read(case, settings, initial, lambda case: (read_over(case, over, settings),))
     (along,) = asked.axes
     kinds = _kinds(kind, asked.family, along.short, along.values.tolist())
-    folder = asked.made_ready(out, "zones")
+    folder = asked.made_ready(out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf"])
 
     from gearlash.cli.answers.zones import zones_answer
 
