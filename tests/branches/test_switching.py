@@ -88,6 +88,34 @@ def test_no_branch_begins_at_a_touch_that_is_smooth():
         switched(bundled(), six(), six().special[1])
 
 
+def test_a_symmetric_orbit_breaks_into_a_mirrored_pair():
+    """Without load, X → -X half a period later leaves the system as it is: both orbits of the pair are each
+    other's image, and each comes back to the symmetric one where it was born."""
+    family, values = one_dof(load=0.0, error=1.0, D=0.2, mesh_damping=0.02), {"omega": 1.15}
+    branch = continue_orbit(family, values, "omega", orbit(family, **values), 0.44, 1.2, PLAIN)
+    (point,) = branch.special
+    assert point.kind is SpecialKind.BRANCH_POINT
+    pair = switched(family, branch, point)
+    assert len(pair) == 2
+    born = []
+    for one in pair:
+        other = {**values, "omega": one.value}
+        broken = continue_orbit(family, other, "omega", one.orbit, 0.46, 0.6, PLAIN)
+        (join,) = broken.of_kind(SpecialKind.SYMMETRIC)
+        assert abs(join.value - point.value) <= join.error + point.error
+        born.append(broken)
+    props, away = built(family, omega=0.465), []
+    for left, _ in born[0].at(0.465):
+        found = orbit_at(props, left.state, 1)
+        assert found is not None
+        half = found.trace.at([0.5]).state[0]
+        image = orbit_at(props, -half, 1)
+        assert image is not None
+        assert np.abs(image.state + half).max() < 1e-9
+        away.append(np.abs(half + found.state).max())
+    assert max(away) > 1e-2  # it is not symmetric itself
+
+
 def drawn(seed: int) -> tuple[Family, dict[str, float]]:
     """A strongly damped pair that meets both sides."""
     rng = np.random.default_rng(seed)

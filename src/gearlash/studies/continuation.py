@@ -96,7 +96,7 @@ def continue_branch(
     numbers, steps = plain_values(model, family, values), _checked_steps(steps)
     if start is not None and not isinstance(start, Orbit):
         given.instance("start", start, STARTS, "an Orbit, a Point of a study, or a point of a branch")
-        numbers[short] = start.value
+        numbers[short] = (start.point if isinstance(start, SpecialPoint) else start).value
     complete = family.complete(numbers)
     if tell is not None:
         given.function("tell", tell, "a function of a number")

@@ -14,6 +14,7 @@ from .node import Node, node_near
 LOOKS = 60
 SHARP = 1e-13  # of the way: where a zero is bracketed so closely, it is found
 AGREE = 0.1  # least progress of a place along the direction of the branch
+CLOSE_ENOUGH = 1e-2  # of the way: a bracket that is kept where the orbits in it cannot be had
 WELL = 0.1  # least component of the direction for the parameter to tell a place
 
 
@@ -81,9 +82,11 @@ class Between:
 def zero(
     function: Callable[[float], float | None], left: tuple[float, float], right: tuple[float, float]
 ) -> tuple[float, float, float] | None:
-    """A zero between two places with values of opposite sign, with the last bracket: false position that
-    halves the value of an end that stays (N. Anderson and Å. Björck, BIT 13 (1973),
-    doi:10.1007/BF01933401), and halvings where it is slow. None where the function cannot be had."""
+    """A zero between two places with values of opposite sign, with the last bracket.
+
+    By false position that halves the value of an end that stays (N. Anderson and Å. Björck, BIT 13 (1973),
+    doi:10.1007/BF01933401), and halvings where it is slow. None where the function cannot be had, but for a
+    last piece."""
     (a, fa), (b, fb) = left, right
     sharp, small = SHARP * abs(b - a), SHARP * max(abs(fa), abs(fb))
     best = (a, fa) if abs(fa) < abs(fb) else (b, fb)
@@ -101,7 +104,9 @@ def zero(
             break
         value = function(at)
         if value is None:
-            return None
+            if abs(b - a) > CLOSE_ENOUGH * abs(right[0] - left[0]):
+                return None
+            break
         if abs(value) < abs(best[1]):
             best = (at, value)
         if abs(value) <= small:

@@ -13,7 +13,7 @@ from .node import Node
 
 NEAR = 3.0  # times what the extrema moved: born so near to a boundary, it may have crossed it
 CURVED = 0.25  # of what the curvature makes of a step: a function that comes so near zero may have been there
-SLACK = 0.25  # of a step: beyond its ends, for where a function is least
+SLACK = 0.25  # of a step: beyond its ends, for where a function is least (a multiplier may well only touch 1)
 Function = Callable[[Node], float]
 
 
@@ -130,17 +130,18 @@ def _may_have_vanished(before: Node, left: Node, right: Node, found: list[Change
     numbers = before.extrema.by_number.keys() & left.extrema.by_number.keys() & right.extrema.by_number.keys()
     numbers -= before.touching | left.touching | right.touching
     tests = [Change(Test.GRAZING, number) for number in sorted(numbers)]
-    left_out = {Test.AT_ONE} if any(change.test is Test.JOIN for change in found) else set()
+    left_out = {Test.AT_ONE} if any(change.test in (Test.JOIN, Test.TURN) for change in found) else set()
     left_out |= set() if left.spectrum.unstable.pairs else {Test.TORUS}
     tests += [Change(test) for test in OF_SPECTRUM if test not in left_out]
     for test in tests:
         zero, one, two = test.value(before), test.value(left), test.value(right)
-        if one * two > 0.0 and _dips(earlier, step, zero / one, two / one):
+        slack = 0.0 if test.test is Test.AT_ONE else SLACK
+        if one * two > 0.0 and _dips(earlier, step, zero / one, two / one, slack):
             return f"the {test.test} comes near zero, from {one:.1e} to {two:.1e}"
     return ""
 
 
-def _dips(earlier: float, step: float, zero: float, two: float) -> bool:
+def _dips(earlier: float, step: float, zero: float, two: float, slack: float) -> bool:
     """Whether the parabola through (-earlier, zero), (0, 1), (step, two) has a least value between 0 and
     ``step``, and how near to zero that is: within what the curvature makes of it on such a step."""
     before, after = (1.0 - zero) / earlier, (two - 1.0) / step
@@ -149,6 +150,6 @@ def _dips(earlier: float, step: float, zero: float, two: float) -> bool:
         return False
     slope = before + curvature * earlier
     vertex = -0.5 * slope / curvature
-    if not -SLACK * step <= vertex <= (1.0 + SLACK) * step:
+    if not -slack * step <= vertex <= (1.0 + slack) * step:
         return False
     return 1.0 - curvature * vertex * vertex <= CURVED * curvature * step * step

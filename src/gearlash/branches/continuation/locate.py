@@ -11,12 +11,15 @@ from gearlash.orbits import Orbit, orbit_at
 
 from .between import Between, zero
 from .changes import Change, Test, halves
-from .equations import UNBUILT
+from .equations import UNBUILT, Array
 from .extrema import Extrema
 from .node import Node
 from .points import SpecialKind
 
+APART = 3e-3  # of the way: distance from a branch point at which test functions are read
 ROUNDING = 1e-14  # of the parameter
+MEETING = 1e-8  # of the interval: where two branches meet, an orbit is known so well
+SOLVED = 1e-11  # of the way: a test function that says so much is left is believed
 SECANTS = 30
 CLOSE = 1e-13  # of the parameter: a step of the secant method that is the last
 
@@ -24,7 +27,8 @@ CLOSE = 1e-13  # of the parameter: a step of the secant method that is the last
 @dataclass(frozen=True, eq=False)
 class Located:
     """A zero of a test function: its place on the way, the orbit there, error of the parameter, kind (None
-    where the zero is no special point: two real reciprocal multipliers), and what else is to be told."""
+    where the zero is no special point: two real reciprocal multipliers), what else is to be told, and the
+    value of the parameter where the orbit does not tell it as well."""
 
     change: Change
     place: float
@@ -32,6 +36,7 @@ class Located:
     error: float
     kind: SpecialKind | None
     told: str = ""
+    value: float | None = None
 
 
 def locate(piece: Between, change: Change) -> Located | None:
@@ -54,7 +59,45 @@ def locate(piece: Between, change: Change) -> Located | None:
     if change.test is Test.GRAZING:
         node = replace(node, touching=node.touching | {change.number})
     kind = _kind(piece, change, node)
-    return Located(change, place, node, _error(piece, change, node, high - low), kind)
+    if kind is SpecialKind.BRANCH_POINT:
+        return _at_branch_point(piece, change, node, place)
+    error = _error(piece, change, node, high - low)
+    if kind is SpecialKind.SYMMETRIC:  # two branches meet there, too
+        error = max(error, MEETING * node.equations.line.unit)
+    return Located(change, place, node, error, kind)
+
+
+def _at_branch_point(piece: Between, change: Change, node: Node, near: float) -> Located | None:
+    """Two branches meet there, and near by orbits are known to few digits only. So the test function is read
+    at some distance on both sides, and its zero is that of the parabola, or cubic, through these values."""
+    for offsets in ((-2.0, -1.0, 1.0, 2.0), (-4.0, -3.0, -2.0, -1.0), (1.0, 2.0, 3.0, 4.0)):
+        step = APART * piece.length
+        places = near + step * np.array(offsets)
+        if places.min() > 0.0 and places.max() < piece.length:
+            fresh = Between(piece.left, piece.right)  # no orbit that rounding has moved is near
+            found = [each for each in map(fresh.node, places.tolist()) if each is not None]
+            if len(found) == len(places):
+                return _by_parabola(piece, change, node, near, places, found)
+    unit = node.equations.line.unit
+    return Located(change, near, node, APART * piece.length * unit, SpecialKind.BRANCH_POINT)
+
+
+def _by_parabola(
+    piece: Between, change: Change, node: Node, near: float, places: Array, found: list[Node]
+) -> Located:
+    step = APART * piece.length
+    tests, values = (np.array(each) for each in ([change.value(n) for n in found], [n.value for n in found]))
+    roots = []
+    for chosen in (slice(1, 4), slice(0, 4)):
+        scaled = (places[chosen] - near) / step
+        zeros = np.roots(np.polyfit(scaled, tests[chosen], len(scaled) - 1))
+        roots.append(float(zeros[np.argmin(np.abs(zeros))].real))
+    scaled = (places - near) / step
+    value = float(np.polyval(np.polyfit(scaled, values, 3), roots[1]))
+    width = abs(values[3] - values[0]) / 4.0
+    error = abs(roots[1] - roots[0]) * width * APART + ROUNDING * abs(value)
+    nearest = min(found, key=lambda each: abs(each.value - value))
+    return Located(change, near + roots[1] * step, nearest, error, SpecialKind.BRANCH_POINT, value=value)
 
 
 def _error(piece: Between, change: Change, node: Node, bracket: float) -> float:
@@ -62,7 +105,8 @@ def _error(piece: Between, change: Change, node: Node, bracket: float) -> float:
     the square of it."""
     unit = node.equations.line.unit
     slope = abs(change.value(piece.right) - change.value(piece.left)) / piece.length
-    left = min(bracket, abs(change.value(node)) / max(slope, 1e-300)) + 1e-15
+    left = abs(change.value(node)) / max(slope, 1e-300)
+    left = (left if left <= SOLVED * piece.length else bracket) + 1e-15
     turn = abs(float(node.direction[-1]))
     return unit * (left * max(turn, left)) + ROUNDING * abs(node.value)
 

@@ -14,6 +14,7 @@ import numpy as np
 from .equations import UNBUILT, Array, Equations, Evaluated
 
 GOAL = 2e-14  # residual at which Newton's method ends
+ROUNDED = 1e-13  # residual that is accepted where rounding makes the steps
 ENOUGH = 1e-12  # residual that is accepted where it no longer becomes smaller
 ITERATIONS = 12
 NOISE = 1e-11  # lengths of steps that rounding makes
@@ -71,6 +72,8 @@ def _newton(equations: Equations, u: Array, row: Array, target: float, slope: Ar
             slope, fresh = equations.slope(here), True
             step, length = _step(equations, here, slope, row, target)
         elif slow and length > CONTRACTION * steps[-1]:
+            if best.residual <= ROUNDED:  # rounding makes the steps: two branches meet near by
+                break
             return Corrected(None, slope, (*steps, length), "Newton's method does not contract")
         if not np.isfinite(length):
             return Corrected(None, slope, tuple(steps), "Newton's method meets a singular matrix")

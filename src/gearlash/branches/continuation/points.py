@@ -145,7 +145,8 @@ class SpecialPoint(Record):
     arclengths : tuple of float
         Of the same two.
     point : BranchPoint
-        The orbit there: all that a restart needs.
+        The orbit there: all that a restart needs. At a branch point it is the nearest that is known well,
+        at a value of its own.
     label_before, label_after : Signature
         Contacts of the two orbits.
     unstable_before, unstable_after : int

@@ -45,12 +45,12 @@ def switched(family: Family, branch: Branch, special: SpecialPoint) -> tuple[Swi
     none was found near by. Raises `GearlashError` for a kind of point at which no branch of periodic orbits
     begins."""
     line = Line(family, branch.values, branch.name, branch.lower, branch.upper)
-    props = line.system_at(special.value)
+    props = line.system_at(special.point.value)
     period = special.point.period // props.system.cycles
     state = special.point.state
     if special.kind is SpecialKind.JOINS:
         single = orbit_at(props, state, period // 2)
-        return () if single is None else (Switched(special.value, single),)
+        return () if single is None else (Switched(special.point.value, single),)
     if special.kind is SpecialKind.DOUBLING:
         start = _start(line, special, 2 * period)
         node = _linear(start) if special.linear else _beside(start, 1.0)
@@ -76,14 +76,14 @@ class _Start:
 
 
 def _start(line: Line, special: SpecialPoint, period: int) -> _Start:
-    props = line.system_at(special.value)
+    props = line.system_at(special.point.value)
     orbit = orbit_at(props, special.point.state, period, iterations=1)
     if orbit is None:
         raise GearlashError(
             f"the orbit of the special point is not one of this family, at {special.value:.10g}"
         )
     equations = Equations.of(line, orbit)
-    here = equations.evaluate(equations.unknowns(orbit, special.value), props)
+    here = equations.evaluate(equations.unknowns(orbit, special.point.value), props)
     if here is None:
         raise GearlashError("the orbit of the special point cannot be carried")
     slope = equations.slope(here)

@@ -13,6 +13,7 @@ from gearlash.system import Family, GearlashError, Status, given
 from .corner import PASSES, abrupt
 from .equations import UNBUILT, Equations, Line
 from .follow import Follower
+from .locate import MEETING
 from .node import Node, node_near
 from .points import Branch, BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint, grazing_kind
 from .resolve import Passed, Unexplained
@@ -51,7 +52,7 @@ def continue_orbit(
         upper=upper,
         scale=start.equations.scale,
         points=_with_births(points),
-        special=(*behind.special, *ahead.special),
+        special=_met((*behind.special, *ahead.special), line.unit),
         ends=(behind.end, ahead.end),
         unexplained=(*behind.unexplained, *ahead.unexplained),
     )
@@ -164,7 +165,7 @@ def _special(passed: Passed, last: Node, arclength: float, settings: Continuatio
     away = [float(np.linalg.norm(side.u - node.u)) for side in (left, right)]
     return SpecialPoint(
         kind=located.kind,
-        value=node.value,
+        value=node.value if located.value is None else located.value,
         error=located.error,
         interval=(left.value, right.value),
         arclengths=(here - away[0], here + away[1]),
@@ -196,6 +197,34 @@ def _turned(each: SpecialPoint) -> SpecialPoint:
         unstable_before=each.unstable_after,
         unstable_after=each.unstable_before,
     )
+
+
+def _met(special: tuple[SpecialPoint, ...], unit: float) -> tuple[SpecialPoint, ...]:
+    """A fold and a branch point that cannot be told apart are one thing: an orbit that was born at the
+    symmetry breaking of another one comes back to it. There a multiplier only touches 1, and rounding makes
+    it cross."""
+    found: list[SpecialPoint] = []
+    for each in special:
+        last = found[-1] if found else None
+        kinds = {each.kind, last.kind} if last is not None else set()
+        together = kinds == {SpecialKind.FOLD, SpecialKind.BRANCH_POINT}
+        if last is not None and together and abs(each.value - last.value) <= MEETING * unit:
+            fold = each if each.kind is SpecialKind.FOLD else last
+            found[-1] = replace(
+                fold,
+                kind=SpecialKind.SYMMETRIC,
+                error=max(fold.error, MEETING * unit),
+                told=str(SpecialKind.SYMMETRIC),
+                interval=(last.interval[0], each.interval[1]),
+                arclengths=(last.arclengths[0], each.arclengths[1]),
+                label_before=last.label_before,
+                label_after=each.label_after,
+                unstable_before=last.unstable_before,
+                unstable_after=each.unstable_after,
+            )
+        else:
+            found.append(each)
+    return tuple(found)
 
 
 def _with_births(points: tuple[BranchPoint, ...]) -> tuple[BranchPoint, ...]:
