@@ -44,8 +44,16 @@ OF_CONTACTS = (Refusal.LABEL, Refusal.CROSSED, Refusal.TOUCHED)
 
 @dataclass(frozen=True, eq=False)
 class Passage:
-    """A point on the way: the orbit ``before`` it, and the one ``after`` it that is followed on (None:
-    it ends here)."""
+    """A special point on the way of an orbit.
+
+    Parameters
+    ----------
+    point : GrazingPoint or BifurcationPoint
+    before : Node
+        The orbit just before it.
+    after : Node or None
+        The orbit beyond that is followed on; None where none is.
+    """
 
     point: SolvedPoint
     before: Node
@@ -53,13 +61,25 @@ class Passage:
 
     @property
     def value(self) -> float:
+        """Of the parameter, at the point."""
         return self.point.value
 
 
 @dataclass(frozen=True, eq=False)
 class PathEnd:
-    """The last orbit that was followed, and the nearest value beyond at which a step was refused (its own
-    where it arrived): a fold that is no `Passage` lies between them."""
+    """Where an orbit is followed no farther, and why.
+
+    Parameters
+    ----------
+    outcome : Outcome
+    last : Node
+        The last orbit.
+    beyond : float
+        The nearest value at which a step was refused, its own where it arrived: a fold that is no `Passage`
+        lies between them.
+    reason : str
+        In words, where no step was taken any more.
+    """
 
     outcome: Outcome
     last: Node
@@ -77,9 +97,48 @@ def follow(
     tell: Callable[[float], object] | None = None,
     longest: int = LONGEST_PERIOD,
 ) -> Iterator[Passage | PathEnd]:
-    """Follows ``orbit`` (stable, found at ``values``) to the value ``to`` of parameter ``name``: every touch,
-    doubling and fold in the order in which it is met, then a `PathEnd`. ``tell`` hears the value after
-    every step; doublings are passed up to a period of ``longest`` base periods."""
+    """Follows a stable orbit in one parameter: everything it meets on the way, in order, then its end.
+
+    Steps are as long as the branch is straight; none is taken that may land on another motion. What stops a
+    step is solved for: a touch, a doubling, a fold.
+
+    Parameters
+    ----------
+    model : Case or Family
+    name : str
+        The parameter: a short name, or the physical one of a case.
+    orbit : Orbit
+        Stable, found at ``values``.
+    to : float or str
+        The value of ``name`` to go to, dimensionless or with a unit of the case.
+    values : mapping of str to float or str, optional
+        Parameters of the member that the orbit is of, ``name`` among them; the model's own where nothing is
+        given.
+    tell : callable, optional
+        Hears the dimensionless value after every step.
+    longest : int
+        Period in base periods up to which the orbit born at a doubling is followed on.
+
+    Yields
+    ------
+    Passage or PathEnd
+        One `PathEnd`, which is the last.
+
+    Raises
+    ------
+    GearlashError
+        For arguments that do not fit.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> from gearlash.branches import follow
+    >>> family, _ = gl.load_case("kahraman-singh").family()
+    >>> orbit = gl.attractor(family.system({"omega": 0.8}), family.start())
+    >>> touch, end = follow(family, "omega", orbit, 0.825, values={"omega": 0.8})
+    >>> round(touch.value, 6), str(touch.after.label), str(end.outcome)
+    (0.820631, '1-1-0', 'arrived')
+    """
     family, members, short = checked(model, values, name, orbit)
     target = plain_values(model, family, {name: to})[short]
     start = members[short]

@@ -164,11 +164,10 @@ class _Search:
         change = self.explanation(below, above, nearest)
         if change is not None:
             if change.after is None and not self.quiet(change.before):
-                labels, reason = (
-                    (labels[0], change.before.label),
-                    "",
-                )  # the orbit that ends: beyond is its slow ghost
-            return ZoneEnd(change.value, change.kind, change.error, *labels, way, change.point, reason)
+                # The orbit that ends: what is seen beyond is its slow ghost.
+                labels, reason = (inside.label, change.before.label), ""
+            kind = change.kind or unlocated(inside, outside)
+            return ZoneEnd(change.value, kind, change.error, *labels, way, change.point, reason)
         middle, half = 0.5 * (below.value + above.value), 0.5 * (above.value - below.value)
         return ZoneEnd(middle, self.unsolved(inside, outside), half, *labels, way, None, reason)
 
@@ -197,7 +196,7 @@ class _Search:
             if point.value >= above.value:
                 last = below.value - EXPLAINED_WITHIN * width
             change = self.first_change(point, last)
-            if change is None or not change.kind:
+            if change is None:
                 continue
             slack = width * (EXPLAINED_WITHIN if change.after is None else 1e-3)
             if below.value - slack <= change.value <= above.value + slack:
