@@ -14,6 +14,7 @@ from gearlash.cli.options import AsJson, Settings, Workers, folder
 
 if TYPE_CHECKING:
     from gearlash.case import Case
+    from gearlash.cli.answers.reproduce import ReproduceAnswer
     from gearlash.cli.folder import OutFolder
     from gearlash.cli.progress import StageCallback
     from gearlash.jobs import Progress
@@ -70,6 +71,15 @@ def reproduce(
     folder = claim(out, ["report.html", "report.json", "figures", "reproduce.json", *sweeps])
     load_engine(data=True)
 
+    answer = _answer(chosen, points, workers, folder)
+    with delivery():
+        write_file(answer, folder.file("reproduce.json"))
+        show_answer(answer, as_json)
+    return code_of(answer.status)
+
+
+def _answer(case: Case, points: int | None, workers: int | None, folder: OutFolder) -> ReproduceAnswer:
+    """The study, and its report in the folder."""
     from gearlash import article
     from gearlash.article import report
     from gearlash.cli.answers.reproduce import reproduce_answer
@@ -77,21 +87,12 @@ def reproduce(
     from gearlash.jobs import open_executor
 
     with stage_bar() as progress:
-        found = article.reproduce(
-            chosen,
-            _scope(points),
-            workers=workers,
-            progress=_told(progress),
-            keep=_keeper(chosen, folder),
-        )
+        keep, show_stage = _keeper(case, folder), _expecting_results(progress)
+        found = article.reproduce(case, _scope(points), workers=workers, progress=show_stage, keep=keep)
         progress("report", None)
         with open_executor(workers) as executor, delivery(breakable=True):
             page = report.render(found, folder.path, executor)
-    answer = reproduce_answer(found, str(page))
-    with delivery():
-        write_file(answer, folder.file("reproduce.json"))
-        show_answer(answer, as_json)
-    return code_of(answer.status)
+    return reproduce_answer(found, str(page))
 
 
 def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], None]:
@@ -112,8 +113,9 @@ def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], N
     return keep
 
 
-def _told(progress: StageCallback) -> StageCallback:
-    """The same, and notice of when sweeps begin that are to be kept."""
+def _expecting_results(progress: StageCallback) -> StageCallback:
+    """Shows the same progress. When the sweeps begin, it also says that from now on there is something that
+    is worth keeping."""
     from gearlash.article.study import STAGES
 
     def tell(stage: str, state: Progress | None) -> None:
