@@ -208,9 +208,9 @@ def _break_off(number: int, _frame: FrameType | None) -> None:
 @contextmanager
 def _listening(numbers: list[int]) -> Iterator[None]:
     """With the thread that hears signals wherever the main one is."""
-    heard, told = socket.socketpair()
-    told.setblocking(False)
-    before = signal.set_wakeup_fd(told.fileno(), warn_on_full_buffer=False)
+    heard, wakeup = socket.socketpair()
+    wakeup.setblocking(False)
+    before = signal.set_wakeup_fd(wakeup.fileno(), warn_on_full_buffer=False)
 
     def listen() -> None:
         while True:
@@ -229,7 +229,7 @@ def _listening(numbers: list[int]) -> Iterator[None]:
         yield
     finally:
         signal.set_wakeup_fd(before)
-        told.close()  # ends the thread
+        wakeup.close()  # ends the thread
         thread.join()
         heard.close()
 

@@ -121,13 +121,13 @@ def write_together(contents: Mapping[Path, bytes | memoryview], instead_of: Iter
     try:
         _unfinished.update(parts.values())
         for path, part in parts.items():
-            with _told_as(path), part.open("xb") as file:
+            with _naming(path), part.open("xb") as file:
                 file.write(contents[path])
                 file.flush()
                 os.fsync(file.fileno())
         with _moving:
             for path, part in parts.items():
-                with _told_as(path):
+                with _naming(path):
                     part.replace(path)
             for path in instead_of:
                 path.unlink(missing_ok=True)
@@ -152,8 +152,8 @@ def give_up() -> None:
 
 
 @contextlib.contextmanager
-def _told_as(path: Path) -> Iterator[None]:
-    """What the system refuses is told with the name of the file that was wanted."""
+def _naming(path: Path) -> Iterator[None]:
+    """An error of the operating system names the file that was wanted."""
     try:
         yield
     except OSError as error:
@@ -208,8 +208,8 @@ def load(path: str | Path) -> xr.Dataset:
     except UnreadableError as error:
         raise GearlashError(f"{name}: {error}") from None
     except DAMAGED as error:
-        told = cut(str(error) or type(error).__name__, 300)
-        raise GearlashError(f"{name}: not a NetCDF file of gearlash ({told})") from None
+        reason = cut(str(error) or type(error).__name__, 300)
+        raise GearlashError(f"{name}: not a NetCDF file of gearlash ({reason})") from None
     if FORMAT not in dataset.attrs:
         raise GearlashError(f"{name}: a NetCDF file, but not one of gearlash")
     return dataset

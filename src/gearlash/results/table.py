@@ -53,8 +53,10 @@ def table(dataset: xr.Dataset) -> pd.DataFrame:
         for name, meaning in _codes(dataset).items():
             frame[name] = [meaning.get(int(code), "") for code in frame[name]]
     except (AttributeError, KeyError, TypeError, ValueError) as error:
-        told = cut(repr(error), 200)
-        raise GearlashError(f"a dataset with codes that say nothing: not one of gearlash ({told})") from None
+        reason = cut(repr(error), 200)
+        raise GearlashError(
+            f"a dataset with codes that say nothing: not one of gearlash ({reason})"
+        ) from None
     return frame
 
 

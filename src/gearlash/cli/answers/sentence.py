@@ -22,7 +22,7 @@ if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.orbits import Attractor
 
 MARK = "†"  # behind a physical number that rests on an assumed value
-MANY = 64  # cycles beyond which only an average is told: mostly a stretch of a motion that does not repeat
+MANY = 64  # mesh cycles: of more only an average is given, as mostly the motion does not repeat
 ROUNDING = 1e-9  # of a phase
 TIMES = {1: "once", 2: "twice"}
 LOST = {"stability": "unstable", "unsolved": "not solved for"}
