@@ -80,7 +80,7 @@ def test_a_point_of_a_study_is_a_start():
 
 def test_switched_by_the_case():
     case = gl.load_case("article")
-    (twelve,) = gl.switch_branch(case, six(), six().of_kind("period doubling")[0], steps=COARSE)
+    (twelve,) = gl.switch_branch(case, six(), six().of_kind("doubling")[0], steps=COARSE)
     assert {point.label for point in twelve.points} == {"12-12-3", "12-12-2"}
 
 

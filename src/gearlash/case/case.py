@@ -31,7 +31,7 @@ FORMAT = 1
 
 @dataclass(frozen=True, repr=False)
 class Case(Record):
-    """A complete, checked case, as `load`, `loads` and `Case.from_json` make it.
+    """A complete, checked case, as `load_case` and `Case.from_json` make it.
 
     Attributes
     ----------

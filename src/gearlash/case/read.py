@@ -26,7 +26,7 @@ _AT_LINE = re.compile(r"\s*\(at (line \d+, column \d+|end of document)\)")
 
 
 def bundled() -> list[str]:
-    """Names of the cases that come with the package, for `load`.
+    """Names of the cases that come with the package, for `load_case`.
 
     Returns
     -------

@@ -13,7 +13,7 @@ class ImpactFree:
     """Where one motion without impacts exists and is stable, in values of ω.
 
     It is the motion of teeth that never part, on the side of the load. Nothing is said about other motions at
-    the same speeds, nor which starts lead to this one. Null: not met within the search.
+    the same speeds, nor which starts lead to this one. None (null in JSON): not met within the search.
 
     Examples
     --------

@@ -17,15 +17,13 @@ from gearlash.branches.continuation import (
 )
 from gearlash.jobs import Execution
 from gearlash.jobs.stop import Cancel
-from gearlash.orbits import Orbit, attractor, orbit_at
+from gearlash.orbits import Orbit, attractor
 from gearlash.results import Point
 from gearlash.system import Family, GearlashError, given, plain_values
 
 from .arguments import checked_settings
+from .beginning import STARTS, Start, orbit_of, value_of
 from .model import Model, Source
-
-Start = Orbit | Point | BranchPoint | SpecialPoint
-STARTS = (Orbit, Point, BranchPoint, SpecialPoint)
 
 
 def continue_branch(
@@ -96,14 +94,14 @@ def continue_branch(
     numbers, steps = plain_values(model, family, values), _checked_steps(steps)
     if start is not None and not isinstance(start, Orbit):
         given.instance("start", start, STARTS, "an Orbit, a Point of a study, or a point of a branch")
-        numbers[short] = (start.point if isinstance(start, SpecialPoint) else start).value
+        numbers[short] = value_of(start, short)
     complete = family.complete(numbers)
     if tell is not None:
         given.function("tell", tell, "a function of a number")
     cancelled = Execution(cancel=cancel).cancel
     stop = None if cancelled is None else cancelled.is_set
     return continue_orbit(
-        family, complete, short, _orbit(family, complete, start), low, high, steps, tell, stop
+        family, complete, short, _orbit(family, complete, short, start), low, high, steps, tell, stop
     )
 
 
@@ -140,7 +138,7 @@ def switch_branch(
     >>> import gearlash as gl
     >>> case = gl.load_case("article")
     >>> six = gl.continue_branch(case, "D", lower=0.35, upper=0.37, values={"omega": 0.78, "D": 0.365})
-    >>> (twelve,) = gl.switch_branch(case, six, six.of_kind("period doubling")[0])
+    >>> (twelve,) = gl.switch_branch(case, six, six.of_kind("doubling")[0])
     >>> print(twelve.points[0].label)
     12-12-3
     """
@@ -220,21 +218,11 @@ def _checked_steps(steps: ContinuationSettings | None) -> ContinuationSettings:
     return given.instance("steps", steps, ContinuationSettings, expected)
 
 
-def _orbit(family: Family, values: Mapping[str, float], start: Start | None) -> Orbit:
-    if isinstance(start, Orbit):
-        return start
+def _orbit(family: Family, values: Mapping[str, float], name: str, start: Start | None) -> Orbit:
+    if start is not None:
+        return orbit_of(family, values, name, start)
     props = flow.propagators(family.system(values))
-    if start is None:
-        found = attractor(props, family.start(values), checked_settings(None))
-        if not isinstance(found, Orbit):
-            raise GearlashError(
-                f"the motion from the cold start is {found.label}, not periodic: give a start"
-            )
-        return found
-    point = start.point if isinstance(start, SpecialPoint) else start
-    if point.period < 1:
-        raise GearlashError(f"the start is {point.status}, not periodic: expected a periodic motion")
-    orbit = orbit_at(props, point.state, point.period // props.system.cycles)
-    if orbit is None:
-        raise GearlashError("there is no periodic orbit of this family near the start")
-    return orbit
+    found = attractor(props, family.start(values), checked_settings(None))
+    if not isinstance(found, Orbit):
+        raise GearlashError(f"the motion from the cold start is {found.label}, not periodic: give a start")
+    return found

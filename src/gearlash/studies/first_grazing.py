@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from math import isnan
 from typing import Literal
 
-from gearlash import flow
 from gearlash.branches import BifurcationPoint, GrazingPoint, Outcome, Passage, PathEnd, follow
 from gearlash.jobs.stop import interruptible
-from gearlash.orbits import Settings, orbit_at
+from gearlash.orbits import Settings
 from gearlash.results import Direction, Point
 from gearlash.results.followed import INTERRUPTED, FollowedPath, PassedBifurcation
 from gearlash.system import Family, GearlashError, MotionKind, given, plain_values, short_name
 
 from .arguments import checked_settings
+from .beginning import orbit_of, value_of
 from .model import Model, Source
 
 REACH = 0.95  # as far as it is followed, relative to the value at the start
@@ -118,10 +117,7 @@ def _checked(
     given.instance("start", start, Point, "a point, as from gearlash.point(model, values, name=...)")
     if not start.periodic:
         raise GearlashError(f"start: expected a periodic motion, not one of status {start.status}")
-    if isnan(start.value):
-        made = f"gearlash.point(model, values, name={name!r})"
-        raise GearlashError(f"start: the point does not say its {name}: make it with {made}")
-    return family, name, family.complete({**plain_values(model, family, values), name: start.value})
+    return family, name, family.complete({**plain_values(model, family, values), name: value_of(start, name)})
 
 
 def _way(direction: str) -> Literal["down", "up"]:
@@ -142,10 +138,7 @@ def _steps(
     settings: Settings,
 ) -> Iterator[Passage | PathEnd]:
     """The way from a point of a study."""
-    props = flow.propagators(family.system(values))
-    orbit = orbit_at(props, start.state, len(start.strobes))
-    if orbit is None:
-        raise GearlashError("start: no orbit closes there; expected a point of this model at this value")
+    orbit = orbit_of(family, values, name, start)
     yield from follow(family, name, orbit, to, values=values, tell=told, longest=settings.max_period)
 
 

@@ -44,8 +44,8 @@ def impact_free_speeds(
     ----------
     model : Case or Family
         A gear pair. Of other systems a parameter of the name ``load`` says nothing about contact.
-    values : mapping of str to float, optional
-        Parameters by short name, over those of the model.
+    values : mapping of str to float or str, optional
+        Of parameters, over those of the model; a case takes every name and unit of its file.
     tell : callable, optional
         Hears how many speeds were tried, out of about how many.
 

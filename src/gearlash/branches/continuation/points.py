@@ -25,7 +25,7 @@ class SpecialKind(Named):
 
     FOLD = "fold"
     """The branch turns round in the parameter; a multiplier is 1."""
-    DOUBLING = "period doubling"
+    DOUBLING = "doubling"
     """A multiplier is -1: an orbit of twice the period is born or ends."""
     TORUS = "Neimark-Sacker"
     """A pair of multipliers crosses the unit circle."""

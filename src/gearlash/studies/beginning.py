@@ -1,0 +1,56 @@
+"""The periodic orbit with which following a parameter begins, as a user has it: of a study or of a branch."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import isfinite
+
+import numpy as np
+
+from gearlash import flow
+from gearlash.branches.continuation import BranchPoint, SpecialPoint
+from gearlash.orbits import Orbit, orbit_at
+from gearlash.results import Point
+from gearlash.system import Family, GearlashError
+
+Start = Orbit | Point | BranchPoint | SpecialPoint
+STARTS = (Orbit, Point, BranchPoint, SpecialPoint)
+SAME_STATE = 1e-4  # of the largest state: an orbit that lies farther from the start is another one
+
+
+def value_of(start: Point | BranchPoint | SpecialPoint, name: str) -> float:
+    """The value of the parameter that a start brings with it. Raises where it brings none."""
+    value = (start.point if isinstance(start, SpecialPoint) else start).value
+    if not isfinite(value):
+        made = f"gearlash.point(model, values, name={name!r})"
+        raise GearlashError(f"start: the point does not say its {name}: make it with {made}")
+    return value
+
+
+def orbit_of(family: Family, values: Mapping[str, float], name: str, start: Start) -> Orbit:
+    """The orbit that a start is, at ``values``.
+
+    A start tells one parameter at most. So whether it is an orbit at these values is looked at: one that was
+    found at other values is refused."""
+    point = start.point if isinstance(start, SpecialPoint) else start
+    props = flow.propagators(family.system(values))
+    if isinstance(point, Orbit):
+        periods = point.shot.period
+    elif point.period < 1:
+        raise GearlashError(f"start: expected a periodic motion, not one of status {point.status}")
+    else:
+        periods = point.period // props.system.cycles
+    found = orbit_at(props, point.state, periods)
+    if found is None or _apart(found.state, point.state) > SAME_STATE:
+        at = ", ".join(f"{each} = {values[each]:.10g}" for each in values)
+        raise GearlashError(
+            f"start: it is no periodic motion at {at}. Expected one that was found there: give as values "
+            f"all other parameters that it was found at; the value that a point brings is taken for {name}"
+        )
+    return found
+
+
+def _apart(left: np.ndarray, right: np.ndarray) -> float:
+    """Distance of two states relative to the larger, in the largest component."""
+    largest = max(float(np.abs(left).max()), float(np.abs(right).max()))
+    return float(np.abs(left - right).max()) / largest if largest > 0.0 else 0.0
