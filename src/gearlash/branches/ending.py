@@ -1,10 +1,10 @@
 """Why an orbit can be followed no farther, and above all whether it ends in a fold.
 
-For a stable orbit that is followed, `is_fold` decides that, and nothing else does: from a fold that was solved
-for, or, where none was, from the step that no shortening helps. `Outcome` says what else it may be: an orbit
-that loses its stability, joins the one of half its period, or is lost. A jump between two orbits of one label
-is a fold like any other: labels are not asked, only whether the orbit itself goes on. On a branch in
-arclength folds are solved for in `continuation/locate.py`."""
+For a stable orbit that is followed, `is_fold` decides that, and nothing else does: from a fold that was
+solved for, or, where none was, from the step that no shortening helps. `Outcome` says what else it may be:
+an orbit that loses its stability, joins the one of half its period, or is lost. A jump between two orbits of
+one label is a fold like any other: labels are not asked, only whether the orbit itself goes on. On a branch
+in arclength folds are solved for in `continuation/locate.py`."""
 
 from __future__ import annotations
 

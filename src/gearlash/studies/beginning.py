@@ -37,7 +37,9 @@ def orbit_of(family: Family, values: Mapping[str, float], name: str, start: Star
     if isinstance(point, Orbit):
         periods = point.shot.period
     elif point.period < 1:
-        raise GearlashError(f"start: expected a periodic motion, not one of status {point.status}")
+        raise GearlashError(
+            f"start: it is {point.label or point.status}, not periodic: expected a periodic motion"
+        )
     else:
         periods = point.period // props.system.cycles
     found = orbit_at(props, point.state, periods)
