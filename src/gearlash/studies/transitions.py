@@ -30,6 +30,7 @@ from gearlash.branches import (
     joins,
 )
 from gearlash.orbits import Orbit, Settings, Unresolved, attractor, orbit_at
+from gearlash.results import Sweep
 from gearlash.system import Family, GearlashError, Label, MotionKind, Record, given, plain_values, short_name
 
 from .model import Model, Source
@@ -171,7 +172,7 @@ class _Way:
 def transitions(
     model: Model,
     name: str,
-    points: Sequence[Sampled],
+    points: Sweep | Sequence[Sampled],
     *,
     values: Mapping[str, float | str] | None = None,
     rising: bool = True,
@@ -186,8 +187,8 @@ def transitions(
     model : Case or Family
     name : str
         The parameter that the points go along: a short name, or the physical one of a case.
-    points : sequence of Sampled
-        Points of a sweep, ascending, with dimensionless values.
+    points : Sweep or sequence of Sampled
+        A sweep, or points of one, ascending, with dimensionless values.
     values : mapping of str to float or str, optional
         Other parameters than ``name``; the model's own where nothing is given.
     rising : bool
@@ -208,7 +209,7 @@ def transitions(
     >>> import gearlash as gl
     >>> case = gl.load_case("kahraman-singh")
     >>> up = gl.sweep(case, gl.Axis.even("omega", 0.8, 0.825, 3), direction="up")
-    >>> [(change.kind, round(change.value, 6)) for change in gl.transitions(case, "omega", up.points)]
+    >>> [(change.kind, round(change.value, 6)) for change in gl.transitions(case, "omega", up)]
     [('grazing', 0.820631)]
     """
     family = Source.of(model).family()
@@ -226,9 +227,10 @@ def transitions(
     return tuple(change for i in sorted(found) for change in found[i])
 
 
-def _ascending(points: Sequence[Sampled]) -> tuple[Sampled, ...]:
-    """The same points. Raises `GearlashError` for what are none, or do not ascend."""
-    found = given.items("points", points, "the points of a sweep, ascending")
+def _ascending(points: Sweep | Sequence[Sampled]) -> tuple[Sampled, ...]:
+    """The points of a sweep. Raises `GearlashError` for other things, or where they do not ascend."""
+    sampled = points.points if isinstance(points, Sweep) else points
+    found = given.items("points", sampled, "a sweep, or the points of one, ascending")
     wrong = [point for point in found if not all(hasattr(point, name) for name in SAMPLED)]
     if wrong:
         raise GearlashError(f"points: expected the points of a sweep, not {given.kind_of(wrong[0])}")
