@@ -55,9 +55,9 @@ def test_maps_zones_points_and_searches_take_names_and_units():
     found = gl.impact_free_speeds(CASE, {"pinion_speed": "4000 rpm", **fixed})
     assert found is not None
     assert found.here
-    path, _ = gl.first_grazing(CASE, "omega", gl.point(CASE, name="omega"), "down", values=fixed)
+    path, _ = gl.first_grazing(CASE, "omega", gl.point(CASE, fixed, name="omega"), "down", values=fixed)
     assert path.decided
-    start = gl.point(CASE, {"pinion_speed": "4000 rpm"}, name="pinion_speed")
+    start = gl.point(CASE, {"pinion_speed": "4000 rpm", **fixed}, name="pinion_speed")
     assert start.value == in_omega("4000 rpm")[0]
     assert gl.first_grazing(CASE, "pinion_speed", start, "down", values=fixed)[0].decided
 
