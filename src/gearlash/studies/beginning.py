@@ -4,35 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import isfinite
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
 from gearlash import flow
-from gearlash.branches.continuation import BranchPoint, SpecialPoint
 from gearlash.orbits import Orbit, orbit_at
 from gearlash.results import Point
 from gearlash.system import Family, GearlashError
 
-Start = Orbit | Point | BranchPoint | SpecialPoint
-STARTS = (Orbit, Point, BranchPoint, SpecialPoint)
+if TYPE_CHECKING:  # continuation is loaded by what continues branches only
+    from gearlash.branches.continuation import BranchPoint, SpecialPoint
+
 SAME_STATE = 1e-4  # of the largest state: an orbit that lies farther from the start is another one
 
 
 def value_of(start: Point | BranchPoint | SpecialPoint, name: str) -> float:
     """The value of the parameter that a start brings with it. Raises where it brings none."""
-    value = (start.point if isinstance(start, SpecialPoint) else start).value
+    value = _point_of(start).value
     if not isfinite(value):
         made = f"gearlash.point(model, values, name={name!r})"
         raise GearlashError(f"start: the point does not say its {name}: make it with {made}")
     return value
 
 
-def orbit_of(family: Family, values: Mapping[str, float], name: str, start: Start) -> Orbit:
+def orbit_of(
+    family: Family, values: Mapping[str, float], name: str, start: Orbit | Point | BranchPoint | SpecialPoint
+) -> Orbit:
     """The orbit that a start is, at ``values``.
 
     A start tells one parameter at most. So whether it is an orbit at these values is looked at: one that was
     found at other values is refused."""
-    point = start.point if isinstance(start, SpecialPoint) else start
+    point = start if isinstance(start, Orbit) else _point_of(start)
     props = flow.propagators(family.system(values))
     if isinstance(point, Orbit):
         periods = point.shot.period
@@ -50,6 +53,11 @@ def orbit_of(family: Family, values: Mapping[str, float], name: str, start: Star
             f"all other parameters that it was found at; the value that a point brings is taken for {name}"
         )
     return found
+
+
+def _point_of(start: Point | BranchPoint | SpecialPoint) -> Point | BranchPoint:
+    """The orbit of a special point, or the point itself."""
+    return cast("Point | BranchPoint", getattr(start, "point", start))
 
 
 def _apart(left: np.ndarray, right: np.ndarray) -> float:

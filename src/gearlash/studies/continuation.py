@@ -22,8 +22,11 @@ from gearlash.results import Point
 from gearlash.system import Family, GearlashError, given, plain_values
 
 from .arguments import checked_settings
-from .beginning import STARTS, Start, orbit_of, value_of
+from .beginning import orbit_of, value_of
 from .model import Model, Source
+
+Start = Orbit | Point | BranchPoint | SpecialPoint
+STARTS = (Orbit, Point, BranchPoint, SpecialPoint)
 
 
 def continue_branch(
