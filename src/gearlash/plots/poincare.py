@@ -18,13 +18,7 @@ from .portraits import heading
 from .units import VELOCITY, ForceAxis
 
 # One look a motion: colour and marker, so that two are told apart in grey too.
-POINT_STYLES = (
-    (style.BLUE, "o"),
-    (style.VERMILION, "^"),
-    (style.GREEN, "s"),
-    (style.PURPLE, "D"),
-    (style.INK, "v"),
-)
+LOOKS = ((style.BLUE, "o"), (style.VERMILION, "^"), (style.GREEN, "s"), (style.PURPLE, "D"), (style.INK, "v"))
 IN_CYCLE = r"phase in the mesh cycle  $\theta/2\pi$"
 
 
@@ -69,7 +63,7 @@ def sections(motions: Sequence[Motion], parameter: str = "omega", force: ForceAx
         panel.set_title(title)
         panel.tick_params(which="both", top=True, right=True)
     for i, motion in enumerate(motions):
-        look = POINT_STYLES[i % len(POINT_STYLES)]
+        look = LOOKS[i % len(LOOKS)]
         _points(panels[0], motion.strobe_displacement, motion.strobe_velocity, look, True, motion.periodic)
         for panel, side in zip(panels[1:], (1, -1), strict=False):
             for engaging in (True, False):
@@ -112,7 +106,7 @@ def _points(
 def _key(motions: Sequence[Motion], parameter: str) -> list[Line2D]:
     handles = [
         Line2D([], [], ls="none", marker=m, color=c, ms=4.2, label=heading(motion, parameter))
-        for (c, m), motion in zip(POINT_STYLES, motions, strict=False)
+        for (c, m), motion in zip(LOOKS, motions, strict=False)
     ]
     if any(len(m.hit_phase) for m in motions):
         for filled, words in ((True, "impact (into contact)"), (False, "release (out of contact)")):

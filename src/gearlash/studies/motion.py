@@ -19,10 +19,8 @@ from gearlash.system import Family, GearlashError, Label, MotionKind, Record, St
 Array = NDArray[np.float64]
 
 PER_CYCLE = 400  # samples of one mesh cycle: a curve without visible corners at the width of a page
-DRAWN_CYCLES = 60  # of an aperiodic motion; more only blackens the picture
-TOUCH_WIDTH = (
-    1e-3  # mesh cycles around a touch within which a contact is that touch, split in two by rounding
-)
+MOST_CYCLES = 60  # of an aperiodic motion; more only blackens the picture
+TOUCHING = 1e-3  # mesh cycles around a touch within which a contact is that touch, split in two by rounding
 
 
 @dataclass(frozen=True, repr=False)
@@ -190,7 +188,7 @@ def motion(
         touch = _pair(touch)
     system, gap = trace.propagators.system, trace.propagators.system.clearances[clearance]
     orbit = attractor if isinstance(attractor, Orbit) else None
-    cycles = trace.cycles if orbit else min(trace.cycles, float(DRAWN_CYCLES))
+    cycles = trace.cycles if orbit else min(trace.cycles, float(MOST_CYCLES))
     samples = trace.at(_phases(trace, cycles, clearance), clearance)
     events, strobes = trace.events.of(clearance), attractor.strobes
     hits = _hits(events.phase, trace, cycles, touch)
@@ -261,7 +259,7 @@ def _hits(phase: Array, trace: Trace, cycles: float, touch: tuple[float, int] | 
     chosen = phase <= cycles
     if touch is not None:
         away = np.abs((phase - touch[0] + trace.cycles / 2.0) % trace.cycles - trace.cycles / 2.0)
-        chosen &= away > TOUCH_WIDTH
+        chosen &= away > TOUCHING
     return np.flatnonzero(chosen)
 
 

@@ -22,18 +22,8 @@ from .reading import Reading, finite
 
 Structure: TypeAlias = Mapping[str, Any]
 
-HEAD_KEYS = ("kind", "name", "description", "source")
-TOP = (
-    *HEAD_KEYS,
-    "states",
-    "cycles",
-    "parameters",
-    "definitions",
-    "matrix",
-    "forcing",
-    "initial",
-    "clearance",
-)
+HEAD = ("kind", "name", "description", "source")
+TOP = (*HEAD, "states", "cycles", "parameters", "definitions", "matrix", "forcing", "initial", "clearance")
 MOST_STATES = 40
 MOST_CYCLES = 1000
 PARAMETER_KEYS = ("value", "provenance", "reason", "description", "lower", "upper")
@@ -53,7 +43,7 @@ class Content(NamedTuple):
 
 
 def read(raw: Mapping[str, Any]) -> Content:
-    """A parsed file, its head (`HEAD_KEYS`) aside."""
+    """A parsed file, its head (`HEAD`) aside."""
     reading = Reading()
     for key in raw:
         if key not in TOP:
