@@ -10,7 +10,7 @@ from dataclasses import is_dataclass
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from gearlash.cli.exits import MEANINGS
-from gearlash.cli.kinds import KINDS, answer_kind
+from gearlash.cli.kinds import ANSWER_KINDS, answer_kind
 from gearlash.cli.schemas import SIMPLE, described_fields
 from gearlash.system import Status
 
@@ -107,7 +107,7 @@ def results_page() -> str:
     """The whole page, Markdown."""
     parts = [HEAD]
     seen: set[type] = set()
-    for kind in KINDS:
+    for kind in ANSWER_KINDS:
         parts.append("\n".join(_answer(kind, answer_kind(kind), seen)))
     parts += [
         FOLDER,

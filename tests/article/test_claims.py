@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearlash.article import NOT_FOUND, REPRODUCED, SHIFTED, Claim, load
-from gearlash.article.claims import KINDS, _claim
+from gearlash.article.claims import CLAIM_KINDS, _claim
 from gearlash.article.judge import CLOSE, FAR, coincides, deviation, same_label, verdict, worst
 from gearlash.case import load as load_case
 from gearlash.orbits import Signature
@@ -31,7 +31,7 @@ def test_ids_are_unique_and_ordered_as_loaded():
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.id)
 def test_every_claim_is_whole(claim):
-    assert claim.kind in KINDS
+    assert claim.kind in CLAIM_KINDS
     assert len(claim.sentence) > 40
     assert claim.title
     assert claim.quantity

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from gearlash.case.kinds.piecewise.expressions import (
     DEEPEST,
     FUNCTIONS,
-    LARGEST,
+    LARGEST_NUMBER,
     LONGEST,
     Expression,
     ExpressionError,
@@ -184,7 +184,7 @@ def test_of_any_text_comes_a_finite_float_or_a_named_problem(text: str):
         assert error.expected  # noqa: PT017 - either outcome is right; a refusal must say why
     else:
         assert type(found) is float
-        assert abs(found) <= LARGEST
+        assert abs(found) <= LARGEST_NUMBER
 
 
 LEAVES = st.one_of(

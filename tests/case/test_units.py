@@ -149,12 +149,12 @@ def test_what_looks_right_and_is_not_is_refused(text, why):
         read(text)
 
 
-@pytest.mark.parametrize("word", [w for w in units.WORDS if w not in ("%", "rev", "U", "r")])
+@pytest.mark.parametrize("word", [w for w in units.UNIT_WORDS if w not in ("%", "rev", "U", "r")])
 def test_every_known_word_is_what_pint_makes_of_it(word):
     found = units.ask_pint(word)
     assert found is not None
-    assert found.dimension == units.WORDS[word].dimension
-    assert float(found.ratio) == pytest.approx(units.WORDS[word].convert(Fraction(1)), rel=1e-15)
+    assert found.dimension == units.UNIT_WORDS[word].dimension
+    assert float(found.ratio) == pytest.approx(units.UNIT_WORDS[word].convert(Fraction(1)), rel=1e-15)
 
 
 def test_rev_is_a_turn():
@@ -163,9 +163,9 @@ def test_rev_is_a_turn():
     assert units.unit("rev").convert(Fraction(1)) == pytest.approx(float(turn.ratio), rel=1e-15)
 
 
-@given(st.sampled_from(sorted(units.WORDS)), st.floats(-1e200, 1e200))
+@given(st.sampled_from(sorted(units.UNIT_WORDS)), st.floats(-1e200, 1e200))
 def test_showing_a_value_undoes_reading_it(word, number):
-    unit = units.WORDS[word]
+    unit = units.UNIT_WORDS[word]
     assert unit.express(unit.convert(Fraction(number))) == pytest.approx(number, rel=1e-15, abs=1e-300)
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from cli.conftest import Gearlash
 from cli.schema_check import problems
-from gearlash.cli.kinds import KINDS, answer_kind
+from gearlash.cli.kinds import ANSWER_KINDS, answer_kind
 from gearlash.cli.schemas import answer_schema
 
 
@@ -25,7 +25,7 @@ def test_the_validator_can_refuse():
     assert problems({**good, "problems": [{**row, "nearest": 3}]}, schema)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", ANSWER_KINDS)
 def test_every_kind_has_a_schema_whose_pointers_lead_somewhere(kind: str, gearlash: Gearlash):
     schema = gearlash("schema", "--result", kind).answer
     assert schema["properties"]["result"]["enum"] == [kind]
@@ -55,9 +55,9 @@ def test_unknown_kind_names_the_nearest(gearlash: Gearlash):
 def test_schemas_do_without_the_engine():
     script = (
         "import sys\n"
-        "from gearlash.cli.kinds import KINDS, answer_kind\n"
+        "from gearlash.cli.kinds import ANSWER_KINDS, answer_kind\n"
         "from gearlash.cli.schemas import answer_schema\n"
-        "[answer_schema(answer_kind(kind)) for kind in KINDS]; print('numba' in sys.modules)"
+        "[answer_schema(answer_kind(kind)) for kind in ANSWER_KINDS]; print('numba' in sys.modules)"
     )
     ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert ran.stdout.strip() == "False"

@@ -15,7 +15,7 @@ from matplotlib.text import Text
 
 import gearlash as gl
 from gearlash import plots
-from gearlash.plots.units import MARK
+from gearlash.plots.units import ASSUMED_MARK
 from gearlash.system import Signature
 from plots.made import aperiodic, around_grazing, article, dataset, moving, plane, zoned
 
@@ -136,7 +136,7 @@ def test_the_back_side_is_shown_with_impacts_and_releases() -> None:
     assert r"$\Phi$  on  $\sigma_b$" in said
     assert any(text.startswith("impacts, S2") for text in said)
     assert any(text.startswith("releases, S3") for text in said)
-    assert f"backlash  $b$  [µm] {MARK}" in said
+    assert f"backlash  $b$  [µm] {ASSUMED_MARK}" in said
 
 
 def test_forces_are_drawn_in_the_sign_asked_for() -> None:
@@ -162,15 +162,15 @@ def test_second_scales_agree_with_the_case_and_mark_what_is_assumed() -> None:
     assert own.force is not None
     assert own.speed(1.047) == pytest.approx(float(scales.pinion_rpm(1.047)), rel=1e-14)
     assert own.speed.back(own.speed(0.7)) == pytest.approx(0.7, rel=1e-14)
-    assert not own.speed.label.endswith(MARK), "the speed rests on inferred values only"
-    assert own.length.label.endswith(MARK), "the length rests on the assumed backlash"
-    assert own.force.label.endswith(MARK)
+    assert not own.speed.label.endswith(ASSUMED_MARK), "the speed rests on inferred values only"
+    assert own.length.label.endswith(ASSUMED_MARK), "the length rests on the assumed backlash"
+    assert own.force.label.endswith(ASSUMED_MARK)
     assert plots.Units().of_parameter("omega") is None
     torque, error = own.of_parameter("load"), own.of_parameter("error")
     assert torque is not None
     assert error is not None
     assert torque(0.1) == pytest.approx(float(scales.torque(0.1)), rel=1e-14)
-    assert torque.label == f"torque  [N·m] {MARK}"
+    assert torque.label == f"torque  [N·m] {ASSUMED_MARK}"
     assert error(0.1) == pytest.approx(float(scales.length_um(0.1)), rel=1e-14)
     assert own.of_parameter("ripple") is None
 
@@ -182,9 +182,9 @@ def test_axes_of_motions_carry_symbols_and_units(name: str) -> None:
     figure = FIGURES[name]()
     said = words(figure)
     expected = {
-        "port": ("displacement  $X_n$", "velocity  $X_n'$", f"$x_n$  [µm] {MARK}"),
-        "gall": ("displacement  $X_n$", "velocity  $X_n'$", f"$x_n$  [µm] {MARK}"),
-        "hist": (r"time  $\theta/2\pi$  [mesh cycles]", r"mesh force  $\Phi$", f"$F_n$  [N] {MARK}"),
+        "port": ("displacement  $X_n$", "velocity  $X_n'$", f"$x_n$  [µm] {ASSUMED_MARK}"),
+        "gall": ("displacement  $X_n$", "velocity  $X_n'$", f"$x_n$  [µm] {ASSUMED_MARK}"),
+        "hist": (r"time  $\theta/2\pi$  [mesh cycles]", r"mesh force  $\Phi$", f"$F_n$  [N] {ASSUMED_MARK}"),
         "sect": (
             r"phase in the mesh cycle  $\theta/2\pi$",
             r"$\Phi$  on  $\sigma_d$",

@@ -68,7 +68,7 @@ def test_no_file_and_too_large_a_file(right: bytes, tmp_path: Path, monkeypatch:
     assert "it is a directory" in refusal(tmp_path)
     path = tmp_path / "sweep.nc"
     path.write_bytes(right)
-    monkeypatch.setattr(store, "LARGEST", 1000)
+    monkeypatch.setattr(store, "LARGEST_FILE", 1000)
     assert "larger than" in refusal(path)
     monkeypatch.setattr(store, "check_file", lambda *_: None)
     assert "holds more than" in refusal(path)

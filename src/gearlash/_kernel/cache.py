@@ -162,7 +162,7 @@ def machine_hash() -> str:
     import numpy
     from llvmlite import binding
 
-    from .jit import SETTINGS
+    from .jit import NUMBA_SETTINGS
 
     parts = (
         binding.get_process_triple(),
@@ -173,7 +173,7 @@ def machine_hash() -> str:
         llvmlite.__version__,
         numba.__version__,
         numpy.__version__,
-        *(getattr(SETTINGS, name, None) for name in IN_CODE),
+        *(getattr(NUMBA_SETTINGS, name, None) for name in IN_CODE),
     )
     return hashlib.sha256(repr(parts).encode()).hexdigest()
 

@@ -18,7 +18,7 @@ import numba
 
 from .cache import UNFINISHED, Files, cache_folder, make_version, trouble, version_folder
 from .declare import Kernel
-from .jit import SETTINGS
+from .jit import NUMBA_SETTINGS
 
 
 def loaded(kernel: Kernel, kept: Files) -> tuple[Callable[..., Any], Files]:
@@ -62,11 +62,11 @@ def _ready(dispatcher: Any, kernel: Kernel) -> Callable[..., Any]:
 def _cache_in(folder: Path) -> Iterator[None]:
     """For kernels declared in this block numba's cache is this folder, whatever is set for others."""
     wanted = {"CACHE_DIR": str(folder), "CACHE_LOCATOR_CLASSES": ""}
-    before = {name: getattr(SETTINGS, name) for name in wanted if hasattr(SETTINGS, name)}
+    before = {name: getattr(NUMBA_SETTINGS, name) for name in wanted if hasattr(NUMBA_SETTINGS, name)}
     try:
         for name in before:
-            setattr(SETTINGS, name, wanted[name])
+            setattr(NUMBA_SETTINGS, name, wanted[name])
         yield
     finally:
         for name, value in before.items():
-            setattr(SETTINGS, name, value)
+            setattr(NUMBA_SETTINGS, name, value)

@@ -39,10 +39,10 @@ __all__ = [
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-SETTINGS: Any = numba.config  # pyright: ignore[reportPrivateImportUsage]  (documented as numba.config)
+NUMBA_SETTINGS: Any = numba.config  # pyright: ignore[reportPrivateImportUsage]  (documented as numba.config)
 """Of numba: the user's, and left as they are."""
 
-PLAIN = bool(SETTINGS.DISABLE_JIT)
+PLAIN = bool(NUMBA_SETTINGS.DISABLE_JIT)
 """Whether kernels run as plain Python."""
 
 

@@ -17,7 +17,7 @@ from gearlash.orbits import shoot
 
 from .reproduction import BearingMode, Reading
 
-WORDS = {
+BEARING_WORDS = {
     "yp": "pinion, radial",
     "zp": "pinion, axial",
     "yg": "gear, radial",
@@ -41,7 +41,7 @@ def bearing_modes(
         shot = shoot(props, state, 1)
         if shot.status.ok:
             stiffness = frequency**2 / pair.mass_ratios[i // 2]
-            found.append(_mode(props, shot.state, STATES[2 * i], WORDS[bearing], stiffness))
+            found.append(_mode(props, shot.state, STATES[2 * i], BEARING_WORDS[bearing], stiffness))
     return tuple(found)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from gearlash.system import GearlashError
 
-KINDS = ("grazing", "codimension-2", "exponent", "zone", "insensitive", "routes", "label")
+CLAIM_KINDS = ("grazing", "codimension-2", "exponent", "zone", "insensitive", "routes", "label")
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class Claim:
     ----------
     id, title : str
     kind : str
-        One of `KINDS`; it decides how the claim is judged.
+        One of `CLAIM_KINDS`; it decides how the claim is judged.
     sentence : str
         What the article says, in its words.
     quantity : str
@@ -98,9 +98,9 @@ def load() -> tuple[Claim, ...]:
 
 
 def _claim(table: dict[str, Any]) -> Claim:
-    if table.get("kind") not in KINDS:
+    if table.get("kind") not in CLAIM_KINDS:
         raise GearlashError(
-            f"claim {table.get('id')!r}: kind {table.get('kind')!r}, expected one of {', '.join(KINDS)}"
+            f"claim {table.get('id')!r}: kind {table.get('kind')!r}, expected one of {', '.join(CLAIM_KINDS)}"
         )
     if "interval" in table:
         table = {**table, "interval": tuple(table["interval"])}

@@ -33,13 +33,13 @@ from .reproduction import Coincidence, Opening
 Array = NDArray[np.float64]
 Found = tuple[Transition, tuple[Direction, ...]]
 Beside = tuple[Coincidence, tuple[Direction, ...]]
-SAME = 1e-8  # relative distance of two values that are one doubling
+SAME_DOUBLING = 1e-8  # relative distance of two values that are one doubling
 FIRST, GROWTH, MOST = 3e-4, 1.3, 40  # amplitudes of the doubled orbit: the first, its growth, how many
 NEAREST = 3  # extrema that are tried, those nearest to a boundary first
 FARTHEST = 0.02  # of the parameter: a touch beyond is not beside the doubling
 ITERATIONS, SOLVED = 15, 1e-12
 STEP = 1e-7  # of the parameter: for the derivative
-LEAST = 4  # amplitudes from which the square root is read
+LEAST_AMPLITUDES = 4  # amplitudes from which the square root is read
 SHOWN = 6  # amplitudes that are kept, evenly among those that were followed
 
 
@@ -54,7 +54,7 @@ def first_touch(family: Family, point: BifurcationPoint) -> Coincidence | None:
             if step[2].signature != single.signature.twice:
                 break  # it has touched
             followed.append(step)
-        touch = _located(branch, followed) if len(followed) > LEAST else None
+        touch = _located(branch, followed) if len(followed) > LEAST_AMPLITUDES else None
         return None if touch is None else _coincidence(point, touch, followed)
     except (GearlashError, np.linalg.LinAlgError):
         return None
@@ -66,7 +66,9 @@ def coincidences(case: Case, found: Sequence[Found], executor: Executor) -> list
     for transition, directions in found:
         if transition.kind != DOUBLING or not isinstance(transition.point, BifurcationPoint):
             continue
-        value = next((v for v in met if abs(v - transition.value) <= SAME * abs(v)), transition.value)
+        value = next(
+            (v for v in met if abs(v - transition.value) <= SAME_DOUBLING * abs(v)), transition.value
+        )
         ways = met.setdefault(value, (transition.point, []))[1]
         ways += [d for d in directions if d not in ways]
     tasks = [executor.submit(beside, case.to_json(), point) for point, _ in met.values()]
@@ -205,9 +207,9 @@ def _coincidence(
 def _square_root(opening: list[Opening], clearance: float) -> tuple[float, float]:
     """Distance of the touch as foreseen from the smallest amplitudes alone, and the power of the opening
     measured there: amplitude ∼ distance^power."""
-    if len(opening) < LEAST:
+    if len(opening) < LEAST_AMPLITUDES:
         return float("nan"), float("nan")
-    a, s, d = np.array([(o.amplitude, o.distance, o.clearance) for o in opening[:LEAST]]).T
+    a, s, d = np.array([(o.amplitude, o.distance, o.clearance) for o in opening[:LEAST_AMPLITUDES]]).T
     power = float(np.polyfit(np.log(s), np.log(a), 1)[0])
     approach = float(np.mean((clearance - d) / a))
     return float(np.mean(s / a**2)) * (clearance / approach) ** 2, power

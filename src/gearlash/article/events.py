@@ -22,7 +22,7 @@ from .doubled import Beside, Found
 from .judge import FAR, NOT_FOUND, coincides, deviation, same_label, verdict, worst
 from .kinds import table2_type
 from .reproduction import NAN, Coincidence, Event
-from .rows import SETTINGS
+from .rows import STUDY_SETTINGS
 
 PICTURED = 0.008  # relative distance of the motions before and after; halved until the labels agree
 ZERO = 1e-3  # |λ ± 1|, |X ∓ D| and |X'| below which a condition counts as met
@@ -174,7 +174,7 @@ class EventSearch:
         distance = PICTURED
         for _ in range(14):
             place = value * (1.0 + side * distance)
-            found = attractor(self.family.system({**self.values, name: place}), state, SETTINGS)
+            found = attractor(self.family.system({**self.values, name: place}), state, STUDY_SETTINGS)
             if found.label == wanted:
                 return motion(found, value=place)
             distance /= 2.0
@@ -231,7 +231,7 @@ class EventSearch:
 
     def cold(self, name: str, value: float) -> Motion:
         values = {**self.values, name: value}
-        found = attractor(self.family.system(values), self.family.start(values), SETTINGS)
+        found = attractor(self.family.system(values), self.family.start(values), STUDY_SETTINGS)
         return motion(found, value=value)
 
 

@@ -38,7 +38,7 @@ SPAN = (0.90, 1.20)  # of ω around the window
 POINTS = 451
 INSIDE = 1.05  # ω in the middle of the window
 PICTURED = 0.006  # relative distance of the portraits from the grazing
-WORDS = ("before: teeth stay in contact", "at: the motion touches Σ₁", "after: teeth part and hit")
+PANEL_WORDS = ("before: teeth stay in contact", "at: the motion touches Σ₁", "after: teeth part and hit")
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,7 +171,7 @@ def _names(axes: Axes, rows: list[Branch], ends: tuple[float, float]) -> None:
 
 def _portraits(panels: list[Axes], motions: Sequence[Motion]) -> None:
     box = frame(motions)
-    for panel, item, words in zip(panels, motions, WORDS, strict=True):
+    for panel, item, words in zip(panels, motions, PANEL_WORDS, strict=True):
         portraits.draw(panel, item)
         panel.set(xlim=box[:2], ylim=box[2:], xlabel=X)
         panel.set_title(f"{words}\nω = {item.value:.4f}   {short(item.label)}")

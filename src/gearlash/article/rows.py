@@ -13,7 +13,7 @@ from gearlash.results import Axis, Direction, Sweep
 from gearlash.studies.sweep import sweeps
 from gearlash.studies.transitions import Transition, transitions
 
-SETTINGS = Settings(
+STUDY_SETTINGS = Settings(
     budget=9_000, patience=600, exponent_periods=1_000
 )  # base periods of one transient; what needs more is flagged, not guessed
 PARTS = 4  # of a sweep: so that no worker waits for another to come to its end
@@ -42,7 +42,7 @@ def rows(
     """Sweeps cold, up and down, and what changes along each, on the executor's workers. ``keep`` gets the
     sweeps before that is looked for, which takes as long again."""
     done = sweeps(
-        case, axis, values=fixed, settings=SETTINGS, execution=Execution(executor, progress=progress)
+        case, axis, values=fixed, settings=STUDY_SETTINGS, execution=Execution(executor, progress=progress)
     )
     if keep is not None:
         keep(done)

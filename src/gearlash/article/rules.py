@@ -22,7 +22,7 @@ from gearlash.studies.transitions import GRAZING, transitions
 from gearlash.system import ContactRule, Family
 
 from .reproduction import RuleEffect, RuleGrazing, RuleLabel
-from .rows import SETTINGS
+from .rows import STUDY_SETTINGS
 
 MULTIBODY_SPEEDS = (0.942, 1.047)  # ω of the article's multibody runs
 REACH = 0.6  # of ω: how far the impact-free orbit is followed to its ends
@@ -52,7 +52,7 @@ def effect(
     case = Case.from_json(case_json).with_overrides({OPTION: rule})
     family, _ = case.family()
     at_speeds = [
-        point(family, {"D": fixed["D"], "omega": omega}, name="omega", settings=SETTINGS)
+        point(family, {"D": fixed["D"], "omega": omega}, name="omega", settings=STUDY_SETTINGS)
         for omega in MULTIBODY_SPEEDS
     ]
     quiet = next((p for p in at_speeds if p.impact_free), None)
@@ -62,7 +62,11 @@ def effect(
         ends = tuple(_end(family, values, quiet, quiet.value + way) for way in (-REACH, REACH))
     along = {"omega": fixed["omega"]}
     down = sweep(
-        case, Axis("D", np.array(sorted(backlash))), values=along, direction=Direction.DOWN, settings=SETTINGS
+        case,
+        Axis("D", np.array(sorted(backlash))),
+        values=along,
+        direction=Direction.DOWN,
+        settings=STUDY_SETTINGS,
     )
     found = transitions(family, "D", down.points, values=along, rising=False)
     return RuleEffect(

@@ -27,7 +27,7 @@ from .doubled import coincidences
 from .events import EventSearch, Found
 from .pair import check_pair
 from .reproduction import BearingMode, Check, Diagram, DiagramMark, Event, ReportedZone, Reproduction, Run
-from .rows import SETTINGS, Row, distinct, rows
+from .rows import STUDY_SETTINGS, Row, distinct, rows
 from .rules import effects
 from .table2 import fill
 from .verdicts import Evidence, judge
@@ -298,7 +298,7 @@ def _motions(
     for claim in claims:
         if claim.kind != "label" or claim.at is None:
             continue
-        cold = point(family, {**claim.fixed, claim.parameter: claim.at}, settings=SETTINGS)
+        cold = point(family, {**claim.fixed, claim.parameter: claim.at}, settings=STUDY_SETTINGS)
         place, near = claim.at, [("cold start", cold)]
         for row in done[claim.parameter]:
             if row.direction is not Direction.COLD:

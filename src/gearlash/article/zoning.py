@@ -17,13 +17,13 @@ from gearlash.studies.zones import ZoneMotion, Zones, zones
 from .claims import Claim
 from .judge import NOT_FOUND, deviation, verdict
 from .reproduction import NAN, Coexisting, End, Reading, ReportedZone
-from .rows import SETTINGS, Row
+from .rows import STUDY_SETTINGS, Row
 from .starts import STARTS, starting
 
-KINDS = {"impact-free": "impact-free", "drive side only": "drive-side-only"}
+ZONE_KINDS = {"impact-free": "impact-free", "drive side only": "drive-side-only"}
 SOME, EVERY = "some", "every"
 EVERY_FEW = 3  # of the values of an axis: from a simple start
-NAMES = {
+READING_NAMES = {
     str(Direction.COLD): "cold start at every value (at rest under the load)",
     str(Direction.UP): "motion followed upwards",
     str(Direction.DOWN): "motion followed downwards",
@@ -72,10 +72,10 @@ def _zones(case: Case, claim: Claim, axis: Axis, known: Sequence[Sweep], executo
     return zones(
         case,
         axis,
-        KINDS[claim.zone],
+        ZONE_KINDS[claim.zone],
         values=claim.fixed,
         known=known,
-        settings=SETTINGS,
+        settings=STUDY_SETTINGS,
         execution=Execution(executor),
     )
 
@@ -92,22 +92,26 @@ def _from_start(
     family = starting(case, name)
     axis = Axis(axis.name, np.union1d(axis.values[::EVERY_FEW], axis.values[-1:]))
     done = sweep(
-        family, axis, values=claim.fixed, settings=SETTINGS, execution=Execution(executor, progress=progress)
+        family,
+        axis,
+        values=claim.fixed,
+        settings=STUDY_SETTINGS,
+        execution=Execution(executor, progress=progress),
     )
     found = zones(
         family,
         axis,
-        KINDS[claim.zone],
+        ZONE_KINDS[claim.zone],
         values=claim.fixed,
         known=[done],
-        settings=SETTINGS,
+        settings=STUDY_SETTINGS,
         execution=Execution(executor),
     )
     return _reading(claim, name, found, (Row(done, ()),))
 
 
 def _reading(claim: Claim, way: str, found: Zones, rows: Sequence[Row]) -> Reading:
-    name = NAMES.get(way, f"fixed start {way}")
+    name = READING_NAMES.get(way, f"fixed start {way}")
     zone = _nearest((found.wider or found.zones) if way == SOME else found.zones, claim)
     if zone is None:
         return Reading(way, name, NOWHERE, NOWHERE, (), NAN, (), (NAN, NAN), NOT_FOUND)

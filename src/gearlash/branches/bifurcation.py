@@ -21,11 +21,11 @@ from gearlash.system import Family, GearlashError, HasFamily, Label, MotionKind,
 from .steps import UNBUILT, checked, difference, longest_step, member, within_range
 
 Array = NDArray[Any]
-ITERATIONS = 30
+MULTIPLIER_ITERATIONS = 30
 DERIVATIVE_STEP = 1e-6  # of state and parameter: for derivatives
 CLOSED = 1e-10  # residual of a solution
 HALF_PERIOD_NEAR = 1e-2  # at a doubling: distance of the orbit of half the period, of its multiplier to -1
-NAMES = {-1: "period doubling", 1: "fold"}
+KIND_OF_MULTIPLIER = {-1: "period doubling", 1: "fold"}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -84,7 +84,7 @@ class BifurcationPoint(Record):
     @property
     def kind(self) -> str:
         """Period doubling or fold."""
-        return NAMES[self.multiplier]
+        return KIND_OF_MULTIPLIER[self.multiplier]
 
 
 def locate_multiplier(
@@ -219,7 +219,7 @@ class _Problem:
         residual, change, before = np.inf, np.inf, unknown
         props: Propagators | None = self.system_at(float(unknown[-1]))
         try:
-            for _ in range(ITERATIONS):
+            for _ in range(MULTIPLIER_ITERATIONS):
                 props = self.system_at(float(unknown[-1]), props)
                 value, jacobian = self.equations(props, unknown[:-1])
                 residual = float(np.abs(value).max())

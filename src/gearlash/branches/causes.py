@@ -18,7 +18,9 @@ from .steps import UNBUILT
 
 AHEAD = 4.0  # lengths of the refused step: how far ahead an extremum may seem to touch, to be solved for
 TRIES = 6  # extrema solved for at one orbit
-CLOSE = 0.05  # of the orbit's size: extrema so near a boundary are tried where no motion of them is known
+NEAR_BOUNDARY = (
+    0.05  # of the orbit's size: extrema so near a boundary are tried where no motion of them is known
+)
 WORTH = 0.8  # a real multiplier beyond it is followed to ±1
 LEADING = 1e-5  # what a multiplier of modulus 1 may exceed it by, where it is known to the root of rounding
 
@@ -68,7 +70,7 @@ def _grazings(line: Line, before: Node, earlier: Earlier, value: float) -> Itera
             ahead = -check.distance / rate[check] / width
             if 0.0 <= ahead <= AHEAD:
                 tried.append((ahead, check))
-        elif check not in rate and abs(check.distance) <= CLOSE * size:
+        elif check not in rate and abs(check.distance) <= NEAR_BOUNDARY * size:
             tried.append((abs(check.distance) / size, check))
     for _, check in sorted(tried, key=lambda one: one[0])[:TRIES]:
         try:

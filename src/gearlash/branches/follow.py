@@ -26,7 +26,7 @@ from .steps import UNBUILT, checked
 
 FIRST_STEP, LONGEST_STEP, SHORTEST_STEP = 1e-6, 1e-2, 1e-9  # of the scale: first, longest and shortest step
 STRAIGHT, BENT = 0.02, 0.06  # bends below which the next step is longer
-MOST = 20_000  # steps
+MOST_STEPS = 20_000  # steps
 LONGEST_PERIOD = 64  # base periods: of the orbit of a doubling that is still followed
 AFTER = (1e-8, 1e-9, 1e-10)  # relative distances beyond a touch at which the orbit is taken up again
 DOUBLED = (1e-5, 1e-6, 1e-7)  # the same beyond a doubling
@@ -169,7 +169,7 @@ class _Follower:
         earlier: Earlier = ()
         sign = 1.0 if self.to > node.value else -1.0
         width = first = FIRST_STEP * self.line.scale
-        for _ in range(MOST):
+        for _ in range(MOST_STEPS):
             if node.value == self.to:
                 yield PathEnd(Outcome.ARRIVED, node, node.value)
                 return
@@ -200,7 +200,7 @@ class _Follower:
                     step.reason or str(step.refusal),
                 )
                 return
-        yield PathEnd(Outcome.LOST, node, node.value, f"{MOST} steps were not enough")
+        yield PathEnd(Outcome.LOST, node, node.value, f"{MOST_STEPS} steps were not enough")
 
     def longer(self, width: float, step: Step) -> float:
         factor = 3.0 if step.bend < STRAIGHT else 1.5 if step.bend < BENT else 1.0

@@ -23,7 +23,7 @@ from gearlash.orbits import GrazingCheck, Orbit
 from gearlash.orbits.contact_force import force_extrema
 from gearlash.orbits.extrema import gap_extrema
 from gearlash.orbits.floquet import ordered, rate
-from gearlash.orbits.grazing import KINDS, GrazingConditions, Surface, conditions_at
+from gearlash.orbits.grazing import GRAZING_KINDS, GrazingConditions, Surface, conditions_at
 from gearlash.system import Family, HasFamily, Label, MotionKind, Record, Status, System, given
 
 from .critical import distance_to_unit
@@ -32,7 +32,7 @@ from .steps import UNBUILT, checked, difference, longest_step, member, within_ra
 from .surface import Touching
 
 Array = NDArray[np.float64]
-ITERATIONS = 40
+GRAZING_ITERATIONS = 40
 DERIVATIVE_STEP = 1e-6  # of the parameter: for its derivative
 AGED = 1e-5  # change of the parameter, of itself, after which that derivative is taken again
 CLOSED = 1e-11  # residual of a solution
@@ -132,7 +132,7 @@ class GrazingPoint(Record):
     @property
     def kind(self) -> str:
         """Loss of contact or engagement, drive or back side."""
-        return KINDS[(self.surface, self.boundary, 1 if self.a0 > 0 else -1)]
+        return GRAZING_KINDS[(self.surface, self.boundary, 1 if self.a0 > 0 else -1)]
 
     def conditions(self, system: System) -> GrazingConditions:
         """The four conditions, read anew from the state at the touch.
@@ -339,7 +339,7 @@ class _Problem:
         props = there = self.system_at(float(unknown[-1]))
         along, taken = np.empty(0), np.inf
         try:
-            for _ in range(ITERATIONS):
+            for _ in range(GRAZING_ITERATIONS):
                 mu = float(unknown[-1])
                 if mu != float(best[-1]):
                     props = self.system_at(mu, props)

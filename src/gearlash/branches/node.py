@@ -14,8 +14,8 @@ from gearlash.system import Label
 
 Array = NDArray[np.float64]
 SAMPLES = 32  # of a mesh cycle: for the range of every state
-ROUNDING = 1e-11  # of the state: an extremum so near a boundary may be on either side
-LEAST = 1e-3  # of the largest state: what a state that hardly moves is measured by
+STATE_ROUNDING = 1e-11  # of the state: an extremum so near a boundary may be on either side
+LEAST_SIZE = 1e-3  # of the largest state: what a state that hardly moves is measured by
 
 Kind = tuple[int, int, str, int]
 """Clearance, boundary, surface, and sign of the curvature: extrema of one kind."""
@@ -45,9 +45,9 @@ class Node:
     @cached_property
     def ranges(self) -> Array:
         """(n,): how far every state moves in the course of the orbit, the unit for what is near; at least
-        `LEAST` of the largest state, as an orbit may shrink to rest and grow again."""
+        `LEAST_SIZE` of the largest state, as an orbit may shrink to rest and grow again."""
         moved = self.course.max(axis=0) - self.course.min(axis=0)
-        return np.maximum(moved, LEAST * max(float(np.abs(self.course).max()), LEAST))
+        return np.maximum(moved, LEAST_SIZE * max(float(np.abs(self.course).max()), LEAST_SIZE))
 
     @cached_property
     def checks(self) -> tuple[GrazingCheck, ...]:
@@ -105,7 +105,7 @@ class Pair:
     def crossed(self) -> bool:
         """Whether an extremum lies on one side of its boundary before and on the other after; of one that
         touches it within rounding only the contacts tell."""
-        zero = ROUNDING * max(1.0, float(np.abs(self.before.state).max()))
+        zero = STATE_ROUNDING * max(1.0, float(np.abs(self.before.state).max()))
         sure = (pair for pair in self.matched if min(abs(check.distance) for check in pair) > zero)
         return any((a.distance > 0.0) != (b.distance > 0.0) for a, b in sure)
 

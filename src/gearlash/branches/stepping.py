@@ -23,7 +23,9 @@ BEND = 0.15  # of a step's length: how far beside the curve through the orbits b
 SHORT = 1e-2  # of the orbit's ranges: longest step where there is no orbit before, so no curve
 LONG = 0.2  # the same where there is one
 NO_DIRECTION = 1e-7  # of the ranges: below it no direction is told
-TOUCHING = 1e-7  # of the scale: width of a step below which an extremum that only comes near has not crossed
+SHORTEST_AT_TOUCH = (
+    1e-7  # of the scale: width of a step below which an extremum that only comes near has not crossed
+)
 BORN = 1e-5  # the same for extrema that are born or end near a boundary
 GRID_STEP = 0.1  # of the motion's size: longest step on a coarse grid that needs no transient
 NEWTON = 10  # iterations: from so near a few do
@@ -111,7 +113,7 @@ class Line:
         pair, width = Pair(before, after), abs(after.value - before.value)
         if pair.crossed:
             return Refusal.CROSSED
-        if width > TOUCHING * self.scale and _may_have_touched(pair, rates(earlier, before)):
+        if width > SHORTEST_AT_TOUCH * self.scale and _may_have_touched(pair, rates(earlier, before)):
             return Refusal.TOUCHED
         near = 3.0 * pair.moved
         if width > BORN * self.scale and any(abs(check.distance) <= near for check in pair.unmatched):

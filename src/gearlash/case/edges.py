@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import ceil, floor, isfinite, log10
 
 DIGITS = 4  # significant ones of an end, at least
-MOST = 15  # decimals
-APART = 0.01  # of the distance to the present value: no rounding is coarser, so that the two stay in order
+MOST_DECIMALS = 15  # decimals
+COARSEST = 0.01  # of the distance to the present value: no rounding is coarser, so that the two stay in order
 EXACT = 1e-9  # relative: what lies so near to a round number is that number
 
 
@@ -36,8 +36,8 @@ def decimals(value: float, beside: float | None = None) -> int:
     places = max(0, DIGITS - 1 - floor(log10(abs(value))))
     apart = 0.0 if beside is None else abs(value - beside)
     if apart > 0.0:
-        places = max(places, -floor(log10(APART * apart)))
-    return min(places, MOST)
+        places = max(places, -floor(log10(COARSEST * apart)))
+    return min(places, MOST_DECIMALS)
 
 
 def _rounded(value: float, inwards: int, places: int) -> float:

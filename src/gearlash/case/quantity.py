@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import inf
 
-from .units import NAMES, Dimension, unit
+from .units import DIMENSION_NAMES, Dimension, unit
 
 _LEAST = 1e-15
-LARGEST = 1e9
+LARGEST_VALUE = 1e9
 """Bound of dimensionless numbers without a bound of their own."""
 
 
@@ -63,8 +63,8 @@ class Quantity:
         if self.integer:
             return f"a whole number from {self.lower:g} to {self.upper:g}, such as {self.example}"
         if self.bare:
-            return f"{NAMES[self.dimension]}, such as {self.example}"
-        return f'{NAMES[self.dimension]} with its unit, such as "{self.example}"'
+            return f"{DIMENSION_NAMES[self.dimension]}, such as {self.example}"
+        return f'{DIMENSION_NAMES[self.dimension]} with its unit, such as "{self.example}"'
 
     @property
     def expected_in_range(self) -> str:
@@ -72,7 +72,7 @@ class Quantity:
         if self.integer:
             return self.expected
         shown = unit(self.unit)
-        parts = [NAMES[self.dimension]]
+        parts = [DIMENSION_NAMES[self.dimension]]
         if self.lower != -inf:
             parts.append(f"{'above' if self.above else 'from'} {shown.express(self.lower):.6g} {self.unit}")
         if self.upper != inf:

@@ -37,7 +37,7 @@ TORQUE = Dimension(2, 1, -2)
 STIFFNESS = Dimension(0, 1, -2)
 INERTIA = Dimension(2, 1)
 
-NAMES = {
+DIMENSION_NAMES = {
     NUMBER: "a number without unit",
     LENGTH: "a length",
     MASS: "a mass",
@@ -74,7 +74,7 @@ def _unit(ratio: str | int, dimension: Dimension, pi_power: int = 0) -> Unit:
     return Unit(Fraction(ratio), pi_power, dimension)
 
 
-WORDS: dict[str, Unit] = {
+UNIT_WORDS: dict[str, Unit] = {
     "%": _unit("1/100", NUMBER),
     "m": _unit(1, LENGTH),
     "cm": _unit("1/100", LENGTH),
@@ -182,7 +182,7 @@ def takes(dimension: Dimension, found: Unit) -> bool:
 
 def in_si(dimension: Dimension, number: Fraction, found: Unit) -> float:
     """A number of such units in SI."""
-    return (WORDS["rpm"] if dimension == SPEED and found == PER_MINUTE else found).convert(number)
+    return (UNIT_WORDS["rpm"] if dimension == SPEED and found == PER_MINUTE else found).convert(number)
 
 
 def _number(text: str) -> Fraction:
@@ -195,11 +195,11 @@ def _number(text: str) -> Fraction:
 
 
 def _word(word: str) -> Unit:
-    if word in WORDS:
-        return WORDS[word]
+    if word in UNIT_WORDS:
+        return UNIT_WORDS[word]
     found = ask_pint(word)
     if found is None:
-        same = [known for known in WORDS if known.lower() == word.lower()]
+        same = [known for known in UNIT_WORDS if known.lower() == word.lower()]
         raise UnitError(f"{word!r} is no unit" + (f" ({same[0]!r} is)" if same else ""))
     return found
 

@@ -33,8 +33,8 @@ from typing import TypeVar
 
 T = TypeVar("T")
 
-NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
-KEPT = b"\nstopping, and keeping what was computed (once more gives it up)\n"
+SIGNAL_NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
+STOPPING = b"\nstopping, and keeping what was computed (once more gives it up)\n"
 LOST = b"\ninterrupted\n"
 CURSOR = b"\x1b[?25h"  # shows the cursor again that a bar has hidden
 ECHO = 0.25  # s in which a second signal is the first one, sent to the process and to its group
@@ -182,7 +182,7 @@ def _during(phase: _Phase) -> Iterator[None]:
 
 def _answered() -> list[int]:
     """Those of the signals that nobody ignores or has a handler of his own for."""
-    numbers = [getattr(signal, name) for name in NAMES if hasattr(signal, name)]
+    numbers = [getattr(signal, name) for name in SIGNAL_NAMES if hasattr(signal, name)]
     ours = (signal.SIG_DFL, signal.default_int_handler)
     return [
         number
@@ -246,7 +246,7 @@ def _hear(number: int) -> None:
     if phase is _Phase.NOTHING:
         _end(number)
     if phase is not _Phase.SHOWING:
-        _say(KEPT)
+        _say(STOPPING)
 
 
 def _hangs() -> bool:

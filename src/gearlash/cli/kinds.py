@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib import import_module
 
-KINDS = {
+ANSWER_KINDS = {
     "run": "RunAnswer",
     "check": "CheckAnswer",
     "sweep": "SweepAnswer",
@@ -20,6 +20,6 @@ def answer_kind(name: str) -> type:
     """The dataclass of a kind of answer. Raises `GearlashError` naming the nearest."""
     from gearlash.system import UnknownNameError
 
-    if name not in KINDS:
-        raise UnknownNameError("kind of result", name, KINDS)
-    return getattr(import_module(f"gearlash.cli.answers.{name}"), KINDS[name])
+    if name not in ANSWER_KINDS:
+        raise UnknownNameError("kind of result", name, ANSWER_KINDS)
+    return getattr(import_module(f"gearlash.cli.answers.{name}"), ANSWER_KINDS[name])

@@ -20,7 +20,9 @@ from .run import LONGEST_STRETCH, STATUS, block_of, columns_of, run_all, run_one
 from .traces import Trace
 
 MOST_PIECES = 2_000_000
-MOST_CYCLES = 1e7  # of one call, which cannot be interrupted; and from phase zero, so that phases keep digits
+LONGEST_CALL = (
+    1e7  # of one call, which cannot be interrupted; and from phase zero, so that phases keep digits
+)
 
 
 def start_state(props: Propagators, start: ArrayLike) -> Array:
@@ -262,8 +264,8 @@ def orthonormal_growth(
 def positions(props: Propagators, phase: float, cycles: float) -> tuple[float, float, float]:
     """Base phase (whole base periods before the start), start after it and length, both in cells."""
     cycles, phase = (
-        given.number("cycles", cycles, 0.0, MOST_CYCLES),
-        given.number("phase", phase, -MOST_CYCLES, MOST_CYCLES),
+        given.number("cycles", cycles, 0.0, LONGEST_CALL),
+        given.number("phase", phase, -LONGEST_CALL, LONGEST_CALL),
     )
     base = float(props.system.cycles * floor(phase / props.system.cycles))
     return base, _snapped((phase - base) * props.cells_per_cycle), _snapped(cycles * props.cells_per_cycle)

@@ -27,7 +27,7 @@ DIED = "a worker process died (killed, or out of memory)"
 DEFECT = "defect"
 NEEDS_NONE = f"workers=1 needs none ({GUARD})"
 POLL = 0.2  # s between two looks at a cancel while nothing finishes
-PATIENCE = 1.0  # s that tasks at work have to return what they have; what comes later is given up
+TASK_PATIENCE = 1.0  # s that tasks at work have to return what they have; what comes later is given up
 MANY, SELDOM = 1_000, 0.1  # chains from which progress is told no more often than so (s): it looks at all
 
 
@@ -197,7 +197,7 @@ class _Round:
         if isinstance(self.executor, Pool):
             if left:
                 self.executor.stop()
-            if reason and wait(left, PATIENCE).not_done:
+            if reason and wait(left, TASK_PATIENCE).not_done:
                 self.executor.abandon()
         self.progress = None
         for future in left:

@@ -9,18 +9,18 @@ START, TASK, STOP, RESUME = b"S", b"T", b"!", b"R"
 """To a worker: what to do before anything else, a task, stop what is at work, and take that back."""
 READY, DONE, RAISED = b"Y", b"D", b"E"
 """From a worker."""
-HEAD = struct.Struct("<cQ")
+FRAME_HEAD = struct.Struct("<cQ")
 
 
 def send(stream: IO[bytes], kind: bytes, content: bytes = b"") -> None:
     """Raises `OSError` where nobody reads any more."""
-    stream.write(HEAD.pack(kind, len(content)) + content)
+    stream.write(FRAME_HEAD.pack(kind, len(content)) + content)
     stream.flush()
 
 
 def receive(stream: IO[bytes]) -> tuple[bytes, bytes]:
     """Kind and content. Raises `EOFError` where the other side has ended."""
-    kind, size = HEAD.unpack(_exactly(stream, HEAD.size))
+    kind, size = FRAME_HEAD.unpack(_exactly(stream, FRAME_HEAD.size))
     return kind, _exactly(stream, size)
 
 

@@ -29,7 +29,7 @@ from .worker import Beginning, in_worker
 
 PROGRAM = "import sys; sys.path[:] = sys.argv[1:]; from gearlash.jobs.worker import main; main()"
 HELD_BACK = ("SIGINT", "SIGTERM", "SIGHUP")
-PATIENCE = 5.0  # s for a worker to end after its input has
+WORKER_PATIENCE = 5.0  # s for a worker to end after its input has
 
 
 class WorkerDiedError(BrokenExecutor):
@@ -274,7 +274,7 @@ class _Member(threading.Thread):
                     with contextlib.suppress(OSError):  # what was not sent will not be
                         stream.close()
         try:
-            process.wait(PATIENCE)
+            process.wait(WORKER_PATIENCE)
         except subprocess.TimeoutExpired:
             process.kill()
             process.wait()

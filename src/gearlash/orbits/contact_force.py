@@ -17,7 +17,7 @@ from gearlash.system import derivative, evaluate
 Array = NDArray[np.float64]
 
 NODES = np.linspace(0.0, 1.0, 9)  # of a piece, which is shorter than a fifth of the fastest oscillation
-HALVINGS = 54
+ROOT_HALVINGS = 54
 SIDE_OF_MODE = {0: 1, 2: -1, 3: 1, 4: -1}  # mode of a trace's piece → the boundary whose force acts, or would
 
 
@@ -72,7 +72,7 @@ def force_extrema(trace: Trace, clearance: int) -> ForceExtrema:
     row, left = np.nonzero((slope[:, :-1] < 0.0) != (slope[:, 1:] < 0.0))
     piece, side = piece[row], side[row]
     low, high, falling = NODES[left], NODES[left + 1], slope[row, left] < 0.0
-    for _ in range(HALVINGS):
+    for _ in range(ROOT_HALVINGS):
         middle = 0.5 * (low + high)
         same = (force_series(trace, clearance, piece, middle, side)[1] < 0.0) == falling
         low, high = np.where(same, middle, low), np.where(same, high, middle)

@@ -24,7 +24,7 @@ from .results import Aperiodic, Attractor, Orbit
 
 Surface = Literal["gap", "force"]
 
-KINDS = {
+GRAZING_KINDS = {
     ("gap", 1, 1): "loss of contact on the drive side (minimum of X in S1)",
     ("gap", 1, -1): "engagement on the drive side (maximum of X in S2)",
     ("gap", -1, -1): "loss of contact on the back side (maximum of X in S3)",
@@ -142,7 +142,7 @@ class GrazingCheck(Record):
     @property
     def kind(self) -> str:
         """Which contact would be lost or made, in words."""
-        return KINDS[(self.surface, self.boundary, 1 if self.a0 > 0 else -1)]
+        return GRAZING_KINDS[(self.surface, self.boundary, 1 if self.a0 > 0 else -1)]
 
     def holds(self, tolerance: float = 1e-9) -> bool:
         """Whether all four conditions hold.

@@ -17,7 +17,7 @@ from gearlash.system import CARRIED, Record, Status, System, given
 
 TOLERANCE = 1e-11  # of the residual: above it the status is not ok
 NEWTON_GOAL = 2e-14  # of the residual: Newton's method goes on to here, or until rounding stops it
-ITERATIONS = 25
+SHOOTING_ITERATIONS = 25
 RETURN_ROUNDING = 2.5e-15  # of a return, times the root of its cells, relative to the sizes in it
 LEAST_SIZE = 1e-4  # of a component, relative to the largest, where only few states tell the sizes
 MOST_ROUNDING = 1e6  # of a component, relative to its size
@@ -131,7 +131,7 @@ def shoot(
     start: ArrayLike,
     period: int,
     *,
-    iterations: int = ITERATIONS,
+    iterations: int = SHOOTING_ITERATIONS,
     reach: float | None = None,
 ) -> Shot:
     """A fixed point of the stroboscopic map by Newton's method, stable or not.

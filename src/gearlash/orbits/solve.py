@@ -8,7 +8,7 @@ from gearlash.flow import Propagators, propagators_of
 from gearlash.system import System, given
 
 from .results import Orbit
-from .shooting import ITERATIONS, TOLERANCE, minimal, shoot
+from .shooting import SHOOTING_ITERATIONS, TOLERANCE, minimal, shoot
 
 
 def orbit_at(
@@ -16,7 +16,7 @@ def orbit_at(
     start: ArrayLike,
     period: int,
     *,
-    iterations: int = ITERATIONS,
+    iterations: int = SHOOTING_ITERATIONS,
     least: bool = False,
 ) -> Orbit | None:
     """The periodic orbit near a state, stable or not.

@@ -18,7 +18,7 @@ from .strip import key, strip
 from .units import ASSUMED, EXPONENT, ForceAxis, Units, name, second
 
 # How the directions look: colour, marker, size of a point (pt²), order of drawing.
-LOOKS = {
+DIRECTION_STYLES = {
     "cold": (style.INK, "o", 0.55, 2.0),
     "up": (style.BLUE, "^", 3.2, 3.0),
     "down": (style.VERMILION, "v", 3.2, 3.0),
@@ -175,7 +175,7 @@ def scatter(
 ) -> None:
     """Points of one direction in its look, as a picture of print resolution inside the vector file;
     ``larger``: than usual, in area."""
-    colour, marker, size, order = LOOKS.get(direction, LOOKS["cold"])
+    colour, marker, size, order = DIRECTION_STYLES.get(direction, DIRECTION_STYLES["cold"])
     panel.scatter(
         x,
         y,
@@ -195,7 +195,7 @@ def _exponents(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]]) 
     panel.set_ylabel(EXPONENT)
     lowest = []
     for branch, keep in zip(rows, shown, strict=True):
-        colour, marker, size, order = LOOKS.get(branch.direction, LOOKS["cold"])
+        colour, marker, size, order = DIRECTION_STYLES.get(branch.direction, DIRECTION_STYLES["cold"])
         keep = keep & np.isfinite(branch.exponent)
         x, y, bar = branch.values[keep], branch.exponent[keep], branch.exponent_error[keep]
         lowest.append(y)
@@ -214,7 +214,7 @@ def directions(rows: list[Branch], shown: list[NDArray[np.bool_]] | None = None)
     """Legend entries of the directions; with ``shown``, of what is drawn of each."""
     handles = []
     for i, branch in enumerate(rows):
-        colour, marker, _, _ = LOOKS.get(branch.direction, LOOKS["cold"])
+        colour, marker, _, _ = DIRECTION_STYLES.get(branch.direction, DIRECTION_STYLES["cold"])
         text = "cold start" if branch.direction == "cold" else f"swept {branch.direction}"
         if shown is not None and i == 0 and len(rows) > 1:
             text += AGREEING

@@ -12,7 +12,7 @@ from gearlash.results.forces import from_stored
 from gearlash.system import GearlashError, Label, Signature, UnknownNameError, read_label
 
 Array = NDArray[np.float64]
-SAME = 1e-6  # strobes of one attractor found twice agree to this, relative to their size
+SAME_STROBES = 1e-6  # strobes of one attractor found twice agree to this, relative to their size
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,5 +114,5 @@ def _other(branch: Branch, i: int, other: Branch, j: int | None) -> bool:
         return False
     mine, theirs = (np.sort(row[np.isfinite(row)]) for row in (branch.strobes[i], other.strobes[j]))
     return len(mine) != len(theirs) or bool(
-        np.abs(mine - theirs).max(initial=0.0) > SAME * max(1.0, float(np.abs(mine).max(initial=0.0)))
+        np.abs(mine - theirs).max(initial=0.0) > SAME_STROBES * max(1.0, float(np.abs(mine).max(initial=0.0)))
     )

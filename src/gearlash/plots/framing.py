@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from gearlash.studies.motion import Motion
 
-SMALLEST = 2e-4  # half-width of a zoom at the least, of D + D⁻
+SMALLEST_ZOOM = 2e-4  # half-width of a zoom at the least, of D + D⁻
 Box = tuple[float, float, float, float]  # left, right, bottom, top
 
 
@@ -39,7 +39,7 @@ def zoom_frame(motions: Sequence[Motion]) -> Box:
     edge = touched.gap_plus if side > 0 else -touched.gap_minus
     size = touched.gap_plus + touched.gap_minus
     missed = [abs(_nearest_extremum(m, side)) for m in motions]
-    half = max(1.7 * max(missed), SMALLEST * max(size, 1e-12))
+    half = max(1.7 * max(missed), SMALLEST_ZOOM * max(size, 1e-12))
     speed = max(_speed_at(m, side, half) for m in motions)
     moved = max(abs((m.gap_plus if side > 0 else -m.gap_minus) - edge) for m in motions)
     return edge - half - moved, edge + half + moved, -1.1 * speed, 1.1 * speed

@@ -20,7 +20,7 @@ from .portraits import TOUCH, heading, stretches
 from .units import FORCE, PHASE, Units, X, second
 
 LONG = 4  # mesh cycles above which a motion needs the width of the page
-MOST = 12  # mesh cycles of a motion that does not repeat
+MOST_DRAWN_CYCLES = 12  # mesh cycles of a motion that does not repeat
 
 
 @style.styled
@@ -104,7 +104,7 @@ def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str
 
 def _shown(motion: Motion) -> float:
     """Mesh cycles in the picture: a whole period if there is one."""
-    return motion.cycles if motion.periodic else min(motion.cycles, float(MOST))
+    return motion.cycles if motion.periodic else min(motion.cycles, float(MOST_DRAWN_CYCLES))
 
 
 def _columns(

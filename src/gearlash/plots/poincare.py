@@ -18,7 +18,13 @@ from .portraits import heading
 from .units import VELOCITY, ForceAxis
 
 # One look a motion: colour and marker, so that two are told apart in grey too.
-LOOKS = ((style.BLUE, "o"), (style.VERMILION, "^"), (style.GREEN, "s"), (style.PURPLE, "D"), (style.INK, "v"))
+POINT_STYLES = (
+    (style.BLUE, "o"),
+    (style.VERMILION, "^"),
+    (style.GREEN, "s"),
+    (style.PURPLE, "D"),
+    (style.INK, "v"),
+)
 IN_CYCLE = r"phase in the mesh cycle  $\theta/2\pi$"
 
 
@@ -63,7 +69,7 @@ def sections(motions: Sequence[Motion], parameter: str = "omega", force: ForceAx
         panel.set_title(title)
         panel.tick_params(which="both", top=True, right=True)
     for i, motion in enumerate(motions):
-        look = LOOKS[i % len(LOOKS)]
+        look = POINT_STYLES[i % len(POINT_STYLES)]
         _points(panels[0], motion.strobe_displacement, motion.strobe_velocity, look, True, motion.periodic)
         for panel, side in zip(panels[1:], (1, -1), strict=False):
             for engaging in (True, False):
@@ -106,7 +112,7 @@ def _points(
 def _key(motions: Sequence[Motion], parameter: str) -> list[Line2D]:
     handles = [
         Line2D([], [], ls="none", marker=m, color=c, ms=4.2, label=heading(motion, parameter))
-        for (c, m), motion in zip(LOOKS, motions, strict=False)
+        for (c, m), motion in zip(POINT_STYLES, motions, strict=False)
     ]
     if any(len(m.hit_phase) for m in motions):
         for filled, words in ((True, "impact (into contact)"), (False, "release (out of contact)")):

@@ -15,8 +15,8 @@ from gearlash.system import given
 
 Array = NDArray[np.float64]
 
-MARK = "†"  # beside a unit whose scale rests on an assumed value
-ASSUMED = f"{MARK}: rests on an assumed value."
+ASSUMED_MARK = "†"  # beside a unit whose scale rests on an assumed value
+ASSUMED = f"{ASSUMED_MARK}: rests on an assumed value."
 
 X = r"displacement  $X_n$"
 VELOCITY = r"velocity  $X_n'$"
@@ -24,7 +24,7 @@ FORCE = r"mesh force  $\Phi$"
 PHASE = r"time  $\theta/2\pi$  [mesh cycles]"
 EXPONENT = r"$\lambda_1$  [per $\tau$]"
 
-NAMES = {
+AXIS_NAMES = {
     "omega": r"mesh frequency  $\omega$",
     "D": r"half-backlash  $D$",
     "load": r"load  $f_m$",
@@ -40,7 +40,7 @@ SYMBOLS = {"omega": "ω", "D": "D", "load": "f_m", "ripple": "ε₁", "error": "
 
 def name(parameter: str) -> str:
     """Axis label of a parameter: words and symbol; all are numbers of one unless the label says rad."""
-    return NAMES.get(parameter, literal(parameter.replace("_", " ")))
+    return AXIS_NAMES.get(parameter, literal(parameter.replace("_", " ")))
 
 
 def literal(text: str) -> str:
@@ -101,7 +101,7 @@ class Twin:
     @property
     def label(self) -> str:
         """For an axis; carries † where the scale rests on an assumed value."""
-        return f"{self.words}  [{self.unit}]{' ' + MARK if self.assumed else ''}"
+        return f"{self.words}  [{self.unit}]{' ' + ASSUMED_MARK if self.assumed else ''}"
 
     def __call__(self, values: ArrayLike) -> Array:
         return np.asarray(values, dtype=np.float64) * self.factor

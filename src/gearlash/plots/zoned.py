@@ -27,8 +27,8 @@ THICK = 0.62  # of a band, of its row
 SOME = "/////"  # hatch of where only some attractors are quiet
 PRESENT = (0, (5, 2))
 DENSE = 250  # values of an axis from which points are drawn as small as in a bifurcation diagram
-LARGEST = 14.0  # times that size, of the points of a coarse axis
-WORDS = {Quiet.IMPACT_FREE: "no impacts", Quiet.DRIVE_SIDE_ONLY: "back side not hit"}
+LARGEST_DOT = 14.0  # times that size, of the points of a coarse axis
+QUIET_WORDS = {Quiet.IMPACT_FREE: "no impacts", Quiet.DRIVE_SIDE_ONLY: "back side not hit"}
 FILLS = {Quiet.IMPACT_FREE: FREE.colour, Quiet.DRIVE_SIDE_ONLY: DRIVE.colour}
 HALVED = "end found by halving"
 
@@ -43,7 +43,7 @@ class _Band:
 
     @property
     def title(self) -> str:
-        return f"{WORDS[self.quiet]}, {'every' if self.every else 'some'}"
+        return f"{QUIET_WORDS[self.quiet]}, {'every' if self.every else 'some'}"
 
 
 @style.styled
@@ -91,7 +91,7 @@ def zone_bands(
     seen = strip(bars, rows, WIDTH)
     _shade(lower, bands)
     shown = new_points(rows)
-    larger = min(LARGEST, max(1.0, (DENSE / len(rows[0].values)) ** 1.2))
+    larger = min(LARGEST_DOT, max(1.0, (DENSE / len(rows[0].values)) ** 1.2))
     for branch, keep in zip(rows, shown, strict=True):
         scatter(lower, branch.direction, *branch.points("strobes", keep), larger=larger)
     lower.margins(y=0.08)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isfinite
 
 NOTHING = "—"
-SMALLEST = 1e-12
+SMALLEST_NUMBER = 1e-12
 
 
 def number(value: float, digits: int = 6) -> str:
@@ -36,7 +36,7 @@ def uncertainty(value: float) -> str:
     """± of a computed value; what lies below the accuracy of the method is not spelled out."""
     if not isfinite(value):
         return NOTHING
-    return "± less than 10⁻¹²" if value < SMALLEST else f"± {scientific(value)}"
+    return "± less than 10⁻¹²" if value < SMALLEST_NUMBER else f"± {scientific(value)}"
 
 
 def complex_number(value: complex, places: int = 4) -> str:

@@ -28,7 +28,7 @@ from .provenance import provenance
 from .store import write_whole
 
 FORMAT, VERSION = "gearlash-branch", 1
-LARGEST = 1_000_000_000
+LARGEST_FILE = 1_000_000_000
 """Bytes of a file that is read."""
 WRONG = (KeyError, TypeError, ValueError, AttributeError, IndexError, GearlashError, RecursionError)
 
@@ -107,7 +107,7 @@ def load_branch(path: str | Path) -> Branch:
     path = given.path("path", path)
     name = cut(str(path), 200)
     try:
-        content = json.loads(read_file(path, LARGEST))
+        content = json.loads(read_file(path, LARGEST_FILE))
     except UnreadableError as error:
         raise GearlashError(f"{name}: {error}") from None
     except (ValueError, RecursionError) as error:

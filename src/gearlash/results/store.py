@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 FORMAT = "gearlash_format"
-LARGEST = 4_000_000_000
+LARGEST_FILE = 4_000_000_000
 """Bytes of a file that is read; a map of a million pixels has less than a tenth of it."""
 DAMAGED = (
     OSError, ValueError, KeyError, IndexError, TypeError, AttributeError, RuntimeError, OverflowError,
@@ -194,13 +194,13 @@ def load(path: str | Path) -> xr.Dataset:
     path = given.path("path", path)
     name = cut(str(path), 200)
     try:
-        check_file(path, LARGEST)
+        check_file(path, LARGEST_FILE)
         groups = xr.open_groups(path, engine="h5netcdf", decode_times=False)
         try:
             if (
-                sum(group.nbytes for group in groups.values()) > LARGEST
+                sum(group.nbytes for group in groups.values()) > LARGEST_FILE
             ):  # a small file may unpack to terabytes
-                raise GearlashError(f"{name}: holds more than {LARGEST / 1e9:g} GB of data")
+                raise GearlashError(f"{name}: holds more than {LARGEST_FILE / 1e9:g} GB of data")
             dataset = join({where: group.load() for where, group in groups.items()})
         finally:
             for group in groups.values():

@@ -25,9 +25,9 @@ Array = NDArray[np.float64]
 
 BUDGET = 2_000  # base periods of one start
 KICKS = (-1.0, 1.0, -2.0, 2.0)  # in units of what carries the motion across its clearance
-MOST = 12  # starts in all
-CLOSE = 1e-6  # of the size of a motion: what agrees so well is the same
-SMALLEST = 1e-3  # of a clearance's own numbers, where the motion has no size
+MOST_STARTS = 12  # starts in all
+SAME_MOTION = 1e-6  # of the size of a motion: what agrees so well is the same
+SMALLEST_SIZE = 1e-3  # of a clearance's own numbers, where the motion has no size
 
 
 def motions_beside(
@@ -110,13 +110,13 @@ def motions_beside(
 
 def _different(found: Attractor, own: Array, states: Iterable[Array]) -> list[Array]:
     """Each once, without the start that was used and without states of the motion itself."""
-    near = CLOSE * max(1.0, float(np.abs(found.strobes).max()))
+    near = SAME_MOTION * max(1.0, float(np.abs(found.strobes).max()))
     kept: list[Array] = []
     for state in states:
         known = np.array([own, *kept, *found.strobes])
         if float(np.abs(known - state).max(axis=1).min()) > near:
             kept.append(state)
-    return kept[:MOST]
+    return kept[:MOST_STARTS]
 
 
 def _starts(found: Attractor, cold: Array) -> Iterator[Array]:
@@ -154,7 +154,7 @@ class _Kick:
         apart = min(abs(float(one) - edge) for one in (x.min(), x.max()) for edge in edges)
         wide = clearance.gap_plus + clearance.gap_minus
         across = min(wide, 2.0 * float(x.max() - x.min()) + apart) if wide > 0.0 else float(np.ptp(x))
-        across = max(across, SMALLEST * max(1.0, abs(float(x.mean()))))
+        across = max(across, SMALLEST_SIZE * max(1.0, abs(float(x.mean()))))
         return _Kick(row / float(row @ row), across * max(system.omega, own))
 
 
@@ -171,9 +171,9 @@ def _same(one: Attractor, other: Attractor) -> bool:
         return False
     if not (isinstance(one, Orbit) and isinstance(other, Orbit)):
         return True
-    size = max(float(np.abs(one.strobes).max()), SMALLEST)
+    size = max(float(np.abs(one.strobes).max()), SMALLEST_SIZE)
     apart = np.abs(one.strobes[:, None, :] - other.state[None, None, :]).max(axis=2)
-    return bool(apart.min() <= CLOSE * size)
+    return bool(apart.min() <= SAME_MOTION * size)
 
 
 def _motion(found: Attractor, start: Array, starts: int, names: list[str]) -> BesideMotion:

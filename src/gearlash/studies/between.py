@@ -22,7 +22,7 @@ from .model import Source
 from .row import Neighbour, continued, neighbour_after
 from .zone import Quiet
 
-HALVINGS = 20  # of a step in which the side of contact changes without an impact being seen
+SIDE_HALVINGS = 20  # of a step in which the side of contact changes without an impact being seen
 NO_NEIGHBOUR = Neighbour(None, None)
 
 
@@ -91,7 +91,7 @@ class _Walk:
             if not (self.quiet(below) and self.quiet(above)):
                 continue
             side, other = self.side(below), self.side(above)
-            for _ in range(HALVINGS if side != other else 0):
+            for _ in range(SIDE_HALVINGS if side != other else 0):
                 start = above if self.stretch.falling else below
                 middle = self.at(0.5 * (below.value + above.value), start)
                 yield middle

@@ -26,9 +26,9 @@ from .row import Neighbour, continued, neighbour_after
 from .transitions import kind_of_end, unlocated
 from .zone import BASIN, Quiet, ZoneEnd
 
-NARROW = 1e-6  # of the value: width at which halving ends
+END_WIDTH = 1e-6  # of the value: width at which halving ends
 ROUGH = 1e-4  # the same where one side is not periodic: no label is sharp there, and each costs much
-HALVINGS = 40
+END_HALVINGS = 40
 ORBITS = 4  # that are followed one after the other, where one ends and the next one is as quiet
 EXPLAINED_WITHIN = 3.0  # bracket widths: an orbit that ends so near to a bracket is what happens in it
 
@@ -172,11 +172,11 @@ class _Search:
         return ZoneEnd(middle, self.unsolved(inside, outside), half, *labels, way, None, reason)
 
     def narrowed(self, below: Point, above: Point) -> tuple[Point, Point, list[Point]]:
-        """A bracket of relative width `NARROW` (or `ROUGH`), and the periodic points nearest to it on
+        """A bracket of relative width `END_WIDTH` (or `ROUGH`), and the periodic points nearest to it on
         either side."""
         last = {False: below, True: above}
-        for _ in range(HALVINGS):
-            sharp = NARROW if below.periodic and above.periodic else ROUGH
+        for _ in range(END_HALVINGS):
+            sharp = END_WIDTH if below.periodic and above.periodic else ROUGH
             if above.value - below.value <= sharp * max(abs(above.value), 1e-3):
                 break
             middle = self.found(0.5 * (below.value + above.value), below, above)

@@ -19,8 +19,10 @@ from gearlash.system import Family, GearlashError, Label, MotionKind, Record, St
 Array = NDArray[np.float64]
 
 PER_CYCLE = 400  # samples of one mesh cycle: a curve without visible corners at the width of a page
-MOST_CYCLES = 60  # of an aperiodic motion; more only blackens the picture
-TOUCHING = 1e-3  # mesh cycles around a touch within which a contact is that touch, split in two by rounding
+DRAWN_CYCLES = 60  # of an aperiodic motion; more only blackens the picture
+TOUCH_WIDTH = (
+    1e-3  # mesh cycles around a touch within which a contact is that touch, split in two by rounding
+)
 
 
 @dataclass(frozen=True, repr=False)
@@ -188,7 +190,7 @@ def motion(
         touch = _pair(touch)
     system, gap = trace.propagators.system, trace.propagators.system.clearances[clearance]
     orbit = attractor if isinstance(attractor, Orbit) else None
-    cycles = trace.cycles if orbit else min(trace.cycles, float(MOST_CYCLES))
+    cycles = trace.cycles if orbit else min(trace.cycles, float(DRAWN_CYCLES))
     samples = trace.at(_phases(trace, cycles, clearance), clearance)
     events, strobes = trace.events.of(clearance), attractor.strobes
     hits = _hits(events.phase, trace, cycles, touch)
@@ -259,7 +261,7 @@ def _hits(phase: Array, trace: Trace, cycles: float, touch: tuple[float, int] | 
     chosen = phase <= cycles
     if touch is not None:
         away = np.abs((phase - touch[0] + trace.cycles / 2.0) % trace.cycles - trace.cycles / 2.0)
-        chosen &= away > TOUCHING
+        chosen &= away > TOUCH_WIDTH
     return np.flatnonzero(chosen)
 
 

@@ -20,7 +20,7 @@ from .model import Source
 
 PERIODIC, APERIODIC, UNRESOLVED, NEUTRAL, NOTHING = range(5)
 """Kinds of a record: a proved orbit, aperiodic, unresolved, neutral, no motion at all."""
-KINDS = {Unresolved: UNRESOLVED, Neutral: NEUTRAL, Aperiodic: APERIODIC}
+MOTION_CODES = {Unresolved: UNRESOLVED, Neutral: NEUTRAL, Aperiodic: APERIODIC}
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ def _record(found: Attractor) -> bytes:
         record["period"], record["counts"] = found.signature.period, found.signature.counts
         verdict = found.certificate.verdict
     else:
-        record["kind"] = next(kind for cls, kind in KINDS.items() if isinstance(found, cls))
+        record["kind"] = next(kind for cls, kind in MOTION_CODES.items() if isinstance(found, cls))
         verdict = _verdict(found)
     record["status"] = STATUSES.index(found.status)
     record["certificate"] = CERTIFICATES.index(verdict)

@@ -21,14 +21,14 @@ from gearlash.results import Direction, Point, Sweep, same_motion
 from gearlash.system import Status
 
 from .between import Stretch, look_between
-from .ends import NARROW, Bracket, find_end
+from .ends import END_WIDTH, Bracket, find_end
 from .model import Source
 from .zone import RANGE, UNKNOWN, Interval, Quiet, ZoneEnd
 
 STEPS = 128  # of the whole axis in which quiet motion is followed, at least
 PIECE = 128  # points of a task
 PASSES = 3  # in which the ends of one sweep are looked at in the others
-PROBE_DISTANCE = 8.0  # uncertainties of an end beside which another sweep is looked at; `NARROW` at least
+PROBE_DISTANCE = 8.0  # uncertainties of an end beside which another sweep is looked at; `END_WIDTH` at least
 Ends = Mapping[tuple[Direction, float, float], ZoneEnd]
 
 
@@ -218,7 +218,7 @@ class Search:
         def tasks(row: Row) -> Iterator[Stretch]:
             for at, end in asked[row.direction]:
                 below, above = row.points[at : at + 2]
-                apart = max(PROBE_DISTANCE * end.uncertainty, NARROW * max(abs(end.value), 1e-3))
+                apart = max(PROBE_DISTANCE * end.uncertainty, END_WIDTH * max(abs(end.value), 1e-3))
                 inner = tuple(
                     v for v in (end.value - apart, end.value + apart) if below.value < v < above.value
                 )

@@ -45,11 +45,11 @@ UNDECIDED = "not decided"
 found: they may be one branch, or there may be a jump."""
 NARROW = 1e-6  # relative width at which halving ends
 DEEPEST = 14  # halvings of one interval
-KEPT = 4  # motions: those of an interval, and two behind
-SAME = 1e-6  # of an orbit's ranges: within it two states are one
+KEPT_MOTIONS = 4  # motions: those of an interval, and two behind
+SAME_STATE = 1e-6  # of an orbit's ranges: within it two states are one
 FAILURES = (GearlashError, np.linalg.LinAlgError)
 """What a member that cannot be built or solved raises."""
-SETTINGS = Settings(budget=9_000, patience=600, exponent_periods=1_000)
+SHORT_SEARCH = Settings(budget=9_000, patience=600, exponent_periods=1_000)
 
 
 class Sampled(Protocol):
@@ -150,7 +150,7 @@ class _MotionAt:
         if one is None or two is None or one.shot.period != two.shot.period:
             return False
         node = Node(self.value, one)
-        return min(node.apart(state) for state in two.strobes) <= SAME
+        return min(node.apart(state) for state in two.strobes) <= SAME_STATE
 
 
 @dataclass(frozen=True, eq=False)
@@ -288,7 +288,7 @@ class _Finder:
     def motion(self, point: Sampled) -> _MotionAt | None:
         """The orbit of a point of the sweep, solved for again, once."""
         if point.value not in self.known:
-            while len(self.known) > KEPT:
+            while len(self.known) > KEPT_MOTIONS:
                 del self.known[next(iter(self.known))]
             self.known[point.value] = self.solved(point)
         return self.known[point.value]
@@ -344,7 +344,7 @@ class _Finder:
         """The motion half way from the end of an orbit to ``far``, reached from that orbit."""
         value = 0.5 * (there.beyond + far.value)
         try:
-            found = attractor(self.family.system(self.at(value)), there.last.state, SETTINGS)
+            found = attractor(self.family.system(self.at(value)), there.last.state, SHORT_SEARCH)
         except FAILURES:
             return None
         if isinstance(found, Unresolved):  # too slow to be proved anything: the change is near

@@ -16,7 +16,7 @@ from gearlash.results.physical import physical_axis
 from gearlash.system import GearlashError, Label, given
 
 from .arguments import checked_execution, checked_settings, checked_start, checked_values
-from .ends import NARROW
+from .ends import END_WIDTH
 from .model import Model, Source
 from .named import plain_axis
 from .quiet import Search
@@ -184,6 +184,6 @@ def _same(one: Interval, other: Interval) -> bool:
     """Equal but for what halving leaves open."""
     pairs = ((one.lower, other.lower), (one.upper, other.upper))
     return all(
-        abs(a.value - b.value) <= a.uncertainty + b.uncertainty + 4.0 * NARROW * max(abs(a.value), 1e-3)
+        abs(a.value - b.value) <= a.uncertainty + b.uncertainty + 4.0 * END_WIDTH * max(abs(a.value), 1e-3)
         for a, b in pairs
     )

@@ -19,7 +19,7 @@ from .record import Record
 from .status import GearlashError, Named
 
 Vector = NDArray[np.float64]
-SMALLEST = 1e-100  # of the largest number of h and of g
+SMALLEST_ENTRY = 1e-100  # of the largest number of h and of g
 MOST_CLEARANCES = 8
 """Of a system: 3^8 regions are numbered."""
 SERIES = "stiffness_plus", "stiffness_minus", "offset"
@@ -246,9 +246,12 @@ def _couplings(clearances: tuple[Clearance, ...]) -> list[str]:
 def size_problem(direction: Vector) -> str:
     """What is wrong with the size of h or g, whose square must be a number."""
     largest = float(np.abs(direction).max(initial=0.0))
-    if largest == 0.0 or SMALLEST <= largest <= 1.0 / SMALLEST:
+    if largest == 0.0 or SMALLEST_ENTRY <= largest <= 1.0 / SMALLEST_ENTRY:
         return ""
-    return f"has {largest:g} as its largest number, expected one from {SMALLEST:g} to {1.0 / SMALLEST:g}"
+    return (
+        f"has {largest:g} as its largest number, expected one from {SMALLEST_ENTRY:g} to "
+        f"{1.0 / SMALLEST_ENTRY:g}"
+    )
 
 
 def _clearance_problems(clearance: Clearance, n: int) -> list[str]:

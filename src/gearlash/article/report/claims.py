@@ -10,7 +10,7 @@ from gearlash.report.numbers import percent
 from .words import verdict
 
 OTHERS = " Other readings: "  # of a zone; here its own table has them
-HEAD = (
+HEADINGS = (
     "Claim of the article",
     "Printed",
     "Computed",
@@ -25,7 +25,7 @@ def section(done: Reproduction) -> Section:
     table = Table(
         "table-claims",
         "Every claim of the article except those of its multibody section, with its computed counterpart.",
-        HEAD,
+        HEADINGS,
         tuple(_row(claim) for claim in done.claims),
         frozenset({3}),
         widths=(29, 11, 14, 10, 14, 22),

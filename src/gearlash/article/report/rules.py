@@ -17,7 +17,7 @@ RULES = {
     "no-tension": "the damping acts in contact only, and contact ends where its force falls to zero: teeth "
     "never pull",
 }
-SAME = 1e-9  # relative difference below which two values are one
+SAME_VALUE = 1e-9  # relative difference below which two values are one
 
 
 def section(done: Reproduction) -> Section | None:
@@ -82,7 +82,7 @@ def _said_of_window(rules: tuple[RuleEffect, ...]) -> list[Block]:
         if len(moved) < 2:
             text = ": the window was not found at both ends; nothing to compare."
             said.append(Text.of(Strong(other.rule), text))
-        elif max(map(abs, moved)) <= SAME:
+        elif max(map(abs, moved)) <= SAME_VALUE:
             said.append(
                 Text.of(
                     Strong(other.rule),

@@ -11,7 +11,7 @@ from gearlash.report.numbers import number
 from .words import plural, provenance
 
 OPEN = ("inferred", "assumed", "calibrated")
-HEAD = ("value", "", "from", "reason")
+HEADINGS = ("value", "", "from", "reason")
 
 
 def section(done: Reproduction) -> Section:
@@ -77,7 +77,7 @@ def _per_cent(part: float) -> str:
 
 def _table(identifier: str, caption: str, values: list[Value]) -> Table:
     rows = tuple((_name(v), _number(v), provenance(v.provenance), v.reason) for v in values)
-    return Table(identifier, caption, HEAD, rows, frozenset({1}))
+    return Table(identifier, caption, HEADINGS, rows, frozenset({1}))
 
 
 def _derived(values: list[Value]) -> Table:

@@ -10,8 +10,8 @@ from gearlash.report.numbers import number
 
 from .words import verdict
 
-HEAD = ("Type", "The article", "Computed: where, labels below → above, exponent", "Verdict and remarks")
-ROUNDING = 1e-9  # an exponent below this is zero
+HEADINGS = ("Type", "The article", "Computed: where, labels below → above, exponent", "Verdict and remarks")
+ZERO_EXPONENT = 1e-9  # an exponent below this is zero
 
 
 def section(done: Reproduction) -> Section:
@@ -26,7 +26,7 @@ def section(done: Reproduction) -> Section:
                 "The type of each located point follows from its multipliers alone: at ±1, or inside the "
                 "unit circle."
             ),
-            Table("table-table2", caption, HEAD, rows, widths=(17, 28, 30, 25)),
+            Table("table-table2", caption, HEADINGS, rows, widths=(17, 28, 30, 25)),
         ),
     )
 
@@ -46,4 +46,4 @@ def _row(row: Table2Row) -> tuple[Cell, ...]:
 
 
 def _exponent(value: float) -> str:
-    return f"λ₁ = {number(value, 3) if abs(value) > ROUNDING else 0}"
+    return f"λ₁ = {number(value, 3) if abs(value) > ZERO_EXPONENT else 0}"

@@ -5,13 +5,13 @@ from __future__ import annotations
 from gearlash.article import NOT_FOUND, REPRODUCED, SHIFTED
 from gearlash.report.blocks import Badge
 
-KINDS = {REPRODUCED: "good", SHIFTED: "fair", NOT_FOUND: "bad"}
+VERDICT_STYLES = {REPRODUCED: "good", SHIFTED: "fair", NOT_FOUND: "bad"}
 PROVENANCE = {"given": "good", "calibrated": "good", "inferred": "fair", "assumed": "doubt"}
 
 
 def verdict(text: str) -> Badge:
     """A verdict as a badge."""
-    return Badge(text or "not compared", KINDS.get(text, "plain"))
+    return Badge(text or "not compared", VERDICT_STYLES.get(text, "plain"))
 
 
 def provenance(text: str) -> Badge:

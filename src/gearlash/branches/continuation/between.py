@@ -11,7 +11,7 @@ import numpy as np
 from .equations import Array
 from .node import Node, node_near
 
-LOOKS = 60
+MOST_BISECTIONS = 60
 SHARP = 1e-13  # of the way: where a zero is bracketed so closely, it is found
 AGREE = 0.1  # least progress of a place along the direction of the branch
 CLOSE_ENOUGH = 1e-2  # of the way: a bracket that is kept where the orbits in it cannot be had
@@ -91,7 +91,7 @@ def zero(
     sharp, small = SHARP * abs(b - a), SHARP * max(abs(fa), abs(fb))
     best = (a, fa) if abs(fa) < abs(fb) else (b, fb)
     wide = abs(b - a)
-    for look in range(LOOKS):
+    for look in range(MOST_BISECTIONS):
         if abs(b - a) <= sharp or fa == fb:
             break
         at = b - fb * (b - a) / (fb - fa)

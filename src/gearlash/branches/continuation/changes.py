@@ -11,7 +11,7 @@ import numpy as np
 from .equations import Array
 from .node import Node
 
-NEAR = 3.0  # times what the extrema moved: born so near to a boundary, it may have crossed it
+BORN_NEAR = 3.0  # times what the extrema moved: born so near to a boundary, it may have crossed it
 CURVED = 0.25  # of what the curvature makes of a step: a function that comes so near zero may have been there
 SLACK = 0.25  # of a step: beyond its ends, for where a function is least (a multiplier may well only touch 1)
 Function = Callable[[Node], float]
@@ -118,7 +118,7 @@ def _born_near(left: Node, right: Node) -> str:
     moved = max((abs(here[n].distance - there[n].distance) for n in here if n in there), default=0.0)
     for side, numbers in ((there, right.extrema.born), (here, right.extrema.died)):
         for number in numbers:
-            if abs(side[number].distance) <= NEAR * moved:
+            if abs(side[number].distance) <= BORN_NEAR * moved:
                 return f"an extremum is born or ends {abs(side[number].distance):.1e} from its boundary"
     return ""
 

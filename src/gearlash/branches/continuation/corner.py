@@ -17,16 +17,18 @@ from gearlash.system import ContactRule, System
 from .changes import Change, Test, halves
 from .equations import UNBUILT, Array
 from .extrema import Extremum
-from .locate import ROUNDING, Located
+from .locate import PARAMETER_ROUNDING, Located
 from .newton import tangent
 from .node import Node, node_near
 from .points import SpecialKind
 
-NEAR = 1e-4  # of a mesh cycle's size of motion: an extremum so near its boundary may be what stops a branch
+MAY_CROSS = (
+    1e-4  # of a mesh cycle's size of motion: an extremum so near its boundary may be what stops a branch
+)
 APPROACHES = 12  # to the touch, from one side
 SHORT_OF = 1e-2  # of the way to it: each approach stops so much before
-TOUCHING = 1e-11  # distance that is called none
-SAME = 1e-8  # of the scale: halves of an orbit that are the same
+NO_DISTANCE = 1e-11  # distance that is called none
+SAME_HALVES = 1e-8  # of the scale: halves of an orbit that are the same
 AHEAD = (1e-4, 1e-5, 1e-6, 1e-3)  # lengths of the first step beyond
 PASSES = "the map has a corner there: the branch goes on"
 TURNS = "the map has a corner there: the branch turns back"
@@ -56,11 +58,11 @@ def corner(before: Node | None, node: Node) -> Corner | None:
     told = ENDS
     if after is not None:
         told = PASSES if after.direction[-1] * node.direction[-1] > 0.0 else TURNS
-        if after.equations.period % 2 == 0 and float(np.linalg.norm(halves(after))) <= SAME:
+        if after.equations.period % 2 == 0 and float(np.linalg.norm(halves(after))) <= SAME_HALVES:
             after, told = None, HALVES
     left = abs(touch.extrema.by_number[extremum.number].distance)
     touch = replace(touch, touching=touch.touching | {extremum.number})
-    error = left * touch.equations.line.unit + ROUNDING * abs(touch.value)
+    error = left * touch.equations.line.unit + PARAMETER_ROUNDING * abs(touch.value)
     change = Change(Test.GRAZING, extremum.number)
     return Corner(Located(change, 0.0, touch, error, SpecialKind.GRAZING, told), after)
 
@@ -78,7 +80,7 @@ def _nearest(node: Node) -> Extremum | None:
     system, size = node.here.props.system, float(np.abs(node.orbit.state).max())
     found = [extremum for extremum in node.extrema.all if abrupt(system, extremum)]
     near = min(found, key=lambda each: abs(each.distance), default=None)
-    return near if near is not None and abs(near.distance) <= NEAR * max(size, 1.0) else None
+    return near if near is not None and abs(near.distance) <= MAY_CROSS * max(size, 1.0) else None
 
 
 def _approached(before: Node, node: Node, number: int) -> Node | None:
@@ -88,7 +90,7 @@ def _approached(before: Node, node: Node, number: int) -> Node | None:
         if number not in last.extrema.by_number or number not in node.extrema.by_number:
             return None
         there, here = (each.extrema.by_number[number].distance for each in (last, node))
-        if abs(here) <= TOUCHING:
+        if abs(here) <= NO_DISTANCE:
             return node
         width = float(np.linalg.norm(node.u - last.u))
         if there == here or width == 0.0:

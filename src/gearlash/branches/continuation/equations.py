@@ -24,10 +24,10 @@ from gearlash.system import CARRIED, Family, GearlashError
 Array = NDArray[np.float64]
 UNBUILT = (GearlashError, np.linalg.LinAlgError)
 """What a system that cannot be built or carried raises."""
-LEAST = 1e-3  # of the largest state: the size of one that hardly moves
+LEAST_SIZE = 1e-3  # of the largest state: the size of one that hardly moves
 STEP = 1e-7  # of the unit of the parameter: for the derivative along it
 MOST_SEGMENTS = 16
-KEPT = 3  # systems that are kept, the last ones asked for
+KEPT_SYSTEMS = 3  # systems that are kept, the last ones asked for
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +49,7 @@ class Line:
             reuse = next(reversed(self._built.values()), None)
             found = flow.propagators(self.family.system({**self.values, self.name: value}), reuse)
         self._built[value] = found
-        while len(self._built) > KEPT:
+        while len(self._built) > KEPT_SYSTEMS:
             del self._built[next(iter(self._built))]
         return found
 
@@ -95,7 +95,7 @@ class Equations:
         segments = max(d for d in range(1, MOST_SEGMENTS + 1) if period % d == 0)
         starts = orbit.trace.polynomials[:, 0]
         moved = starts.max(axis=0) - starts.min(axis=0)
-        least = LEAST * max(float(np.abs(starts).max()), LEAST)
+        least = LEAST_SIZE * max(float(np.abs(starts).max()), LEAST_SIZE)
         size = np.maximum(moved, least) * np.sqrt(moved.size * segments)
         return Equations(line, period, segments, size, phase)
 

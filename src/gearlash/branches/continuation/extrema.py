@@ -15,7 +15,7 @@ import numpy as np
 
 from gearlash.orbits import GrazingCheck, Orbit, grazing_checks
 
-APART = 0.5  # of the way to the next extremum of its kind: how far one may move in a step, in phase
+LARGEST_MOVE = 0.5  # of the way to the next extremum of its kind: how far one may move in a step, in phase
 TIED = 1e-6  # of the orbit's period: extrema of one kind so near in phase cannot be told apart
 
 Group = tuple[int, str, int, int]
@@ -151,7 +151,7 @@ def _matched(
         return pairs, False
     spacing = _spacing(one, cycles)
     sure = all(
-        away[i, j] <= APART * spacing[i] or spacing[i] <= TIED * cycles
+        away[i, j] <= LARGEST_MOVE * spacing[i] or spacing[i] <= TIED * cycles
         for i, j in enumerate(nearest.tolist())
         if back[j] == i
     )

@@ -28,7 +28,7 @@ OFF = 0.5  # of a step: how far beside its end the next orbit may lie
 FAR = 1e6  # times the size of the first orbit: it runs away
 SINGLE = 1e-4  # of a step: halves of an orbit so near to each other are the same
 FLAT = 1e-6  # what is no change of the parameter along a branch, and no distance of a multiplier from 1
-BACK = 0.02  # of a step: how near the first orbit is passed where a loop closes
+LOOP_CLOSES = 0.02  # of a step: how near the first orbit is passed where a loop closes
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,7 +163,7 @@ class Follower:
             away = _place(np.roll(strobes, -shift, axis=0), self.start, scale) - first
             along = float(chord @ away) / length
             beside = float(np.linalg.norm(away - along * chord / length))
-            if 0.0 < along <= length and beside <= BACK * length:
+            if 0.0 < along <= length and beside <= LOOP_CLOSES * length:
                 return True
         return False
 

@@ -16,12 +16,12 @@ from .extrema import Extrema
 from .node import Node
 from .points import SpecialKind
 
-APART = 3e-3  # of the way: distance from a branch point at which test functions are read
-ROUNDING = 1e-14  # of the parameter
+BESIDE_BRANCH_POINT = 3e-3  # of the way: distance from a branch point at which test functions are read
+PARAMETER_ROUNDING = 1e-14  # of the parameter
 MEETING = 1e-8  # of the interval: where two branches meet, an orbit is known so well
 SOLVED = 1e-11  # of the way: a test function that says so much is left is believed
 SECANTS = 30
-CLOSE = 1e-13  # of the parameter: a step of the secant method that is the last
+LAST_STEP = 1e-13  # of the parameter: a step of the secant method that is the last
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ def _at_branch_point(piece: Between, change: Change, node: Node, near: float) ->
     """Two branches meet there, and near by orbits are known to few digits only. So the test function is read
     at some distance on both sides, and its zero is that of the parabola, or cubic, through these values."""
     for offsets in ((-2.0, -1.0, 1.0, 2.0), (-4.0, -3.0, -2.0, -1.0), (1.0, 2.0, 3.0, 4.0)):
-        step = APART * piece.length
+        step = BESIDE_BRANCH_POINT * piece.length
         places = near + step * np.array(offsets)
         if places.min() > 0.0 and places.max() < piece.length:
             fresh = Between(piece.left, piece.right)  # no orbit that rounding has moved is near
@@ -79,13 +79,13 @@ def _at_branch_point(piece: Between, change: Change, node: Node, near: float) ->
             if len(found) == len(places):
                 return _by_parabola(piece, change, node, near, places, found)
     unit = node.equations.line.unit
-    return Located(change, near, node, APART * piece.length * unit, SpecialKind.BRANCH_POINT)
+    return Located(change, near, node, BESIDE_BRANCH_POINT * piece.length * unit, SpecialKind.BRANCH_POINT)
 
 
 def _by_parabola(
     piece: Between, change: Change, node: Node, near: float, places: Array, found: list[Node]
 ) -> Located:
-    step = APART * piece.length
+    step = BESIDE_BRANCH_POINT * piece.length
     tests, values = (np.array(each) for each in ([change.value(n) for n in found], [n.value for n in found]))
     roots = []
     for chosen in (slice(1, 4), slice(0, 4)):
@@ -95,7 +95,7 @@ def _by_parabola(
     scaled = (places - near) / step
     value = float(np.polyval(np.polyfit(scaled, values, 3), roots[1]))
     width = abs(values[3] - values[0]) / 4.0
-    error = abs(roots[1] - roots[0]) * width * APART + ROUNDING * abs(value)
+    error = abs(roots[1] - roots[0]) * width * BESIDE_BRANCH_POINT + PARAMETER_ROUNDING * abs(value)
     nearest = min(found, key=lambda each: abs(each.value - value))
     return Located(change, near + roots[1] * step, nearest, error, SpecialKind.BRANCH_POINT, value=value)
 
@@ -108,7 +108,7 @@ def _error(piece: Between, change: Change, node: Node, bracket: float) -> float:
     left = abs(change.value(node)) / max(slope, 1e-300)
     left = (left if left <= SOLVED * piece.length else bracket) + 1e-15
     turn = abs(float(node.direction[-1]))
-    return unit * (left * max(turn, left)) + ROUNDING * abs(node.value)
+    return unit * (left * max(turn, left)) + PARAMETER_ROUNDING * abs(node.value)
 
 
 def _kind(piece: Between, change: Change, node: Node) -> SpecialKind | None:
@@ -139,7 +139,7 @@ def joined(piece: Between, change: Change) -> Located | None:
         return orbit_at(line.system_at(value), guess, half)
 
     try:
-        found = _doubling_of(single, nearer.value, CLOSE**0.5 * line.unit)
+        found = _doubling_of(single, nearer.value, LAST_STEP**0.5 * line.unit)
         if found is None:
             return None
         value, error, orbit = found
@@ -165,8 +165,8 @@ def _doubling_of(
             return None
         here = _at_minus_one(orbit)
         step = -here * (value - last) / (here - function) if here != function else 0.0
-        if abs(step) <= CLOSE * max(abs(value), width):
-            return value, abs(step) + ROUNDING * abs(value), orbit
+        if abs(step) <= LAST_STEP * max(abs(value), width):
+            return value, abs(step) + PARAMETER_ROUNDING * abs(value), orbit
         last, function, value = value, here, value + step
     return None
 

@@ -16,7 +16,7 @@ from .equations import UNBUILT, Array, Equations, Evaluated
 GOAL = 2e-14  # residual at which Newton's method ends
 ROUNDED = 1e-13  # residual that is accepted where rounding makes the steps
 ENOUGH = 1e-12  # residual that is accepted where it no longer becomes smaller
-ITERATIONS = 12
+CORRECTOR_ITERATIONS = 12
 NOISE = 1e-11  # lengths of steps that rounding makes
 SLOW = 0.01  # contraction from which on a derivative along the parameter that was handed over is taken anew
 CONTRACTION = 0.7  # each step must be shorter than so much of the one before
@@ -54,7 +54,7 @@ def _newton(equations: Equations, u: Array, row: Array, target: float, slope: Ar
     steps: list[float] = []
     best: Evaluated | None = None
     fresh = False
-    for iteration in range(ITERATIONS):
+    for iteration in range(CORRECTOR_ITERATIONS):
         here = equations.evaluate(u)
         if here is None:
             return Corrected(None, np.empty(0), tuple(steps), "the motion could not be carried")

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.orbits import Certificate, Signature
-from gearlash.orbits.grazing import KINDS, Surface
+from gearlash.orbits.grazing import GRAZING_KINDS, Surface
 from gearlash.system import Record, Status, given
 from gearlash.system.status import Named
 
@@ -196,7 +196,7 @@ class SpecialPoint(Record):
 def grazing_kind(extremum: Extremum) -> str:
     """Loss of contact or engagement, drive or back side."""
     surface: Surface = "gap" if extremum.surface == "gap" else "force"
-    return KINDS[(surface, extremum.boundary, 1 if extremum.a0 > 0.0 else -1)]
+    return GRAZING_KINDS[(surface, extremum.boundary, 1 if extremum.a0 > 0.0 else -1)]
 
 
 @dataclass(frozen=True, repr=False)

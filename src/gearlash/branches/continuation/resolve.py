@@ -11,7 +11,7 @@ from .changes import Test, changes, doubt, explained
 from .locate import Located, locate
 from .node import Node
 
-NARROW = 1e-7  # length of a step below which it is not cut because of a doubt
+DOUBTFUL_STEP = 1e-7  # length of a step below which it is not cut because of a doubt
 TIGHT = 1e-10  # the same where things happen in it that cannot be told apart
 AFTER_GRAZE = (0.01, 0.1)  # of what is left of the step: there multipliers move like the root of the depth
 CUTS = 80  # of one step, at most
@@ -52,7 +52,7 @@ class Resolver:
         if self.touches:
             found = [change for change in found if change.test is Test.GRAZING]
         clear = self.touches or explained(left, right, found)
-        unsure = "" if self.touches or piece.length <= NARROW else doubt(before, left, right, found)
+        unsure = "" if self.touches or piece.length <= DOUBTFUL_STEP else doubt(before, left, right, found)
         if not unsure and not found and clear:
             yield right
             return

@@ -15,7 +15,7 @@ from gearlash.system import ContactRule
 from .equations import UNBUILT, Array, Equations
 from .node import Node
 
-NEAR = 0.02  # of the base period: a contact so near to the beginning is too near
+NEAR_BEGINNING = 0.02  # of the base period: a contact so near to the beginning is too near
 FAR = 2.0  # times as far must the nearest contact be from the new one
 SLOPED = 1e-6  # a direction that has so much of the parameter is turned by it
 
@@ -27,10 +27,10 @@ def begun_elsewhere(node: Node) -> Node | None:
         return None
     cycles = float(node.here.props.system.cycles)
     phases = node.orbit.events.phase % cycles
-    if not len(phases) or _distance(phases, node.equations.phase, cycles) > NEAR * cycles:
+    if not len(phases) or _distance(phases, node.equations.phase, cycles) > NEAR_BEGINNING * cycles:
         return None
     phase = _middle_of_the_widest_gap(phases, cycles)
-    if _distance(phases, phase, cycles) < FAR * NEAR * cycles:
+    if _distance(phases, phase, cycles) < FAR * NEAR_BEGINNING * cycles:
         return None
     equations = Equations(
         node.equations.line, node.equations.period, node.equations.segments, node.equations.size, phase

@@ -26,9 +26,9 @@ from .points import Branch, SpecialKind, SpecialPoint
 
 SIZES = (1e-2, 3e-3, 1e-3, 1e-4)  # of the scale: first distances along the null vector
 BEYOND = (1e-2, 1e-3, 1e-4)  # of the amplitude that touches: how far above it an orbit is solved for
-APART = 0.2  # of that distance: an orbit that lies nearer to the old branch is on it
-HALVINGS = 60
-LARGEST = 1e6  # of the scale: amplitude up to which a touch is sought
+ON_OLD_BRANCH = 0.2  # of that distance: an orbit that lies nearer to the old branch is on it
+AMPLITUDE_HALVINGS = 60
+LARGEST_AMPLITUDE = 1e6  # of the scale: amplitude up to which a touch is sought
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +112,7 @@ def _at(start: _Start, amplitude: float) -> Node | None:
 
 def _is_other(start: _Start, node: Node, size: float) -> bool:
     if start.doubled:
-        return float(np.linalg.norm(halves(node))) > APART * size
+        return float(np.linalg.norm(halves(node))) > ON_OLD_BRANCH * size
     return float(np.linalg.norm(node.u - start.node.u)) < 10.0 * size
 
 
@@ -138,10 +138,10 @@ def _touching(start: _Start, sign: float) -> float | None:
     high = sign
     while not meets(high):
         high *= 2.0
-        if abs(high) > LARGEST:
+        if abs(high) > LARGEST_AMPLITUDE:
             return None
     low = 0.0
-    for _ in range(HALVINGS):
+    for _ in range(AMPLITUDE_HALVINGS):
         middle = 0.5 * (low + high)
         low, high = (low, middle) if meets(middle) else (middle, high)
     return high

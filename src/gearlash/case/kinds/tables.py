@@ -21,7 +21,7 @@ from gearlash.case.errors import Problem
 from gearlash.case.head import Name, Source, Text, in_words, without
 from gearlash.case.quantity import Choice
 from gearlash.case.stated import Provenance, Stated, ValueRefusedError, read_stated
-from gearlash.case.units import NAMES
+from gearlash.case.units import DIMENSION_NAMES
 
 from .listed import Place, Places
 
@@ -125,7 +125,7 @@ def _json_schema(place: Place) -> dict[str, Any]:
     elif place.bare:
         plain = [{"type": "number"}, {"type": "string"}]
     else:
-        plain = [{"type": "string", "description": f"{NAMES[place.dimension]} with its unit"}]
+        plain = [{"type": "string", "description": f"{DIMENSION_NAMES[place.dimension]} with its unit"}]
     table = {
         "type": "object",
         "properties": {

@@ -14,7 +14,7 @@ from .asked import Asked
 from .excitation import NOT_EXCITED, nothing_varies
 from .outcome import INCOMPLETE, RESUME
 from .parts import CaseUsed, Multiplier, PhysicalValue, case_used, multiplier_rows, physical_values
-from .sentence import MARK, physical_text
+from .sentence import ASSUMED_MARK, physical_text
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.branches import GrazingPoint
@@ -240,7 +240,7 @@ def _physically(asked: Asked, touch: TouchFound) -> str:
         return ""
     if not asked.unit:
         return f" ({physical_text(touch.physical[0], 6)})"
-    mark = f" {MARK}" if any(p.rests_on for p in touch.physical if p.name == asked.name) else ""
+    mark = f" {ASSUMED_MARK}" if any(p.rests_on for p in touch.physical if p.name == asked.name) else ""
     return f" ({asked.text(touch.value)}{mark})"
 
 

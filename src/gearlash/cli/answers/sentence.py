@@ -21,9 +21,9 @@ from .parts import PhysicalValue, rests_on
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.orbits import Attractor
 
-MARK = "†"  # behind a physical number that rests on an assumed value
+ASSUMED_MARK = "†"  # behind a physical number that rests on an assumed value
 MANY = 64  # mesh cycles: of more only an average is given, as mostly the motion does not repeat
-ROUNDING = 1e-9  # of a phase
+PHASE_ROUNDING = 1e-9  # of a phase
 TIMES = {1: "once", 2: "twice"}
 LOST = {"stability": "unstable", "unsolved": "not solved for"}
 """How a motion without impacts ends where it does not touch."""
@@ -151,7 +151,7 @@ def _evenly(phases: Sequence[float], cycles: int) -> bool:
     within = sorted(phase % 1.0 for phase in phases)
     arcs = [later - earlier for earlier, later in pairwise([within[-1] - 1.0, *within])]
     first = within[arcs.index(max(arcs))]
-    counts = Counter(floor((phase - first) % cycles + ROUNDING) % cycles for phase in phases)
+    counts = Counter(floor((phase - first) % cycles + PHASE_ROUNDING) % cycles for phase in phases)
     return len(counts) == cycles and len(set(counts.values())) == 1
 
 
@@ -162,7 +162,7 @@ def _times(count: int) -> str:
 def physical_text(value: PhysicalValue, digits: int) -> str:
     """With unit, and a mark if it rests on assumed values."""
     unit = {"um": "µm", "N*m": "N·m"}.get(value.unit, value.unit)
-    return f"{value.value:.{digits}g} {unit}{f' {MARK}' if value.rests_on else ''}"
+    return f"{value.value:.{digits}g} {unit}{f' {ASSUMED_MARK}' if value.rests_on else ''}"
 
 
 def _quiet(found: ImpactFree, speed: _Speed, free_now: bool) -> list[str]:
@@ -209,8 +209,8 @@ class _Speed:
         self.omega = omega
         self.scales = case.scales if case.scales.physical else None
         rests = rests_on(case, numbers is not None and numbers.distances.back.minimum < 0.0)
-        self.asked = f" {MARK}" if "speed" in rests else ""
-        self.computed = f" {MARK}" if "time" in rests or "model" in rests else ""
+        self.asked = f" {ASSUMED_MARK}" if "speed" in rests else ""
+        self.computed = f" {ASSUMED_MARK}" if "time" in rests or "model" in rests else ""
 
     @property
     def here(self) -> str:

@@ -9,8 +9,8 @@ from .zones_parts import ZoneEnd, ZoneFound
 
 QUIET = {"impact-free": "free of impacts", "drive-side-only": "free of impacts on the back side"}
 WHO = {True: "every attractor found", False: "at least one attractor found, but not everywhere for all"}
-MARK = "†"  # behind a physical number that rests on an assumed value
-MOST = 4  # further zones that are named
+ASSUMED_MARK = "†"  # behind a physical number that rests on an assumed value
+MOST_ZONES = 4  # further zones that are named
 NO_END = ("end of the range", "not computed beyond")
 
 
@@ -47,7 +47,7 @@ def _first_kind(zones: Sequence[ZoneFound]) -> str:
 
 def _span(asked: Asked, zone: ZoneFound, here: float) -> str:
     low, high = asked.edge(zone.lower.inner(1), 1, here), asked.edge(zone.upper.inner(-1), -1, here)
-    return asked.between(low, high) + (f" {MARK}" if _marked(asked, zone) else "")
+    return asked.between(low, high) + (f" {ASSUMED_MARK}" if _marked(asked, zone) else "")
 
 
 def _marked(asked: Asked, zone: ZoneFound) -> bool:
@@ -95,5 +95,5 @@ def _further(asked: Asked, zones: Sequence[ZoneFound], kind: str, here: float, o
 
 
 def _listed(spans: Sequence[str]) -> str:
-    left = len(spans) - MOST
-    return ", ".join(spans[:MOST]) + (f" and {left} more" if left > 0 else "")
+    left = len(spans) - MOST_ZONES
+    return ", ".join(spans[:MOST_ZONES]) + (f" and {left} more" if left > 0 else "")

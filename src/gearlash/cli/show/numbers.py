@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from math import atan2, ceil, degrees, floor, isfinite, log10
 
-MARK = "†"
+ASSUMED_MARK = "†"
 
 
 def number(value: float | None, digits: int = 5) -> str:
@@ -69,10 +69,10 @@ class Marks:
         if not paths or text == "–":
             return text
         self._used |= dict.fromkeys(paths)
-        return f"{text} {MARK}"
+        return f"{text} {ASSUMED_MARK}"
 
     def footnote(self, where: str = "gearlash check shows why") -> str | None:
         """Names the assumed values behind the marks; None if nothing was marked."""
         if not self._used:
             return None
-        return f"{MARK} rests on assumed values: {', '.join(self._used)} ({where})"
+        return f"{ASSUMED_MARK} rests on assumed values: {', '.join(self._used)} ({where})"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import pi
 from typing import Any
 
-from gearlash.case.quantity import LARGEST, Choice, Quantity
+from gearlash.case.quantity import LARGEST_VALUE, Choice, Quantity
 from gearlash.case.units import (
     ANGLE,
     FREQUENCY,
@@ -129,7 +129,12 @@ def _harmonic(name: str) -> str:
 
 
 def number(
-    path: str, example: str, what: str, lower: float = -LARGEST, upper: float = LARGEST, **flags: Any
+    path: str,
+    example: str,
+    what: str,
+    lower: float = -LARGEST_VALUE,
+    upper: float = LARGEST_VALUE,
+    **flags: Any,
 ) -> Quantity:
     """A number without unit."""
     return Quantity(path, NUMBER, "", example, what, lower, upper, bare=True, **flags)

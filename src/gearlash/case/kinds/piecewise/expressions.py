@@ -32,7 +32,7 @@ RESERVED = (*FUNCTIONS, *CONSTANTS)
 GRAMMAR = "numbers, parameter names, + - * / ^, parentheses, sqrt cos sin exp, pi"
 LONGEST = 400  # characters
 DEEPEST = 100  # levels of nesting
-LARGEST = 1e50
+LARGEST_NUMBER = 1e50
 """Bound of every number in a structure, so that no product of a few of them overflows."""
 
 _OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
@@ -83,9 +83,9 @@ class Expression:
             value = self._code(values)
         except (ValueError, OverflowError, ZeroDivisionError) as error:
             raise ExpressionError(f"an expression with a finite real value ({error})") from None
-        if not abs(value) <= LARGEST:
+        if not abs(value) <= LARGEST_NUMBER:
             raise ExpressionError(
-                f"an expression with a finite real value up to {LARGEST:g} (it is {value:g})"
+                f"an expression with a finite real value up to {LARGEST_NUMBER:g} (it is {value:g})"
             )
         return value
 

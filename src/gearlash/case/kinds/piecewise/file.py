@@ -22,8 +22,18 @@ from .reading import Reading, finite
 
 Structure: TypeAlias = Mapping[str, Any]
 
-HEAD = ("kind", "name", "description", "source")
-TOP = (*HEAD, "states", "cycles", "parameters", "definitions", "matrix", "forcing", "initial", "clearance")
+HEAD_KEYS = ("kind", "name", "description", "source")
+TOP = (
+    *HEAD_KEYS,
+    "states",
+    "cycles",
+    "parameters",
+    "definitions",
+    "matrix",
+    "forcing",
+    "initial",
+    "clearance",
+)
 MOST_STATES = 40
 MOST_CYCLES = 1000
 PARAMETER_KEYS = ("value", "provenance", "reason", "description", "lower", "upper")
@@ -43,7 +53,7 @@ class Content(NamedTuple):
 
 
 def read(raw: Mapping[str, Any]) -> Content:
-    """A parsed file, its head (`HEAD`) aside."""
+    """A parsed file, its head (`HEAD_KEYS`) aside."""
     reading = Reading()
     for key in raw:
         if key not in TOP:

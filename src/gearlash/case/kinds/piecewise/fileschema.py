@@ -11,8 +11,8 @@ from .file import MOST_CYCLES, MOST_STATES
 from .places import CONTACT
 from .reading import HIGHEST_ORDER, MOST_HARMONICS
 
-NUMBER = "piecewise-linear number"
-SERIES = "piecewise-linear series"
+NUMBER_SCHEMA = "piecewise-linear number"
+SERIES_SCHEMA = "piecewise-linear series"
 VECTOR = "piecewise-linear vector"
 _TEXT = {"type": "string", "maxLength": 20_000}
 
@@ -33,10 +33,10 @@ def _by_state(what: str, item: dict[str, Any]) -> dict[str, Any]:
 
 def definitions() -> dict[str, dict[str, Any]]:
     """The parts that `piecewise_schema` points to."""
-    numbers = {"type": "array", "items": _ref(NUMBER), "maxItems": MOST_HARMONICS}
+    numbers = {"type": "array", "items": _ref(NUMBER_SCHEMA), "maxItems": MOST_HARMONICS}
     order = {"type": "integer", "minimum": 1, "maximum": HIGHEST_ORDER}
     series = {
-        "mean": _ref(NUMBER),
+        "mean": _ref(NUMBER_SCHEMA),
         "cos": numbers,
         "sin": numbers,
         "amplitudes": numbers,
@@ -49,9 +49,12 @@ def definitions() -> dict[str, dict[str, Any]]:
     )
     text = {"type": "string", "description": "an expression of parameters and definitions"}
     return {
-        NUMBER: {"title": NUMBER, "anyOf": [{"type": "number"}, text]},
-        SERIES: {"title": SERIES, "anyOf": [{"type": "number"}, text, _table(what, series)]},
-        VECTOR: {"title": VECTOR, **_by_state("a number a state: by name, or all in order", _ref(NUMBER))},
+        NUMBER_SCHEMA: {"title": NUMBER_SCHEMA, "anyOf": [{"type": "number"}, text]},
+        SERIES_SCHEMA: {"title": SERIES_SCHEMA, "anyOf": [{"type": "number"}, text, _table(what, series)]},
+        VECTOR: {
+            "title": VECTOR,
+            **_by_state("a number a state: by name, or all in order", _ref(NUMBER_SCHEMA)),
+        },
     }
 
 
@@ -85,10 +88,10 @@ def piecewise_schema(source: dict[str, Any]) -> dict[str, Any]:
         "definitions": {
             "type": "object",
             "description": "names for expressions, each of parameters and of definitions before it",
-            "additionalProperties": _ref(NUMBER),
+            "additionalProperties": _ref(NUMBER_SCHEMA),
         },
         "matrix": _by_state("the rows of M in z' = M z + b(θ) + Σ g Φ", _ref(VECTOR)),
-        "forcing": _by_state("b(θ), a Fourier series a state", _ref(SERIES)),
+        "forcing": _by_state("b(θ), a Fourier series a state", _ref(SERIES_SCHEMA)),
         "initial": {**_ref(VECTOR), "description": "the cold start; zero where nothing is stated"},
         "clearance": {"type": "array", "items": _clearance(), "minItems": 1},
     }
@@ -109,7 +112,7 @@ def _parameter() -> dict[str, Any]:
 
 
 def _clearance() -> dict[str, Any]:
-    number, series, vector = _ref(NUMBER), _ref(SERIES), _ref(VECTOR)
+    number, series, vector = _ref(NUMBER_SCHEMA), _ref(SERIES_SCHEMA), _ref(VECTOR)
     properties = {
         "name": {"type": "string"},
         "h": {**vector, "description": "the gap coordinate is X = h·z - offset"},

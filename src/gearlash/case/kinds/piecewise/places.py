@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from math import inf
 from typing import Any
 
-from gearlash.case.quantity import LARGEST, Choice, Quantity
+from gearlash.case.quantity import LARGEST_VALUE, Choice, Quantity
 from gearlash.case.units import NUMBER
 from gearlash.system import ContactRule
 
@@ -16,7 +16,7 @@ CONTACT = "when the damping of this contact acts"
 def parameter_place(name: str, about: Mapping[str, Any]) -> Quantity:
     """The place of a parameter: a number in its stated range; omega is above 0 in any case."""
     lower = about.get("lower", -inf)
-    upper = about.get("upper", LARGEST if name == "omega" else inf)
+    upper = about.get("upper", LARGEST_VALUE if name == "omega" else inf)
     positive = name == "omega" and lower <= 0.0
     what = about.get("description", "")
     return Quantity(

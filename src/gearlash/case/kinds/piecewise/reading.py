@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 
 from gearlash.case.errors import MOST_SHOWN, Problem, nearest_name, shown
 
-from .expressions import GRAMMAR, LARGEST, Expression, ExpressionError
+from .expressions import GRAMMAR, LARGEST_NUMBER, Expression, ExpressionError
 
 Number: TypeAlias = float | str
 """A number or the text of an expression."""
@@ -17,8 +17,10 @@ Series: TypeAlias = dict[str, Any]
 MOST_HARMONICS = 100
 HIGHEST_ORDER = 1000
 LABEL = "a name of 1 to 40 letters, digits and _ - . ' that starts with a letter"
-NUMBER = f'a finite number, or an expression as text, such as "2*zeta" ({GRAMMAR})'
-SERIES = "a number, an expression, or a table of mean, cos and sin, or of mean, amplitudes and phases"
+EXPECTED_NUMBER = f'a finite number, or an expression as text, such as "2*zeta" ({GRAMMAR})'
+EXPECTED_SERIES = (
+    "a number, an expression, or a table of mean, cos and sin, or of mean, amplitudes and phases"
+)
 POLAR, CARTESIAN = ("amplitudes", "phases"), ("cos", "sin")
 _LABEL = re.compile(r"[^\W\d_][\w'′.\-]{0,39}")
 
@@ -71,7 +73,7 @@ class Reading:
             return raw
         value = finite(raw)
         if value is None:
-            self.wrong(path, raw, NUMBER)
+            self.wrong(path, raw, EXPECTED_NUMBER)
         return value or 0.0
 
     def numbers(self, raw: object, path: str) -> list[Number]:
@@ -83,7 +85,7 @@ class Reading:
     def series(self, raw: object, path: str) -> Series:
         """A Fourier series over the base period, in one form: every list as long as ``orders``."""
         if isinstance(raw, list | bool):
-            self.wrong(path, raw, SERIES)
+            self.wrong(path, raw, EXPECTED_SERIES)
             return {"mean": 0.0}
         if not isinstance(raw, Mapping):
             return {"mean": self.number(raw, path)}
@@ -152,7 +154,7 @@ def finite(raw: object) -> float | None:
         value = float(raw)
     except OverflowError:
         return None
-    return value if abs(value) <= LARGEST else None
+    return value if abs(value) <= LARGEST_NUMBER else None
 
 
 def _is_order(raw: object) -> bool:
