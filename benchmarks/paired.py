@@ -72,6 +72,7 @@ for _ in sys.stdin:
 
 
 def started(source: Path) -> subprocess.Popen[str]:
+    """A process that imports gearlash from this folder and waits to be asked for its times."""
     return subprocess.Popen(
         [sys.executable, "-c", PROGRAM],
         env={**os.environ, "PYTHONPATH": str(source)},
@@ -82,6 +83,7 @@ def started(source: Path) -> subprocess.Popen[str]:
 
 
 def asked(process: subprocess.Popen[str]) -> dict[str, float]:
+    """Seconds of processor time for each work, done once."""
     assert process.stdin is not None
     assert process.stdout is not None
     process.stdin.write("\n")
@@ -90,6 +92,7 @@ def asked(process: subprocess.Popen[str]) -> dict[str, float]:
 
 
 def main(other: Path, repeats: int = 15) -> None:
+    """Prints the least time of each work, there and here, and their ratio; the two take turns."""
     pair = [started(other), started(HERE)]
     for process in pair:
         assert process.stdout is not None

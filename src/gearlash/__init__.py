@@ -166,9 +166,11 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         Touch as Touch,
         motion as motion,
     )
-    from .studies.transitions import (
+    from .studies.transition import (
         Sampled as Sampled,
         Transition as Transition,
+    )
+    from .studies.transitions import (
         transitions as transitions,
     )
     from .studies.zone import (
@@ -347,11 +349,8 @@ _PUBLIC = {
         "Touch",
         "motion",
     ),
-    "gearlash.studies.transitions": (
-        "Sampled",
-        "Transition",
-        "transitions",
-    ),
+    "gearlash.studies.transition": ("Sampled", "Transition"),
+    "gearlash.studies.transitions": ("transitions",),
     "gearlash.studies.zone": ("Physical",),
     # the claims of a publication, judged
     "gearlash.article": ("reproduce",),

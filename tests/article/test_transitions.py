@@ -14,7 +14,7 @@ from gearlash.case import load as load_case
 from gearlash.orbits import Orbit, attractor, shoot
 from gearlash.results import Axis, Sweep
 from gearlash.studies import sweep
-from gearlash.studies.transitions import (
+from gearlash.studies.transition import (
     APERIODIC,
     DOUBLING,
     FOLD,
@@ -22,8 +22,8 @@ from gearlash.studies.transitions import (
     JUMP,
     UNPROVED,
     Transition,
-    transitions,
 )
+from gearlash.studies.transitions import transitions
 from gearlash.system import Label, MotionKind, Signature, Status
 from orbits.members import article, built, cold
 

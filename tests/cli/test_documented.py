@@ -12,7 +12,7 @@ from gearlash.cli.answers import excitation, outcome
 from gearlash.cli.answers.zones_parts import ZoneEnd
 from gearlash.cli.exits import MEANINGS, ExitCode
 from gearlash.cli.folder import MOTION_FILES
-from gearlash.studies import transitions, zone
+from gearlash.studies import transition, zone
 from gearlash.system import Status
 from tools.reference_results import FOLDER, results_page
 
@@ -58,11 +58,12 @@ def test_every_status_is_described():
 @pytest.mark.parametrize(
     "kind",
     [
-        transitions.GRAZING,
-        transitions.FOLD,
-        transitions.JUMP,
-        transitions.APERIODIC,
-        transitions.UNPROVED,
+        transition.GRAZING,
+        transition.FOLD,
+        transition.DOUBLING,
+        transition.JUMP,
+        transition.APERIODIC,
+        transition.UNPROVED,
         zone.BASIN,
         zone.RANGE,
         zone.UNKNOWN,

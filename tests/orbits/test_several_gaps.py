@@ -11,7 +11,8 @@ from gearlash.flow.events import contact_force
 from gearlash.orbits import Orbit, Signature, grazing_checks, lyapunov, sections, shoot
 from gearlash.results import sweep_dataset
 from gearlash.studies import Axis, Quiet, point, sweep
-from gearlash.studies.transitions import GRAZING, transitions
+from gearlash.studies.transition import GRAZING
+from gearlash.studies.transitions import transitions
 from gearlash.system import ContactRule, GearlashError
 from oracles import closed_forms
 from orbits.contacts import one_dof_under, two_gaps

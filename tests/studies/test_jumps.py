@@ -15,7 +15,7 @@ from gearlash import flow
 from gearlash.branches import BifurcationPoint
 from gearlash.studies import Axis, point, sweep
 from gearlash.studies.smooth import plainly_one
-from gearlash.studies.transitions import (
+from gearlash.studies.transition import (
     APERIODIC,
     FOLD,
     GRAZING,
@@ -23,9 +23,9 @@ from gearlash.studies.transitions import (
     UNDECIDED,
     UNPROVED,
     Transition,
-    transitions,
     unlocated,
 )
+from gearlash.studies.transitions import transitions
 from gearlash.studies.zone import BASIN
 from gearlash.system import ContactRule, Family, GearlashError, Label, Signature, read_label
 from orbits.contacts import two_gaps

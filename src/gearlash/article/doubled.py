@@ -25,7 +25,7 @@ from gearlash.case import Case
 from gearlash.flow import Propagators
 from gearlash.orbits import GrazingCheck, Orbit, grazing_checks, orbit_at
 from gearlash.results import Direction
-from gearlash.studies.transitions import DOUBLING, Transition
+from gearlash.studies.transition import DOUBLING, Transition
 from gearlash.system import Family, GearlashError, MotionKind, Status
 
 from .reproduction import Coincidence, Opening

@@ -14,7 +14,7 @@ from gearlash.orbits import Orbit, attractor, orbit_at
 from gearlash.plots.regimes import short
 from gearlash.results import Direction
 from gearlash.studies.motion import Motion, motion, touching
-from gearlash.studies.transitions import Transition
+from gearlash.studies.transition import Transition
 from gearlash.system import Family, GearlashError, Label
 
 from .claims import Claim

@@ -11,7 +11,8 @@ from gearlash.jobs import INTERRUPTED, Execution, ProgressCallback, UnfinishedEr
 from gearlash.orbits import Settings
 from gearlash.results import Axis, Direction, Sweep
 from gearlash.studies.sweep import sweeps
-from gearlash.studies.transitions import Transition, transitions
+from gearlash.studies.transition import Transition
+from gearlash.studies.transitions import transitions
 
 STUDY_SETTINGS = Settings(
     budget=9_000, patience=600, exponent_periods=1_000

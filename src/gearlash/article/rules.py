@@ -18,7 +18,8 @@ from gearlash.orbits import orbit_at
 from gearlash.results import Axis, Direction, Point
 from gearlash.studies.point import point
 from gearlash.studies.sweep import sweep
-from gearlash.studies.transitions import GRAZING, transitions
+from gearlash.studies.transition import GRAZING
+from gearlash.studies.transitions import transitions
 from gearlash.system import ContactRule, Family
 
 from .reproduction import RuleEffect, RuleGrazing, RuleLabel

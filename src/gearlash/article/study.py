@@ -18,7 +18,7 @@ from gearlash.results import Axis, Direction, Point, Sweep, provenance, sweep_da
 from gearlash.studies.model import open_workers
 from gearlash.studies.motion import Motion, motion
 from gearlash.studies.point import point
-from gearlash.studies.transitions import Transition
+from gearlash.studies.transition import Transition
 from gearlash.system import GearlashError, Label, MotionKind, given
 
 from .bearing import bearing_modes

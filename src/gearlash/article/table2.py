@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from gearlash.branches import BifurcationPoint, GrazingPoint
-from gearlash.studies.transitions import Transition
+from gearlash.studies.transition import Transition
 from gearlash.system import Label, Signature, label_text
 
 from .events import Found, exponent_at

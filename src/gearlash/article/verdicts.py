@@ -10,7 +10,7 @@ import numpy as np
 
 from gearlash.case import Case
 from gearlash.results import Point
-from gearlash.studies.transitions import DOUBLING, FOLD
+from gearlash.studies.transition import DOUBLING, FOLD
 from gearlash.system import MotionKind, label_text
 
 from .claims import Claim

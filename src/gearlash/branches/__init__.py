@@ -1,10 +1,12 @@
-"""Special points of families of orbits, and the way from one to the next. Continuation in arclength and
-two-parameter curves have their place here too."""
+"""Special points of families of orbits, and the way of a stable orbit from one to the next.
+
+Whole branches, stable or not, are followed in `branches.continuation`."""
 
 from .bifurcation import BifurcationPoint, locate_multiplier
 from .ending import Outcome, SolvedPoint
 from .follow import Passage, PathEnd, follow, joins
-from .grazing import GrazingPoint, locate_grazing
+from .grazing import locate_grazing
+from .grazing_point import GrazingPoint
 from .node import Node
 
 __all__ = [

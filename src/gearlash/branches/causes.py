@@ -11,7 +11,8 @@ from gearlash.system import Status
 
 from .bifurcation import BifurcationPoint, locate_multiplier
 from .ending import SolvedPoint, ends_branch, is_close, is_fold
-from .grazing import GrazingPoint, locate_grazing
+from .grazing import locate_grazing
+from .grazing_point import GrazingPoint
 from .node import Node
 from .stepping import Earlier, Line, rates
 from .steps import UNBUILT

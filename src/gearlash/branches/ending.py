@@ -13,7 +13,7 @@ from enum import StrEnum
 from gearlash.orbits import orbit_at
 
 from .bifurcation import BifurcationPoint, born_by_doubling
-from .grazing import GrazingPoint
+from .grazing_point import GrazingPoint
 from .node import Node, Pair
 from .stepping import Line, Refusal
 from .steps import member

@@ -19,7 +19,7 @@ from gearlash.system import Family, HasFamily, given, plain_values
 from .bifurcation import BifurcationPoint
 from .causes import Causes, slack
 from .ending import Outcome, SolvedPoint, at_point, ends_branch, without_point
-from .grazing import GrazingPoint
+from .grazing_point import GrazingPoint
 from .node import Array, Node
 from .stepping import Earlier, Line, Refusal, Step
 from .steps import UNBUILT, checked

@@ -25,6 +25,7 @@ class Record(NamedTuple):
 
 @inner
 def keep_event(shape: Shape, memory, slot, motion, k, at, which, boundary, engaging, record):
+    """Writes an event down. False where there is no room for it."""
     i = record.used[1]
     if i >= len(record.event):
         return False

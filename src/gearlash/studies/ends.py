@@ -23,7 +23,7 @@ from gearlash.system import Family, GearlashError, Label
 from .model import Source
 from .point import summary
 from .row import Neighbour, continued, neighbour_after
-from .transitions import kind_of_end, unlocated
+from .transition import kind_of_end, unlocated
 from .zone import BASIN, Quiet, ZoneEnd
 
 END_WIDTH = 1e-6  # of the value: width at which halving ends

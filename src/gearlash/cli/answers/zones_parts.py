@@ -17,8 +17,8 @@ class ZoneEnd:
     physical: tuple[PhysicalValue, ...]
     kind: Annotated[
         str,
-        "grazing, fold, jump, onset of aperiodic motion, no periodic motion proved beyond, change of basin, "
-        "end of the range, not computed beyond",
+        "grazing, fold, doubling, jump, onset of aperiodic motion, no periodic motion proved beyond, "
+        "change of basin, end of the range, not computed beyond",
     ]
     solved: Annotated[bool, "solved for together with the orbit; else found by halving"]
     inside: Annotated[str, "label just inside"]
