@@ -37,7 +37,7 @@ def test_multiplier_is_minus_one(label):
     assert (np.abs(point.multipliers) <= 1.0 + 1e-8).all()
     assert point.residual <= 1e-11
     assert point.error <= 1e-10 * abs(point.value)
-    assert point.kind == "period doubling"
+    assert point.kind == "doubling"
 
 
 @pytest.mark.parametrize("label", DOUBLINGS)

@@ -130,8 +130,8 @@ def test_a_corner_is_passed_or_turns_the_branch_back(seed, lower, turns):
     do not exist below; else one on each side."""
     family, values = drawn(seed)
     branch = continue_orbit(family, values, "omega", orbit(family, **values), lower, 1.45, PLAIN)
-    (touch,) = (special for special in branch.of_kind(SpecialKind.GRAZING) if "corner" in special.told)
-    assert ("turns back" in touch.told) == turns
+    (touch,) = (special for special in branch.of_kind(SpecialKind.GRAZING) if "corner" in special.note)
+    assert ("turns back" in touch.note) == turns
     assert touch.extremum is not None
     assert abs(touch.extremum.distance) < 1e-10
     assert not branch.unexplained

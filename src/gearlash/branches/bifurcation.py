@@ -25,7 +25,7 @@ MULTIPLIER_ITERATIONS = 30
 DERIVATIVE_STEP = 1e-6  # of state and parameter: for derivatives
 CLOSED = 1e-10  # residual of a solution
 HALF_PERIOD_NEAR = 1e-2  # at a doubling: distance of the orbit of half the period, of its multiplier to -1
-KIND_OF_MULTIPLIER = {-1: "period doubling", 1: "fold"}
+KIND_OF_MULTIPLIER = {-1: "doubling", 1: "fold"}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -83,7 +83,7 @@ class BifurcationPoint(Record):
 
     @property
     def kind(self) -> str:
-        """Period doubling or fold."""
+        """Doubling or fold."""
         return KIND_OF_MULTIPLIER[self.multiplier]
 
 

@@ -135,7 +135,7 @@ def _branch(branch: Branch) -> dict[str, Any]:
         "scale": branch.scale.tolist(),
         "points": [_point(point) for point in branch.points],
         "special": [_special(special) for special in branch.special],
-        "ends": [{"kind": str(end.kind), "value": end.value, "told": end.told} for end in branch.ends],
+        "ends": [{"kind": str(end.kind), "value": end.value, "note": end.note} for end in branch.ends],
         "unexplained": list(branch.unexplained),
     }
 
@@ -149,7 +149,7 @@ def _as_branch(stored: dict[str, Any]) -> Branch:
         scale=np.array(stored["scale"], dtype=np.float64),
         points=tuple(_as_point(point) for point in stored["points"]),
         special=tuple(_as_special(special) for special in stored["special"]),
-        ends=tuple(EndOfBranch(EndKind(end["kind"]), end["value"], end["told"]) for end in stored["ends"]),
+        ends=tuple(EndOfBranch(EndKind(end["kind"]), end["value"], end["note"]) for end in stored["ends"]),
         unexplained=tuple(stored["unexplained"]),
     )
 
@@ -210,7 +210,7 @@ def _special(special: SpecialPoint) -> dict[str, Any]:
         "unstable_after": special.unstable_after,
         "extremum": None if special.extremum is None else list(special.extremum),
         "linear": special.linear,
-        "told": special.told,
+        "note": special.note,
         "status": str(special.status),
     }
 
@@ -230,6 +230,6 @@ def _as_special(stored: dict[str, Any]) -> SpecialPoint:
         unstable_after=stored["unstable_after"],
         extremum=None if extremum is None else Extremum(*extremum),
         linear=stored["linear"],
-        told=stored["told"],
+        note=stored["note"],
         status=Status(stored["status"]),
     )

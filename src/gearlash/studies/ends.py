@@ -103,10 +103,10 @@ class _Search:
             if change is None:
                 return None
             if change.after is not None:
-                return self.told(change, change.after)
+                return self.zone_end(change, change.after)
             beyond = self.beyond(change, last)
             if self.quiet(beyond) != self.quiet(near):
-                return self.told(change, beyond.label, beyond)
+                return self.zone_end(change, beyond.label, beyond)
             point = beyond
         return None
 
@@ -146,7 +146,7 @@ class _Search:
             return far
         return self.step(float(value), neighbour_after(Neighbour(self.bracket.start, None), change.before))
 
-    def told(self, change: _Change, after: Label | None, beyond: Point | None = None) -> ZoneEnd:
+    def zone_end(self, change: _Change, after: Label | None, beyond: Point | None = None) -> ZoneEnd:
         """The end at a change of the orbit that the sweep follows; ``after``: the label beyond."""
         before, way = change.before.label, str(self.bracket.direction)
         labels = (before, after) if self.quiet(change.before) else (after, before)

@@ -80,7 +80,7 @@ def first_grazing(
     way, passed = abs(to - start.value), []
     found: Passage | None = None
 
-    def told(value: float) -> None:
+    def hear(value: float) -> None:
         nonlocal reached
         reached = value
         if tell is not None:
@@ -89,7 +89,7 @@ def first_grazing(
     beyond = ""
     try:
         with interruptible():
-            for step in _steps(family, others, name, start, to, told, settings):
+            for step in _steps(family, others, name, start, to, hear, settings):
                 if isinstance(step, PathEnd):
                     ended, decided = _ended(step, family, name)
                     return FollowedPath(direction, step.last.value, ended, decided, "", tuple(passed)), None
@@ -134,12 +134,12 @@ def _steps(
     name: str,
     start: Point,
     to: float,
-    told: Callable[[float], object],
+    hear: Callable[[float], object],
     settings: Settings,
 ) -> Iterator[Passage | PathEnd]:
     """The way from a point of a study."""
     orbit = orbit_of(family, values, name, start)
-    yield from follow(family, name, orbit, to, values=values, tell=told, longest=settings.max_period)
+    yield from follow(family, name, orbit, to, values=values, tell=hear, longest=settings.max_period)
 
 
 def _last(family: Family, name: str, value: float, direction: str) -> float:

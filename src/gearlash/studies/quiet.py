@@ -104,10 +104,10 @@ class Search:
         self.reasons.extend(sweep.message for sweep in ways if not sweep.complete)
         axis = ways[0].axis
         step = float(axis.values[-1] - axis.values[0]) / STEPS
-        told = [_with_neighbours(sweep.points) for sweep in ways]
+        shown = [_with_neighbours(sweep.points) for sweep in ways]
         rows = [
             Row(s.direction, points, frozenset(p.value for p in points))
-            for s, points in zip(ways, told, strict=True)
+            for s, points in zip(ways, shown, strict=True)
         ]
         rows = self.followed(rows, axis.name, step)
         ends = self.located(axis.name, rows, {})
@@ -267,4 +267,4 @@ def _with_neighbours(points: tuple[Point, ...]) -> tuple[Point, ...]:
     there may be a hundred thousand, tell nothing."""
     came = np.array([False, *(point.status is not Status.NOT_COMPUTED for point in points), False])
     near = came[:-2] | came[1:-1] | came[2:]
-    return points if near.all() else tuple(point for point, told in zip(points, near, strict=True) if told)
+    return points if near.all() else tuple(point for point, close in zip(points, near, strict=True) if close)

@@ -55,16 +55,16 @@ def corner(before: Node | None, node: Node) -> Corner | None:
     if touch is None:
         return None
     after = _beyond(touch, extremum)
-    told = ENDS
+    note = ENDS
     if after is not None:
-        told = PASSES if after.direction[-1] * node.direction[-1] > 0.0 else TURNS
+        note = PASSES if after.direction[-1] * node.direction[-1] > 0.0 else TURNS
         if after.equations.period % 2 == 0 and float(np.linalg.norm(halves(after))) <= SAME_HALVES:
-            after, told = None, HALVES
+            after, note = None, HALVES
     left = abs(touch.extrema.by_number[extremum.number].distance)
     touch = replace(touch, touching=touch.touching | {extremum.number})
     error = left * touch.equations.line.unit + PARAMETER_ROUNDING * abs(touch.value)
     change = Change(Test.GRAZING, extremum.number)
-    return Corner(Located(change, 0.0, touch, error, SpecialKind.GRAZING, told), after)
+    return Corner(Located(change, 0.0, touch, error, SpecialKind.GRAZING, note), after)
 
 
 def abrupt(system: System, extremum: Extremum) -> bool:

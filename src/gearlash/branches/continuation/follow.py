@@ -79,7 +79,7 @@ class Follower:
             yield end
             return
         yield Passed(node, node, beyond.located)
-        yield EndOfBranch(EndKind.CORNER, beyond.located.node.value, beyond.located.told)
+        yield EndOfBranch(EndKind.CORNER, beyond.located.node.value, beyond.located.note)
 
     def step(
         self, before: Node | None, node: Node, length: float
@@ -91,7 +91,7 @@ class Follower:
             limit = self.limit(node, guess)
             if limit is None:
                 slope = slope_ahead(before, node, length)
-                found = node_near(node.equations, guess, *told_by(before, node, guess), node, slope)
+                found = node_near(node.equations, guess, *place_by(before, node, guess), node, slope)
             else:
                 found = self.at_limit(node, guess, limit)
             refused = self.refused(node, found, guess, length)
@@ -148,10 +148,10 @@ class Follower:
         return min(length, self.settings.longest)
 
     def ended(self, node: Node, refused: str) -> EndOfBranch:
-        told = f"steps down to {self.settings.shortest:.0e} are refused: {refused}"
+        note = f"steps down to {self.settings.shortest:.0e} are refused: {refused}"
         if "no system" in refused:
             return EndOfBranch(EndKind.UNBUILT, node.value, refused)
-        return EndOfBranch(EndKind.FAR if "without bound" in refused else EndKind.SHORT, node.value, told)
+        return EndOfBranch(EndKind.FAR if "without bound" in refused else EndKind.SHORT, node.value, note)
 
     def closes(self, left: Node, right: Node) -> bool:
         """Whether the first orbit, begun at any of its base periods, lies between two neighbours."""
@@ -180,7 +180,7 @@ def of_linear_doubling(node: Node) -> bool:
     return float(np.abs(node.spectrum.multipliers - 1.0).min()) <= FLAT
 
 
-def told_by(before: Node | None, node: Node, guess: Array) -> tuple[Array, float]:
+def place_by(before: Node | None, node: Node, guess: Array) -> tuple[Array, float]:
     """The row that says where on the branch the next orbit lies, and its value. Far from a fold the parameter
     does: a system is then built once for each orbit. Else the direction of the branch does."""
     turns = [node.direction[-1]] if before is None else [node.direction[-1], before.direction[-1]]

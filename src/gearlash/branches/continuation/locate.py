@@ -27,7 +27,7 @@ LAST_STEP = 1e-13  # of the parameter: a step of the secant method that is the l
 @dataclass(frozen=True, eq=False)
 class Located:
     """A zero of a test function: its place on the way, the orbit there, error of the parameter, kind (None
-    where the zero is no special point: two real reciprocal multipliers), what else is to be told, and the
+    where the zero is no special point: two real reciprocal multipliers), what else is to be said, and the
     value of the parameter where the orbit does not tell it as well."""
 
     change: Change
@@ -35,7 +35,7 @@ class Located:
     node: Node
     error: float
     kind: SpecialKind | None
-    told: str = ""
+    note: str = ""
     value: float | None = None
 
 

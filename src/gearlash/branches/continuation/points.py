@@ -156,7 +156,7 @@ class SpecialPoint(Record):
     linear : bool
         Whether the orbit meets no boundary, so that its system is linear there: a doubling or torus is then
         degenerate, and what is born in it appears at the amplitude that grazes.
-    told : str
+    note : str
         The kind in words, of a graze with its boundary.
     status : Status
 
@@ -170,7 +170,7 @@ class SpecialPoint(Record):
     1.112000 grazing: 1-0-0 to 1-1-0
     """
 
-    _printed: ClassVar = ("kind", "value", "error", "label_before", "label_after", "told", "status")
+    _printed: ClassVar = ("kind", "value", "error", "label_before", "label_after", "note", "status")
 
     kind: SpecialKind
     value: float
@@ -184,7 +184,7 @@ class SpecialPoint(Record):
     unstable_after: int
     extremum: Extremum | None
     linear: bool
-    told: str
+    note: str
     status: Status
 
     @property
@@ -208,7 +208,7 @@ class EndOfBranch(Record):
     kind : EndKind
     value : float
         Of the parameter.
-    told : str
+    note : str
         The evidence in words, where there is more to tell.
 
     Examples
@@ -222,7 +222,7 @@ class EndOfBranch(Record):
 
     kind: EndKind
     value: float
-    told: str = ""
+    note: str = ""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -244,7 +244,7 @@ class Branch(Record):
     ends : tuple of EndOfBranch
         The first and the last.
     scale : ndarray
-        Of the unknowns (states, then the parameter), in which arclength is told.
+        Of the unknowns (states, then the parameter), in which arclength is measured.
     unexplained : tuple of str
         Steps on which something changed that no special point was found for, in words.
 

@@ -23,7 +23,7 @@ class Unexplained:
 
     left: Node
     right: Node
-    told: str
+    note: str
 
 
 @dataclass(frozen=True, eq=False)

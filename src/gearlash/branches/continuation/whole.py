@@ -111,7 +111,7 @@ class _Way:
             elif isinstance(item, Passed):
                 way.special.append(_special(item, last, arclength, follower.settings))
             elif isinstance(item, Unexplained):
-                way.unexplained.append(f"{item.left.value:.12g} to {item.right.value:.12g}: {item.told}")
+                way.unexplained.append(f"{item.left.value:.12g} to {item.right.value:.12g}: {item.note}")
             else:
                 arclength += float(np.linalg.norm(item.u - last.u))
                 way.points.append(_point(item, arclength, follower.settings))
@@ -157,8 +157,8 @@ def _special(passed: Passed, last: Node, arclength: float, settings: Continuatio
     here = arclength + float(np.linalg.norm(node.u - last.u))
     point = _point(node, here, replace(settings, certify=False))
     extremum = node.extrema.by_number[change.number] if located.kind is SpecialKind.GRAZING else None
-    told = str(located.kind) if extremum is None else grazing_kind(extremum)
-    corner = located.told
+    note = str(located.kind) if extremum is None else grazing_kind(extremum)
+    corner = located.note
     if extremum is not None and not corner and abrupt(node.here.props.system, extremum):
         corner = PASSES
     linear = not any(map(any, point.signature.counts))
@@ -176,7 +176,7 @@ def _special(passed: Passed, last: Node, arclength: float, settings: Continuatio
         unstable_after=right.spectrum.unstable.total,
         extremum=extremum,
         linear=linear,
-        told="; ".join(filter(None, (told, corner))),
+        note="; ".join(filter(None, (note, corner))),
         status=Status.OK,
     )
 
@@ -214,7 +214,7 @@ def _met(special: tuple[SpecialPoint, ...], unit: float) -> tuple[SpecialPoint, 
                 fold,
                 kind=SpecialKind.SYMMETRIC,
                 error=max(fold.error, MEETING * unit),
-                told=str(SpecialKind.SYMMETRIC),
+                note=str(SpecialKind.SYMMETRIC),
                 interval=(last.interval[0], each.interval[1]),
                 arclengths=(last.arclengths[0], each.arclengths[1]),
                 label_before=last.label_before,
