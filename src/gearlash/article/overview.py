@@ -23,9 +23,9 @@ from gearlash.case.edges import shown_edge
 from gearlash.orbits import Orbit, Settings, attractor
 from gearlash.plots import portraits, style
 from gearlash.plots.bifurcation import directions, scatter
-from gearlash.plots.branch import Branch, branches, differs
 from gearlash.plots.framing import frame
 from gearlash.plots.regimes import FREE, short
+from gearlash.plots.swept import Swept, differs, swept
 from gearlash.plots.units import VELOCITY, Units, X, name, second
 from gearlash.results import Axis, sweep_dataset
 from gearlash.studies.first_grazing import first_grazing
@@ -97,12 +97,12 @@ def overview(data: OverviewData, units: Units) -> Figure:
 
 
 def _diagram(axes: Axes, data: OverviewData, units: Units) -> None:
-    rows = branches(data.dataset)
+    rows = swept(data.dataset)
     low, high = data.ends
     axes.axvspan(low, high, facecolor=FREE.colour, alpha=0.55, edgecolor="none", zorder=0.1)
-    for branch in rows:
-        keep = differs(branch, rows[0]) if branch is not rows[0] else np.ones(len(branch.values), dtype=bool)
-        scatter(axes, branch.direction, *branch.points("strobes", keep))
+    for way in rows:
+        keep = differs(way, rows[0]) if way is not rows[0] else np.ones(len(way.values), dtype=bool)
+        scatter(axes, way.direction, *way.points("strobes", keep))
     axes.set_xlim(*SPAN)
     axes.margins(y=0.1)
     axes.set(xlabel=name("omega"), ylabel=r"$X_n$  on  $\sigma_t$")
@@ -137,8 +137,8 @@ def _diagram(axes: Axes, data: OverviewData, units: Units) -> None:
         )
 
 
-def _names(axes: Axes, rows: list[Branch], ends: tuple[float, float]) -> None:
-    """Labels on the branches where they are long enough, and on what coexists with the motion without
+def _names(axes: Axes, rows: list[Swept], ends: tuple[float, float]) -> None:
+    """Labels on the directions where they are long enough, and on what coexists with the motion without
     impacts.
     """
     low, high = ends

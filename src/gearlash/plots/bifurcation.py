@@ -12,9 +12,9 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from . import style
-from .branch import Branch, axis_name, branches, differs
 from .marks import LINES, OTHER_LINE, OTHER_TICK, TICKS, Mark, height, lines, texts
 from .strip import key, strip
+from .swept import Swept, axis_name, differs, swept
 from .units import ASSUMED, EXPONENT, ForceAxis, Units, name, second
 
 # How the directions look: colour, marker, size of a point (pt²), order of drawing.
@@ -68,7 +68,7 @@ def diagram(
     6
     """
     force = force or ForceAxis()
-    rows = branches(dataset)
+    rows = swept(dataset)
     axis = axis_name(dataset)
     shown = new_points(rows)
     back = any(np.isfinite(b.back_force).any() for b in rows)
@@ -100,14 +100,14 @@ def diagram(
     return figure
 
 
-def new_points(rows: list[Branch]) -> list[NDArray[np.bool_]]:
-    """Per branch, the axis values at which it shows another attractor than the first branch."""
+def new_points(rows: list[Swept]) -> list[NDArray[np.bool_]]:
+    """Per direction, the axis values at which it shows another attractor than the first one."""
     return [np.ones(len(rows[0].values), dtype=bool), *(differs(b, rows[0]) for b in rows[1:])]
 
 
 def _points(
     panel: Axes,
-    rows: list[Branch],
+    rows: list[Swept],
     shown: list[NDArray[np.bool_]],
     arrays: tuple[str, ...],
     label: str,
@@ -115,11 +115,11 @@ def _points(
 ) -> None:
     """The arrays, times ``sign``, of every direction in one panel."""
     drawn = 0
-    for branch, keep in zip(rows, shown, strict=True):
+    for way, keep in zip(rows, shown, strict=True):
         for array in arrays:
-            x, y = branch.points(array, keep)
+            x, y = way.points(array, keep)
             drawn += len(x)
-            scatter(panel, branch.direction, x, sign * y, hollow=array == BACK[1])
+            scatter(panel, way.direction, x, sign * y, hollow=array == BACK[1])
     if not drawn:
         _empty(panel, label)
         return
@@ -190,14 +190,14 @@ def scatter(
     )
 
 
-def _exponents(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]]) -> None:
+def _exponents(panel: Axes, rows: list[Swept], shown: list[NDArray[np.bool_]]) -> None:
     panel.axhline(0.0, color=style.INK, lw=0.6)
     panel.set_ylabel(EXPONENT)
     lowest = []
-    for branch, keep in zip(rows, shown, strict=True):
-        colour, marker, size, order = DIRECTION_STYLES.get(branch.direction, DIRECTION_STYLES["cold"])
-        keep = keep & np.isfinite(branch.exponent)
-        x, y, bar = branch.values[keep], branch.exponent[keep], branch.exponent_error[keep]
+    for way, keep in zip(rows, shown, strict=True):
+        colour, marker, size, order = DIRECTION_STYLES.get(way.direction, DIRECTION_STYLES["cold"])
+        keep = keep & np.isfinite(way.exponent)
+        x, y, bar = way.values[keep], way.exponent[keep], way.exponent_error[keep]
         lowest.append(y)
         panel.scatter(x, y, s=max(size, 1.2), marker=marker, facecolors=colour, linewidths=0.0, zorder=order)
         with_bar = bar > 0.0
@@ -210,17 +210,17 @@ def _exponents(panel: Axes, rows: list[Branch], shown: list[NDArray[np.bool_]]) 
     panel.set_ylim(low - 0.08 * room, high + 0.12 * room)
 
 
-def directions(rows: list[Branch], shown: list[NDArray[np.bool_]] | None = None) -> list[Line2D]:
+def directions(rows: list[Swept], shown: list[NDArray[np.bool_]] | None = None) -> list[Line2D]:
     """Legend entries of the directions; with ``shown``, of what is drawn of each."""
     handles = []
-    for i, branch in enumerate(rows):
-        colour, marker, _, _ = DIRECTION_STYLES.get(branch.direction, DIRECTION_STYLES["cold"])
-        text = "cold start" if branch.direction == "cold" else f"swept {branch.direction}"
+    for i, way in enumerate(rows):
+        colour, marker, _, _ = DIRECTION_STYLES.get(way.direction, DIRECTION_STYLES["cold"])
+        text = "cold start" if way.direction == "cold" else f"swept {way.direction}"
         if shown is not None and i == 0 and len(rows) > 1:
             text += AGREEING
         elif shown is not None and not shown[i].any():
             text += ": nowhere different"
-        size = 2.2 if branch.direction == "cold" else 3.6
+        size = 2.2 if way.direction == "cold" else 3.6
         handles.append(Line2D([], [], ls="none", marker=marker, color=colour, ms=size, mew=0.0, label=text))
     return handles
 

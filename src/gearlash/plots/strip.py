@@ -8,21 +8,21 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Rectangle
 
 from . import style
-from .branch import Branch
 from .regimes import ALL, Regime, regime, short
+from .swept import Swept
 
 CHARACTER = 1.25  # mm of a character at the size of the strip
 
 
-def strip(axes: Axes, branches: Sequence[Branch], millimetres: float, height: float = 0.78) -> set[Regime]:
-    """One row a branch, first on top; labels where they fit. Returns the regimes that occur."""
-    span = branches[0].values[-1] - branches[0].values[0]
+def strip(axes: Axes, ways: Sequence[Swept], millimetres: float, height: float = 0.78) -> set[Regime]:
+    """One row a direction, first on top; labels where they fit. Returns the regimes that occur."""
+    span = ways[0].values[-1] - ways[0].values[0]
     room = span / millimetres  # of the axis per mm
     seen: set[Regime] = set()
-    for row, branch in enumerate(branches):
-        bottom = len(branches) - 1 - row + (1.0 - height) / 2.0
-        edges = branch.edges()
-        for first, last, label in branch.runs():
+    for row, way in enumerate(ways):
+        bottom = len(ways) - 1 - row + (1.0 - height) / 2.0
+        edges = way.edges()
+        for first, last, label in way.runs():
             kind = regime(label)
             seen.add(kind)
             _cell(axes, float(edges[first]), float(edges[last]), bottom, height, kind)
@@ -38,8 +38,8 @@ def strip(axes: Axes, branches: Sequence[Branch], millimetres: float, height: fl
                     fontsize=6.5,
                     color=kind.ink,
                 )
-    axes.set_ylim(0.0, len(branches))
-    axes.set_yticks([len(branches) - 0.5 - i for i in range(len(branches))], [b.direction for b in branches])
+    axes.set_ylim(0.0, len(ways))
+    axes.set_yticks([len(ways) - 0.5 - i for i in range(len(ways))], [b.direction for b in ways])
     axes.tick_params(axis="y", length=0, which="both")
     for side in axes.spines.values():
         side.set_visible(False)

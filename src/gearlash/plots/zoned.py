@@ -15,10 +15,10 @@ from gearlash.studies.zone import Quiet, Zone, ZoneEnd, Zones
 
 from . import style
 from .bifurcation import directions, new_points, scatter
-from .branch import axis_name, branches
 from .marks import OTHER_TICK, TICKS
 from .regimes import DRIVE, FREE
 from .strip import key, strip
+from .swept import axis_name, swept
 from .units import ASSUMED, Units, literal, name, second
 
 WIDTH = 140.0  # mm of the panels: what is left beside the labels
@@ -81,7 +81,7 @@ def zone_bands(
     >>> len(plots.zone_bands(gl.sweep_dataset(case, found.sweeps), [found]).axes)
     3
     """
-    rows, axis, bands = branches(dataset), axis_name(dataset), list(_bands(found))
+    rows, axis, bands = swept(dataset), axis_name(dataset), list(_bands(found))
     heights = [ROW * len(bands), 4.6 * len(rows), 52.0]
     figure = style.figure(style.PAGE, sum(heights) + 46.0)
     panels: list[Axes] = list(figure.subplots(3, 1, sharex=True, height_ratios=heights))
@@ -92,8 +92,8 @@ def zone_bands(
     _shade(lower, bands)
     shown = new_points(rows)
     larger = min(LARGEST_DOT, max(1.0, (DENSE / len(rows[0].values)) ** 1.2))
-    for branch, keep in zip(rows, shown, strict=True):
-        scatter(lower, branch.direction, *branch.points("strobes", keep), larger=larger)
+    for way, keep in zip(rows, shown, strict=True):
+        scatter(lower, way.direction, *way.points("strobes", keep), larger=larger)
     lower.margins(y=0.08)
     lower.set_ylabel(r"$X_n$  on  $\sigma_t$")
     lower.set_xlabel(name(axis))

@@ -12,11 +12,11 @@ from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.flow.events import gap_displacement
 from gearlash.orbits import Attractor, Orbit, Settings, attractor
+from gearlash.orbits.force_figures import force_figures
 from gearlash.results import Point, blank
 from gearlash.system import Family, GearlashError, Status, given, plain_values, short_name
 
 from .arguments import checked_settings
-from .forces import force_figures
 from .model import Model, Source
 
 TRACEABLE = (Status.OK, Status.UNCERTAIN, Status.UNRESOLVED, Status.NEUTRAL)

@@ -16,7 +16,7 @@ SAME_STROBES = 1e-6  # strobes of one attractor found twice agree to this, relat
 
 
 @dataclass(frozen=True, eq=False)
-class Branch:
+class Swept:
     """Attractors along an axis: values (m,) ascending, labels (m,), exponents with error bars (m,), and
     padded with nan: X on σ_t (m, k), contact force Φ at impacts on σ_d, at impacts and at releases on σ_b."""
 
@@ -48,14 +48,14 @@ class Branch:
         return np.concatenate([self.values[:1], middle, self.values[-1:]])
 
 
-def branches(dataset: xr.Dataset) -> list[Branch]:
+def swept(dataset: xr.Dataset) -> list[Swept]:
     """Every direction of a sweep dataset, in its order. Raises `UnknownNameError` for one without
     directions, `GearlashError` for one without any motion.
     """
     if "direction" not in dataset.dims:
         raise UnknownNameError("dimension", "direction", [str(d) for d in dataset.dims])
-    found = [_branch(dataset, str(d)) for d in dataset["direction"].values]
-    if not any(len(branch.values) for branch in found):
+    found = [_swept(dataset, str(d)) for d in dataset["direction"].values]
+    if not any(len(way.values) for way in found):
         raise GearlashError("nothing to draw: no point of these sweeps has a motion")
     return found
 
@@ -65,7 +65,7 @@ def axis_name(dataset: xr.Dataset) -> str:
     return next(str(d) for d in dataset["label"].dims if d != "direction")
 
 
-def _branch(dataset: xr.Dataset, direction: str) -> Branch:
+def _swept(dataset: xr.Dataset, direction: str) -> Swept:
     axis = axis_name(dataset)
     one = dataset.sel(direction=direction)
     computed = np.array([bool(str(label)) for label in one["label"].values], dtype=bool)
@@ -77,7 +77,7 @@ def _branch(dataset: xr.Dataset, direction: str) -> Branch:
         table = one[name]
         return np.asarray(table.transpose(axis, ...).values, dtype=np.float64).reshape(len(one[axis]), -1)
 
-    return Branch(
+    return Swept(
         direction=direction,
         values=np.asarray(one[axis].values, dtype=np.float64),
         labels=_labels(one["label"].values),
@@ -96,23 +96,23 @@ def _labels(texts: NDArray[np.str_]) -> tuple[Label | None, ...]:
     return tuple(known[str(text)] for text in texts)
 
 
-def differs(branch: Branch, other: Branch) -> NDArray[np.bool_]:
-    """(m,) where ``branch`` reaches another attractor than ``other`` at the same value, or the other has
+def differs(way: Swept, other: Swept) -> NDArray[np.bool_]:
+    """(m,) where ``way`` reaches another attractor than ``other`` at the same value, or the other has
     no such value.
 
     Two aperiodic motions count as the same: points of one never repeat, so they cannot be compared one by
     one.
     """
     index = {value: i for i, value in enumerate(other.values)}
-    return np.array([_other(branch, i, other, index.get(v)) for i, v in enumerate(branch.values)], dtype=bool)
+    return np.array([_other(way, i, other, index.get(v)) for i, v in enumerate(way.values)], dtype=bool)
 
 
-def _other(branch: Branch, i: int, other: Branch, j: int | None) -> bool:
-    if j is None or branch.labels[i] != other.labels[j]:
+def _other(way: Swept, i: int, other: Swept, j: int | None) -> bool:
+    if j is None or way.labels[i] != other.labels[j]:
         return True
-    if not isinstance(branch.labels[i], Signature):
+    if not isinstance(way.labels[i], Signature):
         return False
-    mine, theirs = (np.sort(row[np.isfinite(row)]) for row in (branch.strobes[i], other.strobes[j]))
+    mine, theirs = (np.sort(row[np.isfinite(row)]) for row in (way.strobes[i], other.strobes[j]))
     return len(mine) != len(theirs) or bool(
         np.abs(mine - theirs).max(initial=0.0) > SAME_STROBES * max(1.0, float(np.abs(mine).max(initial=0.0)))
     )
