@@ -2,9 +2,11 @@
 
 from .extrema import Extremum
 from .local_law import GrazingLaw, law_at
+from .node import Node
 from .points import Branch, BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
 from .settings import ContinuationSettings
 from .switching import Switched, switched
+from .walk import walk
 from .whole import continue_orbit
 
 __all__ = [
@@ -15,10 +17,12 @@ __all__ = [
     "EndOfBranch",
     "Extremum",
     "GrazingLaw",
+    "Node",
     "SpecialKind",
     "SpecialPoint",
     "Switched",
     "continue_orbit",
     "law_at",
     "switched",
+    "walk",
 ]

@@ -46,17 +46,17 @@ class Between:
         if place in self._known:
             return self._known[place]
         left, right = self._neighbours(place)
-        guess, part = self._guess(left, right, place), self._part(left, right, place)
-        slope = (1.0 - part) * left.slope + part * right.slope
-        found = node_near(
-            left.equations, guess, self.row, float(self.row @ self.left.u) + place, left, slope,
-            exact=False,
-        )  # fmt: skip
-        if found.node is None:
-            return None
-        node = found.node.linked(self.left)
-        self._known[place] = node
-        return node
+        part = self._part(left, right, place)
+        between = self._guess(left, right, place), (1.0 - part) * left.slope + part * right.slope
+        # Where a contact is born on the way the curve is bent sharply there: it is straight up to there.
+        straight = ((self._along(node, place), node.slope) for node in (left, right))
+        target = float(self.row @ self.left.u) + place
+        for guess, slope in (between, *straight):
+            found = node_near(left.equations, guess, self.row, target, left, slope, exact=False)
+            if found.node is not None:
+                self._known[place] = found.node.linked(self.left)
+                return self._known[place]
+        return None
 
     def place(self, node: Node) -> float:
         return float(self.row @ (node.u - self.left.u))
@@ -69,6 +69,11 @@ class Between:
     def _part(self, left: Node, right: Node, place: float) -> float:
         start, stop = self.place(left), self.place(right)
         return (place - start) / (stop - start) if stop > start else 0.0
+
+    def _along(self, node: Node, place: float) -> Array:
+        """By the direction of one orbit alone."""
+        ahead = (place - self.place(node)) / max(float(self.row @ node.direction), AGREE)
+        return node.u + ahead * node.direction
 
     def _guess(self, left: Node, right: Node, place: float) -> Array:
         """By the cubic with the values and directions at both ends."""

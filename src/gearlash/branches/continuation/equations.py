@@ -33,13 +33,14 @@ KEPT_SYSTEMS = 3  # systems that are kept, the last ones asked for
 @dataclass(frozen=True, eq=False)
 class Line:
     """What a branch is followed along: parameter ``name`` of a family between two limits, all other
-    ``values`` fixed."""
+    ``values`` fixed. ``least_unit``: the unit of the parameter is no smaller, however near the limits are."""
 
     family: Family
     values: Mapping[str, float]
     name: str
     lower: float
     upper: float
+    least_unit: float = 0.0
     _built: dict[float, Propagators] = field(default_factory=dict)
 
     def system_at(self, value: float) -> Propagators:
@@ -56,7 +57,7 @@ class Line:
     @property
     def unit(self) -> float:
         """Of the parameter."""
-        return self.upper - self.lower
+        return max(self.upper - self.lower, self.least_unit)
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.orbits import Orbit, orbit_at
+from gearlash.orbits import Orbit, Signature, orbit_at
 from gearlash.orbits.floquet import ordered
 from gearlash.system import GearlashError
 
@@ -49,6 +49,10 @@ class Node:
     @property
     def value(self) -> float:
         return self.equations.value(self.u)
+
+    @property
+    def label(self) -> Signature:
+        return self.orbit.signature
 
     @cached_property
     def modes(self) -> NDArray[np.int64]:

@@ -53,6 +53,12 @@ class EndKind(Named):
     UNBUILT = "beyond it no system can be built"
     POINTS = "as many points as were allowed"
     CANCELLED = "cancelled"
+    ARRIVED = "arrived"
+    FOLD = "the orbit ends in a fold"
+    TOUCH = "beyond the touch the orbit is not stable, or not found"
+    DOUBLING = "beyond the doubling no stable orbit was found"
+    PERIOD = "beyond the doubling the period is longer than was to be followed"
+    UNSTABLE = "the orbit loses its stability"
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -62,6 +62,18 @@ def switched(family: Family, branch: Branch, special: SpecialPoint) -> tuple[Swi
     raise GearlashError(f"at a {special.kind} no other branch of periodic orbits begins")
 
 
+def doubled_beside(line: Line, special: SpecialPoint, size: float) -> Node | None:
+    """The orbit of twice the period at a distance ``size`` (of the scale) from a doubling; of a linear motion
+    the first one that touches."""
+    start = _start(
+        line, special, 2 * special.point.period // line.system_at(special.point.value).system.cycles
+    )
+    if special.linear:
+        return _linear(start)
+    node = _at(start, size)
+    return node if node is not None and _is_other(start, node, size) else None
+
+
 @dataclass(frozen=True, eq=False)
 class _Start:
     """The orbit of the special point run through for the period of the other branch, with the null vector

@@ -44,7 +44,7 @@ def continue_orbit(
         behind = _Way(EndOfBranch(EndKind.CLOSED, start.value))
     else:
         behind = _Way.taken(Follower(start.turned, settings), listen).turned
-    points = (*behind.points, _point(start, 0.0, settings), *ahead.points)
+    points = (*behind.points, point_of(start, 0.0, settings), *ahead.points)
     return Branch(
         name=name,
         values=dict(line.values),
@@ -109,12 +109,12 @@ class _Way:
             if isinstance(item, EndOfBranch):
                 way.end = item
             elif isinstance(item, Passed):
-                way.special.append(_special(item, last, arclength, follower.settings))
+                way.special.append(special_of(item, last, arclength, follower.settings))
             elif isinstance(item, Unexplained):
                 way.unexplained.append(f"{item.left.value:.12g} to {item.right.value:.12g}: {item.note}")
             else:
                 arclength += float(np.linalg.norm(item.u - last.u))
-                way.points.append(_point(item, arclength, follower.settings))
+                way.points.append(point_of(item, arclength, follower.settings))
                 last = item
                 listen.tell(item.value)
                 way.end = EndOfBranch(EndKind.CANCELLED, last.value)
@@ -130,7 +130,7 @@ class _Way:
         return _Way(self.end, points, special, self.unexplained[::-1])
 
 
-def _point(node: Node, arclength: float, settings: ContinuationSettings) -> BranchPoint:
+def point_of(node: Node, arclength: float, settings: ContinuationSettings) -> BranchPoint:
     orbit = node.orbit
     return BranchPoint(
         value=node.value,
@@ -150,12 +150,12 @@ def _point(node: Node, arclength: float, settings: ContinuationSettings) -> Bran
     )
 
 
-def _special(passed: Passed, last: Node, arclength: float, settings: ContinuationSettings) -> SpecialPoint:
+def special_of(passed: Passed, last: Node, arclength: float, settings: ContinuationSettings) -> SpecialPoint:
     located, left, right = passed.located, passed.left, passed.right
     assert located.kind is not None
     node, change = located.node, located.change
     here = arclength + float(np.linalg.norm(node.u - last.u))
-    point = _point(node, here, replace(settings, certify=False))
+    point = point_of(node, here, replace(settings, certify=False))
     extremum = node.extrema.by_number[change.number] if located.kind is SpecialKind.GRAZING else None
     note = str(located.kind) if extremum is None else grazing_kind(extremum)
     corner = located.note
