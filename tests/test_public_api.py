@@ -104,6 +104,7 @@ SNAPSHOT = [
     "Zones",
     "__version__",
     "attractor",
+    "branch_dataset",
     "bundled",
     "case_schema",
     "coexisting",

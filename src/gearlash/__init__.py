@@ -122,6 +122,9 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         load as load_dataset,
         save as save_dataset,
     )
+    from .results.branch_dataset import (
+        branch_dataset as branch_dataset,
+    )
     from .results.branch_file import (
         load_branch as load_branch,
         save_branch as save_branch,
@@ -310,6 +313,7 @@ _PUBLIC = {
         "sweep_dataset",
         "table",
     ),
+    "gearlash.results.branch_dataset": ("branch_dataset",),
     "gearlash.results.branch_file": ("load_branch", "save_branch"),
     "gearlash.results.beside": (
         "Beside",

@@ -197,6 +197,7 @@ def calls() -> tuple[Call, ...]:
         Call("save_dataset", gl.save_dataset, {"dataset": dataset, "path": "a.nc"}),
         Call("save_branch", gl.save_branch, {"branch": branch, "path": "a.json", "model": spur}),
         Call("load_branch", gl.load_branch, {"path": "none.json"}),
+        Call("branch_dataset", gl.branch_dataset, {"model": spur, "branch": branch}),
         Call("load_dataset", gl.load_dataset, {"path": "none.nc"}),
         Call("load_case", gl.load_case, {"path_or_name": "article", "overrides": {"error": "6um"}}),
         Call("loads", case.loads, {"text": "", "overrides": {}, "label": "case"}),
@@ -209,6 +210,9 @@ def calls() -> tuple[Call, ...]:
         Call("Scales.load_from_torque", scales.load_from_torque, {"torque": 1.0}),
         Call("plots.draw", plots.draw, {"result": orbit, "model": family}),
         Call("plots.diagram", plots.diagram, {"dataset": dataset, "marks": (), "units": plots.Units()}),
+        Call("plots.branch_diagram", plots.branch_diagram, {
+            "datasets": [gl.branch_dataset(spur, branch)], "measure": "maximum", "cloud": dataset,
+            "multipliers": True, "title": "", "units": plots.Units(), "along": None}),
         Call("plots.plane", plots.plane, {"dataset": mapped, "units": plots.Units()}),
         Call("plots.portrait", plots.portrait, {"motion": moving, "units": plots.Units(), "parameter": "f"}),
         Call("plots.history", plots.history, {"motion": moving, "units": plots.Units(), "parameter": "f"}),

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from matplotlib.text import Text
 
@@ -17,7 +18,7 @@ import gearlash as gl
 from gearlash import plots
 from gearlash.plots.units import ASSUMED_MARK
 from gearlash.system import Signature
-from plots.made import aperiodic, around_grazing, article, dataset, moving, plane, zoned
+from plots.made import aperiodic, around_grazing, article, branch, dataset, moving, plane, zoned
 
 BARS = (
     plots.Bar("article", 0.973, 1.112, "reported", "", "0.973", "1.112"),
@@ -44,6 +45,10 @@ def units() -> plots.Units:
 
 
 FIGURES: dict[str, Callable[[], Figure]] = {
+    "branches": lambda: plots.branch_diagram(
+        [branch()], cloud=dataset(), multipliers=True, title="The window of article", units=units()
+    ),
+    "branch-force": lambda: plots.branch_diagram([branch()], "force_max", units=units()),
     "diagram": lambda: plots.diagram(dataset(), MARKS, units()),
     "diagram-back": lambda: plots.diagram(dataset("D"), (), units()),
     "portrait": lambda: plots.portrait(moving(1.1, 1.0, 1.1), units()),
@@ -229,6 +234,54 @@ def test_zones_are_drawn_as_bands_with_their_ends() -> None:
     assert "no impacts, every" in words(figure)
     assert "grazing, solved for" in words(figure)
     assert "pinion speed  [rpm]" in words(figure)
+
+
+def points_of(line: Line2D) -> np.ndarray:
+    """(m, 2): what a line goes through."""
+    return np.column_stack([np.asarray(part, dtype=float) for part in line.get_data()])
+
+
+def test_a_branch_is_solid_where_stable_with_markers_at_its_special_points() -> None:
+    made, figure = branch(), FIGURES["branches"]()
+    upper = panels(figure)[0]
+    lines = [line for line in upper.lines if len(np.asarray(line.get_xdata())) > 2]
+    for name in ("minimum", "maximum"):
+        for value, height, stable in zip(
+            *(made[key].values for key in ("omega", name, "stable")), strict=True
+        ):
+            on = [
+                line for line in lines if np.abs(points_of(line) - (value, height)).max(axis=1).min() < 1e-12
+            ]
+            assert {line.get_linestyle() == "-" for line in on} == {stable}
+    assert {line.get_linestyle() for line in lines} == {"-", "--"}
+    marked = {
+        float(np.asarray(m.get_xdata())[0]): m.get_marker() for m in upper.lines if m.get_marker() != "None"
+    }
+    kinds = dict(zip(made["special_value"].values, made["special_kind"].values, strict=True))
+    names = {"grazing": "v", "doubling": "o", "fold": "D"}
+    assert {value: names[str(kind)] for value, kind in kinds.items()} == marked
+    assert {"stable", "unstable", "grazing", "doubling", "1-0", "1-1", "swept: cold, up, down"} <= words(
+        figure
+    )
+    assert "The window of article" in words(figure)
+    assert "pinion speed  [rpm]" in words(figure)
+
+
+def test_a_branch_is_drawn_through_every_orbit_that_was_computed() -> None:
+    made = branch()
+    upper = panels(FIGURES["branch-force"]())[0]
+    drawn = np.concatenate([points_of(line) for line in upper.lines])
+    for value, force in zip(made["omega"].values, made["force_max"].values, strict=True):
+        assert np.abs(drawn - (value, force)).max(axis=1).min() < 1e-12
+
+
+def test_branches_over_different_parameters_are_refused() -> None:
+    with pytest.raises(gl.GearlashError, match="over different parameters: omega, D"):
+        plots.branch_diagram([branch()], cloud=dataset("D"))
+    with pytest.raises(gl.GearlashError, match="not a dataset of a branch"):
+        plots.branch_diagram([dataset()])
+    with pytest.raises(gl.GearlashError, match="measure"):
+        plots.branch_diagram([branch()], "forces")
 
 
 def test_the_legend_of_zones_lies_inside_the_page() -> None:

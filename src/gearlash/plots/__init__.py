@@ -5,6 +5,7 @@ bytes.
 """
 
 from .bifurcation import diagram
+from .branch_diagram import branch_diagram
 from .draw import draw
 from .histories import history
 from .histories import triple as history_triple
@@ -25,6 +26,7 @@ __all__ = [
     "Panel",
     "Twin",
     "Units",
+    "branch_diagram",
     "diagram",
     "draw",
     "gallery",

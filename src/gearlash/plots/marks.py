@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from . import style
 
 LINES = {"grazing": (0, (4, 1.5)), "doubling": (0, (1, 1.2)), "fold": (0, (5, 1.2, 1, 1.2))}
-TICKS = {"grazing": "v", "doubling": "o", "fold": "D"}
+TICKS = {"grazing": "v", "doubling": "o", "fold": "D", "Neimark-Sacker": "s", "branch point": "P"}
 OTHER_LINE, OTHER_TICK = (0, (2, 3)), "|"
 
 

@@ -10,7 +10,6 @@ from typing import Any
 from gearlash.system import label_text
 
 from .forces import stored
-from .point import Point
 
 
 @dataclass(frozen=True)
@@ -19,7 +18,7 @@ class Variable:
 
     name: str
     long_name: str
-    read: Callable[[Point], Any]
+    read: Callable[[Any], Any]
     dtype: str = "f8"
     units: str = "1"
     quantity: str = ""
@@ -90,8 +89,8 @@ TAKEN = frozenset(
 """Names in a dataset that no parameter can have there."""
 
 
-def dimension(parameter: str) -> str:
-    """The dimension along which a parameter varies: its name, unless a dataset uses that for something
+def dimension(parameter: str, taken: frozenset[str] = TAKEN) -> str:
+    """The name of a parameter's values in a dataset: its own, unless the dataset uses that for something
     else."""
     plain = parameter.replace("/", "_")  # which in a file begins a group
-    return f"{plain}_parameter" if plain in TAKEN else plain
+    return f"{plain}_parameter" if plain in taken else plain

@@ -1,0 +1,143 @@
+"""One branch as lines to draw: computed orbits and special points in their order, cut into pieces within
+which neither stability nor contacts change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from scipy.interpolate import PchipInterpolator
+
+from gearlash.results.branch_dataset import TAKEN
+from gearlash.results.variables import dimension
+from gearlash.system import GearlashError, given
+
+Array = NDArray[np.float64]
+BETWEEN = 8  # values drawn between two computed orbits
+
+MEASURES: dict[str, tuple[str, str]] = {
+    "extremes": (r"least and largest $X_n$", "length"),
+    "minimum": (r"least $X_n$", "length"),
+    "maximum": (r"largest $X_n$", "length"),
+    "amplitude": (r"half the span of $X_n$", "length"),
+    "strobes": (r"$X_n$  on  $\sigma_t$", "length"),
+    "force_max": (r"largest $\Phi$", "force"),
+    "force_min": (r"least $\Phi$", "force"),
+    "force_rms": (r"rms of $\Phi$", "force"),
+}
+"""What can stand on the y axis: words, and the quantity that it is."""
+
+
+def read(dataset: xr.Dataset, measure: str, of: str = "") -> Array:
+    """(m, k): the numbers of a measure at every point, or at every special point (``of``: "special_")."""
+    names = {"extremes": ("minimum", "maximum"), "amplitude": ("minimum", "maximum")}.get(measure, (measure,))
+    columns = [dataset[f"{of}{name}"].values for name in names]
+    table = np.concatenate([c.reshape(len(c), -1) for c in columns], axis=1).astype(np.float64)
+    return 0.5 * (table[:, 1:] - table[:, :1]) if measure == "amplitude" else table
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A stretch of a branch: values (m,) and y (m, k), its label, and whether it is stable."""
+
+    values: Array
+    y: Array
+    label: str
+    stable: bool
+
+    @property
+    def length(self) -> float:
+        """Of the way over the parameter."""
+        return float(np.abs(np.diff(self.values)).sum())
+
+
+@dataclass(frozen=True, eq=False)
+class Followed:
+    """A branch in order of its arclength s (m,), special points among its orbits: values (m,), y (m, k), and
+    between every two neighbours the label and whether the orbits are stable."""
+
+    s: Array
+    values: Array
+    y: Array
+    labels: tuple[str, ...]
+    stable: tuple[bool, ...]
+
+    @staticmethod
+    def of(dataset: xr.Dataset, y: Array, special_y: Array) -> Followed:
+        """From a dataset of a branch, with y of its points and special points."""
+        points, special = _rows(dataset, ""), _rows(dataset, "special_")
+        width = max(y.shape[1], special_y.shape[1])
+        s = np.concatenate([points.s, special.s])
+        order = np.argsort(s, kind="stable")
+        table = np.concatenate([_wide(y, width), _wide(special_y, width)])
+        rows = [*zip(points.labels, points.stable, strict=True), *[None] * len(special.s)]
+        after = [None] * len(points.s) + [*zip(special.labels, special.stable, strict=True)]
+        between = []
+        for left, right in pairwise(order.tolist()):
+            between.append(rows[left] or rows[right] or after[left])
+        values = np.concatenate([points.values, special.values])
+        labels, stable = zip(*between, strict=True) if between else ((), ())
+        return Followed(s[order], values[order], table[order], labels, stable)
+
+    def pieces(self) -> Iterator[Piece]:
+        """Maximal stretches of one label and one stability, drawn smoothly through what was computed."""
+        looks = list(zip(self.labels, self.stable, strict=True))
+        begin = 0
+        for i in range(1, len(looks) + 1):
+            if i == len(looks) or looks[i] != looks[begin]:
+                label, stable = looks[begin]
+                yield Piece(*self._smooth(begin, i), label, stable)
+                begin = i
+
+    def _smooth(self, first: int, last: int) -> tuple[Array, Array]:
+        """From node ``first`` to node ``last``: monotone cubics along the arclength, which pass through every
+        node and add no extremum."""
+        part = slice(first, last + 1)
+        s, table = self.s[part], np.column_stack([self.values[part], self.y[part]])
+        kept = np.concatenate([[True], np.diff(s) > 0.0])
+        s, table = s[kept], table[kept]
+        if len(s) < 3:
+            return table[:, 0], table[:, 1:]
+        fine = np.concatenate([np.linspace(a, b, BETWEEN, endpoint=False) for a, b in pairwise(s)])
+        fine = np.append(fine, s[-1])
+        drawn = np.full((len(fine), table.shape[1]), np.nan)
+        for j in range(table.shape[1]):
+            if np.isfinite(table[:, j]).all():
+                drawn[:, j] = PchipInterpolator(s, table[:, j])(fine)
+        return drawn[:, 0], drawn[:, 1:]
+
+
+@dataclass(frozen=True, eq=False)
+class _Rows:
+    s: Array
+    values: Array
+    labels: list[str]
+    stable: list[bool]
+
+
+def _rows(dataset: xr.Dataset, of: str) -> _Rows:
+    special = bool(of)
+    values = dataset["special_value"] if special else dataset[parameter(dataset)]
+    return _Rows(
+        dataset[f"{of}arclength"].values.astype(np.float64),
+        values.values.astype(np.float64),
+        list(map(str, dataset["special_label_after" if special else "label"].values)),
+        list(dataset["special_unstable_after" if special else "unstable"].values == 0),
+    )
+
+
+def parameter(dataset: xr.Dataset) -> str:
+    """The coordinate of the parameter. Raises `GearlashError` for what is no dataset of a branch."""
+    given.instance("dataset", dataset, xr.Dataset, "a dataset, as from gearlash.branch_dataset")
+    name = dimension(str(dataset.attrs.get("axis", "")), TAKEN)
+    if name not in dataset.coords or "special_kind" not in dataset:
+        raise GearlashError("not a dataset of a branch: make it with gearlash.branch_dataset(model, branch)")
+    return name
+
+
+def _wide(table: Array, width: int) -> Array:
+    return np.pad(table, ((0, 0), (0, width - table.shape[1])), constant_values=np.nan)

@@ -1,0 +1,54 @@
+"""How far the motions of a branch swing, and how hard they press: by the exact flow, one base period after
+the other.
+
+A base period is begun at its own strobe: what an unstable orbit makes of the rounding of its state then grows
+over one base period only, not over all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from gearlash import flow
+from gearlash.flow import Propagators
+from gearlash.flow.events import gap_displacement
+from gearlash.orbits.force_figures import force_figures
+from gearlash.system import CARRIED, Family
+
+if TYPE_CHECKING:  # a dataset of a branch is made where there is one
+    from gearlash.branches.continuation import Branch, BranchPoint
+
+LEAST, MOST = ("minimum", "force_min"), ("maximum", "force_max")
+FIGURES = (*LEAST, *MOST, "force_rms", "share_without_contact")
+
+
+def measured(
+    family: Family, branch: Branch, points: Iterable[BranchPoint]
+) -> list[tuple[dict[str, float], np.ndarray]]:
+    """Of every point `FIGURES` (of the first clearance, dimensionless; NaN where the motion could not be
+    carried) and X (P,) at its strobes."""
+    found, props = [], None
+    for point in points:
+        system = family.system({**branch.values, branch.name: point.value})
+        props = flow.propagators(system, props)
+        phase = np.arange(len(point.strobes), dtype=np.float64) * system.cycles
+        found.append((_figures(props, point), gap_displacement(system, phase, point.strobes)))
+    return found
+
+
+def _figures(props: Propagators, point: BranchPoint) -> dict[str, float]:
+    parts = []
+    for strobe in point.strobes:
+        trace = flow.trace(props, strobe, float(props.system.cycles))
+        if trace.status not in CARRIED:
+            return dict.fromkeys(FIGURES, float("nan"))
+        parts.append(force_figures(trace))
+    every = {name: np.array([part[name] for part in parts]) for name in FIGURES}
+    return {
+        **{name: float(every[name].min()) for name in LEAST},
+        **{name: float(every[name].max()) for name in MOST},
+        "force_rms": float(np.sqrt(np.mean(every["force_rms"] ** 2))),
+        "share_without_contact": float(every["share_without_contact"].mean()),
+    }
