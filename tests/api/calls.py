@@ -212,7 +212,7 @@ def calls() -> tuple[Call, ...]:
         Call("plots.diagram", plots.diagram, {"dataset": dataset, "marks": (), "units": plots.Units()}),
         Call("plots.branch_diagram", plots.branch_diagram, {
             "datasets": [gl.branch_dataset(spur, branch)], "measure": "maximum", "cloud": dataset,
-            "multipliers": True, "title": "", "units": plots.Units(), "along": None}),
+            "multipliers": True, "title": "", "span": (), "units": plots.Units(), "along": None}),
         Call("plots.plane", plots.plane, {"dataset": mapped, "units": plots.Units()}),
         Call("plots.portrait", plots.portrait, {"motion": moving, "units": plots.Units(), "parameter": "f"}),
         Call("plots.history", plots.history, {"motion": moving, "units": plots.Units(), "parameter": "f"}),

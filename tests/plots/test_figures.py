@@ -275,6 +275,18 @@ def test_a_branch_is_drawn_through_every_orbit_that_was_computed() -> None:
         assert np.abs(drawn - (value, force)).max(axis=1).min() < 1e-12
 
 
+def test_a_part_of_a_branch_is_drawn_as_high_as_what_attracts_there() -> None:
+    figure = plots.branch_diagram([branch()], "minimum", span=(1.0, 1.1), cloud=dataset())
+    (upper,) = panels(figure)
+    low, high = upper.get_ylim()
+    inside = (branch()["omega"].values > 1.0) & (branch()["omega"].values < 1.1)
+    least = branch()["minimum"].values[inside]
+    assert upper.get_xlim() == (1.0, 1.1)
+    assert low < least.min() < least.max() < high < 1.5 * least.max()
+    with pytest.raises(gl.GearlashError, match="span"):
+        plots.branch_diagram([branch()], span=(1.1, 1.0))
+
+
 def test_branches_over_different_parameters_are_refused() -> None:
     with pytest.raises(gl.GearlashError, match="over different parameters: omega, D"):
         plots.branch_diagram([branch()], cloud=dataset("D"))

@@ -40,7 +40,7 @@ IN_CLOUD = {"extremes": ("minimum", "maximum")}
 PLACES = (0.5, 0.35, 0.65, 0.2, 0.8)  # along a stretch, where its label may stand
 SHORTEST = 0.03  # of the width: a stretch that has a label
 BESIDE = 0.012  # of the width, left and right
-MARGIN = 0.1  # of the cloud's height, above and below: branches may leave the picture there
+MARGIN = 0.1  # of the height of what attracts, above and below
 
 
 @style.styled
@@ -51,6 +51,7 @@ def branch_diagram(
     cloud: xr.Dataset | None = None,
     multipliers: bool = False,
     title: str = "",
+    span: Sequence[float] = (),
     units: Units | None = None,
     along: Twin | None = None,
 ) -> Figure:
@@ -73,6 +74,8 @@ def branch_diagram(
         Whether a second panel has the moduli of all multipliers.
     title : str
         What the branches are of.
+    span : sequence of float
+        First and last value of the parameter that are shown; all of it where nothing is given.
     units : Units, optional
         Second axes in physical units: `Units.of` a case.
     along : Twin, optional
@@ -99,17 +102,18 @@ def branch_diagram(
     """
     given.known("measure", measure, MEASURES)
     every, axis = list(datasets), _common(datasets, cloud)
+    if span and not (len(span) == 2 and span[0] < span[1]):
+        raise GearlashError(f"span = {tuple(span)}: expected a first and a larger last value")
+    left, right = span or _limits(every, cloud)
     units = units or Units()
     heights = [78.0, 34.0] if multipliers else [78.0]
     figure = style.figure(style.PAGE, sum(heights) + 36.0)
     made = figure.subplots(len(heights), 1, sharex=True, height_ratios=heights, squeeze=False)
     panels: list[Axes] = list(made[:, 0])
-    if cloud is not None:
-        _behind(panels[0], cloud, measure)
-    colours = _colours(every)
-    _branches(panels[0], every, measure, colours)
+    panels[0].set_xlim(left, right)
+    colours, seen = _colours(every), [] if cloud is None else _behind(panels[0], cloud, measure)
+    _branches(panels[0], every, measure, colours, seen)
     panels[0].set_ylabel(MEASURES[measure][0])
-    panels[0].set_xlim(*_limits(every))
     second(panels[0], units.length if MEASURES[measure][1] == "length" else units.force, "y")
     if multipliers:
         _multipliers(panels[1], every, colours)
@@ -139,17 +143,19 @@ def _common(every: Sequence[xr.Dataset], cloud: xr.Dataset | None) -> str:
     return next(iter(axes.values()))
 
 
-def _limits(every: Sequence[xr.Dataset]) -> tuple[float, float]:
+def _limits(every: Sequence[xr.Dataset], cloud: xr.Dataset | None) -> tuple[float, float]:
     """Of the parameter, with a little room at the ends for markers."""
-    ends = [float(dataset[parameter(dataset)].values.min()) for dataset in every]
-    ends += [float(dataset[parameter(dataset)].values.max()) for dataset in every]
-    room = BESIDE * (max(ends) - min(ends))
-    return min(ends) - room, max(ends) + room
+    values = [dataset[parameter(dataset)].values for dataset in every]
+    if cloud is not None:
+        values.append(cloud[axis_name(cloud)].values)
+    low, high = (float(end(np.concatenate(values))) for end in (np.min, np.max))
+    room = BESIDE * (high - low)
+    return low - room, high + room
 
 
-def _behind(panel: Axes, cloud: xr.Dataset, measure: str) -> None:
-    """What a sweep found, in grey. The panel shows as much as it needs, and a little more."""
-    heights = []
+def _behind(panel: Axes, cloud: xr.Dataset, measure: str) -> list[tuple[Array, Array]]:
+    """What a sweep found, in grey; values and heights of it."""
+    drawn = []
     for way in swept(cloud):
         values = cloud[axis_name(cloud)].values
         one = cloud.sel(direction=way.direction)
@@ -158,14 +164,25 @@ def _behind(panel: Axes, cloud: xr.Dataset, measure: str) -> None:
         if measure == "amplitude":
             tables = [0.5 * (one["maximum"].values - one["minimum"].values)[:, None]]
         for table in tables:
-            x = np.broadcast_to(values[:, None], table.shape)
             shown = np.isfinite(table)
-            heights.append(table[shown])
-            panel.scatter(x[shown], table[shown], s=0.8, c=CLOUD, linewidths=0.0, zorder=1.0, rasterized=True)
-    found = np.concatenate(heights) if heights else np.empty(0)
-    if len(found):
-        room = MARGIN * max(float(np.ptp(found)), 1e-9)
-        panel.set_ylim(float(found.min()) - room, float(found.max()) + room)
+            x = np.broadcast_to(values[:, None], table.shape)[shown]
+            drawn.append((x, table[shown]))
+            look = {"s": 0.8, "c": CLOUD, "linewidths": 0.0, "zorder": 1.0, "rasterized": True}
+            panel.scatter(*drawn[-1], **look)
+    return drawn
+
+
+def _fit(panel: Axes, seen: Sequence[tuple[Array, Array]], pieces: Sequence[Piece]) -> None:
+    """As high as what attracts: unstable branches may leave the picture, unless there is nothing else."""
+    stable = [piece for piece in pieces if piece.stable]
+    drawn = [*seen, *((p.values, p.y) for p in (stable if stable or seen else pieces))]
+    left, right = panel.get_xlim()
+    inside = [y[(x >= left) & (x <= right)].ravel() for x, y in drawn]
+    heights = np.concatenate(inside)
+    heights = heights[np.isfinite(heights)]
+    if len(heights):
+        room = MARGIN * max(float(np.ptp(heights)), 1e-9 * max(1.0, float(np.abs(heights).max())))
+        panel.set_ylim(float(heights.min()) - room, float(heights.max()) + room)
 
 
 def _colours(every: Sequence[xr.Dataset]) -> dict[str, str]:
@@ -180,7 +197,14 @@ def _colours(every: Sequence[xr.Dataset]) -> dict[str, str]:
     return found
 
 
-def _branches(panel: Axes, every: Sequence[xr.Dataset], measure: str, colours: dict[str, str]) -> None:
+def _branches(
+    panel: Axes,
+    every: Sequence[xr.Dataset],
+    measure: str,
+    colours: dict[str, str],
+    seen: Sequence[tuple[Array, Array]],
+) -> None:
+    """Lines, markers and labels, in a picture as high as these and what is ``seen`` behind them need."""
     drawn = []
     for dataset in every:
         special = read(dataset, measure, "special_")
@@ -195,6 +219,7 @@ def _branches(panel: Axes, every: Sequence[xr.Dataset], measure: str, colours: d
         for at in (0, -1):
             if str(dataset["end_kind"].values[at]) not in ORDINARY:
                 _mark(panel, OTHER_MARKER, float(dataset["end_value"].values[at]), read(dataset, measure)[at])
+    _fit(panel, seen, drawn)
     _words(panel, drawn, colours)
 
 
