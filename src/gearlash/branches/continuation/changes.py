@@ -26,6 +26,7 @@ class Test(StrEnum):
     AT_ONE = "product of (multiplier - 1)"
     DOUBLING = "product of (multiplier + 1)"
     TORUS = "product of (multiplier * multiplier - 1) over pairs"
+    EXISTENCE = "inverse of the size of the motion"
 
 
 OF_SPECTRUM: dict[Test, Function] = {

@@ -15,6 +15,7 @@ from .between import WELL
 from .changes import halves
 from .corner import Corner, corner
 from .equations import Array
+from .infinity import GROWN, runs_away
 from .node import Found, Node, node_near
 from .points import EndKind, EndOfBranch, SpecialKind
 from .resolve import Item, Passed, Resolver
@@ -24,6 +25,7 @@ from .settings import ContinuationSettings
 KINK = 1.2  # rad: where a contact comes or goes just where periods are begun, states turn, the orbit does not
 GROW, SHRINK = 2.0, 0.5
 GOOD_CONTRACTION, MOST_CONTRACTION = 0.05, 0.4
+OUTGROWN = 2.0  # times the longest step, for each scale that the states are away from the first orbit
 OFF = 0.5  # of a step: how far beside its end the next orbit may lie
 FAR = 1e6  # times the size of the first orbit: it runs away
 SINGLE = 1e-4  # of a step: halves of an orbit so near to each other are the same
@@ -41,6 +43,7 @@ class Follower:
     def run(self) -> Iterator[Item | EndOfBranch]:
         """Orbits and special points in order, and why it ends."""
         before, node, length = None, self.start, self.settings.first
+        large = GROWN * (1.0 + float(np.linalg.norm(node.u[:-1])))
         for count in range(self.settings.most_points):
             step = self.step(before, node, length)
             if isinstance(step, EndOfBranch):
@@ -68,6 +71,12 @@ class Follower:
             if ending is not None:
                 yield ending
                 return
+            if before is not None and self.away(node) > large:
+                large, end = 2.0 * large, runs_away(before, node)
+                if end is not None:
+                    yield Passed(before, node, end)
+                    yield EndOfBranch(EndKind.FAR, node.value, end.note)
+                    return
             moved = begun_elsewhere(node)
             if moved is not None:
                 before, node = None, moved
@@ -145,7 +154,11 @@ class Follower:
             length *= GROW
         elif turned > 0.7 * self.settings.angle:
             length *= SHRINK
-        return min(length, self.settings.longest)
+        return min(length, self.settings.longest * max(1.0, OUTGROWN * self.away(found.node)))
+
+    def away(self, node: Node) -> float:
+        """How far the states are from those of the first orbit."""
+        return float(np.linalg.norm((node.u - self.start.u)[:-1]))
 
     def ended(self, node: Node, refused: str) -> EndOfBranch:
         note = f"steps down to {self.settings.shortest:.0e} are refused: {refused}"

@@ -35,6 +35,8 @@ class SpecialKind(Named):
     """The orbit was born at the doubling of another one and comes back to it."""
     SYMMETRIC = "joins a symmetric orbit"
     """The orbit was born at the symmetry breaking of another one and comes back to it."""
+    EXISTENCE = "end of existence"
+    """A multiplier is 1 for motions of every size: the branch grows without bound towards this value."""
     GRAZING = "grazing"
     """An extremum touches a boundary: a contact is born or ends."""
 
@@ -151,8 +153,8 @@ class SpecialPoint(Record):
     arclengths : tuple of float
         Of the same two.
     point : BranchPoint
-        The orbit there: all that a restart needs. At a branch point it is the nearest that is known well,
-        at a value of its own.
+        The orbit there: all that a restart needs. At a branch point it is the nearest that is known well, at
+        an end of existence the last one that was followed, each at a value of its own.
     label_before, label_after : Signature
         Contacts of the two orbits.
     unstable_before, unstable_after : int

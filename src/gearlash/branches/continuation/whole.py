@@ -163,11 +163,12 @@ def special_of(passed: Passed, last: Node, arclength: float, settings: Continuat
         corner = PASSES
     linear = not any(map(any, point.signature.counts))
     away = [float(np.linalg.norm(side.u - node.u)) for side in (left, right)]
+    ends = located.kind is SpecialKind.EXISTENCE
     return SpecialPoint(
         kind=located.kind,
         value=node.value if located.value is None else located.value,
         error=located.error,
-        interval=(left.value, right.value),
+        interval=(node.value, located.value) if ends and located.value is not None else (left.value, right.value),
         arclengths=(here - away[0], here + away[1]),
         point=point,
         label_before=left.orbit.signature,
