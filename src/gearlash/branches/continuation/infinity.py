@@ -3,10 +3,10 @@
 The larger a motion, the less gaps and forcing are beside it. Without them every multiple of a motion is a
 motion, too: if one of them closes, there are closed ones of every size, and with the forcing in place the
 branch grows without bound towards that value of the parameter, unless the forcing is orthogonal to the
-adjoint null vector (Fredholm's alternative). For a motion that meets no boundary this is where a multiplier
-of its linear system is 1: x = (I - M)⁻¹ b has no solution there. Source: W. A. Coppel, Stability and Asymptotic
-Behavior of Differential Equations (1965), ch. 3; for motions with impacts the field is homogeneous of degree
-one far out, and the same argument holds for its derivative."""
+adjoint null vector. For a motion that meets no boundary this is where a multiplier of its linear system is 1:
+x = (I - M)⁻¹ b has no solution there (Fredholm's alternative). Source: J. K. Hale, Ordinary Differential
+Equations (1980), ch. IV; for motions with impacts the field is homogeneous of degree one far out, and the
+same holds with the derivative of its map."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ VALUE_ROUNDING = 1e-14  # of the parameter
 ROUNDING = 1e-13  # of a monodromy matrix, relative
 CLEARLY = 10.0  # times its error: a number that is not zero
 TOLD = 0.1  # error of a cosine from which on it tells nothing
-GROWN = 100.0  # times the size of the first orbit: from there on a branch is asked whether it runs to infinity
+GROWN = 30.0  # times the size of the first orbit: from there on a branch is asked whether it runs to infinity
 AHEAD = 0.2  # how well the distance from that value must go as the inverse of the size
 
 
@@ -59,7 +59,7 @@ class AtInfinity:
     def condition(self) -> str:
         """The adjoint condition in words."""
         if self.forcing_error > TOLD:
-            return "whether the forcing is orthogonal to the adjoint null vector is not decided: it is not single"
+            return "whether the forcing is orthogonal to the adjoint null vector is not decided"
         said = "orthogonal to it" if self.orthogonal else "not orthogonal to it"
         return (
             f"the forcing is {said}: cosine to the adjoint null vector {self.forcing:.3e} ± "
@@ -86,7 +86,7 @@ def runs_away(before: Node, node: Node) -> Located | None:
 def at_infinity(line: Line, orbit: Orbit, value: float) -> AtInfinity | None:
     """The value nearest to ``value`` at which motions like ``orbit`` close at every size; None where there is
     none near by, or none between the limits."""
-    sides, length = stays_in(orbit), float(orbit.period)
+    sides, length = stays_in(orbit.trace), float(orbit.period)
 
     def affine(at: float) -> System:
         system = line.family.system({**line.values, line.name: at})

@@ -6,19 +6,19 @@ from dataclasses import replace
 
 import numpy as np
 
+from gearlash.flow import Trace
 from gearlash.flow.regions import Sides
-from gearlash.orbits import Orbit
 from gearlash.system import Clearance, ContactRule, System, constant
 
 PLUS, FREE, MINUS = 0, 1, 2  # sides of a clearance, as a trace tells them
 
 
-def stays_in(orbit: Orbit) -> Sides | None:
-    """The region in which an orbit stays all along, a side for every clearance; None where it meets a
+def stays_in(trace: Trace) -> Sides | None:
+    """The region in which a motion stays all along, a side for every clearance; None where it meets a
     boundary."""
-    if len(orbit.events):
+    if len(trace.events):
         return None
-    return tuple(int(orbit.trace.regions_of(j)[0]) for j in range(len(orbit.propagators.system.clearances)))
+    return tuple(int(trace.regions_of(j)[0]) for j in range(len(trace.propagators.system.clearances)))
 
 
 def linear_system(system: System, sides: Sides) -> System:

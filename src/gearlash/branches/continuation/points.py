@@ -49,7 +49,7 @@ class EndKind(Named):
     CLOSED = "closed loop: the branch comes back to where it began"
     JOINED = "joins the orbit of half its period"
     CORNER = "touch from the gap under no-tension, where the map has a corner"
-    LINEAR = "touch at the doubling of a linear motion, which has every lower amplitude at this value"
+    LINEAR = "touch of a linear motion, which has every lower amplitude at this value"
     SHORT = "no step is short enough"
     FAR = "the motion grows without bound"
     UNBUILT = "beyond it no system can be built"

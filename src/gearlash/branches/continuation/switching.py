@@ -21,6 +21,7 @@ from gearlash.system import Family, GearlashError
 from .changes import halves
 from .equations import Array, Equations, Line
 from .extrema import Extrema
+from .linear import stays_in
 from .node import Node, node_near
 from .points import Branch, SpecialKind, SpecialPoint
 
@@ -53,11 +54,12 @@ def switched(family: Family, branch: Branch, special: SpecialPoint) -> tuple[Swi
         return () if single is None else (Switched(special.point.value, single),)
     if special.kind is SpecialKind.DOUBLING:
         start = _start(line, special, 2 * period)
-        node = _linear(start) if special.linear else _beside(start, 1.0)
+        node = _doubled_linear(start) if special.linear else _beside(start, 1.0)
         return () if node is None else (Switched(node.value, node.orbit),)
     if special.kind in (SpecialKind.BRANCH_POINT, SpecialKind.SYMMETRIC):
         start = _start(line, special, period)
-        nodes = [_beside(start, sign) for sign in (1.0, -1.0)]
+        find = _linear if special.linear else _beside
+        nodes = [find(start, sign) for sign in (1.0, -1.0)]
         return tuple(Switched(node.value, node.orbit) for node in nodes if node is not None)
     raise GearlashError(f"at a {special.kind} no other branch of periodic orbits begins")
 
@@ -69,7 +71,7 @@ def doubled_beside(line: Line, special: SpecialPoint, size: float) -> Node | Non
         line, special, 2 * special.point.period // line.system_at(special.point.value).system.cycles
     )
     if special.linear:
-        return _linear(start)
+        return _doubled_linear(start)
     node = _at(start, size)
     return node if node is not None and _is_other(start, node, size) else None
 
@@ -128,24 +130,30 @@ def _is_other(start: _Start, node: Node, size: float) -> bool:
     return float(np.linalg.norm(node.u - start.node.u)) < 10.0 * size
 
 
-def _linear(start: _Start) -> Node | None:
+def _linear(start: _Start, sign: float) -> Node | None:
     """An orbit just above the amplitude at which the first of a linear system's orbits touches."""
-    touching = [amplitude for sign in (1.0, -1.0) if (amplitude := _touching(start, sign)) is not None]
-    for amplitude in sorted(touching, key=abs)[:1]:
-        for beyond in BEYOND:
-            node = _at(start, (1.0 + beyond) * amplitude)
-            if node is not None and any(map(any, node.orbit.signature.counts)):
-                return node
+    amplitude = _touching(start, sign)
+    if amplitude is None:
+        return None
+    for beyond in BEYOND:
+        node = _at(start, (1.0 + beyond) * amplitude)
+        if node is not None and any(map(any, node.orbit.signature.counts)):
+            return node
     return None
 
 
+def _doubled_linear(start: _Start) -> Node | None:
+    """The same of the orbits of twice the period, which a period later are those of the other sign."""
+    return _linear(start, 1.0) or _linear(start, -1.0)
+
+
 def _touching(start: _Start, sign: float) -> float | None:
-    """The amplitude along the null vector at which a boundary is met first, by halvings on the contacts."""
-    equations, props = start.node.equations, start.node.here.props
+    """The amplitude along the null vector at which a boundary is met first, by halvings on the regions."""
+    equations, props, sides = start.node.equations, start.node.here.props, stays_in(start.node.orbit.trace)
 
     def meets(amplitude: float) -> bool:
         state = equations.states(start.node.u + amplitude * start.null)[0]
-        return bool(flow.lap(props, state, 1, float(equations.period)).contacts.any())
+        return stays_in(flow.trace(props, state, float(start.node.orbit.period))) != sides
 
     high = sign
     while not meets(high):

@@ -118,7 +118,8 @@ class _Walker:
     def ended(self, end: EndOfBranch, way: _Way) -> Node | EndOfBranch:
         if end.kind in (EndKind.LOWER, EndKind.UPPER):
             return EndOfBranch(EndKind.ARRIVED, end.value)
-        halves = end.kind is EndKind.LINEAR or (end.kind is EndKind.CORNER and HALVES in end.note)
+        even = way.last.equations.period % 2 == 0
+        halves = even and (end.kind is EndKind.LINEAR or HALVES in end.note)
         return (self.single(end.value, way.last) if halves else None) or end
 
     def beyond(self, special: SpecialPoint, way: _Way) -> Node | EndOfBranch:
@@ -134,6 +135,8 @@ class _Walker:
         if special.kind is SpecialKind.SYMMETRIC:
             found = self.taken_up(value, special.point.state, period)
             return found or EndOfBranch(EndKind.FOLD, value)
+        if special.kind is SpecialKind.EXISTENCE:
+            return EndOfBranch(EndKind.FAR, value, special.note)
         return EndOfBranch(EndKind.FOLD if special.kind is SpecialKind.FOLD else EndKind.UNSTABLE, value)
 
     def doubled(self, special: SpecialPoint, label: Signature) -> Node | None:

@@ -10,12 +10,12 @@ import numpy as np
 from gearlash.orbits import Certificate, Orbit, Verdict, orbit_at
 from gearlash.system import Family, GearlashError, Status, given
 
-from .corner import PASSES, abrupt
 from .equations import UNBUILT, Equations, Line
 from .follow import Follower
 from .locate import MEETING
 from .node import Node, node_near
-from .points import Branch, BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint, grazing_kind
+from .notes import note_of
+from .points import Branch, BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
 from .resolve import Passed, Unexplained
 from .settings import ContinuationSettings
 
@@ -157,18 +157,16 @@ def special_of(passed: Passed, last: Node, arclength: float, settings: Continuat
     here = arclength + float(np.linalg.norm(node.u - last.u))
     point = point_of(node, here, replace(settings, certify=False))
     extremum = node.extrema.by_number[change.number] if located.kind is SpecialKind.GRAZING else None
-    note = str(located.kind) if extremum is None else grazing_kind(extremum)
-    corner = located.note
-    if extremum is not None and not corner and abrupt(node.here.props.system, extremum):
-        corner = PASSES
     linear = not any(map(any, point.signature.counts))
     away = [float(np.linalg.norm(side.u - node.u)) for side in (left, right)]
-    ends = located.kind is SpecialKind.EXISTENCE
+    interval = left.value, right.value
+    if located.kind is SpecialKind.EXISTENCE and located.value is not None:
+        interval = node.value, located.value
     return SpecialPoint(
         kind=located.kind,
         value=node.value if located.value is None else located.value,
         error=located.error,
-        interval=(node.value, located.value) if ends and located.value is not None else (left.value, right.value),
+        interval=interval,
         arclengths=(here - away[0], here + away[1]),
         point=point,
         label_before=left.orbit.signature,
@@ -177,7 +175,7 @@ def special_of(passed: Passed, last: Node, arclength: float, settings: Continuat
         unstable_after=right.spectrum.unstable.total,
         extremum=extremum,
         linear=linear,
-        note="; ".join(filter(None, (note, corner))),
+        note=note_of(located),
         status=Status.OK,
     )
 

@@ -1,0 +1,40 @@
+"""What is said of a special point."""
+
+from __future__ import annotations
+
+from .corner import PASSES, abrupt
+from .infinity import at_infinity
+from .locate import Located
+from .node import Node
+from .points import SpecialKind, grazing_kind
+
+EVERY = "the orbit meets no boundary, so that its motion is linear: "
+DOUBLED = f"{EVERY}orbits of twice the period and every size up to the first touch exist at this one value"
+TORI = f"{EVERY}quasi-periodic motions of every size up to the first touch exist at this one value"
+ORTHOGONAL = f"{EVERY}orbits of every size up to the first touch exist at this one value"
+
+
+def note_of(located: Located) -> str:
+    """The kind in words, of a graze with its boundary, and what else there is to tell."""
+    node, kind = located.node, located.kind
+    if kind is SpecialKind.GRAZING:
+        extremum = node.extrema.by_number[located.change.number]
+        corner = PASSES if abrupt(node.here.props.system, extremum) else ""
+        return _joined(grazing_kind(extremum), located.note or corner)
+    return _joined(str(kind), located.note or _degenerate(node, kind))
+
+
+def _joined(*parts: str) -> str:
+    return "; ".join(filter(None, parts))
+
+
+def _degenerate(node: Node, kind: SpecialKind | None) -> str:
+    """What is special where the motion is linear."""
+    if any(map(any, node.orbit.signature.counts)):
+        return ""
+    if kind is SpecialKind.DOUBLING:
+        return DOUBLED
+    if kind is SpecialKind.TORUS:
+        return TORI
+    found = at_infinity(node.equations.line, node.orbit, node.value)
+    return "" if found is None else _joined(ORTHOGONAL if found.orthogonal else "", found.condition)
