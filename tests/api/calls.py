@@ -135,10 +135,11 @@ def calls() -> tuple[Call, ...]:
             "settings": QUICK, "tell": print}),
         Call("continue_branch", gl.continue_branch, {
             "model": spur, "name": "omega", "start": branch.points[0], "lower": 1.4, "upper": 1.42,
-            "values": {}, "steps": gl.ContinuationSettings(longest=0.5, first=0.1), "tell": print,
-            "cancel": threading.Event()}),
+            "values": {}, "steps": gl.ContinuationSettings(longest=0.5, first=0.1),
+            "execution": execution}),
         Call("switch_branch", gl.switch_branch, {
-            "model": spur, "branch": branch, "special": special, "steps": gl.ContinuationSettings()}),
+            "model": spur, "branch": branch, "special": special, "steps": gl.ContinuationSettings(),
+            "execution": execution}),
         Call("grazing_law", gl.grazing_law, {"model": spur, "branch": branch, "special": special}),
         Call("GrazingLaw.at", law.at, {"depth": 1e-4}),
         Call("Branch.of_kind", branch.of_kind, {"kind": "fold"}),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import threading
 from dataclasses import fields
 from functools import cache
 from pathlib import Path
@@ -113,6 +114,38 @@ def test_other_files_are_refused(change, told, tmp_path: Path):
     path.write_bytes(b"\x89HDF")
     with pytest.raises(gl.GearlashError, match="not a file of a branch"):
         gl.load_branch(path)
+
+
+def test_a_branch_tells_its_orbits_and_may_be_stopped():
+    """Nobody knows how many there will be."""
+    case, stop, heard = gl.load_case("article"), threading.Event(), list[gl.Progress]()
+
+    def hear(progress: gl.Progress) -> None:
+        heard.append(progress)
+        if progress.done >= 5:
+            stop.set()
+
+    told = gl.Execution(progress=hear, cancel=stop)
+    branch = gl.continue_branch(case, "omega", lower=0.9, upper=1.12, values={"omega": 1.0}, execution=told)
+    assert [progress.done for progress in heard[:5]] == [1, 2, 3, 4, 5]
+    assert np.isnan(heard[0].share)
+    assert str(heard[1]).startswith("2 after ")
+    assert {end.kind for end in branch.ends} == {gl.EndKind.CANCELLED}
+    assert len(branch.points) == 1 + len(heard)
+
+
+def test_limits_are_refused_in_the_unit_of_the_question():
+    case = gl.load_case("article")
+    here = {"pinion_speed": "4000 rpm"}
+    with pytest.raises(gl.GearlashError, match="limits of pinion_speed: 4200 rpm is not below 3700 rpm"):
+        gl.continue_branch(case, "pinion_speed", lower="4200 rpm", upper="3700 rpm", values=here)
+    outside = "pinion_speed = 4000 rpm of the start lies outside the interval from 4100 rpm to 4200 rpm"
+    with pytest.raises(gl.GearlashError, match=outside):
+        gl.continue_branch(case, "pinion_speed", lower="4100 rpm", upper="4200 rpm", values=here)
+    with pytest.raises(gl.GearlashError, match="lower limit of pinion_speed: "):
+        gl.continue_branch(case, "pinion_speed", lower="-3 rpm", upper="4200 rpm", values=here)
+    with pytest.raises(gl.GearlashError, match="lower limit of backlash: "):
+        gl.continue_branch(case, "backlash", lower="3 rpm", upper="80 um")
 
 
 def test_what_cannot_be_followed_is_refused_in_words():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import nan
 
 
 @dataclass(frozen=True)
@@ -18,7 +19,7 @@ class Progress:
     done : int
         Points that were computed.
     total : int
-        Points in all.
+        Points in all; 0 where nobody knows, as along a branch.
     elapsed : float
         Seconds since the study began.
     remaining : float or None
@@ -38,12 +39,15 @@ class Progress:
 
     @property
     def share(self) -> float:
-        """Part of the points that is done, 0 to 1."""
-        return self.done / self.total if self.total else 1.0
+        """Part of the points that is done, 0 to 1; NaN where nobody knows how many there will be."""
+        if not self.total:
+            return nan if self.done else 1.0
+        return self.done / self.total
 
     def __str__(self) -> str:
         rest = "" if self.remaining is None else f", about {seconds_as_text(self.remaining)} left"
-        return f"{self.done}/{self.total} after {seconds_as_text(self.elapsed)}{rest}"
+        done = f"{self.done}/{self.total}" if self.total else f"{self.done}"
+        return f"{done} after {seconds_as_text(self.elapsed)}{rest}"
 
 
 ProgressCallback = Callable[[Progress], object]

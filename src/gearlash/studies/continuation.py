@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from time import monotonic
 
 from gearlash import flow
 from gearlash.branches.continuation import (
@@ -15,14 +17,15 @@ from gearlash.branches.continuation import (
     law_at,
     switched,
 )
-from gearlash.jobs import Execution
-from gearlash.jobs.stop import Cancel
+from gearlash.jobs import Execution, Progress
+from gearlash.jobs.stop import interruptible, stopping
 from gearlash.orbits import Orbit, attractor
 from gearlash.results import Point
 from gearlash.system import Family, GearlashError, given, plain_values
 
-from .arguments import checked_settings
+from .arguments import checked_execution, checked_settings
 from .beginning import orbit_of, value_of
+from .limits import Limits
 from .model import Model, Source
 
 Start = Orbit | Point | BranchPoint | SpecialPoint
@@ -38,8 +41,7 @@ def continue_branch(
     upper: float | str,
     values: Mapping[str, float | str] | None = None,
     steps: ContinuationSettings | None = None,
-    tell: Callable[[float], object] | None = None,
-    cancel: Cancel | None = None,
+    execution: Execution | None = None,
 ) -> Branch:
     """The branch of periodic orbits through one orbit, in one parameter.
 
@@ -59,10 +61,9 @@ def continue_branch(
     values : mapping of str to float or str, optional
         Of the parameters, over the model's own.
     steps : ContinuationSettings, optional
-    tell : callable, optional
-        Hears the value of the parameter of every orbit, dimensionless.
-    cancel : Cancel, optional
-        Once it is set, the branch ends there.
+    execution : Execution, optional
+        Its ``progress`` hears of every orbit; how many there will be nobody knows. Once its ``cancel`` is
+        set, the branch ends there, and says so. A branch is not split: its executor is not used.
 
     Returns
     -------
@@ -92,20 +93,19 @@ def continue_branch(
     fold at 0.708032
     grazing at 1.407088
     """
-    family = Source.of(model).family()
-    short, low, high = _interval(model, family, given.word("name", name), lower, upper)
-    numbers, steps = plain_values(model, family, values), _checked_steps(steps)
+    source = Source.of(model)
+    family, numbers = source.family(), plain_values(model, source.family(), values)
+    limits, steps = Limits.read(model, family, given.word("name", name), lower, upper), _checked_steps(steps)
+    short = limits.short
     if start is not None and not isinstance(start, Orbit):
         given.instance("start", start, STARTS, "an Orbit, a Point of a study, or a point of a branch")
         numbers[short] = value_of(start, short)
     complete = family.complete(numbers)
-    if tell is not None:
-        given.function("tell", tell, "a function of a number")
-    cancelled = Execution(cancel=cancel).cancel
-    stop = None if cancelled is None else cancelled.is_set
-    return continue_orbit(
-        family, complete, short, _orbit(family, complete, short, start), low, high, steps, tell, stop
-    )
+    listener = _Listener(checked_execution(source, execution))
+    orbit = None if start is None else orbit_of(family, complete, short, start)
+    limits.check(complete[short])
+    orbit = _from_cold(family, complete) if orbit is None else orbit
+    return _followed(family, complete, limits, orbit, steps, listener)
 
 
 def switch_branch(
@@ -114,6 +114,7 @@ def switch_branch(
     special: SpecialPoint,
     *,
     steps: ContinuationSettings | None = None,
+    execution: Execution | None = None,
 ) -> tuple[Branch, ...]:
     """The branches of periodic orbits that meet another one at a special point of it.
 
@@ -125,6 +126,8 @@ def switch_branch(
     special : SpecialPoint
         One of its doublings or branch points, or where it joins the orbit of half its period.
     steps : ContinuationSettings, optional
+    execution : Execution, optional
+        As of `continue_branch`.
 
     Returns
     -------
@@ -145,18 +148,16 @@ def switch_branch(
     >>> print(twelve.points[0].label)
     12-12-3
     """
-    family = Source.of(model).family()
+    source = Source.of(model)
+    family = source.family()
     given.instance("branch", branch, Branch, "a Branch, as from gearlash.continue_branch")
     given.instance("special", special, SpecialPoint, "one of branch.special")
-    found = []
-    for one in switched(family, branch, special):
-        values = {**branch.values, branch.name: one.value}
-        found.append(
-            continue_orbit(
-                family, values, branch.name, one.orbit, branch.lower, branch.upper, _checked_steps(steps)
-            )
-        )
-    return tuple(found)
+    steps, listener = _checked_steps(steps), _Listener(checked_execution(source, execution))
+    limits = Limits(branch.name, branch.lower, branch.upper)
+    return tuple(
+        _followed(family, {**branch.values, branch.name: one.value}, limits, one.orbit, steps, listener)
+        for one in switched(family, branch, special)
+    )
 
 
 def grazing_law(model: Model, branch: Branch, special: SpecialPoint) -> GrazingLaw:
@@ -201,17 +202,34 @@ def grazing_law(model: Model, branch: Branch, special: SpecialPoint) -> GrazingL
     return law_at(family, branch, special)
 
 
-def _interval(
-    model: Model, family: Family, name: str, lower: float | str, upper: float | str
-) -> tuple[str, float, float]:
-    """The short name and the limits, dimensionless."""
-    ((short, low),) = plain_values(model, family, {name: lower}).items()
-    ((_, high),) = plain_values(model, family, {name: upper}).items()
-    for limit in (low, high):
-        family.complete({short: limit})
-    if not low < high:
-        raise GearlashError(f"limits of {name}: {low:g} is not below {high:g}")
-    return short, low, high
+@dataclass
+class _Listener:
+    """Tells how many orbits there are, and hears whether to stop: from the execution, or by a signal."""
+
+    execution: Execution
+    orbits: int = 0
+    began: float = field(default_factory=monotonic)
+
+    def tell(self, _: float) -> None:
+        self.orbits += 1
+        if self.execution.progress is not None:
+            self.execution.progress(Progress(self.orbits, 0, monotonic() - self.began, None))
+
+    def stop(self) -> bool:
+        cancel = self.execution.cancel
+        return stopping() or (cancel is not None and cancel.is_set())
+
+
+def _followed(
+    family: Family,
+    values: Mapping[str, float],
+    limits: Limits,
+    orbit: Orbit,
+    steps: ContinuationSettings,
+    listener: _Listener,
+) -> Branch:
+    interval = limits.short, orbit, limits.lower, limits.upper
+    return continue_orbit(family, values, *interval, steps, listener.tell, listener.stop)
 
 
 def _checked_steps(steps: ContinuationSettings | None) -> ContinuationSettings:
@@ -221,11 +239,10 @@ def _checked_steps(steps: ContinuationSettings | None) -> ContinuationSettings:
     return given.instance("steps", steps, ContinuationSettings, expected)
 
 
-def _orbit(family: Family, values: Mapping[str, float], name: str, start: Start | None) -> Orbit:
-    if start is not None:
-        return orbit_of(family, values, name, start)
+def _from_cold(family: Family, values: Mapping[str, float]) -> Orbit:
     props = flow.propagators(family.system(values))
-    found = attractor(props, family.start(values), checked_settings(None))
+    with interruptible():
+        found = attractor(props, family.start(values), checked_settings(None))
     if not isinstance(found, Orbit):
         raise GearlashError(f"the motion from the cold start is {found.label}, not periodic: give a start")
     return found
