@@ -25,6 +25,7 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .reproduction import DiagramMark as DiagramMark
     from .reproduction import End as End
     from .reproduction import Event as Event
+    from .reproduction import Explained as Explained
     from .reproduction import Opening as Opening
     from .reproduction import Part as Part
     from .reproduction import Reading as Reading
@@ -34,7 +35,10 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .reproduction import RuleGrazing as RuleGrazing
     from .reproduction import RuleLabel as RuleLabel
     from .reproduction import Run as Run
+    from .reproduction import Scan as Scan
+    from .reproduction import Stretch as Stretch
     from .reproduction import Table2Row as Table2Row
+    from .reproduction import Together as Together
     from .study import STAGES as STAGES
     from .study import Scope as Scope
     from .study import reproduce as reproduce
@@ -60,6 +64,10 @@ _WHERE = {
         "RuleEffect",
         "RuleLabel",
         "Run",
+        "Explained",
+        "Scan",
+        "Stretch",
+        "Together",
         "Table2Row",
         "RuleGrazing",
         "ReportedZone",
@@ -82,6 +90,7 @@ __all__ = [
     "DiagramMark",
     "End",
     "Event",
+    "Explained",
     "Opening",
     "Part",
     "Reading",
@@ -91,8 +100,11 @@ __all__ = [
     "RuleGrazing",
     "RuleLabel",
     "Run",
+    "Scan",
     "Scope",
+    "Stretch",
     "Table2Row",
+    "Together",
     "load",
     "reproduce",
     "table2_type",

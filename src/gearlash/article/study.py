@@ -22,6 +22,7 @@ from gearlash.studies.transition import Transition
 from gearlash.system import GearlashError, Label, MotionKind, given
 
 from .bearing import bearing_modes
+from .branching import Following
 from .claims import Claim, load
 from .doubled import coincidences
 from .events import EventSearch, Found
@@ -33,7 +34,7 @@ from .table2 import fill
 from .verdicts import Evidence, judge
 from .zoning import SOME, article_zones
 
-STAGES = ("sweeps over ω", "sweeps over D", "zones", "events", "verdicts", "contact rules")
+STAGES = ("sweeps over ω", "sweeps over D", "zones", "events", "verdicts", "contact rules", "branches")
 StageProgress = Callable[[str, Progress | None], object]
 Keep = Callable[[str, Sequence[Sweep]], None]
 
@@ -143,6 +144,11 @@ def reproduce(
         omega, frequency = _axis_rows(case, "omega", scope, executor, tell, clock, keep)
         gap, backlash = _axis_rows(case, "D", scope, executor, tell, clock, keep)
         found = {"omega": distinct(frequency), "D": distinct(backlash)}
+        at = {"omega": scope.fixed_omega, "D": scope.fixed_backlash}
+        followed = (
+            Following.begun(case, "omega", {"D": at["D"]}, frequency, executor),
+            Following.begun(case, "D", {"omega": at["omega"]}, backlash, executor),
+        )
         by_axis = {"omega": (omega, frequency), "D": (gap, backlash)}
         tell(STAGES[2], None)
         zones = tuple(
@@ -155,9 +161,11 @@ def reproduce(
         beside = {name: coincidences(case, each, executor) for name, each in found.items()}
         clock.lap(STAGES[2])
         tell(STAGES[5], None)
-        at = {"omega": scope.fixed_omega, "D": scope.fixed_backlash}
         compared = effects(case, scope.rules_backlash, at, executor)
         clock.lap(STAGES[5])
+        tell(STAGES[6], None)
+        scans = tuple(each.scan(found[each.name], executor) for each in followed)
+        clock.lap(STAGES[6])
     tell(STAGES[3], None)
     family, _ = case.family()
     values = family.complete()
@@ -196,6 +204,7 @@ def reproduce(
         rules=compared,
         bearings=_bearings(case, frequency, zones, {"D": scope.fixed_backlash}),
         coincidences=tuple(both for pairs in beside.values() for both, _ in pairs),
+        scans=scans,
     )
 
 

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from gearlash.branches.continuation import Branch, Extremum
 from gearlash.case import Case
 from gearlash.studies.motion import Motion
 from gearlash.system import GearlashError, Signature
@@ -83,8 +84,12 @@ def plain_data(thing: Any) -> Any:
             return _motion(thing)
         case xr.Dataset():
             return _dataset(thing)
+        case Branch():
+            return _branch(thing)
         case Mapping():
             return {str(key): plain_data(value) for key, value in thing.items()}
+        case Extremum():
+            return plain_data(thing._asdict())
         case list() | tuple() | set() | frozenset():
             return [plain_data(each) for each in thing]
     if dataclasses.is_dataclass(thing) and not isinstance(thing, type):
@@ -107,6 +112,14 @@ def _motion(motion: Motion) -> dict[str, Any]:
         value = getattr(motion, field.name)
         out[field.name] = _short(value[chosen]) if field.name in curves else plain_data(value)
     return out
+
+
+def _branch(branch: Branch) -> dict[str, Any]:
+    """Its special points and ends whole, of all others what draws and what restarts the branch there."""
+    names = ("value", "arclength", "label", "period", "unstable", "stable", "state", "error")
+    kept = ("name", "values", "lower", "upper", "special", "ends", "unexplained")
+    columns = {name: [plain_data(getattr(point, name)) for point in branch.points] for name in names}
+    return {**{name: plain_data(getattr(branch, name)) for name in kept}, "points": columns}
 
 
 def _short(values: np.ndarray) -> list[Any]:

@@ -1,5 +1,6 @@
 """What the article's study came to: plain data, ready to be shown. All numbers are dimensionless."""
 
+from .branches import Explained, Scan, Stretch, Together
 from .claims import ClaimRow, Part, Table2Row
 from .events import Coincidence, Event, Opening
 from .rules import BearingMode, RuleEffect, RuleGrazing, RuleLabel
@@ -19,6 +20,7 @@ __all__ = [
     "DiagramMark",
     "End",
     "Event",
+    "Explained",
     "Opening",
     "Part",
     "Reading",
@@ -28,5 +30,8 @@ __all__ = [
     "RuleGrazing",
     "RuleLabel",
     "Run",
+    "Scan",
+    "Stretch",
     "Table2Row",
+    "Together",
 ]

@@ -10,6 +10,7 @@ from gearlash.case import Case
 from gearlash.studies.motion import Motion
 from gearlash.system import Label, Record, Status
 
+from .branches import Scan
 from .claims import ClaimRow, Table2Row
 from .events import Coincidence, Event
 from .rules import BearingMode, RuleEffect
@@ -135,6 +136,8 @@ class Reproduction(Record):
     bearings : tuple of BearingMode
     coincidences : tuple of Coincidence
         Of every doubling that has a grazing within 2 % of the parameter.
+    scans : tuple of Scan
+        The two sweeps as branches of periodic orbits: over ω, over D.
     """
 
     case: Case
@@ -150,3 +153,4 @@ class Reproduction(Record):
     rules: tuple[RuleEffect, ...] = ()
     bearings: tuple[BearingMode, ...] = ()
     coincidences: tuple[Coincidence, ...] = ()
+    scans: tuple[Scan, ...] = ()
