@@ -198,7 +198,7 @@ def calls() -> tuple[Call, ...]:
         Call("save_dataset", gl.save_dataset, {"dataset": dataset, "path": "a.nc"}),
         Call("save_branch", gl.save_branch, {"branch": branch, "path": "a.json", "model": spur}),
         Call("load_branch", gl.load_branch, {"path": "none.json"}),
-        Call("branch_dataset", gl.branch_dataset, {"model": spur, "branch": branch}),
+        Call("branch_dataset", gl.branch_dataset, {"model": spur, "branch": branch, "extremes": True}),
         Call("load_dataset", gl.load_dataset, {"path": "none.nc"}),
         Call("load_case", gl.load_case, {"path_or_name": "article", "overrides": {"error": "6um"}}),
         Call("loads", case.loads, {"text": "", "overrides": {}, "label": "case"}),

@@ -16,6 +16,7 @@ from matplotlib.text import Text
 
 import gearlash as gl
 from gearlash import plots
+from gearlash.plots.branch_diagram import MARKERS, OTHER_MARKER
 from gearlash.plots.units import ASSUMED_MARK
 from gearlash.system import Signature
 from plots.made import aperiodic, around_grazing, article, branch, dataset, moving, plane, zoned
@@ -285,6 +286,12 @@ def test_a_part_of_a_branch_is_drawn_as_high_as_what_attracts_there() -> None:
     assert low < least.min() < least.max() < high < 1.5 * least.max()
     with pytest.raises(gl.GearlashError, match="span"):
         plots.branch_diagram([branch()], span=(1.1, 1.0))
+
+
+def test_every_kind_of_special_point_has_a_marker_of_its_own() -> None:
+    markers = [MARKERS[str(kind)] for kind in gl.SpecialKind]
+    assert len(set(markers)) == len(markers)
+    assert OTHER_MARKER not in markers
 
 
 def test_branches_over_different_parameters_are_refused() -> None:

@@ -98,6 +98,15 @@ def test_to_disk_and_back_and_as_a_table(made, tmp_path: Path):
         assert special["special_kind"].values.tolist() == made()["special_kind"].values.tolist()
 
 
+def test_without_extremes_the_rest_is_the_same():
+    found, data = six()
+    less = gl.branch_dataset(gl.load_case("article"), found, extremes=False)
+    left = {"minimum", "maximum", "force_min", "force_max", "force_rms", "share_without_contact"}
+    gone = left | {f"special_{name}" for name in left}
+    assert set(data.data_vars) - set(less.data_vars) == gone
+    assert less.identical(data.drop_vars(gone))
+
+
 def test_another_model_is_refused():
     family = gl.load_case("shaw-holmes").family()[0]
     with pytest.raises(gl.GearlashError, match="parameter"):

@@ -24,7 +24,11 @@ from .units import ASSUMED, Twin, Units, literal, name, second
 COLOURS = (style.BLUE, style.VERMILION, style.GREEN, style.PURPLE, style.ORANGE, style.SKY)
 FREE_COLOUR, OTHER_COLOUR = style.INK, style.GREY
 DASHED = (0, (3.2, 1.6))
-MARKERS = TICKS | {"joins the orbit of half its period": "<", "joins a symmetric orbit": ">"}
+MARKERS = TICKS | {
+    "joins the orbit of half its period": "<",
+    "joins a symmetric orbit": ">",
+    "end of existence": "*",
+}
 OTHER_MARKER = "X"
 LOST = "not followed farther"
 LIMITS = ("lower limit of the parameter", "upper limit of the parameter")
@@ -33,6 +37,7 @@ ORDINARY = (
     "closed loop: the branch comes back to where it began",
     "joins the orbit of half its period",
 )
+MOST_NAMED = 5  # labels of one colour in the legend
 CLOUD = "#b5b5b5"
 LEAST_MODULUS = 1e-3  # of a multiplier that is drawn
 WIDE = 4.0  # the modulus from which moduli are drawn over a logarithmic axis
@@ -298,7 +303,12 @@ def _labels(colours: dict[str, str]) -> list[Line2D]:
     shared: dict[str, list[str]] = {}
     for label, colour in colours.items():
         shared.setdefault(colour, []).append(short(label))
-    return [Line2D([], [], color=colour, lw=2.2, label=", ".join(words)) for colour, words in shared.items()]
+    return [Line2D([], [], color=colour, lw=2.2, label=_listed(words)) for colour, words in shared.items()]
+
+
+def _listed(words: Sequence[str]) -> str:
+    left = len(words) - MOST_NAMED
+    return ", ".join(words[:MOST_NAMED]) + (f" and {left} more" if left > 0 else "")
 
 
 def _kinds(every: Sequence[xr.Dataset]) -> list[Line2D]:

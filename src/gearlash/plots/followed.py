@@ -35,6 +35,8 @@ MEASURES: dict[str, tuple[str, str]] = {
 def read(dataset: xr.Dataset, measure: str, of: str = "") -> Array:
     """(m, k): the numbers of a measure at every point, or at every special point (``of``: "special_")."""
     names = {"extremes": ("minimum", "maximum"), "amplitude": ("minimum", "maximum")}.get(measure, (measure,))
+    if f"{of}{names[0]}" not in dataset:
+        raise GearlashError(f"the dataset has no {names[0]}: make it with extremes=True")
     columns = [dataset[f"{of}{name}"].values for name in names]
     table = np.concatenate([c.reshape(len(c), -1) for c in columns], axis=1).astype(np.float64)
     return 0.5 * (table[:, 1:] - table[:, :1]) if measure == "amplitude" else table

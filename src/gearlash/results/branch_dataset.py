@@ -84,18 +84,20 @@ TAKEN = frozenset(
 """Names in this dataset that no parameter can have there."""
 
 
-def branch_dataset(model: Case | Family, branch: Branch) -> xr.Dataset:
+def branch_dataset(model: Case | Family, branch: Branch, *, extremes: bool = True) -> xr.Dataset:
     """A branch as a dataset, with units and provenance.
 
     Dimensions: ``point`` (the orbits in their order along the branch, so the parameter, a coordinate, may
-    turn round), ``state_name``, ``strobe``, ``multiplier``, ``special`` and ``end``. Extremes of X and of the
-    contact force of every orbit, of the first clearance, are computed here, by the exact flow.
+    turn round), ``state_name``, ``strobe``, ``multiplier``, ``special`` and ``end``.
 
     Parameters
     ----------
     model : Case or Family
         That of the branch.
     branch : Branch
+    extremes : bool
+        Whether extremes of X and of the contact force of every orbit, of the first clearance, are computed,
+        by the exact flow: some milliseconds for every base period.
 
     Returns
     -------
@@ -126,11 +128,11 @@ def branch_dataset(model: Case | Family, branch: Branch) -> xr.Dataset:
     given.known("parameter", branch.name, family.defaults)
     along = ("point",)
     data = _table(model, POINTWISE, branch.points, along)
-    data |= _measured(model, family, branch, branch.points, along)
+    data |= _measured(model, family, branch, branch.points, extremes, along)
     data |= _multipliers(branch.points, along)
     about = {"long_name": "state at phase zero", "units": "1"}
     data["state"] = (("point", "state_name"), np.array([point.state for point in branch.points]), about)
-    data |= _special(model, family, branch) | _ends(branch)
+    data |= _special(model, family, branch, extremes) | _ends(branch)
     return xr.Dataset(data, _coordinates(model, family, branch), _attributes(model, branch))
 
 
@@ -163,13 +165,14 @@ def _measured(
     family: Family,
     branch: Branch,
     points: Sequence[BranchPoint],
+    extremes: bool,
     dims: tuple[str, ...],
     of: str = "",
 ) -> dict[str, Any]:
     """Extremes of motion and force, and X at the strobes, padded with NaN."""
-    found = measured(family, branch, points)
+    found = measured(family, branch, points, extremes)
     data = {}
-    for each in MEASURED:
+    for each in MEASURED if extremes else ():
         data[f"{of}{each.name}"] = _array(
             model, each, dims, np.array([figures[each.name] for figures, _ in found], "f8")
         )
@@ -180,7 +183,7 @@ def _measured(
     return data
 
 
-def _special(model: Case | Family, family: Family, branch: Branch) -> dict[str, Any]:
+def _special(model: Case | Family, family: Family, branch: Branch, extremes: bool) -> dict[str, Any]:
     """The special points, with the same numbers of their orbits."""
     dims = ("special",)
     data = _table(model, SPECIAL, branch.special, dims, "special_")
@@ -190,7 +193,7 @@ def _special(model: Case | Family, family: Family, branch: Branch) -> dict[str, 
         data[dimension(f"special_{name}", TAKEN)] = (dims, numbers, about)
     points = [special.point for special in branch.special]
     data |= _multipliers(points, dims, "special_")
-    return data | _measured(model, family, branch, points, dims, "special_")
+    return data | _measured(model, family, branch, points, extremes, dims, "special_")
 
 
 def _multipliers(points: Sequence[BranchPoint], dims: tuple[str, ...], of: str = "") -> dict[str, Any]:

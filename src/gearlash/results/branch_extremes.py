@@ -25,16 +25,17 @@ FIGURES = (*LEAST, *MOST, "force_rms", "share_without_contact")
 
 
 def measured(
-    family: Family, branch: Branch, points: Iterable[BranchPoint]
+    family: Family, branch: Branch, points: Iterable[BranchPoint], extremes: bool = True
 ) -> list[tuple[dict[str, float], np.ndarray]]:
     """Of every point `FIGURES` (of the first clearance, dimensionless; NaN where the motion could not be
-    carried) and X (P,) at its strobes."""
+    carried; none without ``extremes``) and X (P,) at its strobes."""
     found, props = [], None
     for point in points:
         system = family.system({**branch.values, branch.name: point.value})
-        props = flow.propagators(system, props)
+        props = flow.propagators(system, props) if extremes else None
         phase = np.arange(len(point.strobes), dtype=np.float64) * system.cycles
-        found.append((_figures(props, point), gap_displacement(system, phase, point.strobes)))
+        x = gap_displacement(system, phase, point.strobes)
+        found.append(({} if props is None else _figures(props, point), x))
     return found
 
 
