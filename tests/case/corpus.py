@@ -186,7 +186,12 @@ NAMES = [
     Bad("an unknown name", "[pinion]", '[pinion]\ncolour = "red"', "pinion.colour", "red",
         "a name that exists"),
     Bad("a name outside any table", "[pinion]", 'include = "/etc/passwd"\n[pinion]', "include", "passwd",
-        "exists", "kind"),
+        "exists"),
+    Bad("a word of drawings", "[pinion]", '[pinion]\nweight = "1 kg"', "pinion.weight", "1 kg", "exists",
+        "pinion.mass"),
+    Bad("a unit for a name", OP, f'{OP}\nrpm = "4200"', "operation.rpm", "4200", "exists",
+        "operation.pinion_speed"),
+    Bad("a quantity that has no place", OP, f'{OP}\npower = "20 kW"', "operation.power", "20 kW", "exists"),
     Bad("a name with a terminal sequence", "[pinion]", '[pinion]\n"\\u001b[31m" = 1', "pinion.\x1b[31m",
         "1", "exists"),
     Bad("a table in a table", OP, "[operation.x]", "operation.x", "{", "a name that exists"),
@@ -202,7 +207,7 @@ NAMES = [
     Bad("an empty kind", '"helical-pair"', '""', "kind", "''", "one of helical-pair"),
     Bad("no kind", 'kind = "helical-pair"', "", "kind", None, "as the first line"),
     Bad("places of another kind", '"helical-pair"', '"spur-1dof"', "mesh.helix_angle", "18 deg",
-        "a name that exists", "mesh.pressure_angle"),
+        "a name that exists"),
     Bad("a value missing", 'mass = "5.98 kg"\n', "", "pinion.mass", None, "a mass with its unit"),
 ]
 PROVENANCE = [

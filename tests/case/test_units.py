@@ -85,6 +85,8 @@ from gearlash.case.units import (
         ("340 N/µm", 3.4e8, STIFFNESS),
         ("340 N\u202fµm⁻¹", 3.4e8, STIFFNESS),
         ("12 N-m", 12.0, TORQUE),
+        ("12 N.m", 12.0, TORQUE),
+        ("450.N.m", 450.0, TORQUE),
         ("12 kgf·m", 117.6798, TORQUE),
         ("3600 U/min", 120 * pi, SPEED),
         ("3600 r/min", 120 * pi, SPEED),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -96,18 +95,6 @@ class CaseError(GearlashError):
         if many > MOST_SHOWN:
             lines.append(f"and {many - MOST_SHOWN:,} more")
         super().__init__("\n  ".join(lines))
-
-
-def nearest_name(name: object, valid: Iterable[str]) -> str | None:
-    """The valid name that looks most like this one, large letters or small, if any does."""
-    if not isinstance(name, str) or len(name) > 60:  # too long to be a misspelt one
-        return None
-    by_look = {each.casefold(): each for each in valid}
-    look = name.casefold()
-    if look.removesuffix("_1") in by_look:  # ripple_1: the first harmonic carries no number
-        return by_look[look.removesuffix("_1")]
-    found = difflib.get_close_matches(look, list(by_look), n=1, cutoff=0.5)
-    return by_look[found[0]] if found else None
 
 
 def shown(value: object) -> str:

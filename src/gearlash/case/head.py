@@ -9,8 +9,9 @@ from typing import Annotated, Any
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from pydantic_core import PydanticCustomError
 
-from .errors import MOST_SHOWN, Problem, nearest_name, shown
+from .errors import MOST_SHOWN, Problem, shown
 from .texts import refused, refused_name
+from .words import nearest_name
 
 
 def _held(text: str, rule: Callable[[str], str | None]) -> str:

@@ -11,8 +11,9 @@ from pathlib import Path
 
 from gearlash.system import GearlashError, given, shown
 
-from .errors import CaseError, Problem, nearest_name
+from .errors import CaseError, Problem
 from .files import UnreadableError, read_file
+from .words import nearest_name
 
 LARGEST_FILE = 500_000  # bytes; the largest bundled case has 6,000
 MOST_PARTS = 30

@@ -14,7 +14,7 @@ _POWER = re.compile(
     r"([+-]?)(?:(\d+(?:\.\d*)?|\.\d+)\s*[*xX]\s*)?10\s*(?:\^|\*\*)\s*(\(?)([+-]?\d+)(\)?)", re.ASCII
 )
 _PER = re.compile(r"/\s*(?=(?:min|s|h)$)")
-_HYPHEN = re.compile(r"(?<=[A-Za-z])-(?=[A-Za-z])")
+_HYPHEN = re.compile(r"(?<=[A-Za-z])[-.](?=[A-Za-z])")
 
 
 def plain(text: str) -> str:
@@ -34,5 +34,5 @@ def plain_value(text: str) -> str:
 
 
 def plain_unit(text: str) -> str:
-    """A unit as products of words: ``/min`` behind a number is ``1/min``, ``N-m`` is ``N*m``."""
+    """A unit as products of words: ``/min`` behind a number is ``1/min``, ``N-m`` and ``N.m`` are ``N*m``."""
     return _HYPHEN.sub("*", _PER.sub("1/", plain(text), count=1) if text.startswith("/") else plain(text))

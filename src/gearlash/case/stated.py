@@ -11,10 +11,11 @@ from math import isfinite
 
 import numpy as np
 
-from .errors import nearest_name, shown
+from .errors import shown
 from .quantity import Choice, Quantity
 from .texts import refused
 from .units import FREQUENCY, NUMBER, SPEED, UnitError, in_si, read, takes
+from .words import nearest_name
 
 
 class Provenance(StrEnum):

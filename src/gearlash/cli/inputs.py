@@ -11,9 +11,9 @@ from math import isfinite
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case, CaseError, Problem, load
-from gearlash.case.errors import nearest_name
 from gearlash.case.files import UnreadableError, read_file
 from gearlash.case.units import behind_number
+from gearlash.case.words import nearest_name
 from gearlash.system import Family, GearlashError, given
 
 if TYPE_CHECKING:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterable
 from enum import EnumType, StrEnum
 from typing import TYPE_CHECKING, Any
 
+from .nearest import nearest
 from .short_text import shown
-
-LONGEST_NAME = 200  # beyond it no nearest name is looked for
 
 
 class GearlashError(Exception):
@@ -34,22 +32,13 @@ class UnknownNameError(GearlashError):
 
     def __init__(self, what: str, name: object, valid: Iterable[str]):
         self.name, self.valid = name if isinstance(name, str) else shown(name), sorted(valid)
-        near = nearest(self.name, self.valid) if isinstance(name, str) else None
+        near = nearest(name, self.valid)
         hint = f"; did you mean {near!r}?" if near else ""
         super().__init__(f"unknown {what} {shown(name)}{hint} (valid: {', '.join(self.valid)})")
 
 
 class BuildError(GearlashError):
     """What a family's own `build` or `cold_start` raised, or returned in place of a system or a state."""
-
-
-def nearest(name: str, valid: Iterable[str], cutoff: float = 0.4) -> str | None:
-    """The valid name that looks most like this one, large letters or small, if any does."""
-    if len(name) > LONGEST_NAME:
-        return None
-    by_look = {each.casefold(): each for each in valid}
-    found = difflib.get_close_matches(name.casefold(), list(by_look), n=1, cutoff=cutoff)
-    return by_look[found[0]] if found else None
 
 
 class _ByName(EnumType):

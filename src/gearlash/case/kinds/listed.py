@@ -6,11 +6,12 @@ from collections.abc import Collection, Mapping
 from typing import TypeAlias
 
 from gearlash.case.entries import Entries, Entry, overridden
-from gearlash.case.errors import CaseError, Problem, nearest_name, shown
+from gearlash.case.errors import CaseError, Problem, shown
 from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.stated import Stated, ValueRefusedError, read_stated
 from gearlash.case.units import unit
 from gearlash.case.value import Value
+from gearlash.case.words import nearest_name
 from gearlash.system import UnknownNameError
 
 Place: TypeAlias = Quantity | Choice

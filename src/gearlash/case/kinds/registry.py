@@ -12,7 +12,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from importlib import import_module
 
-from gearlash.case.errors import Problem, nearest_name, shown
+from gearlash.case.errors import Problem, shown
+from gearlash.case.words import nearest_name
 from gearlash.system import GearlashError, given
 
 from .kind import Kind

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from gearlash.case.entries import Entries, Entry, overridden
-from gearlash.case.errors import Problem, nearest_name, shown
+from gearlash.case.errors import Problem, shown
 from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.stated import Stated, ValueRefusedError, read_stated
 from gearlash.case.units import ANGLE, NUMBER, Unit, UnitError, read, takes
+from gearlash.case.words import nearest_name
 
 from .keys import REFERENCE
 from .places import Places

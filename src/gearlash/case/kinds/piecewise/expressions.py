@@ -19,7 +19,7 @@ from functools import cached_property
 from math import isfinite, pi
 from typing import TypeAlias
 
-from gearlash.case.errors import nearest_name
+from gearlash.case.words import nearest_name
 
 FUNCTIONS: dict[str, Callable[[float], float]] = {
     "sqrt": math.sqrt,

@@ -6,7 +6,8 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 from typing import Any, TypeAlias
 
-from gearlash.case.errors import MOST_SHOWN, Problem, nearest_name, shown
+from gearlash.case.errors import MOST_SHOWN, Problem, shown
+from gearlash.case.words import nearest_name
 
 from .expressions import GRAMMAR, LARGEST_NUMBER, Expression, ExpressionError
 
