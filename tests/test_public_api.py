@@ -32,6 +32,7 @@ SNAPSHOT = [
     "Clearance",
     "ContactRule",
     "ContinuationSettings",
+    "DerivativeKind",
     "Direction",
     "EndKind",
     "EndOfBranch",

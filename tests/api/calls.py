@@ -145,6 +145,7 @@ def calls() -> tuple[Call, ...]:
         Call("Branch.of_kind", branch.of_kind, {"kind": "fold"}),
         Call("Branch.at", branch.at, {"value": 1.4}),
         Call("SpecialKind", gl.SpecialKind, {"value": "fold"}),
+        Call("DerivativeKind", gl.DerivativeKind, {"value": "exact"}),
         Call("EndKind", gl.EndKind, {"value": "cancelled"}),
         Call("impact_free_speeds", gl.impact_free_speeds, {
             "model": spur, "values": {"omega": 0.9}, "tell": print}),

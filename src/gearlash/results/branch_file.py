@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from math import inf, isfinite
+from math import inf, isfinite, nan
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from gearlash.branches.continuation import (
     Branch,
     BranchPoint,
+    DerivativeKind,
     EndKind,
     EndOfBranch,
     Extremum,
@@ -137,10 +138,13 @@ def _branch(branch: Branch) -> dict[str, Any]:
         "special": [_special(special) for special in branch.special],
         "ends": [{"kind": str(end.kind), "value": end.value, "note": end.note} for end in branch.ends],
         "unexplained": list(branch.unexplained),
+        "derivative": None if branch.derivative is None else str(branch.derivative),
+        "derivative_error": branch.derivative_error if isfinite(branch.derivative_error) else None,
     }
 
 
 def _as_branch(stored: dict[str, Any]) -> Branch:
+    derivative, error = (stored.get(name) for name in ("derivative", "derivative_error"))  # not in old files
     return Branch(
         name=stored["name"],
         values={name: float(value) for name, value in stored["values"].items()},
@@ -151,6 +155,8 @@ def _as_branch(stored: dict[str, Any]) -> Branch:
         special=tuple(_as_special(special) for special in stored["special"]),
         ends=tuple(EndOfBranch(EndKind(end["kind"]), end["value"], end["note"]) for end in stored["ends"]),
         unexplained=tuple(stored["unexplained"]),
+        derivative=None if derivative is None else DerivativeKind(derivative),
+        derivative_error=nan if error is None else error,
     )
 
 

@@ -1,5 +1,6 @@
 """Branches of periodic orbits, stable or not, by pseudo-arclength continuation, with their special points."""
 
+from .derivative import DerivativeKind
 from .extrema import Extremum
 from .local_law import GrazingLaw, law_at
 from .node import Node
@@ -13,6 +14,7 @@ __all__ = [
     "Branch",
     "BranchPoint",
     "ContinuationSettings",
+    "DerivativeKind",
     "EndKind",
     "EndOfBranch",
     "Extremum",

@@ -7,7 +7,7 @@ shooting): errors then grow over one piece only."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import isfinite
@@ -16,16 +16,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.flow import Propagators
+from gearlash.flow import Propagators, Trace
+from gearlash.flow.sensitivity import sensitivity
 from gearlash.orbits import Orbit
 from gearlash.orbits.shooting import size_of
-from gearlash.system import CARRIED, Family, GearlashError
+from gearlash.system import CARRIED, Family, GearlashError, System
+
+from .derivative import Along
 
 Array = NDArray[np.float64]
 UNBUILT = (GearlashError, np.linalg.LinAlgError)
 """What a system that cannot be built or carried raises."""
 LEAST_SIZE = 1e-3  # of the largest state: the size of one that hardly moves
-STEP = 1e-7  # of the unit of the parameter: for the derivative along it
 MOST_SEGMENTS = 16
 KEPT_SYSTEMS = 3  # systems that are kept, the last ones asked for
 
@@ -43,12 +45,22 @@ class Line:
     least_unit: float = 0.0
     _built: dict[float, Propagators] = field(default_factory=dict)
 
+    @cached_property
+    def along(self) -> Along:
+        """How systems change along the parameter."""
+        return Along(self.build, self.lower, self.upper)
+
+    def build(self, value: float) -> System:
+        return self.family.system({**self.values, self.name: value})
+
     def system_at(self, value: float) -> Propagators:
         """Raises what `UNBUILT` names."""
         found = self._built.pop(value, None)
         if found is None:
             reuse = next(reversed(self._built.values()), None)
-            found = flow.propagators(self.family.system({**self.values, self.name: value}), reuse)
+            system = self.build(value)
+            self.along.hold(value, system)
+            found = flow.propagators(system, reuse)
         self._built[value] = found
         while len(self._built) > KEPT_SYSTEMS:
             del self._built[next(iter(self._built))]
@@ -196,15 +208,21 @@ class Equations:
         parts = [flow @ first + drift[:, 0] * along + drift[:, 1] for flow, drift in states]
         return np.append(np.concatenate(parts), along)
 
-    def slope(self, here: Evaluated) -> Array:
-        """(m·n,): derivative of the defect along the scaled parameter, by a difference. Its error is about
-        1e-7 of itself, as a rule: it makes steps of Newton's method so much less exact, and no solution.
-        Raises what `UNBUILT` names."""
-        up = here.u[-1] + STEP <= self.line.upper / self.line.unit
-        step = STEP if up else -STEP
-        moved = here.u.copy()
-        moved[-1] += step
-        there = self.evaluate(moved)
-        if there is None:
-            raise GearlashError("the motion could not be carried beside the orbit")
-        return (there.defect - here.defect) / step
+    def slope(self, here: Evaluated, trace: Trace | None = None) -> Array:
+        """(m·n,): derivative of the defect along the scaled parameter, exact where the systems' is (`Along`).
+        ``trace``: the orbit, where that is what was evaluated. Raises what `UNBUILT` names."""
+        change = self.line.along.at(self.value(here.u), here.props.system)
+        if trace is not None and trace.phase == self.phase:
+            ends = sensitivity(trace, change, self.segments)
+        else:
+            ends = np.concatenate([sensitivity(each, change) for each in self.traces(here)])
+        return (ends / self.size).ravel() * self.line.unit
+
+    def traces(self, here: Evaluated) -> Iterator[Trace]:
+        """Of every segment."""
+        cycles = float(self.period // self.segments * here.props.system.cycles)
+        for z in self.states(here.u):
+            found = flow.trace(here.props, z, cycles, self.phase)
+            if found.status not in CARRIED:
+                raise GearlashError("the motion could not be carried")
+            yield found

@@ -99,7 +99,7 @@ def node_near(
         return Found(None, corrected, "the orbit does not close over its whole period")
     toward = row if before is None else before.direction
     try:
-        slope = equations.slope(here) if exact or slope is None else corrected.slope
+        slope = equations.slope(here, orbit.trace) if exact or slope is None else corrected.slope
         direction = tangent(equations, here, slope, toward)
     except np.linalg.LinAlgError:
         return Found(None, corrected, "the branch has no direction: two branches meet")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
+from math import nan
 from typing import ClassVar
 
 import numpy as np
@@ -15,6 +16,7 @@ from gearlash.orbits.grazing import GRAZING_KINDS, Surface
 from gearlash.system import Record, Status, given
 from gearlash.system.status import Named
 
+from .derivative import DerivativeKind
 from .extrema import Extremum
 
 Array = NDArray[np.float64]
@@ -255,6 +257,11 @@ class Branch(Record):
         Of the unknowns (states, then the parameter), in which arclength is measured.
     unexplained : tuple of str
         Steps on which something changed that no special point was found for, in words.
+    derivative : DerivativeKind or None
+        How the derivatives along the parameter were had; None where a file of before does not say.
+    derivative_error : float
+        Estimate of their error, relative; 0 where they are exact, NaN where it is not known. It makes
+        Newton's method slower, and no orbit less exact.
 
     Examples
     --------
@@ -276,6 +283,8 @@ class Branch(Record):
     ends: tuple[EndOfBranch, ...]
     scale: Array
     unexplained: tuple[str, ...] = ()
+    derivative: DerivativeKind | None = None
+    derivative_error: float = nan
 
     @property
     def parameter(self) -> Array:

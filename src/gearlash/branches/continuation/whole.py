@@ -10,6 +10,7 @@ import numpy as np
 from gearlash.orbits import Certificate, Orbit, Verdict, orbit_at
 from gearlash.system import Family, GearlashError, Status, given
 
+from .derivative import DerivativeKind
 from .equations import UNBUILT, Equations, Line
 from .follow import Follower
 from .locate import MEETING
@@ -55,6 +56,8 @@ def continue_orbit(
         special=_met((*behind.special, *ahead.special), line.unit),
         ends=(behind.end, ahead.end),
         unexplained=(*behind.unexplained, *ahead.unexplained),
+        derivative=line.along.kind,
+        derivative_error=0.0 if line.along.kind is DerivativeKind.EXACT else line.along.error,
     )
 
 
