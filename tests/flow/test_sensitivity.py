@@ -10,7 +10,7 @@ import pytest
 
 from gearlash import flow
 from gearlash.flow.sensitivity import Change, sensitivity
-from gearlash.system import Clearance, ContactRule, System
+from gearlash.system import Clearance, ContactRule, System, constant, cosines
 from oracles.members import random_member
 
 Varied = Callable[[System, float], System]
@@ -153,8 +153,12 @@ def test_against_differences_of_motions(vary):
 @pytest.mark.jit_and_nojit
 @pytest.mark.parametrize("rule", ContactRule)
 def test_parts_begin_anew(rule):
-    stop = Clearance([1.0, 0.0], [0.0, -1.0], 0.3, 0.4, [4.0, 0.3, 0.1], 2.0, 0.1, 0.1, rule)
-    system = System(1.1, [[0.0, 1.0], [-1.0, -0.1]], [[0.0, 0.0, 0.0], [0.1, 1.0, 0.2]], (stop,))
+    h, g = np.array([1.0, 0.0]), np.array([0.0, -1.0])
+    soft, hard = cosines(4.0, [0.3]), constant(2.0)
+    stop = Clearance(h, g, 0.3, 0.4, soft, hard, 0.1, constant(0.1), rule)
+    matrix, forcing = np.array([[0.0, 1.0], [-1.0, -0.1]]), np.zeros((2, 3))
+    forcing[1] = 0.1, 1.0, 0.2
+    system = System(1.1, matrix, forcing, (stop,))
     start = np.array([0.5, 0.6])
     change = Change(scaled(system, 0.5), scaled(system, 1.5), 1.0)
     trace = flow.trace(system, start, 2.0 * system.cycles)
