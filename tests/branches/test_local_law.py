@@ -62,6 +62,8 @@ def test_every_multiplier_moves_as_the_law_says(name):
     """What the law leaves is of first order in the depth."""
     family, branch = branch_of(name)
     for special in branch.of_kind(SpecialKind.GRAZING):
+        if special.label_before == special.label_after:
+            continue  # a corner of the map: tests of its own
         law = law_at(family, branch, special)
         assert law.generic
         left = []

@@ -1,4 +1,4 @@
-"""From one branch to another, and over touches at which the map has a corner."""
+"""From one branch to another."""
 
 from __future__ import annotations
 
@@ -17,8 +17,7 @@ from gearlash.branches.continuation import (
     switched,
 )
 from gearlash.orbits import orbit_at
-from gearlash.system import ContactRule, Family, GearlashError
-from orbits.contacts import one_dof_under
+from gearlash.system import Family, GearlashError
 from orbits.members import built, one_dof, orbit
 
 
@@ -114,27 +113,3 @@ def test_a_symmetric_orbit_breaks_into_a_mirrored_pair():
         assert np.abs(image.state + half).max() < 1e-9
         away.append(np.abs(half + found.state).max())
     assert max(away) > 1e-2  # it is not symmetric itself
-
-
-def drawn(seed: int) -> tuple[Family, dict[str, float]]:
-    """A strongly damped pair that meets both sides."""
-    rng = np.random.default_rng(seed)
-    values = {"load": rng.uniform(0.02, 0.1), "mesh_damping": rng.uniform(0.1, 0.9)}
-    values |= {"error": rng.uniform(0.1, 0.6), "ripple": rng.uniform(0.0, 0.3), "D": rng.uniform(0.1, 0.5)}
-    return one_dof_under(ContactRule.NO_TENSION, **values), {"omega": float(rng.uniform(0.5, 1.4))}
-
-
-@pytest.mark.parametrize(("seed", "lower", "turns"), [(4, 0.43, True), (5, 0.53, False), (10, 0.43, True)])
-def test_a_corner_is_passed_or_turns_the_branch_back(seed, lower, turns):
-    """Where the branch turns back two orbits lie above the touch, one with the contact and one without, that
-    do not exist below; else one on each side."""
-    family, values = drawn(seed)
-    branch = continue_orbit(family, values, "omega", orbit(family, **values), lower, 1.45, PLAIN)
-    (touch,) = (special for special in branch.of_kind(SpecialKind.GRAZING) if "corner" in special.note)
-    assert ("turns back" in touch.note) == turns
-    assert touch.extremum is not None
-    assert abs(touch.extremum.distance) < 1e-10
-    assert not branch.unexplained
-    away = 1e-5
-    below, above = branch.at(touch.value - away), branch.at(touch.value + away)
-    assert len(above) - len(below) == (2 if turns else 0)

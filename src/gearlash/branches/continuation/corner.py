@@ -9,6 +9,7 @@ Champneys, P. Kowalczyk, Piecewise-smooth Dynamical Systems (2008), sect. 3, doi
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import prod
 
 import numpy as np
 
@@ -25,8 +26,9 @@ from .points import SpecialKind
 MAY_CROSS = (
     1e-4  # of a mesh cycle's size of motion: an extremum so near its boundary may be what stops a branch
 )
-APPROACHES = 12  # to the touch, from one side
-SHORT_OF = 1e-2  # of the way to it: each approach stops so much before
+APPROACHES = 24  # to the touch, from one side
+SHORT_OF = (0.01, 0.1, 0.5)  # of the way to it: each approach stops so much before
+ASIDE = (1e-6, 1e-5, 1e-4, 1e-7, 1e-3)  # of the parameter's interval: an orbit beside the one at the touch
 NO_DISTANCE = 1e-11  # distance that is called none
 SAME_HALVES = 1e-8  # of the scale: halves of an orbit that are the same
 AHEAD = (1e-4, 1e-5, 1e-6, 1e-3)  # lengths of the first step beyond
@@ -38,28 +40,32 @@ ENDS = "the map has a corner there, and no orbit of the same period was found be
 
 @dataclass(frozen=True, eq=False)
 class Corner:
-    """The touch, and the first orbit of the branch beyond it, or None."""
+    """The touch, None where it lies behind already; and the first orbit of the branch beyond it, or None."""
 
-    located: Located
+    located: Located | None
     after: Node | None
 
 
-def corner(before: Node | None, node: Node) -> Corner | None:
-    """What stops a branch at ``node``, if it is a touch from the gap under `no-tension`."""
-    if before is None:
-        return None
+def corner(before: Node | None, node: Node, passed: int | None = None) -> Corner | None:
+    """What stops a branch at ``node``, if it is a touch from the gap under `no-tension`: of an extremum that
+    is about to touch, or of the one that has just ``passed`` its boundary, beside which no direction can be
+    had."""
     extremum = _nearest(node)
-    if extremum is None:
+    beside = None if extremum is None else _beside(before, node, extremum)
+    if extremum is None or beside is None:
         return None
-    touch = _approached(before, node, extremum.number)
+    if extremum.number == passed:
+        away = beside.u - node.u
+        return Corner(None, beside if beside.direction @ away > 0.0 else beside.turned)
+    touch = _approached(beside, node, extremum.number)
     if touch is None:
         return None
-    after = _beyond(touch, extremum)
-    note = ENDS
-    if after is not None:
-        note = PASSES if after.direction[-1] * node.direction[-1] > 0.0 else TURNS
-        if after.equations.period % 2 == 0 and float(np.linalg.norm(halves(after))) <= SAME_HALVES:
-            after, note = None, HALVES
+    after, note = None, HALVES
+    if touch.equations.period % 2 or float(np.linalg.norm(halves(touch))) > SAME_HALVES:
+        after = _beyond(touch, extremum)
+        note = ENDS
+        if after is not None:
+            note = PASSES if after.direction[-1] * touch.direction[-1] > 0.0 else TURNS
     left = abs(touch.extrema.by_number[extremum.number].distance)
     touch = replace(touch, touching=touch.touching | {extremum.number})
     error = left * touch.equations.line.unit + PARAMETER_ROUNDING * abs(touch.value)
@@ -83,28 +89,57 @@ def _nearest(node: Node) -> Extremum | None:
     return near if near is not None and abs(near.distance) <= MAY_CROSS * max(size, 1.0) else None
 
 
-def _approached(before: Node, node: Node, number: int) -> Node | None:
-    """The touching orbit, come to from one side, each time almost as far as the last two orbits tell."""
-    last = before
+def _at(node: Node, value: float, guess: Array, number: int) -> Node | None:
+    """The orbit at a value of the parameter, with the contacts of ``node`` and the extremum on the same side:
+    so near a corner the derivative along the parameter cannot be had, and none is needed."""
+    line, row = node.equations.line, np.zeros_like(guess)
+    if not line.lower <= value <= line.upper:
+        return None
+    row[-1], guess[-1] = 1.0, value / line.unit
+    found = node_near(node.equations, guess, row, guess[-1], node, node.slope).node
+    if found is None or found.orbit.label != node.orbit.label or number not in found.extrema.by_number:
+        return None
+    sides = (each.extrema.by_number[number].distance for each in (node, found))
+    return found if prod(sides) > 0.0 else None
+
+
+def _beside(before: Node | None, node: Node, extremum: Extremum) -> Node | None:
+    """An orbit a little farther from the touch, sought where the last two orbits lead to."""
+    unit, along, near = node.equations.line.unit, np.zeros_like(node.u), abs(extremum.distance)
+    if before is not None and before.value != node.value and before.u.shape == node.u.shape:
+        along = (before.u - node.u) / (before.value - node.value)
+    for length in ASIDE:
+        for move in (length * unit, -length * unit):
+            found = _at(node, node.value + move, node.u + move * along, extremum.number)
+            if found is not None and abs(found.extrema.by_number[extremum.number].distance) > near:
+                return found
+    return None
+
+
+def _approached(last: Node, node: Node, number: int) -> Node | None:
+    """The touching orbit, come to from one side, each time almost as far as the last two orbits tell; with
+    the direction in which they lead to it."""
     for _ in range(APPROACHES):
-        if number not in last.extrema.by_number or number not in node.extrema.by_number:
+        along, ahead = node.u - last.u, _ahead(last, node, number)
+        if ahead is None:
             return None
-        there, here = (each.extrema.by_number[number].distance for each in (last, node))
-        if abs(here) <= NO_DISTANCE:
-            return node
-        width = float(np.linalg.norm(node.u - last.u))
-        if there == here or width == 0.0:
+        if abs(node.extrema.by_number[number].distance) <= NO_DISTANCE:
+            return replace(node, direction=along / np.linalg.norm(along))
+        parts = (ahead * (1.0 - left) for left in SHORT_OF)
+        step = node.value - last.value
+        found = (_at(node, node.value + t * step, node.u + t * along, number) for t in parts)
+        last, node = node, next((each for each in found if each is not None), node)
+        if node is last:
             return None
-        ahead = -here * width / (here - there) * (1.0 - SHORT_OF)
-        if ahead <= 0.0:
-            return None
-        target = float(node.direction @ node.u) + ahead
-        guess = node.u + ahead * node.direction
-        found = node_near(node.equations, guess, node.direction, target, node, node.slope)
-        if found.node is None or found.node.orbit.label != node.orbit.label:
-            return None
-        last, node = node, found.node
-    return node
+    return None
+
+
+def _ahead(last: Node, node: Node, number: int) -> float | None:
+    """How far the touch is, in units of the way between the two orbits."""
+    if number not in last.extrema.by_number or number not in node.extrema.by_number:
+        return None
+    there, here = (each.extrema.by_number[number].distance for each in (last, node))
+    return here / (there - here) if abs(here) < abs(there) else None
 
 
 def _beyond(touch: Node, extremum: Extremum) -> Node | None:
@@ -132,6 +167,6 @@ def _on_the_other_side(touch: Node, row: Array, length: float, extremum: Extremu
     if found.node is None:
         return None
     node = found.node.linked(replace(touch, direction=row))
-    one = touch.orbit.signature.one_impact_from(node.orbit.signature)
     near = float(np.linalg.norm(node.u - touch.u)) <= 10.0 * length
-    return node if near and one == (extremum.clearance, extremum.boundary) else None
+    other = node.extrema.by_number.get(extremum.number)
+    return node if near and other is not None and other.distance * extremum.distance < 0.0 else None

@@ -7,6 +7,7 @@ extrema are born and die in pairs of a minimum and a maximum."""
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import count
 from typing import NamedTuple
@@ -14,6 +15,8 @@ from typing import NamedTuple
 import numpy as np
 
 from gearlash.orbits import GrazingCheck, Orbit, grazing_checks
+from gearlash.orbits.extrema import gap_extrema
+from gearlash.system import ContactRule
 
 LARGEST_MOVE = 0.5  # of the way to the next extremum of its kind: how far one may move in a step, in phase
 TIED = 1e-6  # of the orbit's period: extrema of one kind so near in phase cannot be told apart
@@ -81,8 +84,9 @@ class Extrema:
     @staticmethod
     def of(orbit: Orbit) -> Extrema:
         """Numbered from zero on."""
-        checks = sorted(grazing_checks(orbit), key=lambda check: (check.phase, check.boundary))
-        named = tuple(_plain(i, check) for i, check in enumerate(checks))
+        found = [*map(_plain, grazing_checks(orbit)), *_at_edges(orbit)]
+        found.sort(key=lambda extremum: (extremum.phase, extremum.boundary))
+        named = tuple(extremum._replace(number=i) for i, extremum in enumerate(found))
         return Extrema(named, float(orbit.period), count(len(named)))
 
     @property
@@ -126,10 +130,24 @@ def _doubt(group: Group, here: list[Extremum], there: list[Extremum]) -> str:
     )
 
 
-def _plain(number: int, check: GrazingCheck) -> Extremum:
-    return Extremum(
-        number, check.clearance, check.surface, check.boundary, check.phase, check.distance, check.a0
-    )
+def _plain(check: GrazingCheck) -> Extremum:
+    return Extremum(-1, check.clearance, check.surface, check.boundary, check.phase, check.distance, check.a0)
+
+
+def _at_edges(orbit: Orbit) -> Iterator[Extremum]:
+    """With `no-tension` contact is not lost at the boundary of the gap. But where the sides are apart already
+    and X comes back just to the boundary, it makes a difference whether it stays beyond, where the force
+    rises from zero, or passes it and comes from the gap, where the damping sets in at once."""
+    for j, c in enumerate(orbit.propagators.system.clearances):
+        if c.contact is not ContactRule.NO_TENSION:
+            continue
+        found = gap_extrema(orbit.trace, j)
+        for boundary, gap, damping in ((1, c.gap_plus, c.dampings[0]), (-1, -c.gap_minus, c.dampings[1])):
+            if not c.stops(boundary) or damping == 0.0:
+                continue
+            for phase, x, a0 in zip(found.phase, found.displacement, found.curvature, strict=True):
+                if boundary * a0 > 0.0:
+                    yield Extremum(-1, j, "gap", boundary, float(phase), float(x - gap), float(a0))
 
 
 def _matched(

@@ -43,15 +43,18 @@ class Follower:
     def run(self) -> Iterator[Item | EndOfBranch]:
         """Orbits and special points in order, and why it ends."""
         before, node, length = None, self.start, self.settings.first
+        passed: int | None = None  # number of the extremum that touched last
         large = GROWN * (1.0 + float(np.linalg.norm(node.u[:-1])))
         for count in range(self.settings.most_points):
             step = self.step(before, node, length)
             if isinstance(step, EndOfBranch):
-                beyond = corner(before, node) if step.kind is EndKind.SHORT else None
+                beyond = corner(before, node, passed) if step.kind is EndKind.SHORT else None
+                passed = None
                 if beyond is None or beyond.after is None:
                     yield from self.stopped(node, step, beyond)
                     return
-                yield Passed(node, beyond.after, beyond.located)
+                if beyond.located is not None:
+                    yield Passed(node, beyond.after, beyond.located)
                 yield beyond.after
                 before, node, length = None, beyond.after, self.settings.first
                 continue
@@ -66,6 +69,8 @@ class Follower:
                 if isinstance(item, Passed) and item.located.kind is SpecialKind.JOINS:
                     ending = EndOfBranch(EndKind.JOINED, item.located.node.value)
                     break
+                if isinstance(item, Passed) and item.located.kind is SpecialKind.GRAZING:
+                    passed = item.located.change.number
                 if isinstance(item, Node):
                     before, node = node, item
             if ending is not None:
@@ -84,7 +89,7 @@ class Follower:
 
     def stopped(self, node: Node, end: EndOfBranch, beyond: Corner | None) -> Iterator[Item | EndOfBranch]:
         """A branch that ends, in a touch with a corner or because no step is short enough."""
-        if beyond is None:
+        if beyond is None or beyond.located is None:
             yield end
             return
         yield Passed(node, node, beyond.located)

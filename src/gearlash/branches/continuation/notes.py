@@ -4,23 +4,32 @@ from __future__ import annotations
 
 from .corner import PASSES, abrupt
 from .infinity import at_infinity
-from .locate import Located
 from .node import Node
 from .points import SpecialKind, grazing_kind
+from .resolve import Passed
 
+BACK = {
+    1: "return to contact on the drive side, beyond the boundary or through the gap (minimum of X at +D)",
+    -1: "return to contact on the back side, beyond the boundary or through the gap (maximum of X at -D)",
+}
+BORN = "an odd number of multipliers jumps over -1, so that an orbit of twice the period begins there"
 EVERY = "the orbit meets no boundary, so that its motion is linear: "
 DOUBLED = f"{EVERY}orbits of twice the period and every size up to the first touch exist at this one value"
 TORI = f"{EVERY}quasi-periodic motions of every size up to the first touch exist at this one value"
 ORTHOGONAL = f"{EVERY}orbits of every size up to the first touch exist at this one value"
 
 
-def note_of(located: Located) -> str:
+def note_of(passed: Passed) -> str:
     """The kind in words, of a graze with its boundary, and what else there is to tell."""
+    located = passed.located
     node, kind = located.node, located.kind
     if kind is SpecialKind.GRAZING:
         extremum = node.extrema.by_number[located.change.number]
-        corner = PASSES if abrupt(node.here.props.system, extremum) else ""
-        return _joined(grazing_kind(extremum), located.note or corner)
+        if not abrupt(node.here.props.system, extremum):
+            return _joined(grazing_kind(extremum), located.note)
+        kind_ = BACK[extremum.boundary] if extremum.boundary * extremum.a0 > 0.0 else grazing_kind(extremum)
+        below = [side.spectrum.unstable.below for side in (passed.left, passed.right)]
+        return _joined(kind_, located.note or PASSES, BORN if sum(below) % 2 else "")
     return _joined(str(kind), located.note or _degenerate(node, kind))
 
 

@@ -8,12 +8,14 @@ from itertools import pairwise
 
 from .between import Between
 from .changes import Test, changes, doubt, explained
+from .corner import abrupt
 from .locate import Located, locate
 from .node import Node
 
 DOUBTFUL_STEP = 1e-7  # length of a step below which it is not cut because of a doubt
 TIGHT = 1e-10  # the same where things happen in it that cannot be told apart
 AFTER_GRAZE = (0.01, 0.1)  # of what is left of the step: there multipliers move like the root of the depth
+BESIDE_CORNER = 1e-5  # of the scale: from a corner, to the orbits that stand for its two sides
 CUTS = 80  # of one step, at most
 
 
@@ -97,6 +99,9 @@ class Resolver:
             yield from (*passed, piece.right)
             return
         here = located[0]
+        if _has_corner(here.node, touching):
+            yield from self.over_corner(before, piece, passed, here.place)
+            return
         touch = replace(here.node, touching=touching)
         *inner, _ = self.resolve(before, piece.left, touch)
         yield from inner
@@ -112,6 +117,31 @@ class Resolver:
                 if isinstance(item, Node):
                     earlier, last = last, item
                 yield item
+
+    def over_corner(
+        self, before: Node | None, piece: Between, passed: list[Passed], place: float
+    ) -> Iterator[Item]:
+        """A step over a touch at which the map has a corner. Multipliers jump there, so that both sides are
+        looked at apart, each up to an orbit very near the touch."""
+        aside = min(BESIDE_CORNER, 0.5 * place, 0.5 * (piece.length - place))
+        short, beyond = piece.node(place - aside), piece.node(place + aside)
+        last = piece.left
+        for item in () if short is None else self.resolve(before, piece.left, short):
+            if isinstance(item, Node):
+                last = item
+            yield item
+        first = (piece.right if beyond is None else beyond).linked(last)
+        touches = (one for one in passed if one.located.change.test is Test.GRAZING)
+        yield from (replace(one, left=last, right=first) for one in touches)
+        yield first
+        if beyond is not None:
+            yield from self.resolve(None, first, piece.right.linked(first))
+
+
+def _has_corner(node: Node, touching: frozenset[int]) -> bool:
+    """Whether the map has a corner where one of these extrema touches."""
+    known = node.extrema.by_number
+    return any(abrupt(node.here.props.system, known[number]) for number in touching if number in known)
 
 
 def _widest_gap(located: list[Located]) -> float:

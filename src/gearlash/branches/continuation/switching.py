@@ -19,8 +19,10 @@ from gearlash.orbits import Orbit, orbit_at
 from gearlash.system import Family, GearlashError
 
 from .changes import halves
+from .corner import HALVES, abrupt
 from .equations import Array, Equations, Line
 from .extrema import Extrema
+from .from_corner import doubled_at_corner, halved_at_corner
 from .linear import stays_in
 from .node import Node, node_near
 from .points import Branch, SpecialKind, SpecialPoint
@@ -42,9 +44,9 @@ class Switched:
 
 def switched(family: Family, branch: Branch, special: SpecialPoint) -> tuple[Switched, ...]:
     """Orbits of the branches that meet this one at a special point: of twice the period at a doubling, of
-    half of it where the orbit joins that, and both sides of the other branch at a branch point. Empty where
-    none was found near by. Raises `GearlashError` for a kind of point at which no branch of periodic orbits
-    begins."""
+    half of it where the orbit joins that, both sides of the other branch at a branch point, and where a touch
+    makes a corner of the map that of twice or half the period. Empty where none was found near by. Raises
+    `GearlashError` for a kind of point at which no branch of periodic orbits begins."""
     line = Line(family, branch.values, branch.name, branch.lower, branch.upper)
     props = line.system_at(special.point.value)
     period = special.point.period // props.system.cycles
@@ -61,6 +63,11 @@ def switched(family: Family, branch: Branch, special: SpecialPoint) -> tuple[Swi
         find = _linear if special.linear else _beside
         nodes = [find(start, sign) for sign in (1.0, -1.0)]
         return tuple(Switched(node.value, node.orbit) for node in nodes if node is not None)
+    if special.extremum is not None and abrupt(props.system, special.extremum):
+        if HALVES in special.note:
+            return tuple(Switched(value, orbit) for value, orbit in halved_at_corner(line, special))
+        doubled = doubled_at_corner(line, branch, special)
+        return () if doubled is None else (Switched(*doubled),)
     raise GearlashError(f"at a {special.kind} no other branch of periodic orbits begins")
 
 

@@ -178,7 +178,7 @@ def special_of(passed: Passed, last: Node, arclength: float, settings: Continuat
         unstable_after=right.spectrum.unstable.total,
         extremum=extremum,
         linear=linear,
-        note=note_of(located),
+        note=note_of(passed),
         status=Status.OK,
     )
 
