@@ -11,14 +11,12 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor, Future
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import (
     Branch,
-    BranchPoint,
     ContinuationSettings,
     SpecialKind,
     SpecialPoint,
@@ -45,6 +43,9 @@ MATCHED = 1e-9  # relative distance of a change along a sweep and the special po
 SWITCHED = 24  # period up to which every doubling is switched at
 JOINED = 1e-8  # likewise, of a doubling and the end of the branch that begins there
 SAME_STATE = 1e-6  # relative to the largest state: two orbits that are one
+BESIDE_CHORD = (
+    0.2  # of the distance of two neighbouring orbits: how far beside their chord the branch may run
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,8 +94,11 @@ class Following:
         doublings = _to_switch(followed, found)
         tasks = [executor.submit(switch, self.case.to_json(), *each) for each in doublings]
         switched = [task.result() for task in tasks]
-        both = [*((branch, False) for branch in followed)]
-        both += [(branch, True) for part in switched for branch in part.branches]
+        born: list[Branch] = []
+        for (_, special), part in zip(doublings, switched, strict=True):
+            if not _begins_at(born, special):  # one branch may lead from one doubling to another
+                born += part.branches
+        both = [*((branch, False) for branch in followed), *((branch, True) for branch in born)]
         both.sort(key=lambda each: (each[0].points[0].period, float(each[0].parameter.min())))
         branches = tuple(branch for branch, _ in both)
         stable = stretches(branches)
@@ -156,54 +160,65 @@ def switch(case_json: str, branch: Branch, special: SpecialPoint) -> Followed:
     return Followed(found, 0, () if found else (f"{place}: no orbit of twice the period was found there",))
 
 
+@dataclass(frozen=True, eq=False)
+class _Chain:
+    """A branch as a chain of chords between neighbouring orbits: base periods (m, P, n) and values (m,)."""
+
+    strobes: Array
+    values: Array
+    width: float
+
+    @staticmethod
+    def of(branch: Branch) -> _Chain:
+        along = [*branch.points, *(special.point for special in branch.special)]
+        along.sort(key=lambda point: point.arclength)
+        width = branch.upper - branch.lower
+        return _Chain(np.array([p.strobes for p in along]), np.array([p.value for p in along]), width)
+
+    def near(self, point: Point) -> Iterator[Array]:
+        """States (n,) on chords beside which the point lies."""
+        size = float(np.abs(point.state).max())
+        chord = self._together(np.diff(self.strobes, axis=0), np.diff(self.values), size)
+        away = self._together(point.state - self.strobes[:-1], point.value - self.values[:-1], size)
+        length = (chord**2).sum(axis=2)
+        part = np.clip((chord * away).sum(axis=2) / np.maximum(length, 1e-300), 0.0, 1.0)
+        beside = np.linalg.norm(away - part[:, :, None] * chord, axis=2)
+        close = beside <= BESIDE_CHORD * np.sqrt(length) + SAME_STATE
+        for i, k in np.argwhere(close):
+            yield self.strobes[i, k] + part[i, k] * (self.strobes[i + 1, k] - self.strobes[i, k])
+
+    def _together(self, strobes: Array, values: Array, size: float) -> Array:
+        """(m, P, n + 1): states over their size, the parameter over its width."""
+        wide = np.broadcast_to((values / self.width)[:, None, None], (*strobes.shape[:2], 1))
+        return np.concatenate([strobes / size, wide], axis=2)
+
+
 class _Known:
     """Branches of one period, and whether an attractor of a sweep lies on one of them."""
 
     def __init__(self, family: Family, values: Mapping[str, float], name: str) -> None:
         self.family, self.values, self.name = family, values, name
         self.branches: list[Branch] = []
-        self.chains: list[tuple[BranchPoint, ...]] = []
+        self.chains: list[_Chain] = []
         self.seen: dict[float, list[Array]] = defaultdict(list)  # by value: base periods of orbits
 
     def add(self, branch: Branch) -> None:
-        along = (*branch.points, *(special.point for special in branch.special))
         self.branches.append(branch)
-        self.chains.append(tuple(sorted(along, key=lambda point: point.arclength)))
+        self.chains.append(_Chain.of(branch))
 
     def has(self, point: Point) -> bool:
         if any(_nearest(strobes, point.state) <= SAME_STATE for strobes in self.seen[point.value]):
             return True
-        return any(
-            _nearest(strobes, point.state) <= reach and self.leads_to(point, strobes)
-            for chain in self.chains
-            for strobes, reach in _passages(chain, point.value)
-        )
+        return any(self.leads_to(point, state) for chain in self.chains for state in chain.near(point))
 
-    def leads_to(self, point: Point, strobes: Array) -> bool:
-        """Whether the orbit near these base periods is that of the point."""
+    def leads_to(self, point: Point, state: Array) -> bool:
+        """Whether the orbit near this state is that of the point."""
         props = flow.propagators(self.family.system({**self.values, self.name: point.value}))
-        best = strobes[int(np.abs(strobes - point.state).max(axis=1).argmin())]
-        orbit = orbits.orbit_at(props, best, point.period // props.system.cycles)
+        orbit = orbits.orbit_at(props, state, point.period // props.system.cycles)
         if orbit is None or _nearest(orbit.strobes, point.state) > SAME_STATE:
             return False
         self.seen[point.value].append(orbit.strobes)
         return True
-
-
-def _passages(chain: Sequence[BranchPoint], value: float) -> Iterator[tuple[Array, float]]:
-    """Base periods (P, n) of a branch where it passes a value, between neighbours, and how far off that may
-    be, relative to the largest state."""
-    for one, two in pairwise(chain):
-        if not _between(one.value, value, two.value) or one.strobes.shape != two.strobes.shape:
-            continue
-        part = 0.5 if one.value == two.value else (value - one.value) / (two.value - one.value)
-        moved = two.strobes - one.strobes
-        size = float(np.abs(two.strobes).max())
-        yield one.strobes + part * moved, SAME_STATE + float(np.abs(moved).max()) / size
-
-
-def _between(one: float, value: float, two: float) -> bool:
-    return min(one, two) <= value <= max(one, two)
 
 
 def _nearest(strobes: Array, state: Array) -> float:
@@ -214,24 +229,26 @@ def _nearest(strobes: Array, state: Array) -> float:
 def _to_switch(branches: Sequence[Branch], found: Sequence[Found]) -> list[Doubling]:
     """Doublings that a stable orbit comes to, and at which none of the branches begins: those of short
     periods, and those nearest to a change along the sweeps that no branch has yet."""
-    begun = [
-        (special.point.period, special.value)
-        for branch in branches
-        for special in branch.of_kind(SpecialKind.JOINS)
-    ]
     open_ones = [
         (branch, special)
         for branch in branches
         for special in special_points(branch)
         if special.kind is SpecialKind.DOUBLING
         and min(special.unstable_before, special.unstable_after) == 0
-        and not any(
-            period == 2 * special.point.period and abs(value - special.value) <= JOINED * abs(value)
-            for period, value in begun
-        )
+        and not _begins_at(branches, special)
     ]
     asked = [each for change, _ in found for each in _asked(branches, open_ones, change)]
     return [each for each in open_ones if 2 * each[1].point.period <= SWITCHED or each in asked]
+
+
+def _begins_at(branches: Sequence[Branch], doubling: SpecialPoint) -> bool:
+    """Whether one of the branches is that of the orbits of twice the period."""
+    return any(
+        joins.point.period == 2 * doubling.point.period
+        and abs(joins.value - doubling.value) <= JOINED * abs(doubling.value)
+        for branch in branches
+        for joins in branch.of_kind(SpecialKind.JOINS)
+    )
 
 
 def _asked(branches: Sequence[Branch], open_ones: Sequence[Doubling], change: Transition) -> list[Doubling]:

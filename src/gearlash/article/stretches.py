@@ -46,11 +46,15 @@ def stretches(branches: Sequence[Branch]) -> tuple[Stretch, ...]:
 
 def together(found: Sequence[Stretch]) -> tuple[Together, ...]:
     """The intervals in which more than one stretch lies, by rising value."""
-    values = sorted({value for each in found for value in (each.lower, each.upper)})
+    values: list[float] = []
+    for value in sorted(value for each in found for value in (each.lower, each.upper)):
+        if not values or value - values[-1] > SAME_POINT * abs(value):
+            values.append(value)
     made = []
     for lower, upper in pairwise(values):
-        here = tuple(i for i, each in enumerate(found) if each.lower <= lower and upper <= each.upper)
-        if len(here) > 1 and upper - lower > SAME_POINT * abs(upper):
+        middle = 0.5 * (lower + upper)
+        here = tuple(i for i, each in enumerate(found) if each.lower < middle < each.upper)
+        if len(here) > 1:
             made.append(Together(lower, upper, here))
     return tuple(made)
 
