@@ -210,10 +210,15 @@ def grazing_checks(
         clearance = trace.which(clearance)
     found: list[GrazingCheck] = []
     for j in range(count) if clearance is None else (clearance,):
-        found += (check for check in _of_gap(trace, j) if abs(check.distance) <= within)
-        if trace.propagators.system.clearances[j].contact is ContactRule.NO_TENSION:
-            found += (check for check in _of_force(trace, j) if abs(check.distance) <= within)
+        found += (check for check in checks_of(trace, j) if abs(check.distance) <= within)
     return tuple(sorted(found, key=lambda check: abs(check.distance)))
+
+
+def checks_of(trace: Trace, clearance: int) -> Iterator[GrazingCheck]:
+    """Of every extremum of one clearance on a piece of a motion."""
+    yield from _of_gap(trace, clearance)
+    if trace.propagators.system.clearances[clearance].contact is ContactRule.NO_TENSION:
+        yield from _of_force(trace, clearance)
 
 
 def motion_of(attractor: Attractor) -> Attractor:

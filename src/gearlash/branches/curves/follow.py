@@ -1,0 +1,278 @@
+"""A curve followed one way, by pseudo-arclength continuation.
+
+Source: H. B. Keller (1977); step control by angle and contraction as in E. Allgower and K. Georg,
+Introduction to Numerical Continuation Methods (2003), ch. 6, doi:10.1137/1.9780898719154."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from math import acos
+
+import numpy as np
+
+from gearlash.branches.continuation.extrema import Extremum
+from gearlash.branches.continuation.settings import ContinuationSettings
+
+from .locate import Met, touch_on
+from .met import Happened, between
+from .motion import is_clear
+from .newton import Corrected
+from .node import Node, solved, touch_of, well_begun
+from .plane import UNBUILT, Array
+from .points import CurveEndKind, EndOfCurve
+from .restart import beyond, clear_side
+from .secondary import TURNS
+
+GROW, SHRINK = 2.0, 0.5
+GOOD_CONTRACTION, MOST_CONTRACTION = 0.02, 0.4
+OFF = 0.5  # of a step: how far beside its end the next orbit may lie
+SOON = 3.0  # steps: an extremum that would touch within so many is kept from crossing
+AHEAD = 2.0  # steps: a depth that would vanish within so many is looked for
+NEAR = 4.0  # times as far as foretold may a touch lie
+LOOP_CLOSES = 0.05  # of a step: how near the first orbit is passed where a loop closes
+Item = Node | Met | EndOfCurve
+
+
+@dataclass(frozen=True, eq=False)
+class Follower:
+    """From one orbit; ``start`` has the direction in which it goes."""
+
+    start: Node
+    settings: ContinuationSettings
+    first: float
+
+    def run(self) -> Iterator[Item]:
+        """Orbits and what is met in order, and why it ends."""
+        before: Node | None = None
+        node, length = self.start, self.first
+        for count in range(self.settings.most_points):
+            touch = self.vanishing(before, node, length)
+            if touch is not None:
+                after = clear_side(touch)
+                yield from self.over(touch, after)
+                if after is None:
+                    return
+                before, node, length = None, after, self.settings.first
+                continue
+            begun = self.prepared(before, node, length)
+            before, node = (before if begun.problem.origin == node.problem.origin else None), begun
+            step = self.step(before, node, length)
+            if isinstance(step, EndOfCurve):
+                yield step
+                return
+            after, happened, length, end = step
+            yield from happened.met
+            if happened.touch is not None:
+                restarted = beyond(happened.touch)
+                yield from self.over(happened.touch, restarted)
+                if restarted is None:
+                    return
+                length = 0.5 * _apart(restarted, happened.touch)
+                yield restarted
+                before, node = None, restarted
+                continue
+            resonance = [
+                m for m in happened.met if m.kind in TURNS and node.problem.conditions[0].at.name == "CIRCLE"
+            ]
+            if any(abs(TURNS[m.kind]) == 1.0 for m in resonance):
+                yield EndOfCurve(CurveEndKind.RESONANCE, _values(resonance[-1].place))
+                return
+            if count > 2 and self.closes(node, after):
+                yield after
+                yield EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place))
+                return
+            yield after
+            if end is not None:
+                yield end
+                return
+            before, node = node, after
+        yield EndOfCurve(CurveEndKind.POINTS, _values(node.place), f"{self.settings.most_points} points")
+
+    def over(self, touch: Met, after: Node | None) -> Iterator[Item]:
+        yield touch
+        if after is None:
+            yield EndOfCurve(CurveEndKind.TOUCH, _values(touch.place))
+
+    def vanishing(self, before: Node | None, node: Node, length: float) -> Met | None:
+        """On a curve of a condition: the touch at which a contact ends that becomes ever less deep. Its depth
+        is the square of the way that is left."""
+        if before is None or not node.problem.conditions:
+            return None
+        done = float(np.linalg.norm(node.u - before.u))
+        best: tuple[float, Extremum] | None = None
+        for extremum in node.extrema.all:
+            last = before.extrema.by_number.get(extremum.number)
+            if last is None or is_clear(extremum) or is_clear(last) or extremum.number in node.touching:
+                continue
+            one, two = abs(last.distance) ** 0.5, abs(extremum.distance) ** 0.5
+            left = two * done / (one - two) if two < one else np.inf
+            if left < AHEAD * length and (best is None or left < best[0]):
+                best = left, extremum
+        if best is None:
+            return None
+        left, extremum = best
+        guess = node.u + left * node.direction
+        for start in (guess, None):
+            found = touch_on(node, extremum, start)
+            if found is not None and abs(_distance(found, node)) <= NEAR * left:
+                return found
+        return None
+
+    def prepared(self, before: Node | None, node: Node, length: float) -> Node:
+        """Begun far from what touches; on a curve of a condition with the extremum that touches next kept
+        from crossing its boundary."""
+        try:
+            if node.problem.touches:
+                return well_begun(node, node.problem.phases(node.u).tolist())
+            extremum = self.next_touch(before, node, length)
+            if extremum is None:
+                return node.along(replace(node.problem, kept=()))
+            node = well_begun(node, [extremum.phase])
+            touch, phase = touch_of(node, node.extrema.by_number[extremum.number])
+            return node.along(replace(node.problem, kept=((phase, touch.window),)))
+        except (KeyError, *UNBUILT):
+            return node
+
+    def next_touch(self, before: Node | None, node: Node, length: float) -> Extremum | None:
+        """The clear extremum that would touch first, and soon."""
+        touching = [e for e in node.extrema.all if e.number in node.touching]
+        if touching:
+            return touching[0]
+        clear = [e for e in node.extrema.all if is_clear(e)]
+        if before is None:
+            return min(clear, key=lambda e: abs(e.distance), default=None)
+        done, soonest = float(np.linalg.norm(node.u - before.u)), None
+        least = SOON * length
+        for extremum in clear:
+            last = before.extrema.by_number.get(extremum.number)
+            if last is None or abs(extremum.distance) >= abs(last.distance):
+                continue
+            left = abs(extremum.distance) * done / (abs(last.distance) - abs(extremum.distance))
+            if left < least:
+                soonest, least = extremum, left
+        return soonest
+
+    def step(
+        self, before: Node | None, node: Node, length: float
+    ) -> tuple[Node, Happened, float, EndOfCurve | None] | EndOfCurve:
+        """The next orbit, what is met before it, the length of the step after it, and whether it is the
+        last."""
+        refused = ""
+        while length >= self.settings.shortest:
+            after, corrected, end = self.tried(before, node, length)
+            refused = self.refused(node, after, corrected, length)
+            if not refused and after is not None:
+                happened = between(node, after, length)
+                if not happened.doubt or length < 2.0 * self.settings.shortest:
+                    return after, happened, self.next_length(node, after, corrected, length), end
+                refused = happened.doubt
+            length *= SHRINK
+        kind = CurveEndKind.UNBUILT if "system" in refused else CurveEndKind.SHORT
+        return EndOfCurve(kind, _values(node.place), f"steps down to {self.settings.shortest:.0e}: {refused}")
+
+    def tried(
+        self, before: Node | None, node: Node, length: float
+    ) -> tuple[Node | None, Corrected, EndOfCurve | None]:
+        guess = predicted(before, node, length)
+        problem, plane = node.problem, node.problem.plane
+        if plane.inside(problem.place(guess)):
+            row = node.direction
+            jacobian = jacobian_ahead(before, node, length)
+            found, corrected = solved(problem, guess, row, float(row @ guess), node, jacobian)
+            return found, corrected, None
+        axis, part = self.first_limit(node, guess)
+        there = node.u + part * (guess - node.u)
+        row = np.zeros(len(guess))
+        row[len(guess) - 2 + axis] = 1.0
+        found, corrected = solved(problem, there, row, float(row @ there), node)
+        if found is None:
+            return None, corrected, None
+        note = f"{plane.names[axis]} = {found.place[axis]:.10g}"
+        return found, corrected, EndOfCurve(CurveEndKind.LIMIT, _values(found.place), note)
+
+    def first_limit(self, node: Node, guess: Array) -> tuple[int, float]:
+        """Which limit a step meets first, and after what part of it."""
+        plane = node.problem.plane
+        here, there = node.place, node.problem.place(guess)
+        found: list[tuple[float, int]] = []
+        for axis in range(2):
+            for limit in (plane.lower[axis], plane.upper[axis]):
+                if (there[axis] - limit) * (here[axis] - limit) < 0.0 or here[axis] == limit != there[axis]:
+                    outward = (there[axis] - here[axis]) * (
+                        limit - 0.5 * (plane.lower[axis] + plane.upper[axis])
+                    )
+                    if outward > 0.0:
+                        found.append(((limit - here[axis]) / (there[axis] - here[axis]), axis))
+        part, axis = min(found, default=(0.0, 0))
+        return axis, part
+
+    def refused(self, node: Node, after: Node | None, corrected: Corrected, length: float) -> str:
+        """Why a step is not taken, or nothing."""
+        if after is None:
+            return corrected.failure
+        if corrected.contraction > MOST_CONTRACTION:
+            return f"Newton's method contracts by {corrected.contraction:.2f} only"
+        if np.linalg.norm(after.u - node.u) > (1.0 + OFF) * length:
+            return "Newton's method finds an orbit somewhere else"
+        turn = angle(node, after)
+        return f"the curve turns by {turn:.2f} rad within a step" if turn > self.settings.angle else ""
+
+    def next_length(self, node: Node, after: Node, corrected: Corrected, length: float) -> float:
+        turned = angle(node, after)
+        if turned < 0.3 * self.settings.angle and corrected.contraction < GOOD_CONTRACTION:
+            length *= GROW
+        elif turned > 0.7 * self.settings.angle:
+            length *= SHRINK
+        return min(length, self.settings.longest)
+
+    def closes(self, left: Node, right: Node) -> bool:
+        """Whether the first orbit lies between two neighbours."""
+        if left.problem.origin != self.start.problem.origin or len(left.u) != len(self.start.u):
+            return False
+        scale = left.problem.scale
+        first, last = left.u * scale, right.u * scale
+        away = (self.start.u * self.start.problem.scale - first) / scale
+        chord = (last - first) / scale
+        length = float(np.linalg.norm(chord))
+        along = float(chord @ away) / length
+        return (
+            0.0 < along <= length
+            and float(np.linalg.norm(away - along * chord / length)) <= LOOP_CLOSES * length
+        )
+
+
+def _values(place: Array) -> tuple[float, float]:
+    return float(place[0]), float(place[1])
+
+
+def _distance(met: Met, node: Node) -> float:
+    """Of a point from a node, in the plane and in the states where they are begun at one phase."""
+    return float(np.linalg.norm((met.place - node.place) / node.problem.plane.unit))
+
+
+def _apart(node: Node, met: Met) -> float:
+    n, k = met.here.problem.states, len(met.here.problem.touches)
+    return float(np.linalg.norm(node.u - np.concatenate([met.here.u[:n], met.here.u[n + k :]])))
+
+
+def angle(left: Node, right: Node) -> float:
+    return acos(min(1.0, max(-1.0, float(left.direction @ right.direction))))
+
+
+def predicted(before: Node | None, node: Node, length: float) -> Array:
+    """By the tangent, bent as the curve has been bent over the last step."""
+    guess = node.u + length * node.direction
+    if before is None or len(before.u) != len(node.u) or before.problem.origin != node.problem.origin:
+        return guess
+    last = float(np.linalg.norm(node.u - before.u))
+    bend = (node.direction - before.direction) / max(last, 1e-300)
+    return guess + 0.5 * length * length * bend
+
+
+def jacobian_ahead(before: Node | None, node: Node, length: float) -> Array:
+    """The Jacobian as the last two orbits tell it."""
+    if before is None or before.jacobian.shape != node.jacobian.shape:
+        return node.jacobian
+    last = float(np.linalg.norm(node.u - before.u))
+    return node.jacobian + min(1.0, length / max(last, 1e-300)) * (node.jacobian - before.jacobian)

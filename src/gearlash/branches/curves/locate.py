@@ -1,0 +1,190 @@
+"""Points of a curve where a second thing happens, solved for together with the first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq
+
+from gearlash.branches.continuation.extrema import Extremum
+
+from .conditions import At
+from .motion import Motion
+from .newton import correct
+from .node import Node, solved, touch_of, well_begun
+from .plane import UNBUILT, Array
+from .points import CodimTwoKind
+from .problem import Evaluated, Problem
+
+NEAR = 3.0  # times the length of a step: how far a point may lie from where it was found
+ON_CIRCLE = 1e-7  # distance of a pair from the unit circle
+FLAT = 1e-7  # H'' that is none, in units of the motion
+SECANTS = 60
+ZERO = 1e-13  # of the way: a bracket so narrow is a place
+THROUGH_INFINITY = 1e-2  # of the values at both ends: a zero at which more is left is none
+
+
+@dataclass(frozen=True, eq=False)
+class Met:
+    """Two conditions at once: the kind, the solution (or the orbit of the curve where one is a zero of a test
+    function only), the Jacobian of the equations there, its motion, what touches, and more in words."""
+
+    kind: CodimTwoKind
+    here: Evaluated
+    jacobian: Array
+    motion: Motion
+    touched: tuple[Extremum, ...]
+    solved: bool = True
+    note: str = ""
+
+    @property
+    def place(self) -> Array:
+        return self.here.problem.place(self.here.u)
+
+    @property
+    def errors(self) -> Array:
+        """(2,) of the parameters: what is left, times how far they move with it."""
+        if not self.solved:
+            return 1e-9 * np.abs(self.place)
+        gains = np.abs(np.linalg.pinv(self.jacobian)[-2:]) @ (np.abs(self.here.residual) + 4e-16)
+        found: Array = gains * self.here.problem.plane.unit + 1e-15 * np.abs(self.place)
+        return found
+
+
+def touch_on(node: Node, extremum: Extremum, guess: Array | None = None) -> Met | None:
+    """On a curve of a condition: where an extremum touches. ``guess``: the curve's unknowns near there."""
+    try:
+        begun = well_begun(node, [extremum.phase])
+    except UNBUILT:
+        return None
+    touch, phase = touch_of(begun, extremum)
+    n = begun.problem.states
+    u = begun.u if guess is None or begun is not node else guess
+    problem = replace(begun.problem, touches=(touch,), kept=())
+    found = _two(problem, np.concatenate([u[:n], [phase], u[n:]]), begun)
+    return None if found is None else replace(found, kind=_with_touch(found))
+
+
+def _with_touch(met: Met) -> CodimTwoKind:
+    at = met.here.problem.conditions[0].at
+    return {
+        At.ONE: CodimTwoKind.GRAZING_FOLD,
+        At.MINUS_ONE: CodimTwoKind.GRAZING_DOUBLING,
+        At.CIRCLE: CodimTwoKind.GRAZING_TORUS,
+    }[at]
+
+
+def multiplier_on(left: Node, right: Node, part: float, at: At) -> Met | None:
+    """On a grazing curve: where a condition on multipliers holds, near a part of the way."""
+    guess = left.u + part * (right.u - left.u)
+    try:
+        there = left.problem.evaluate(guess)
+        problem = left.problem.with_condition(at, there)
+    except UNBUILT:
+        return None
+    found = _two(problem, guess, left)
+    if found is None:
+        return None
+    linear = not any(map(any, found.motion.signature.counts))
+    if at is At.ONE:
+        return replace(found, kind=CodimTwoKind.CORNER if linear else CodimTwoKind.GRAZING_FOLD)
+    if at is At.MINUS_ONE:
+        return replace(found, kind=CodimTwoKind.GRAZING_DOUBLING)
+    values = np.linalg.eigvals(found.here.monodromy)
+    pairs = values[values.imag > 0.0]
+    if not len(pairs) or float(np.abs(np.abs(pairs) - 1.0).min()) > ON_CIRCLE:
+        return None
+    return replace(found, kind=CodimTwoKind.GRAZING_TORUS)
+
+
+def second_touch(left: Node, right: Node, number: int) -> Met | None:
+    """On a grazing curve: where another extremum touches, too."""
+    one, two = left.extrema.by_number[number], right.extrema.by_number[number]
+    part = one.distance / (one.distance - two.distance)
+    first = left.touched
+    try:
+        begun = well_begun(left, [*(each.phase for each in first), one.phase])
+    except UNBUILT:
+        return None
+    guess = begun.u if begun is not left else left.u + part * (right.u - left.u)
+    n = begun.problem.states
+    touch, phase = touch_of(begun, one)
+    moved = (two.phase - one.phase + 0.5 * left.here.cycles) % left.here.cycles - 0.5 * left.here.cycles
+    phases = np.append(begun.problem.phases(guess), phase + part * moved)
+    problem = replace(begun.problem, touches=(*begun.problem.touches, touch))
+    found = _two(problem, np.concatenate([guess[:n], phases, guess[-2:]]), begun)
+    return None if found is None else replace(found, kind=CodimTwoKind.TWO_GRAZINGS)
+
+
+def degenerate(left: Node, right: Node, part: float, order: int) -> Met | None:
+    """On a grazing curve: where H'' = 0 (``order`` 2), or where H''' = 0 and H'' with it (3)."""
+    touches = tuple(replace(each, zero=order, held=False) for each in left.problem.touches)
+    problem = replace(left.problem, touches=touches)
+    found = _two(problem, left.u + part * (right.u - left.u), left)
+    if found is None:
+        return None
+    series = found.here.at_touch(0)
+    size = float(found.here.surface_size(touches[0].window)[0])
+    omega = found.here.props.system.omega
+    if abs(series[2]) > FLAT * size * omega**2:
+        return None
+    flat = abs(series[3]) <= 1e-5 * size * omega**3
+    return replace(found, kind=CodimTwoKind.FLAT if flat else CodimTwoKind.DEGENERATE)
+
+
+def _two(problem: Problem, guess: Array, near: Node) -> Met | None:
+    """The solution of both conditions near a point of a curve."""
+    corrected = correct(problem, guess)
+    if corrected.here is None:
+        return None
+    try:
+        problem = problem.near(corrected.here)
+        here = Evaluated(problem, corrected.here.u, corrected.here.props)
+        jacobian, motion = here.jacobian(), Motion.of(here)
+    except UNBUILT:
+        return None
+    motion = replace(motion, extrema=motion.extrema.after(near.extrema))
+    phases = problem.phases(here.u).tolist()
+    touched = [motion.beside(t, each.window) for t, each in zip(phases, problem.touches, strict=True)]
+    if any(each is None for each in touched):
+        return None
+    return Met(CodimTwoKind.CUSP, here, jacobian, motion, tuple(e for e in touched if e is not None))
+
+
+class _LostError(Exception):
+    """An orbit on the way could not be had."""
+
+
+def zero_between(left: Node, right: Node, test: Callable[[Node], float]) -> Node | None:
+    """Where a test function vanishes between two points of a curve; None where an orbit on the way cannot be
+    had, or the function only jumps, or changes sign through infinity."""
+    length = float(np.linalg.norm(right.u - left.u))
+    row = (right.u - left.u) / length
+    ends = {0.0: left, length: right}
+    most = max(abs(test(left)), abs(test(right)))
+
+    def node_at(place: float) -> Node:
+        if place not in ends:
+            guess = left.u + place * row
+            node = solved(left.problem, guess, row, float(row @ left.u) + place, left)[0]
+            if node is None:
+                raise _LostError
+            ends[place] = node
+        return ends[place]
+
+    try:
+        place: Any = brentq(
+            lambda at: test(node_at(float(at))), 0.0, length, xtol=ZERO * length, maxiter=SECANTS
+        )
+        node = node_at(float(place))
+    except (_LostError, RuntimeError):
+        return None
+    return node if abs(test(node)) <= THROUGH_INFINITY * most else None
+
+
+def named(kind: CodimTwoKind, node: Node, note: str = "") -> Met:
+    """A zero of a test function along a curve."""
+    return Met(kind, node.here, node.jacobian, node.motion, tuple(node.touched), False, note)

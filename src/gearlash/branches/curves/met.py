@@ -1,0 +1,128 @@
+"""What is met between two neighbouring orbits of a curve."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import secondary
+from .conditions import At
+from .locate import NEAR, Met, degenerate, multiplier_on, named, second_touch, touch_on, zero_between
+from .motion import is_clear
+from .node import Node
+from .points import CodimTwoKind
+
+UNSURE = 1e-6  # length of a step below which it is not cut because something was not solved for
+OF_MULTIPLIERS = {At.MINUS_ONE: secondary.flip, At.ONE: secondary.fold, At.CIRCLE: secondary.torus}
+
+
+@dataclass(frozen=True, eq=False)
+class Happened:
+    """In order along the step; ``touch``: that which ends the curve of this side; ``doubt``: why the step
+    should be cut, or nothing."""
+
+    met: tuple[Met, ...] = ()
+    touch: Met | None = None
+    doubt: str = ""
+
+
+def between(left: Node, right: Node, length: float) -> Happened:
+    """All that is met on a step of a curve."""
+    happened = _on_grazing(left, right) if left.problem.touches else _on_condition(left, right)
+    return Happened(happened.met, happened.touch) if length < UNSURE else happened
+
+
+def _on_grazing(left: Node, right: Node) -> Happened:
+    found: list[tuple[float, Met]] = []
+    tries: list[tuple[Callable[[Node], float], Callable[[float], Met | None], bool]] = [
+        (test, lambda part, at=at: multiplier_on(left, right, part, at), at is not At.CIRCLE)
+        for at, test in OF_MULTIPLIERS.items()
+    ]
+    tries.append((secondary.curvature, lambda part: degenerate(left, right, part, 2), True))
+    if _may_be_flat(left, right):
+        tries.append((secondary.jerk, lambda part: degenerate(left, right, part, 3), False))
+    for test, solve, needed in tries:
+        one, two = test(left), test(right)
+        if not one * two < 0.0:
+            continue
+        part = one / (one - two)
+        met = solve(part)
+        if met is not None and _near(met, left, right):
+            if not any(other.kind is met.kind for _, other in found):
+                found.append((part, met))
+        elif needed:
+            return Happened(doubt="a second condition holds on it that could not be solved for")
+    for number in _crossed(left, right):
+        met = second_touch(left, right, number)
+        if met is None or not _near(met, left, right):
+            return Happened(doubt="another extremum touches on it and could not be solved for")
+        one, two = (abs(side.extrema.by_number[number].distance) for side in (left, right))
+        found.append((one / (one + two), met))
+    return Happened(tuple(met for _, met in sorted(found, key=lambda pair: pair[0])))
+
+
+def _may_be_flat(left: Node, right: Node) -> bool:
+    """Whether H'' may vanish where H''' does: as the touch moves along the orbit, H'' would come down to less
+    than half."""
+    series, omega = left.touch_series[0], left.here.props.system.omega
+    here, there = (float(node.problem.phases(node.u)[0]) for node in (left, right))
+    one, two = series[3], right.touch_series[0][3]
+    if not one * two < 0.0:
+        return False
+    moved = (there - here) * one / (one - two) * 2.0 * np.pi / omega
+    return bool(abs(series[2] + 0.5 * one * moved) < 0.5 * abs(series[2]))
+
+
+def _on_condition(left: Node, right: Node) -> Happened:
+    crossed = _crossed(left, right)
+    found = _secondary(left, right)
+    if not crossed:
+        return Happened(found)
+    number = crossed[0]
+    one, two = left.extrema.by_number[number], right.extrema.by_number[number]
+    kept = [window for _, window in left.problem.kept]
+    is_kept = any((w.clearance, w.surface, w.boundary) == one.group[:3] for w in kept)
+    if len(crossed) > 1 or not is_clear(one) or not is_kept:
+        return Happened(doubt="an extremum that was not kept crosses its boundary on it")
+    part = one.distance / (one.distance - two.distance)
+    touch = touch_on(left, one, left.u + part * (right.u - left.u))
+    if touch is None or not _near(touch, left, right):
+        return Happened(doubt="a touch on it could not be solved for")
+    return Happened(found, touch)
+
+
+def _secondary(left: Node, right: Node) -> tuple[Met, ...]:
+    found = []
+    for kind, test in secondary.of_condition(left).items():
+        if test(left) * test(right) < 0.0:
+            node = zero_between(left, right, test)
+            if node is not None and not (kind is CodimTwoKind.FOLD_FLIP and _double(node)):
+                found.append((float(np.linalg.norm(node.u - left.u)), named(kind, node)))
+    return tuple(met for _, met in sorted(found, key=lambda pair: pair[0]))
+
+
+def _double(node: Node) -> bool:
+    """Whether the other multiplier only seems to be there: it is the same one twice."""
+    at = node.problem.conditions[0].at
+    other = -1.0 if at is At.ONE else 1.0
+    return float(np.abs(node.spectrum.multipliers - other).min()) > 1e-3
+
+
+def _crossed(left: Node, right: Node) -> list[int]:
+    """Numbers of extrema that have come to the other side of their boundary."""
+    there, settled = right.extrema.by_number, left.touching | right.touching
+    return [
+        extremum.number
+        for extremum in left.extrema.all
+        if extremum.number in there
+        and extremum.number not in settled
+        and is_clear(extremum) != is_clear(there[extremum.number])
+    ]
+
+
+def _near(met: Met, left: Node, right: Node) -> bool:
+    unit = left.problem.plane.unit
+    step = float(np.linalg.norm(right.u - left.u))
+    return float(np.linalg.norm((met.place - left.place) / unit)) <= NEAR * step

@@ -1,0 +1,107 @@
+"""Newton's method for a point of a curve, or for one where two things happen at once.
+
+The Jacobian is kept from point to point and improved by every step (Broyden): another system would have to
+be built for each parameter otherwise. Source: J. E. Dennis, R. B. Schnabel, Numerical Methods for
+Unconstrained Optimization and Nonlinear Equations (1996), ch. 8, doi:10.1137/1.9781611971200."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .plane import UNBUILT, Array
+from .problem import Evaluated, Problem
+
+GOAL = 1e-14  # residual at which it ends where two things happen at once
+ON_CURVE = 5e-13  # the same on a curve
+ENOUGH = 2e-12  # residual that is accepted where it no longer becomes smaller
+ITERATIONS = 20
+SLOW = 0.1  # contraction from which on the Jacobian is taken anew
+WORSE = 2.0  # growth of the residual, with a new Jacobian, that ends it
+LONGEST = 0.5  # a step, in scaled unknowns
+
+
+@dataclass(frozen=True, eq=False)
+class Corrected:
+    """The solution, the Jacobian beside it, the lengths of the steps, and why there is none."""
+
+    here: Evaluated | None
+    jacobian: Array
+    steps: tuple[float, ...] = ()
+    failure: str = ""
+
+    @property
+    def contraction(self) -> float:
+        """Of the first two steps; 0 where one was enough."""
+        return self.steps[1] / self.steps[0] if len(self.steps) > 1 and self.steps[0] > 1e-8 else 0.0
+
+
+def correct(
+    problem: Problem,
+    guess: Array,
+    row: Array | None = None,
+    target: float = 0.0,
+    jacobian: Array | None = None,
+) -> Corrected:
+    """The solution near ``guess``; of a curve the one with row·u = ``target``."""
+    try:
+        return _newton(problem, guess.copy(), row, target, jacobian)
+    except UNBUILT as error:
+        return Corrected(None, np.empty(0), (), str(error))
+
+
+def _newton(
+    problem: Problem, u: Array, row: Array | None, target: float, jacobian: Array | None
+) -> Corrected:
+    steps: list[float] = []
+    here = problem.evaluate(u)
+    best, fresh = here, jacobian is None
+    jacobian = here.jacobian() if jacobian is None else jacobian
+    for _ in range(ITERATIONS):
+        along = 0.0 if row is None else target - float(row @ u)
+        if _left(best) <= (GOAL if row is None else ON_CURVE) and abs(along) <= ON_CURVE:
+            break
+        step = _solved(jacobian, row, here.residual, along)
+        length = float(np.linalg.norm(step))
+        if not np.isfinite(length):
+            return Corrected(None, jacobian, tuple(steps), "Newton's method meets a singular matrix")
+        if steps and length > SLOW * steps[-1] and not fresh and length > 1e-10:
+            jacobian, fresh = here.jacobian(), True
+            step = _solved(jacobian, row, here.residual, along)
+            length = float(np.linalg.norm(step))
+        if length > LONGEST:
+            step *= LONGEST / length
+        steps.append(length)
+        u = u + step
+        after = problem.evaluate(u)
+        left = _left(after)
+        if not left <= WORSE * _left(best) and fresh and len(steps) > 3:
+            break
+        jacobian = jacobian + np.outer(after.residual - here.residual - jacobian @ step, step) / float(
+            step @ step
+        )
+        stalled = left >= 0.5 * _left(best) and left <= ENOUGH
+        here, fresh = after, False
+        best = after if left < _left(best) else best
+        if stalled or (length <= 1e-13 and left <= ENOUGH):
+            break
+    if _left(best) > ENOUGH:
+        return Corrected(None, jacobian, tuple(steps), f"Newton's method stays at {_left(best):.0e}")
+    return Corrected(best, jacobian, tuple(steps))
+
+
+def _left(here: Evaluated) -> float:
+    return float(np.abs(here.residual).max())
+
+
+def _solved(jacobian: Array, row: Array | None, residual: Array, along: float) -> Array:
+    if row is not None:
+        jacobian, residual = np.vstack([jacobian, row]), np.append(residual, -along)
+    return -np.linalg.solve(jacobian, residual).astype(np.float64)
+
+
+def tangent(jacobian: Array, toward: Array) -> Array:
+    """Unit vector along a curve, with a positive component along ``toward``."""
+    found = np.linalg.svd(jacobian)[2][-1].astype(np.float64)
+    return found if float(found @ toward) >= 0.0 else -found

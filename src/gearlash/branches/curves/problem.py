@@ -1,0 +1,246 @@
+"""The equations of special orbits in a plane of two parameters.
+
+Unknowns, scaled: the state at the phase where the orbit is begun, the phase of every touch, two parameters.
+Equations: the orbit closes; of every touch H = 0 (or -depth) and H' = 0, and H'' = 0 or H''' = 0 where it is
+degenerate; conditions on multipliers. With one touch or one condition that is a curve, with two a point.
+Detecting and continuing differ only in which unknown is free."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from gearlash.flow import Propagators
+from gearlash.system import GearlashError
+
+from .conditions import At, Condition
+from .plane import Array, Plane
+from .touch import Leg, Window, carried, derivatives, legs, surface_rows, surface_values, traced
+
+STEP = 1e-7  # of scaled unknowns: for derivatives that are no solutions of the variational equation
+
+
+@dataclass(frozen=True)
+class Touch:
+    """An extremum that lies ``depth`` below its boundary (above it: negative); ``zero``: order of a further
+    derivative of H that vanishes there, 2 or 3, or 0 for none; ``held``: whether the boundary is not crossed
+    there."""
+
+    window: Window
+    depth: float = 0.0
+    zero: int = 0
+    held: bool = True
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """For orbits of ``period`` base periods, begun at the phase ``origin``; ``size`` (n,): scale of the
+    states; ``kept``: extrema at given phases that are kept from crossing their boundaries."""
+
+    plane: Plane
+    period: int
+    size: Array
+    origin: float = 0.0
+    touches: tuple[Touch, ...] = ()
+    conditions: tuple[Condition, ...] = ()
+    kept: tuple[tuple[float, Window], ...] = ()
+
+    @property
+    def states(self) -> int:
+        return len(self.size)
+
+    @cached_property
+    def scale(self) -> Array:
+        """Of all unknowns."""
+        return np.concatenate([self.size, np.ones(len(self.touches)), self.plane.unit])
+
+    def place(self, u: Array) -> Array:
+        """(2,): the parameters."""
+        found: Array = (u * self.scale)[-2:]
+        return found
+
+    def state(self, u: Array) -> Array:
+        """(n,) at the origin."""
+        return u[: self.states] * self.size
+
+    def phases(self, u: Array) -> Array:
+        """Of the touches."""
+        return u[self.states : self.states + len(self.touches)]
+
+    def evaluate(self, u: Array, props: Propagators | None = None) -> Evaluated:
+        """Raises what `UNBUILT` names."""
+        props = self.plane.system_at(self.place(u)) if props is None else props
+        return Evaluated(self, u, props)
+
+    def near(self, here: Evaluated) -> Problem:
+        """The same with borders that fit the orbit."""
+        matrix = here.scaled_monodromy
+        return replace(self, conditions=tuple(Condition.near(c.at, matrix, c) for c in self.conditions))
+
+    def with_condition(self, at: At, here: Evaluated) -> Problem:
+        """With one condition more."""
+        return replace(self, conditions=(*self.conditions, Condition.near(at, here.scaled_monodromy)))
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluated:
+    """An orbit, or what is to become one, at scaled unknowns ``u``."""
+
+    problem: Problem
+    u: Array
+    props: Propagators
+
+    @cached_property
+    def windows(self) -> list[tuple[float, Window]]:
+        phases = self.problem.phases(self.u).tolist()
+        pairs = zip(phases, self.problem.touches, strict=True)
+        touching = [(t, each.window if each.held else _shut(each.window)) for t, each in pairs]
+        return [*touching, *self.problem.kept]
+
+    @cached_property
+    def cycles(self) -> float:
+        """Length of the orbit, in mesh cycles."""
+        return float(self.problem.period * self.props.system.cycles)
+
+    @cached_property
+    def legs(self) -> list[Leg]:
+        return legs(self.problem.origin, self.cycles, self.windows)
+
+    @cached_property
+    def course(self) -> tuple[list[Array], list[Array]]:
+        """States at the beginning of every leg and at the end; Jacobians to there."""
+        return self.carried_from(self.problem.state(self.u))
+
+    def carried_from(self, state: Array) -> tuple[list[Array], list[Array]]:
+        """The same from another state (n,)."""
+        states, flows = [state], [np.eye(len(state))]
+        for leg in self.legs:
+            after, jacobian = carried(self.props, states[-1], leg)
+            states.append(after)
+            flows.append(jacobian @ flows[-1])
+        return states, flows
+
+    @property
+    def monodromy(self) -> Array:
+        return self.course[1][-1]
+
+    @cached_property
+    def scaled_monodromy(self) -> Array:
+        size = self.problem.size
+        found: Array = self.monodromy * size / size[:, None]
+        return found
+
+    @cached_property
+    def residual(self) -> Array:
+        """What is left of the equations, scaled."""
+        states, _ = self.course
+        closing = (states[-1] - states[0]) / self.problem.size
+        touching = [self.touch_values(k, states) for k in range(len(self.problem.touches))]
+        matrix = self.scaled_monodromy
+        return np.concatenate([closing, *touching, [c.value(matrix) for c in self.problem.conditions]])
+
+    def touch_values(self, k: int, states: list[Array]) -> Array:
+        """What is left of the equations of touch ``k``, with states at the beginning of every leg."""
+        touch, phase = self.problem.touches[k], float(self.problem.phases(self.u)[k])
+        index = self.leg_of(phase)
+        leg, window = self.legs[index], touch.window
+        if touch.zero or window.surface == "force":
+            series = derivatives(traced(self.props, states[index], leg, phase), window)
+            found = series[:2]
+        else:
+            at = carried(self.props, states[index], leg, phase)[0]
+            series, found = np.empty(0), surface_values(self.props, window, at, phase, None)
+        found = found + np.array([touch.depth, 0.0])
+        rows = [found / self.surface_size(window)]
+        if touch.zero:
+            rows.append(series[touch.zero : touch.zero + 1] / self.surface_size(window)[:1])
+        return np.concatenate(rows)
+
+    def surface_size(self, window: Window) -> Array:
+        """(2,): of H and H'."""
+        c = self.props.system.clearances[window.clearance]
+        length = float(np.linalg.norm(c.h * self.problem.size))
+        return np.array([length, length * self.props.system.omega])
+
+    def leg_of(self, phase: float) -> int:
+        """The leg on which a phase lies. Raises `GearlashError` where it lies on none."""
+        for index, leg in enumerate(self.legs):
+            if leg.begin < phase < leg.end:
+                return index
+        raise GearlashError("a touch has left the orbit")
+
+    def at_touch(self, k: int) -> Array:
+        """(H, H', H'', H''') of touch ``k``."""
+        phase = float(self.problem.phases(self.u)[k])
+        index = self.leg_of(phase)
+        trace = traced(self.props, self.course[0][index], self.legs[index], phase)
+        return derivatives(trace, self.problem.touches[k].window)
+
+    def jacobian(self) -> Array:
+        """Of the residual by all unknowns. Raises what `UNBUILT` names."""
+        n, k = self.problem.states, len(self.problem.touches)
+        out = np.zeros((len(self.residual), len(self.u)))
+        out[:n, :n] = self.scaled_monodromy - np.eye(n)
+        for each in range(k):
+            self._touch_block(out, each)
+        self._by_states(out)
+        for axis in range(2):
+            out[:, n + k + axis] = self._along(axis)
+        return out
+
+    def _rows_of(self, k: int) -> slice:
+        first = self.problem.states + sum(2 + bool(touch.zero) for touch in self.problem.touches[:k])
+        return slice(first, first + 2 + bool(self.problem.touches[k].zero))
+
+    def _touch_block(self, out: Array, k: int) -> None:
+        """Of one touch by the state and by its own phase."""
+        n, touch, phase = self.problem.states, self.problem.touches[k], float(self.problem.phases(self.u)[k])
+        states, flows = self.course
+        index, rows = self.leg_of(phase), self._rows_of(k)
+        leg, size = self.legs[index], self.surface_size(touch.window)
+        jacobian = carried(self.props, states[index], leg, phase)[1]
+        gradient = surface_rows(self.props, touch.window, states[index], leg, phase, jacobian) @ flows[index]
+        out[rows.start : rows.start + 2, :n] = gradient * self.problem.size / size[:, None]
+        series, cycle = self.at_touch(k), 2.0 * np.pi / self.props.system.omega
+        out[rows.start : rows.start + 2, n + k] = series[1:3] * cycle / size
+        if touch.zero:
+            beyond = self._moved(n + k, STEP)
+            after = beyond.touch_values(k, beyond.course[0])[2]
+            out[rows.stop - 1, n + k] = (after - self.touch_values(k, states)[2]) / STEP
+
+    def _by_states(self, out: Array) -> None:
+        """Conditions, and further derivatives of touches, by the state: differences."""
+        n, problem = self.problem.states, self.problem
+        degenerate = [k for k, touch in enumerate(problem.touches) if touch.zero]
+        if not problem.conditions and not degenerate:
+            return
+        here, first = self.residual, len(self.residual) - len(problem.conditions)
+        for i in range(n):
+            u = self.u.copy()
+            u[i] += STEP
+            states, flows = self.carried_from(problem.state(u))
+            for k in degenerate:
+                row = self._rows_of(k).stop - 1
+                out[row, i] = (self.touch_values(k, states)[2] - here[row]) / STEP
+            matrix = flows[-1] * problem.size / problem.size[:, None]
+            for j, condition in enumerate(problem.conditions):
+                out[first + j, i] = (condition.value(matrix) - here[first + j]) / STEP
+
+    def _along(self, axis: int) -> Array:
+        """Derivative of the residual along one scaled parameter."""
+        index = len(self.u) - 2 + axis
+        top = self.problem.plane.outer(axis) / self.problem.plane.unit[axis]
+        step = STEP if self.u[index] + STEP <= top else -STEP
+        return (self._moved(index, step).residual - self.residual) / step
+
+    def _moved(self, index: int, step: float) -> Evaluated:
+        u = self.u.copy()
+        u[index] += step
+        moved = index >= len(u) - 2
+        return self.problem.evaluate(u, None if moved else self.props)
+
+
+def _shut(window: Window) -> Window:
+    return replace(window, before=0.0, after=0.0)

@@ -1,0 +1,207 @@
+"""A whole curve through a special orbit: both ways from it, put together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from gearlash.branches.continuation.points import SpecialKind
+from gearlash.branches.continuation.settings import ContinuationSettings
+from gearlash.orbits.floquet import ordered
+from gearlash.system import GearlashError, Status
+
+from .conditions import At
+from .follow import Follower
+from .locate import Met
+from .motion import is_clear
+from .node import Node, state_at
+from .plane import UNBUILT, Array
+from .points import CodimTwoPoint, Curve, CurveEndKind, CurvePoint, EndOfCurve
+from .problem import Evaluated
+from .touch import Leg, carried
+
+KINDS = {At.ONE: SpecialKind.FOLD, At.MINUS_ONE: SpecialKind.DOUBLING, At.CIRCLE: SpecialKind.TORUS}
+REAL = 1e-9  # of the size of the motion: how well the orbit closes without anything held
+
+
+@dataclass(frozen=True)
+class Listener:
+    """``tell`` hears the parameters of every orbit; ``cancelled`` says whether to stop."""
+
+    tell: Callable[[tuple[float, float]], object]
+    cancelled: Callable[[], bool]
+
+
+def kind_of(node: Node) -> SpecialKind:
+    if node.problem.touches:
+        return SpecialKind.GRAZING
+    return KINDS[node.problem.conditions[0].at]
+
+
+def curve_through(
+    ahead: Node, behind: Node | None, settings: ContinuationSettings, listen: Listener, met: Met | None = None
+) -> Curve:
+    """The curve of which two orbits are known, each with its direction away from the other (or one alone);
+    ``met``: the point between them, where it is one at which two things happen."""
+    ways = (
+        _Way.taken(ahead, settings, listen),
+        None if behind is None else _Way.taken(behind, settings, listen),
+    )
+    way, back = ways[0], ways[1]
+    plane = ahead.problem.plane
+    if back is None:
+        back = _Way(EndOfCurve(CurveEndKind.CLOSED, _pair(ahead.place)))
+    first = _point(ahead, 0.0)
+    same = behind is None or np.array_equal(ahead.u, behind.u) or met is not None
+    turned = back.turned
+    between = () if met is None else (special_of(met, 0.0, ahead, behind or ahead),)
+    start = (first,) if same else (_point(behind, 0.0), first) if behind is not None else (first,)
+    return Curve(
+        kind=kind_of(ahead),
+        names=plane.names,
+        values=dict(plane.at(ahead.place)),
+        lower=plane.lower,
+        upper=plane.upper,
+        points=(*turned.points, *start, *way.points),
+        special=(*turned.special, *between, *way.special),
+        ends=(turned.end, way.end),
+        scale=np.concatenate([ahead.problem.size, plane.unit]),
+    )
+
+
+@dataclass(eq=False)
+class _Way:
+    """One way from the first orbit, in order of arclength."""
+
+    end: EndOfCurve
+    points: list[CurvePoint] = field(default_factory=list)
+    special: list[CodimTwoPoint] = field(default_factory=list)
+
+    @staticmethod
+    def taken(start: Node, settings: ContinuationSettings, listen: Listener) -> _Way:
+        last, arclength = start, 0.0
+        way = _Way(EndOfCurve(CurveEndKind.CANCELLED, _pair(start.place)))
+        waiting: list[Met] = []
+        for item in Follower(start, settings, settings.first).run():
+            if isinstance(item, Met):
+                waiting.append(item)
+                continue
+            after = last if isinstance(item, EndOfCurve) else item
+            way.special += [special_of(met, arclength + _away(met, last), last, after) for met in waiting]
+            waiting.clear()
+            if isinstance(item, EndOfCurve):
+                way.end = item
+                break
+            arclength += _length(last, item)
+            way.points.append(_point(item, arclength))
+            last = item
+            listen.tell(_pair(item.place))
+            if listen.cancelled():
+                way.end = EndOfCurve(CurveEndKind.CANCELLED, _pair(item.place))
+                break
+        return way
+
+    @property
+    def turned(self) -> _Way:
+        """The same in the other order, its arclength negative."""
+        points = [replace(each, arclength=-each.arclength) for each in reversed(self.points)]
+        special = [
+            replace(
+                each,
+                point=replace(each.point, arclength=-each.arclength),
+                label_before=each.label_after,
+                label_after=each.label_before,
+            )
+            for each in reversed(self.special)
+        ]
+        return _Way(self.end, points, special)
+
+
+def _length(left: Node, right: Node) -> float:
+    """From one orbit to the next, in the plane and in states where both are begun at one phase."""
+    if left.problem.origin == right.problem.origin and len(left.u) == len(right.u):
+        return float(np.linalg.norm(right.u - left.u))
+    return float(np.linalg.norm((right.place - left.place) / left.problem.plane.unit))
+
+
+def _away(met: Met, node: Node) -> float:
+    return float(np.linalg.norm((met.place - node.place) / node.problem.plane.unit))
+
+
+def _pair(place: Array) -> tuple[float, float]:
+    return float(place[0]), float(place[1])
+
+
+def _point(node: Node, arclength: float) -> CurvePoint:
+    here = node.here
+    touched = tuple(e for e in node.extrema.all if e.number in node.touching and here.problem.touches)
+    return CurvePoint(
+        values=_pair(node.place),
+        arclength=arclength,
+        state=state_at(here, 0.0),
+        period=int(here.cycles),
+        signature=node.motion.signature,
+        multipliers=node.spectrum.multipliers,
+        touches=touched,
+        extrema=node.extrema.all,
+        residual=float(np.abs(here.residual).max()),
+        admissible=_admissible(node),
+        status=Status.OK,
+    )
+
+
+def _admissible(node: Node) -> bool:
+    """Whether nothing that is held would cross, and the orbit closes with nothing held."""
+    kept = [(node.motion.beside(phase, window), window) for phase, window in node.problem.kept]
+    if any(e is not None and not is_clear(e) and e.number not in node.touching for e, _ in kept):
+        return False
+    return closes(node.here)
+
+
+def closes(here: Evaluated) -> bool:
+    """Whether the orbit closes with nothing held."""
+    state, origin = here.problem.state(here.u), here.problem.origin
+    try:
+        end = carried(here.props, state, Leg(origin, origin + here.cycles, None))[0]
+    except GearlashError:
+        return False
+    return float(np.abs((end - state) / here.problem.size).max()) <= REAL
+
+
+def special_of(met: Met, arclength: float, before: Node, after: Node) -> CodimTwoPoint:
+    """As it is told."""
+    here, labels = met.here, (before.motion.signature, after.motion.signature)
+    if met.touched and not before.problem.touches and labels[0] == labels[1]:
+        held, other = met.motion.signature, met.motion.more(met.touched[0])
+        labels = (held, other) if before.motion.signature == held else (other, held)
+    try:
+        real = closes(here)
+    except UNBUILT:
+        real = False
+    values, errors = met.place, met.errors
+    point = CurvePoint(
+        values=_pair(values),
+        arclength=arclength,
+        state=state_at(here, 0.0),
+        period=int(here.cycles),
+        signature=met.motion.signature,
+        multipliers=ordered(np.linalg.eigvals(here.monodromy)),
+        touches=met.touched,
+        extrema=met.motion.extrema.all,
+        residual=float(np.abs(here.residual).max()),
+        admissible=real,
+        status=Status.OK,
+    )
+    return CodimTwoPoint(
+        kind=met.kind,
+        values=_pair(values),
+        errors=_pair(errors),
+        point=point,
+        label_before=labels[0],
+        label_after=labels[1],
+        solved=met.solved,
+        note="; ".join(filter(None, (str(met.kind), met.note))),
+        status=Status.OK,
+    )
