@@ -21,7 +21,7 @@ from .problem import Evaluated, Problem
 
 NEAR = 3.0  # times the length of a step: how far a point may lie from where it was found
 ON_CIRCLE = 1e-7  # distance of a pair from the unit circle
-FLAT = 1e-7  # H'' that is none, in units of the motion
+NEARLY_FLAT = 1e-3  # H‴ in units of the motion: where it is less, it may be none
 SECANTS = 60
 ZERO = 1e-13  # of the way: a bracket so narrow is a place
 THROUGH_INFINITY = 1e-2  # of the values at both ends: a zero at which more is left is none
@@ -119,20 +119,33 @@ def second_touch(left: Node, right: Node, number: int) -> Met | None:
     return None if found is None else replace(found, kind=CodimTwoKind.TWO_GRAZINGS)
 
 
-def degenerate(left: Node, right: Node, part: float, order: int) -> Met | None:
-    """On a grazing curve: where H'' = 0 (``order`` 2), or where H''' = 0 and H'' with it (3)."""
-    touches = tuple(replace(each, zero=order, held=False) for each in left.problem.touches)
-    problem = replace(left.problem, touches=touches)
-    found = _two(problem, left.u + part * (right.u - left.u), left)
+def degenerate(left: Node, right: Node, part: float) -> Met | None:
+    """On a grazing curve: where H″ = 0."""
+    found = _degenerate(left, left.u + part * (right.u - left.u), (2,))
     if found is None:
         return None
-    series = found.here.at_touch(0)
-    size = float(found.here.surface_size(touches[0].window)[0])
-    omega = found.here.props.system.omega
-    if abs(series[2]) > FLAT * size * omega**2:
-        return None
-    flat = abs(series[3]) <= 1e-5 * size * omega**3
-    return replace(found, kind=CodimTwoKind.FLAT if flat else CodimTwoKind.DEGENERATE)
+    window, here = found.here.problem.touches[0].window, found.here
+    size = float(here.surface_size(window)[0]) * here.props.system.omega**3
+    flat = None
+    if abs(here.at_touch(0)[3]) <= NEARLY_FLAT * size:
+        flat = _degenerate(left, here.u, (2, 3))
+    return (
+        replace(found, kind=CodimTwoKind.DEGENERATE)
+        if flat is None
+        else replace(flat, kind=CodimTwoKind.FLAT)
+    )
+
+
+def flat(left: Node, right: Node, part: float) -> Met | None:
+    """On a grazing curve: where H″ = 0 and H‴ = 0. That is one equation too many: it has a solution where
+    a symmetry, or a third parameter, has been chosen so."""
+    found = _degenerate(left, left.u + part * (right.u - left.u), (2, 3))
+    return None if found is None else replace(found, kind=CodimTwoKind.FLAT)
+
+
+def _degenerate(left: Node, guess: Array, orders: tuple[int, ...]) -> Met | None:
+    touches = tuple(replace(each, zero=orders, held=False) for each in left.problem.touches)
+    return _two(replace(left.problem, touches=touches), guess, left)
 
 
 def _two(problem: Problem, guess: Array, near: Node) -> Met | None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import secondary
 from .conditions import At
-from .locate import NEAR, Met, degenerate, multiplier_on, named, second_touch, touch_on, zero_between
+from .locate import NEAR, Met, degenerate, flat, multiplier_on, named, second_touch, touch_on, zero_between
 from .motion import is_clear
 from .node import Node
 from .points import CodimTwoKind
@@ -40,9 +40,9 @@ def _on_grazing(left: Node, right: Node) -> Happened:
         (test, lambda part, at=at: multiplier_on(left, right, part, at), at is not At.CIRCLE)
         for at, test in OF_MULTIPLIERS.items()
     ]
-    tries.append((secondary.curvature, lambda part: degenerate(left, right, part, 2), True))
+    tries.append((secondary.curvature, lambda part: degenerate(left, right, part), True))
     if _may_be_flat(left, right):
-        tries.append((secondary.jerk, lambda part: degenerate(left, right, part, 3), False))
+        tries.append((secondary.jerk, lambda part: flat(left, right, part), False))
     for test, solve, needed in tries:
         one, two = test(left), test(right)
         if not one * two < 0.0:
@@ -64,7 +64,7 @@ def _on_grazing(left: Node, right: Node) -> Happened:
 
 
 def _may_be_flat(left: Node, right: Node) -> bool:
-    """Whether H'' may vanish where H''' does: as the touch moves along the orbit, H'' would come down to less
+    """Whether H″ may vanish where H‴ does: as the touch moves along the orbit, H″ would come down to less
     than half."""
     series, omega = left.touch_series[0], left.here.props.system.omega
     here, there = (float(node.problem.phases(node.u)[0]) for node in (left, right))

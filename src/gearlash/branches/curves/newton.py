@@ -15,7 +15,7 @@ from .problem import Evaluated, Problem
 
 GOAL = 1e-14  # residual at which it ends where two things happen at once
 ON_CURVE = 5e-13  # the same on a curve
-ENOUGH = 2e-12  # residual that is accepted where it no longer becomes smaller
+ENOUGH = 2e-11  # residual that is accepted where it no longer becomes smaller
 ITERATIONS = 20
 SLOW = 0.1  # contraction from which on the Jacobian is taken anew
 WORSE = 2.0  # growth of the residual, with a new Jacobian, that ends it
@@ -98,6 +98,8 @@ def _left(here: Evaluated) -> float:
 def _solved(jacobian: Array, row: Array | None, residual: Array, along: float) -> Array:
     if row is not None:
         jacobian, residual = np.vstack([jacobian, row]), np.append(residual, -along)
+    if jacobian.shape[0] > jacobian.shape[1]:  # more equations than unknowns: a degenerate touch that is flat
+        return -np.linalg.lstsq(jacobian, residual, rcond=None)[0].astype(np.float64)
     return -np.linalg.solve(jacobian, residual).astype(np.float64)
 
 

@@ -13,7 +13,7 @@ from gearlash.orbits.floquet import ordered
 from gearlash.system import GearlashError
 
 from .motion import Motion, apart
-from .newton import Corrected, correct, tangent
+from .newton import ENOUGH, Corrected, correct, tangent
 from .plane import UNBUILT, Array
 from .problem import Evaluated, Problem, Touch
 from .touch import carried
@@ -53,7 +53,7 @@ class Node:
 
     @cached_property
     def touch_series(self) -> list[Array]:
-        """(H, H', H'', H''') of every touch."""
+        """(H, H', H″, H‴) of every touch."""
         return [self.here.at_touch(k) for k in range(len(self.problem.touches))]
 
     @property
@@ -119,7 +119,13 @@ def solved(
         return None, corrected
     toward = row if before is None else before.direction
     try:
-        return node_of(corrected, toward, before), corrected
+        node = node_of(corrected, toward, before)
+        if float(np.abs(node.here.residual).max()) > ENOUGH:  # the windows have changed it
+            again = correct(node.problem, node.u, row, target, node.jacobian)
+            if again.here is None:
+                return None, again
+            node = node_of(again, toward, before)
+        return node, corrected
     except UNBUILT as error:
         return None, Corrected(None, corrected.jacobian, corrected.steps, str(error))
 
@@ -127,11 +133,10 @@ def solved(
 def begun_at(node: Node, origin: float) -> Node:
     """The same orbit, begun at another phase. Raises what `UNBUILT` names."""
     here, problem, n = node.here, node.problem, node.problem.states
-    cycles, base = here.cycles, here.props.system.cycles
-    origin = float(origin)
+    cycles = here.cycles
     forward = (origin - problem.origin) % cycles
     state = state_at(here, problem.origin + forward)
-    origin = origin - base * float(np.floor(origin / base))
+    origin = origin % cycles
     u = node.u.copy()
     u[:n] = state / problem.size
     phases = origin + (problem.phases(node.u) - origin) % cycles

@@ -1,7 +1,7 @@
 """The equations of special orbits in a plane of two parameters.
 
 Unknowns, scaled: the state at the phase where the orbit is begun, the phase of every touch, two parameters.
-Equations: the orbit closes; of every touch H = 0 (or -depth) and H' = 0, and H'' = 0 or H''' = 0 where it is
+Equations: the orbit closes; of every touch H = 0 (or -depth) and H' = 0, and H″ = 0 or H‴ = 0 where it is
 degenerate; conditions on multipliers. With one touch or one condition that is a curve, with two a point.
 Detecting and continuing differ only in which unknown is free."""
 
@@ -24,13 +24,13 @@ STEP = 1e-7  # of scaled unknowns: for derivatives that are no solutions of the 
 
 @dataclass(frozen=True)
 class Touch:
-    """An extremum that lies ``depth`` below its boundary (above it: negative); ``zero``: order of a further
-    derivative of H that vanishes there, 2 or 3, or 0 for none; ``held``: whether the boundary is not crossed
+    """An extremum that lies ``depth`` below its boundary (above it: negative); ``zero``: orders of further
+    derivatives of H that vanish there, of 2 and 3; ``held``: whether the boundary is not crossed
     there."""
 
     window: Window
     depth: float = 0.0
-    zero: int = 0
+    zero: tuple[int, ...] = ()
     held: bool = True
 
 
@@ -155,7 +155,7 @@ class Evaluated:
         found = found + np.array([touch.depth, 0.0])
         rows = [found / self.surface_size(window)]
         if touch.zero:
-            rows.append(series[touch.zero : touch.zero + 1] / self.surface_size(window)[:1])
+            rows.append(series[list(touch.zero)] / self.surface_size(window)[0])
         return np.concatenate(rows)
 
     def surface_size(self, window: Window) -> Array:
@@ -172,7 +172,7 @@ class Evaluated:
         raise GearlashError("a touch has left the orbit")
 
     def at_touch(self, k: int) -> Array:
-        """(H, H', H'', H''') of touch ``k``."""
+        """(H, H', H″, H‴) of touch ``k``."""
         phase = float(self.problem.phases(self.u)[k])
         index = self.leg_of(phase)
         trace = traced(self.props, self.course[0][index], self.legs[index], phase)
@@ -191,8 +191,8 @@ class Evaluated:
         return out
 
     def _rows_of(self, k: int) -> slice:
-        first = self.problem.states + sum(2 + bool(touch.zero) for touch in self.problem.touches[:k])
-        return slice(first, first + 2 + bool(self.problem.touches[k].zero))
+        first = self.problem.states + sum(2 + len(touch.zero) for touch in self.problem.touches[:k])
+        return slice(first, first + 2 + len(self.problem.touches[k].zero))
 
     def _touch_block(self, out: Array, k: int) -> None:
         """Of one touch by the state and by its own phase."""
@@ -207,8 +207,8 @@ class Evaluated:
         out[rows.start : rows.start + 2, n + k] = series[1:3] * cycle / size
         if touch.zero:
             beyond = self._moved(n + k, STEP)
-            after = beyond.touch_values(k, beyond.course[0])[2]
-            out[rows.stop - 1, n + k] = (after - self.touch_values(k, states)[2]) / STEP
+            after = beyond.touch_values(k, beyond.course[0])
+            out[rows.start + 2 : rows.stop, n + k] = (after - self.touch_values(k, states))[2:] / STEP
 
     def _by_states(self, out: Array) -> None:
         """Conditions, and further derivatives of touches, by the state: differences."""
@@ -222,8 +222,8 @@ class Evaluated:
             u[i] += STEP
             states, flows = self.carried_from(problem.state(u))
             for k in degenerate:
-                row = self._rows_of(k).stop - 1
-                out[row, i] = (self.touch_values(k, states)[2] - here[row]) / STEP
+                rows = slice(self._rows_of(k).start + 2, self._rows_of(k).stop)
+                out[rows, i] = (self.touch_values(k, states)[2:] - here[rows]) / STEP
             matrix = flows[-1] * problem.size / problem.size[:, None]
             for j, condition in enumerate(problem.conditions):
                 out[first + j, i] = (condition.value(matrix) - here[first + j]) / STEP

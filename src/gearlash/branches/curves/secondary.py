@@ -15,7 +15,7 @@ from .plane import Array
 from .points import CodimTwoKind
 
 Function = Callable[[Node], float]
-NORMAL_STEP = 1e-4  # of scaled states: for third derivatives of the map
+NORMAL_STEP = 5e-4  # of scaled states: for third derivatives of the map
 TURNS = {
     CodimTwoKind.ONE_ONE: 1.0,
     CodimTwoKind.ONE_TWO: -1.0,
@@ -72,9 +72,9 @@ def cubic(node: Node) -> float:
         found: Array = flow * here.problem.size / here.problem.size[:, None]
         return found
 
-    up, middle, down = (jacobian(k * NORMAL_STEP * right) for k in (1.0, 0.0, -1.0))
-    second = (up - down) / (2.0 * NORMAL_STEP)
-    third = ((up - 2.0 * middle + down) / NORMAL_STEP**2) @ right
+    far, up, middle, down, back = (jacobian(k * NORMAL_STEP * right) for k in (2.0, 1.0, 0.0, -1.0, -2.0))
+    second = (8.0 * (up - down) - (far - back)) / (12.0 * NORMAL_STEP)
+    third = (16.0 * (up + down) - (far + back) - 30.0 * middle) / (12.0 * NORMAL_STEP**2) @ right
     inner = np.linalg.solve(np.eye(n) - middle, second @ right)
     return float(left @ third / 6.0 + 0.5 * left @ (second @ inner))
 
@@ -99,10 +99,10 @@ def circle_cosine(node: Node) -> float:
 
 
 def curvature(node: Node) -> float:
-    """H'' of the touch."""
+    """H″ of the touch."""
     return float(node.touch_series[0][2])
 
 
 def jerk(node: Node) -> float:
-    """H''' of the touch."""
+    """H‴ of the touch."""
     return float(node.touch_series[0][3])

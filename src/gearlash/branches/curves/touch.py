@@ -110,7 +110,7 @@ def surface_rows(
 
 
 def derivatives(trace: Trace, window: Window) -> Array:
-    """(H, H', H'', H''') in τ at the end of a trace, from its last piece; of a force H''' is not told."""
+    """(H, H', H″, H‴) in τ at the end of a trace, from its last piece; of a force H‴ is not told."""
     last = len(trace.positions) - 1
     if window.surface == "force":
         at, side = np.array([last]), np.array([window.boundary])
