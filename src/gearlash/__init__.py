@@ -37,6 +37,14 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         SpecialKind as SpecialKind,
         SpecialPoint as SpecialPoint,
     )
+    from .branches.curves import (
+        CodimTwoKind as CodimTwoKind,
+        CodimTwoPoint as CodimTwoPoint,
+        Curve as Curve,
+        CurveEndKind as CurveEndKind,
+        CurvePoint as CurvePoint,
+        EndOfCurve as EndOfCurve,
+    )
     from .case import (
         Case as Case,
         CaseError as CaseError,
@@ -130,6 +138,10 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         load_branch as load_branch,
         save_branch as save_branch,
     )
+    from .results.curve_file import (
+        load_curve as load_curve,
+        save_curve as save_curve,
+    )
     from .results.beside import (
         Beside as Beside,
         BesideMotion as BesideMotion,
@@ -151,6 +163,7 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         ZoneMotion as ZoneMotion,
         Zones as Zones,
         continue_branch as continue_branch,
+        continue_curve as continue_curve,
         first_grazing as first_grazing,
         grazing_law as grazing_law,
         impact_free_speeds as impact_free_speeds,
@@ -293,6 +306,15 @@ _PUBLIC = {
         "SpecialKind",
         "SpecialPoint",
     ),
+    # curves of special orbits in two parameters
+    "gearlash.branches.curves": (
+        "CodimTwoKind",
+        "CodimTwoPoint",
+        "Curve",
+        "CurveEndKind",
+        "CurvePoint",
+        "EndOfCurve",
+    ),
     # how studies are carried out
     "gearlash.jobs": (
         "Cancel",
@@ -317,6 +339,7 @@ _PUBLIC = {
     ),
     "gearlash.results.branch_dataset": ("branch_dataset",),
     "gearlash.results.branch_file": ("load_branch", "save_branch"),
+    "gearlash.results.curve_file": ("load_curve", "save_curve"),
     "gearlash.results.beside": (
         "Beside",
         "BesideMotion",
@@ -338,6 +361,7 @@ _PUBLIC = {
         "ZoneMotion",
         "Zones",
         "continue_branch",
+        "continue_curve",
         "first_grazing",
         "grazing_law",
         "impact_free_speeds",

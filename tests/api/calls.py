@@ -76,6 +76,11 @@ def calls() -> tuple[Call, ...]:
     branch = gl.continue_branch(spur, "omega", lower=1.4, upper=1.42, values={"omega": 1.41})
     special = branch.special[0]
     law = gl.grazing_law(spur, branch, special)
+    curve = gl.continue_curve(spur, ("omega", "D"), special, lower=(1.3, 0.9), upper=(1.5, 1.1))
+    two = gl.CodimTwoPoint(
+        gl.CodimTwoKind.CUSP, (1.4, 1.0), (0.0, 0.0), curve.points[0], special.label_before,
+        special.label_after, False, "", gl.Status.OK,
+    )  # fmt: skip
     execution = gl.Execution(chunk=1, progress=print, cancel=threading.Event())
     study = {"values": {}, "start": [0.0, 0.0], "settings": QUICK, "execution": execution}
 
@@ -92,6 +97,7 @@ def calls() -> tuple[Call, ...]:
         gl.variational(props, [0.0, 0.0], 1.0), trace.extrema, trace.samples(9),
         gl.Zone(end, end, "omega", gl.Quiet.IMPACT_FREE, True, (seen,), (span,)), gl.Interval(end, end),
         branch, branch.points[0], special, law, branch.ends[0], gl.ContinuationSettings(),
+        curve, curve.points[0], curve.ends[0], two,
         end, seen, span, gl.Touch(0.5, 1.0, 0.0, 1),
     )  # fmt: skip
     bifurcation = gl.locate_multiplier(family, "omega", orbit, -1)
@@ -137,12 +143,20 @@ def calls() -> tuple[Call, ...]:
             "model": spur, "name": "omega", "start": branch.points[0], "lower": 1.4, "upper": 1.42,
             "values": {}, "steps": gl.ContinuationSettings(longest=0.5, first=0.1),
             "execution": execution}),
+        Call("continue_curve", gl.continue_curve, {
+            "model": spur, "names": ("omega", "D"), "special": special, "lower": (1.3, 0.9),
+            "upper": (1.5, 1.1), "values": {}, "branch": branch, "kind": "grazing", "touch": 0,
+            "doubled": False, "steps": gl.ContinuationSettings(longest=0.5, first=0.1),
+            "execution": execution}),
         Call("switch_branch", gl.switch_branch, {
             "model": spur, "branch": branch, "special": special, "steps": gl.ContinuationSettings(),
             "execution": execution}),
         Call("grazing_law", gl.grazing_law, {"model": spur, "branch": branch, "special": special}),
         Call("GrazingLaw.at", law.at, {"depth": 1e-4}),
         Call("Branch.of_kind", branch.of_kind, {"kind": "fold"}),
+        Call("Curve.of_kind", curve.of_kind, {"kind": "cusp"}),
+        Call("CodimTwoKind", gl.CodimTwoKind, {"value": "cusp"}),
+        Call("CurveEndKind", gl.CurveEndKind, {"value": "cancelled"}),
         Call("Branch.at", branch.at, {"value": 1.4}),
         Call("SpecialKind", gl.SpecialKind, {"value": "fold"}),
         Call("DerivativeKind", gl.DerivativeKind, {"value": "exact"}),
@@ -198,6 +212,8 @@ def calls() -> tuple[Call, ...]:
         Call("coexisting", results.coexisting, {"sweeps": [swept, swept]}),
         Call("save_dataset", gl.save_dataset, {"dataset": dataset, "path": "a.nc"}),
         Call("save_branch", gl.save_branch, {"branch": branch, "path": "a.json", "model": spur}),
+        Call("save_curve", gl.save_curve, {"curve": curve, "path": "a.json", "model": spur}),
+        Call("load_curve", gl.load_curve, {"path": "none.json"}),
         Call("load_branch", gl.load_branch, {"path": "none.json"}),
         Call("branch_dataset", gl.branch_dataset, {"model": spur, "branch": branch, "extremes": True}),
         Call("load_dataset", gl.load_dataset, {"path": "none.nc"}),

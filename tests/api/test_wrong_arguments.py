@@ -14,7 +14,7 @@ import gearlash as gl
 from api.calls import Call, calls, wrong
 
 SEEDS, EACH = 10, 400
-NEEDS_MORE = ("loads", "load_dataset", "load_branch", "switch_branch", "reproduce")
+NEEDS_MORE = ("loads", "load_dataset", "load_branch", "load_curve", "switch_branch", "reproduce")
 """What fits them takes a file, or minutes."""
 HANDED_OUT = {
     *("Beside", "BesideMotion", "ImpactFree", "PassedBifurcation", "FollowedPath", "Progress"),

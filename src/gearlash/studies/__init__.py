@@ -21,6 +21,7 @@ from .zones import zones
 
 if TYPE_CHECKING:
     from .continuation import continue_branch, grazing_law, switch_branch
+    from .curve import continue_curve
 
 __all__ = [
     "Axis",
@@ -38,6 +39,7 @@ __all__ = [
     "Zones",
     "coexisting",
     "continue_branch",
+    "continue_curve",
     "first_grazing",
     "grazing_law",
     "impact_free_speeds",
@@ -55,8 +57,12 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name not in ("continue_branch", "grazing_law", "switch_branch"):
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from . import continuation
+    if name in ("continue_branch", "grazing_law", "switch_branch"):
+        from . import continuation
 
-    return getattr(continuation, name)
+        return getattr(continuation, name)
+    if name == "continue_curve":
+        from . import curve
+
+        return curve.continue_curve
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from time import monotonic
 
 from gearlash import flow
 from gearlash.branches.continuation import (
@@ -17,14 +15,15 @@ from gearlash.branches.continuation import (
     law_at,
     switched,
 )
-from gearlash.jobs import Execution, Progress
-from gearlash.jobs.stop import interruptible, stopping
+from gearlash.jobs import Execution
+from gearlash.jobs.stop import interruptible
 from gearlash.orbits import Orbit, attractor
 from gearlash.results import Point
 from gearlash.system import Family, GearlashError, given, plain_values
 
 from .arguments import checked_execution, checked_settings
 from .beginning import orbit_of, value_of
+from .following import Following, checked_steps
 from .limits import Limits
 from .model import Model, Source
 
@@ -95,13 +94,13 @@ def continue_branch(
     """
     source = Source.of(model)
     family, numbers = source.family(), plain_values(model, source.family(), values)
-    limits, steps = Limits.read(model, family, given.word("name", name), lower, upper), _checked_steps(steps)
+    limits, steps = Limits.read(model, family, given.word("name", name), lower, upper), checked_steps(steps)
     short = limits.short
     if start is not None and not isinstance(start, Orbit):
         given.instance("start", start, STARTS, "an Orbit, a Point of a study, or a point of a branch")
         numbers[short] = value_of(start, short)
     complete = family.complete(numbers)
-    listener = _Listener(checked_execution(source, execution))
+    listener = Following(checked_execution(source, execution))
     orbit = None if start is None else orbit_of(family, complete, short, start)
     limits.check(complete[short])
     orbit = _from_cold(family, complete) if orbit is None else orbit
@@ -152,7 +151,7 @@ def switch_branch(
     family = source.family()
     given.instance("branch", branch, Branch, "a Branch, as from gearlash.continue_branch")
     given.instance("special", special, SpecialPoint, "one of branch.special")
-    steps, listener = _checked_steps(steps), _Listener(checked_execution(source, execution))
+    steps, listener = checked_steps(steps), Following(checked_execution(source, execution))
     limits = Limits(branch.name, branch.lower, branch.upper)
     return tuple(
         _followed(family, {**branch.values, branch.name: one.value}, limits, one.orbit, steps, listener)
@@ -202,41 +201,16 @@ def grazing_law(model: Model, branch: Branch, special: SpecialPoint) -> GrazingL
     return law_at(family, branch, special)
 
 
-@dataclass
-class _Listener:
-    """Tells how many orbits there are, and hears whether to stop: from the execution, or by a signal."""
-
-    execution: Execution
-    orbits: int = 0
-    began: float = field(default_factory=monotonic)
-
-    def tell(self, _: float) -> None:
-        self.orbits += 1
-        if self.execution.progress is not None:
-            self.execution.progress(Progress(self.orbits, 0, monotonic() - self.began, None))
-
-    def stop(self) -> bool:
-        cancel = self.execution.cancel
-        return stopping() or (cancel is not None and cancel.is_set())
-
-
 def _followed(
     family: Family,
     values: Mapping[str, float],
     limits: Limits,
     orbit: Orbit,
     steps: ContinuationSettings,
-    listener: _Listener,
+    listener: Following,
 ) -> Branch:
     interval = limits.short, orbit, limits.lower, limits.upper
     return continue_orbit(family, values, *interval, steps, listener.tell, listener.stop)
-
-
-def _checked_steps(steps: ContinuationSettings | None) -> ContinuationSettings:
-    expected = "ContinuationSettings, such as gearlash.ContinuationSettings(longest=0.02)"
-    if steps is None:
-        return ContinuationSettings()
-    return given.instance("steps", steps, ContinuationSettings, expected)
 
 
 def _from_cold(family: Family, values: Mapping[str, float]) -> Orbit:

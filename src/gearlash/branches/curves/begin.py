@@ -31,7 +31,9 @@ OF_TWO = {
     CodimTwoKind.GRAZING_TORUS: At.CIRCLE,
 }
 NEAR_START = 0.05  # scaled: how far the first orbit of a curve may lie from the start
-AMPLITUDES = (1e-2, 3e-3, 1e-3)  # scaled: of the doubled orbit with which its curve begins
+NEAR_POINT = 0.5  # scaled: how far that orbit may lie from the point
+APART = 1e-3  # of the amplitude: how far the other extremum must be from touching, too
+AMPLITUDES = (3e-3, 1e-3, 1e-2, 3e-4)  # scaled: of the doubled orbit with which its curve begins
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,7 +124,7 @@ def _with_touch(
     """The orbit begun half of it before an extremum, and that as a touch."""
     here = plain(plane, place, state, period)
     node = _begun(here, extremum.phase - 0.5 * here.cycles)
-    window = Window(extremum.clearance, extremum.surface, extremum.boundary, 0.0, 0.0)
+    window = Window(extremum.clearance, extremum.surface, extremum.boundary, 0.0)
     mine = node.motion.beside(extremum.phase, window)
     if mine is None:
         raise GearlashError("the orbit has no extremum beside that boundary")
@@ -178,7 +180,8 @@ def _at_two(
     if doubled:
         if start.kind is not CodimTwoKind.GRAZING_DOUBLING:
             raise GearlashError("doubled: only where a grazing orbit has a multiplier -1")
-        return Beginning(doubled_node(point_of_two(plane, start, place, period)), None)
+        met = point_of_two(plane, start, place, period)
+        return Beginning(doubled_node(met), None, met)
     if kind is SpecialKind.GRAZING or (kind is None and extrema):
         if not 0 <= touch < len(extrema):
             raise GearlashError(f"touch = {touch}: {len(extrema)} extrema touch there")
@@ -235,6 +238,10 @@ def doubled_node(met: Met) -> Node:
                 continue
             node = node_of(corrected, sign * row, None)
             other = node.motion.beside(phase + cycles, touch.window)
-            if other is not None and is_clear(other) and other.number not in node.touching:
+            if other is None or other.number in node.touching or not is_clear(other):
+                continue
+            size = float(here.surface_size(touch.window)[0])
+            near = float(np.linalg.norm(node.u - here.u)) <= NEAR_POINT
+            if near and abs(other.distance) > APART * amplitude * size:
                 return node.along(replace(node.problem, kept=()))
     raise GearlashError("no doubled orbit that touches was found near by")

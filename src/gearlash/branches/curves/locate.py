@@ -23,6 +23,8 @@ NEAR = 3.0  # times the length of a step: how far a point may lie from where it 
 ON_CIRCLE = 1e-7  # distance of a pair from the unit circle
 NEARLY_FLAT = 1e-3  # H‴ in units of the motion: where it is less, it may be none
 SECANTS = 60
+NO_NUMBER = -1  # of an extremum that is none on both sides
+UNSOLVED = 1e-6  # of the width of the limits: error of the zero of a function along a curve
 ZERO = 1e-13  # of the way: a bracket so narrow is a place
 THROUGH_INFINITY = 1e-2  # of the values at both ends: a zero at which more is left is none
 
@@ -48,7 +50,7 @@ class Met:
     def errors(self) -> Array:
         """(2,) of the parameters: what is left, times how far they move with it."""
         if not self.solved:
-            return 1e-9 * np.abs(self.place)
+            return UNSOLVED * self.here.problem.plane.unit
         gains = np.abs(np.linalg.pinv(self.jacobian)[-2:]) @ (np.abs(self.here.residual) + 4e-16)
         found: Array = gains * self.here.problem.plane.unit + 1e-15 * np.abs(self.place)
         return found
@@ -160,11 +162,21 @@ def _two(problem: Problem, guess: Array, near: Node) -> Met | None:
     except UNBUILT:
         return None
     motion = replace(motion, extrema=motion.extrema.after(near.extrema))
-    phases = problem.phases(here.u).tolist()
-    touched = [motion.beside(t, each.window) for t, each in zip(phases, problem.touches, strict=True)]
-    if any(each is None for each in touched):
-        return None
-    return Met(CodimTwoKind.CUSP, here, jacobian, motion, tuple(e for e in touched if e is not None))
+    return Met(CodimTwoKind.CUSP, here, jacobian, motion, _touched(here, motion))
+
+
+def _touched(here: Evaluated, motion: Motion) -> tuple[Extremum, ...]:
+    """What touches. A degenerate one is no extremum that the motion would show."""
+    found = []
+    for k, touch in enumerate(here.problem.touches):
+        phase, window = float(here.problem.phases(here.u)[k]), touch.window
+        extremum = None if touch.zero else motion.beside(phase, window)
+        if extremum is None:
+            series = here.at_touch(k)
+            place, side = phase % motion.cycles, (window.clearance, window.surface, window.boundary)
+            extremum = Extremum(NO_NUMBER, *side, place, float(series[0]), float(series[2]))
+        found.append(extremum)
+    return tuple(found)
 
 
 class _LostError(Exception):

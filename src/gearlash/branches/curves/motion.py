@@ -65,17 +65,17 @@ class Motion:
         return Motion(Extrema(named, cycles, count(len(named))), signature, tuple(turns), cycles)
 
     def window(self, extremum: Extremum) -> Window:
-        """Around an extremum, so wide that no other one lies in it."""
+        """Around an extremum, so wide that no other one lies in it: as far on both sides, as it may merge
+        with the nearer one, and a crossing comes to lie on the other side."""
         phases, curvature, force = self.turns[extremum.clearance]
         if extremum.surface == "force":
             phases = np.concatenate([phases[curvature * extremum.a0 < 0.0], force])
         away = (phases - extremum.phase) % self.cycles
         away = away[(away > SAME) & (away < self.cycles - SAME)]
-        most = MOST * self.cycles
-        before, after = most, most
+        width = MOST * self.cycles
         if len(away):
-            before, after = min(self.cycles - float(away.max()), most), min(float(away.min()), most)
-        return Window(extremum.clearance, extremum.surface, extremum.boundary, PART * before, PART * after)
+            width = min(self.cycles - float(away.max()), float(away.min()), width)
+        return Window(extremum.clearance, extremum.surface, extremum.boundary, PART * width)
 
     def beside(self, phase: float, window: Window) -> Extremum | None:
         """The extremum of a window's boundary that is nearest to a phase."""

@@ -58,6 +58,7 @@ class CurveEndKind(Named):
     LIMIT = "limit of a parameter"
     CLOSED = "closed loop: the curve comes back to where it began"
     TOUCH = "touch beyond which no continuation was found"
+    HALF_PERIOD = "joins the curve of the orbit of half its period"
     RESONANCE = "resonance: the multipliers are real beyond it"
     SHORT = "no step is short enough"
     UNBUILT = "beyond it no system can be built"

@@ -243,4 +243,4 @@ class Evaluated:
 
 
 def _shut(window: Window) -> Window:
-    return replace(window, before=0.0, after=0.0)
+    return replace(window, width=0.0)

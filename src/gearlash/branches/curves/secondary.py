@@ -6,6 +6,7 @@ doi:10.1007/978-1-4757-3978-7."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 
@@ -16,6 +17,8 @@ from .points import CodimTwoKind
 
 Function = Callable[[Node], float]
 NORMAL_STEP = 5e-4  # of scaled states: for third derivatives of the map
+CLEAR = 0.1  # of the distance of the nearest extremum from its boundary: the same
+LEAST_NORMAL_STEP = 2e-5
 TURNS = {
     CodimTwoKind.ONE_ONE: 1.0,
     CodimTwoKind.ONE_TWO: -1.0,
@@ -60,10 +63,15 @@ def quadratic(node: Node) -> float:
     return float(node.jacobian[-1, :n] @ _null(node)[0])
 
 
+@lru_cache(maxsize=4)
 def cubic(node: Node) -> float:
-    """The cubic coefficient of the doubling: above zero the doubled orbit is born stable in the map's own
-    directions of the null vector. From differences of the exact Jacobian."""
+    """The cubic coefficient of the doubling, from differences of the exact Jacobian: at its zero the doubled
+    orbit changes sides. NaN where a boundary is so near that the map is not smooth within the differences:
+    at a touch the coefficient of the side with the contact goes to infinity."""
     right, left = _null(node)
+    width = min(NORMAL_STEP, CLEAR * _nearest(node))
+    if width < LEAST_NORMAL_STEP:
+        return float("nan")
     here, n = node.here, node.problem.states
     left = left / float(left @ right)
 
@@ -72,11 +80,23 @@ def cubic(node: Node) -> float:
         found: Array = flow * here.problem.size / here.problem.size[:, None]
         return found
 
-    far, up, middle, down, back = (jacobian(k * NORMAL_STEP * right) for k in (2.0, 1.0, 0.0, -1.0, -2.0))
-    second = (8.0 * (up - down) - (far - back)) / (12.0 * NORMAL_STEP)
-    third = (16.0 * (up + down) - (far + back) - 30.0 * middle) / (12.0 * NORMAL_STEP**2) @ right
+    far, up, middle, down, back = (jacobian(k * width * right) for k in (2.0, 1.0, 0.0, -1.0, -2.0))
+    second = (8.0 * (up - down) - (far - back)) / (12.0 * width)
+    third = (16.0 * (up + down) - (far + back) - 30.0 * middle) / (12.0 * width**2) @ right
     inner = np.linalg.solve(np.eye(n) - middle, second @ right)
     return float(left @ third / 6.0 + 0.5 * left @ (second @ inner))
+
+
+def _nearest(node: Node) -> float:
+    """Distance of the nearest extremum from its boundary, in units of the motion."""
+    system, size = node.here.props.system, node.problem.size
+    return min(
+        (
+            abs(e.distance) / float(np.linalg.norm(system.clearances[e.clearance].h * size))
+            for e in node.extrema.all
+        ),
+        default=np.inf,
+    )
 
 
 def _null(node: Node) -> tuple[Array, Array]:

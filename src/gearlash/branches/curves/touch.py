@@ -24,21 +24,20 @@ FORCE_STEP = 1e-5  # mesh cycles: for the rate of the gradient of a force
 
 @dataclass(frozen=True)
 class Window:
-    """Of one extremum beside a boundary: at ``phase``, from ``before`` to ``after`` it, in mesh cycles; no
-    window where both are zero."""
+    """Of one extremum beside a boundary, as wide on both sides of it, in mesh cycles; none where that is
+    zero."""
 
     clearance: int
     surface: str
     boundary: int
-    before: float
-    after: float
+    width: float
 
     def hold(self, phase: float) -> Hold:
-        return Hold(self.boundary, phase - self.before, phase + self.after, self.clearance)
+        return Hold(self.boundary, phase - self.width, phase + self.width, self.clearance)
 
     @property
     def open(self) -> bool:
-        return self.before + self.after > 0.0
+        return self.width > 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +52,7 @@ class Leg:
 def legs(begin: float, cycles: float, windows: list[tuple[float, Window]]) -> list[Leg]:
     """The orbit cut between the windows, in order. Raises `GearlashError` where two of them are one."""
     ordered = sorted(windows, key=lambda pair: pair[0])
-    ends = [0.5 * (a + va.after + b - vb.before) for (a, va), (b, vb) in pairwise(ordered)]
+    ends = [0.5 * (a + va.width + b - vb.width) for (a, va), (b, vb) in pairwise(ordered)]
     places = [begin, *ends, begin + cycles]
     if any(two - one <= 0.0 for one, two in pairwise(places)):
         raise GearlashError("two touches at one phase cannot be told apart")

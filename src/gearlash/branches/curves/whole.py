@@ -12,6 +12,7 @@ from gearlash.branches.continuation.settings import ContinuationSettings
 from gearlash.orbits.floquet import ordered
 from gearlash.system import GearlashError, Status
 
+from .begin import Beginning
 from .conditions import At
 from .follow import Follower
 from .locate import Met
@@ -40,33 +41,33 @@ def kind_of(node: Node) -> SpecialKind:
     return KINDS[node.problem.conditions[0].at]
 
 
-def curve_through(
-    ahead: Node, behind: Node | None, settings: ContinuationSettings, listen: Listener, met: Met | None = None
-) -> Curve:
-    """The curve of which two orbits are known, each with its direction away from the other (or one alone);
-    ``met``: the point between them, where it is one at which two things happen."""
-    ways = (
-        _Way.taken(ahead, settings, listen),
-        None if behind is None else _Way.taken(behind, settings, listen),
-    )
-    way, back = ways[0], ways[1]
-    plane = ahead.problem.plane
-    if back is None:
+def curve_through(begun: Beginning, settings: ContinuationSettings, listen: Listener) -> Curve:
+    """The curve both ways from its beginning."""
+    ahead, behind, met = begun.ahead, begun.behind, begun.met
+    way = _Way.taken(ahead, settings, listen)
+    between: tuple[CodimTwoPoint, ...] = ()
+    if behind is not None and way.end.kind is not CurveEndKind.CLOSED:
+        back = _Way.taken(behind, settings, listen).turned
+    elif behind is not None or met is None:
         back = _Way(EndOfCurve(CurveEndKind.CLOSED, _pair(ahead.place)))
-    first = _point(ahead, 0.0)
-    same = behind is None or np.array_equal(ahead.u, behind.u) or met is not None
-    turned = back.turned
-    between = () if met is None else (special_of(met, 0.0, ahead, behind or ahead),)
-    start = (first,) if same else (_point(behind, 0.0), first) if behind is not None else (first,)
+    else:
+        back = _Way(EndOfCurve(CurveEndKind.HALF_PERIOD, _pair(met.place)))
+    start = [_point(ahead, 0.0)]
+    if met is not None:
+        between = (special_of(met, -_away(met, ahead), behind or ahead, ahead),)
+    if met is not None and behind is not None:
+        back = back.moved(-_away(met, ahead))
+        start.insert(0, _point(behind, -_away(met, ahead)))
+    plane = ahead.problem.plane
     return Curve(
         kind=kind_of(ahead),
         names=plane.names,
         values=dict(plane.at(ahead.place)),
         lower=plane.lower,
         upper=plane.upper,
-        points=(*turned.points, *start, *way.points),
-        special=(*turned.special, *between, *way.special),
-        ends=(turned.end, way.end),
+        points=(*back.points, *start, *way.points),
+        special=(*back.special, *between, *way.special),
+        ends=(back.end, way.end),
         scale=np.concatenate([ahead.problem.size, plane.unit]),
     )
 
@@ -115,6 +116,15 @@ class _Way:
                 label_after=each.label_before,
             )
             for each in reversed(self.special)
+        ]
+        return _Way(self.end, points, special)
+
+    def moved(self, by: float) -> _Way:
+        """The same with another beginning of arclength."""
+        points = [replace(each, arclength=each.arclength + by) for each in self.points]
+        special = [
+            replace(each, point=replace(each.point, arclength=each.point.arclength + by))
+            for each in self.special
         ]
         return _Way(self.end, points, special)
 

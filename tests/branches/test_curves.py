@@ -1,0 +1,324 @@
+"""Curves in two parameters, and the points where two things happen at once, against numbers from another
+program, against closed forms, and against an integrator that shares no code with them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from branches.followed import PLAIN, bundled, linear, parametric, six, window
+from gearlash.branches.continuation import (
+    Branch,
+    ContinuationSettings,
+    SpecialKind,
+    SpecialPoint,
+    continue_orbit,
+)
+from gearlash.branches.curves import (
+    CodimTwoKind,
+    CodimTwoPoint,
+    Curve,
+    CurveEndKind,
+    CurvePoint,
+    Listener,
+    Plane,
+    beginning,
+    curve_through,
+)
+from gearlash.orbits import Orbit, orbit_at
+from gearlash.system import Family, GearlashError
+from orbits.members import built, one_dof, orbit
+
+QUIET = Listener(lambda _: None, lambda: False)
+COARSE = ContinuationSettings(certify=False, longest=0.1)
+Pair = tuple[float, float]
+
+
+def followed(
+    family: Family,
+    values: Mapping[str, float],
+    names: tuple[str, str],
+    special: SpecialPoint | CodimTwoPoint | CurvePoint,
+    lower: Pair,
+    upper: Pair,
+    kind: SpecialKind | None = None,
+    steps: ContinuationSettings = PLAIN,
+    **choice: Any,
+) -> Curve:
+    plane = Plane(family, family.complete(values), names, lower, upper)
+    place = np.array([plane.values[name] for name in names])
+    return curve_through(beginning(plane, special, place, kind, **choice), steps, QUIET)
+
+
+def named(names: tuple[str, ...], values: tuple[float, ...]) -> dict[str, float]:
+    return dict(zip(names, values, strict=True))
+
+
+def lowest(branch: Branch, kind: SpecialKind) -> SpecialPoint:
+    return min(branch.of_kind(kind), key=lambda special: special.value)
+
+
+def only(curve: Curve, kind: CodimTwoKind) -> CodimTwoPoint:
+    (found,) = curve.of_kind(kind)
+    return found
+
+
+@cache
+def fold_over_backlash() -> Curve:
+    fold = lowest(linear(), SpecialKind.FOLD)
+    return followed(one_dof(error=0.05), {"omega": fold.value}, ("omega", "D"), fold, (0.6, 0.05), (0.9, 1.2))
+
+
+@cache
+def doubling_over_error() -> Curve:
+    doubling = lowest(parametric(), SpecialKind.DOUBLING)
+    values = {"omega": doubling.value}
+    family = one_dof(error=0.0005, ripple=0.3)
+    return followed(family, values, ("omega", "error"), doubling, (1.7, 0.0001), (2.0, 0.2))
+
+
+@cache
+def corner() -> Curve:
+    """The grazing curve of the contact-only orbit over a strong ripple."""
+    family, values = one_dof(error=0.09, ripple=0.95), {"omega": 1.3, "error": 0.01}
+    branch = continue_orbit(family, values, "error", orbit(family, **values), 0.001, 0.2, PLAIN)
+    touch = lowest(branch, SpecialKind.GRAZING)
+    values = {"omega": 1.3, "error": touch.value}
+    return followed(family, values, ("omega", "error"), touch, (0.95, 0.001), (1.4, 0.2))
+
+
+@cache
+def article() -> Curve:
+    """The doubling of the 6-orbit over backlash and bearing damping."""
+    doubling = lowest(six(), SpecialKind.DOUBLING)
+    values = {"omega": 0.78, "D": doubling.value}
+    names = ("D", "bearing_damping")
+    return followed(bundled(), values, names, doubling, (0.34, 0.036), (0.36, 0.05), steps=COARSE)
+
+
+def test_a_fold_of_impacts_meets_the_back_side():
+    """Known from another program."""
+    found = only(fold_over_backlash(), CodimTwoKind.GRAZING_FOLD)
+    assert found.values == pytest.approx((0.708031618721831, 0.145906154662747), abs=1e-14)
+    assert found.point.multipliers.sum() == pytest.approx(1.4117182920892, abs=1e-12)
+    assert {found.label_before, found.label_after} == {"1-1-0", "1-1-1"}
+
+
+def test_an_orbit_on_one_boundary_does_not_depend_on_the_backlash():
+    curve = fold_over_backlash()
+    meets = only(curve, CodimTwoKind.GRAZING_FOLD)
+    straight = [p.values[0] for p in curve.points if p.arclength > meets.arclength]
+    assert len(straight) > 10
+    assert np.ptp(straight) < 1e-12
+
+
+def test_grazing_with_a_multiplier_minus_one_in_permanent_contact():
+    """Known from another program; the curve of the side without impacts is straight."""
+    found = only(doubling_over_error(), CodimTwoKind.GRAZING_DOUBLING)
+    assert found.values == pytest.approx((1.88314401708371501, 0.0934128021427322), abs=1e-14)
+
+
+def test_the_contact_only_corner():
+    """Known from another program. Its orbit is touched by another curve there: the forcing is orthogonal."""
+    found = only(corner(), CodimTwoKind.CORNER)
+    assert found.values == pytest.approx((1.0219614962, 0.0909609), abs=1e-7)
+    assert found.values[0] == pytest.approx(1.0219614962, abs=1e-10)
+    assert not any(map(any, found.point.signature.counts))
+
+
+E1, PSI1, E2, PSI2 = 0.0768295371441074, 0.218668945873942, 0.0204190581082424, 3.03938593548254
+
+
+def two_harmonics(part_1: float, part_2: float) -> tuple[Family, dict[str, float], Orbit]:
+    """The contact-only orbit near the flat touch: a cold start would meet another."""
+    family = one_dof(error=E1, error_phase=PSI1, error_2=E2, error_phase_2=PSI2, omega=0.8)
+    half = orbit_at(built(family, error=0.5 * E1, error_2=0.5 * E2), [1.1, 0.0], 1)
+    assert half is not None
+    values = {"error": part_1 * E1, "error_2": part_2 * E2}
+    found = orbit_at(built(family, **values), half.state, 1)
+    assert found is not None
+    return family, values, found
+
+
+@cache
+def flat() -> Curve:
+    family, values, start = two_harmonics(0.98, 0.9)
+    branch = continue_orbit(family, values, "error", start, 0.07, 0.08, PLAIN)
+    touch = lowest(branch, SpecialKind.GRAZING)
+    values = {**values, "error": touch.value}
+    return followed(family, values, ("error", "error_2"), touch, (0.07, 0.018), (0.08, 0.024))
+
+
+@cache
+def swallowtail() -> Curve:
+    """Where a phase moves the symmetry is gone: the flat touch opens into two cusps and a crossing."""
+    touch = max(flat().points, key=lambda point: point.values[1])
+    values = named(("error", "error_2"), touch.values)
+    family = two_harmonics(1.0, 1.0)[0]
+    return followed(family, values, ("error", "error_phase_2"), touch, (0.07, 2.9), (0.085, 3.2))
+
+
+def test_the_flat_touch():
+    """Closed form: X″ = X‴ = 0 at θ = π."""
+    found = only(flat(), CodimTwoKind.FLAT)
+    assert found.values == pytest.approx((E1, E2), abs=1e-14)
+    (touch,) = found.point.touches
+    assert touch.phase == pytest.approx(0.5, abs=1e-5)
+
+
+def test_a_degenerate_touch_is_a_cusp_of_the_curve():
+    """Both parameters are stationary there; on the two sides the extremum is of the other kind."""
+    cusps = swallowtail().of_kind(CodimTwoKind.DEGENERATE)
+    assert len(cusps) == 2
+    for cusp in cusps:
+        sides = [p for p in swallowtail().points if abs(p.arclength - cusp.arclength) < 0.05]
+        before = [p for p in sides if p.arclength < cusp.arclength]
+        after = [p for p in sides if p.arclength > cusp.arclength]
+        assert before[-1].touches[0].a0 * after[0].touches[0].a0 < 0.0
+        (touch,) = cusp.point.touches
+        assert abs(touch.a0) < 1e-7
+        forth, back = (np.subtract(p.values, cusp.values) for p in (before[-1], after[0]))
+        assert forth @ back > 0.0
+
+
+def test_two_touches_at_once_are_met_on_both_arms():
+    """The crossing of the curve with itself: the same values, each extremum taking its turn."""
+    one, two = swallowtail().of_kind(CodimTwoKind.TWO_GRAZINGS)
+    assert one.values == pytest.approx(two.values, abs=1e-12)
+    assert one.values[1] == pytest.approx(PSI2, abs=1e-10)  # where the response is symmetric
+    assert len(one.point.touches) == len(two.point.touches) == 2
+    assert one.point.state == pytest.approx(two.point.state, abs=1e-11)
+
+
+def test_the_point_of_the_article():
+    """The doubling of 6-6-1 at D = 0.3523 and the touch at 0.3855 are curves of one point."""
+    found = only(article(), CodimTwoKind.GRAZING_DOUBLING)
+    assert found.values == pytest.approx((0.3448140829648, 0.0475457194044), abs=1e-12)
+    assert {found.label_before, found.label_after} == {"6-6-1", "6-6-2"}
+    values = named(("omega", "D", "bearing_damping"), (0.78, *found.values))
+    names, limits = ("D", "bearing_damping"), ((0.34, 0.0378), (0.4, 0.05))
+    touching = followed(bundled(), values, names, found, *limits, steps=COARSE)
+    ends = [end.values for end in touching.ends if end.values[1] == pytest.approx(0.0378, abs=1e-12)]
+    (grazing,) = six().of_kind(SpecialKind.GRAZING)
+    assert [end[0] for end in ends] == pytest.approx([grazing.value], abs=1e-11)
+    doubled = followed(bundled(), values, names, found, *limits, steps=COARSE, doubled=True)
+    assert doubled.ends[0].kind is CurveEndKind.HALF_PERIOD
+    assert doubled.ends[0].values == pytest.approx(found.values, abs=1e-11)
+    assert {str(point.signature) for point in doubled.points} == {"12-12-2"}
+    assert doubled.ends[1].values[0] == pytest.approx(0.3523, abs=5e-4)
+
+
+def test_the_same_point_from_every_curve_that_leaves_it():
+    found = only(article(), CodimTwoKind.GRAZING_DOUBLING)
+    values = named(("omega", "D", "bearing_damping"), (0.78, *found.values))
+    names, limits = ("D", "bearing_damping"), ((0.34, 0.045), (0.35, 0.05))
+    for kind in (SpecialKind.GRAZING, SpecialKind.DOUBLING):
+        again = followed(bundled(), values, names, found, *limits, kind=kind, steps=COARSE)
+        (met,) = again.of_kind(CodimTwoKind.GRAZING_DOUBLING)
+        assert met.values == pytest.approx(found.values, abs=1e-12)
+
+
+def test_a_torus_curve():
+    torus = lowest(window(), SpecialKind.TORUS)
+    values, names = {"omega": torus.value}, ("omega", "load")
+    curve = followed(bundled(), values, names, torus, (0.9, 0.085), (0.93, 0.1), steps=COARSE)
+    for point in curve.points:
+        pairs = point.multipliers[point.multipliers.imag > 0.0]
+        assert np.abs(np.abs(pairs) - 1.0).min() < 1e-9
+
+
+@pytest.mark.parametrize(
+    "curve", [fold_over_backlash, doubling_over_error, corner, flat, swallowtail, article]
+)
+def test_a_curve_ends_at_limits_and_is_admissible(curve):
+    assert all(end.kind is CurveEndKind.LIMIT for end in curve().ends)
+    assert len(curve().admissible) == 1
+    assert all(point.residual < 1e-10 for point in (*curve().points, *(s.point for s in curve().special)))
+    arclengths = [point.arclength for point in curve().points]
+    assert arclengths == sorted(arclengths)
+
+
+def test_a_doubling_curve_is_tangent_to_the_grazing_beyond_it_and_crosses_it_before():
+    """Depth grows as the square of the way on the side with impacts, distance with the way on the other."""
+    curve = doubling_over_error()
+    meets = only(curve, CodimTwoKind.GRAZING_DOUBLING)
+    (touch,) = meets.point.touches
+
+    def nearest(point: CurvePoint) -> float:
+        alike = [e for e in point.extrema if e.group == touch.group]
+        return abs(min(alike, key=lambda e: abs(e.phase - touch.phase)).distance)
+
+    for order, beyond in ((1.0, False), (2.0, True)):
+        points = [p for p in curve.points if (p.signature == "1-1-0") is beyond]
+        ways = np.array([np.linalg.norm(np.subtract(p.values, meets.values)) for p in points])
+        near = np.argsort(ways)
+        chosen = [int(i) for i in near if 1e-4 < ways[i] < 0.02][:2]
+        depths = [nearest(points[i]) for i in chosen]
+        slope = np.polyfit(np.log(ways[chosen]), np.log(depths), 1)[0]
+        assert slope == pytest.approx(order, abs=0.1)
+
+
+@pytest.mark.parametrize("curve", [fold_over_backlash, doubling_over_error, corner, flat, swallowtail])
+def test_equations_hold_by_an_evaluation_that_shares_no_code(curve):
+    """In 80 bits: the orbit closes, what touches lies on its boundary, multipliers lie where they should."""
+    pytest.importorskip("heyoka", reason="heyoka has wheels for Linux only")
+    from oracles import region_oracle
+
+    found = curve()
+    family = curve_family[curve]()
+    for point in found.points[:: max(1, len(found.points) // 8)]:
+        values = {**found.values, **dict(zip(found.names, point.values, strict=True))}
+        system = family.system(values)
+        held = None
+        for touch in point.touches:
+            held = (touch.clearance, touch.boundary, touch.boundary * touch.a0 > 0.0)
+            at = region_oracle.run(system, point.state, touch.phase).state
+            gap = system.clearances[touch.clearance].h @ at - touch.boundary * values["D"]
+            assert abs(float(gap)) < 1e-10
+            assert abs(float(system.clearances[touch.clearance].h @ (system.matrix @ at))) < 1e-10
+        assert held is None or found.kind is SpecialKind.GRAZING
+        walk = region_oracle.run(system, point.state, point.period, variational=not point.touches)
+        assert np.abs(walk.state - point.state).max() < 1e-10
+        if walk.jacobian is not None:
+            target = 1.0 if found.kind is SpecialKind.FOLD else -1.0
+            matrix = np.asarray(walk.jacobian, dtype=np.float64) - target * np.eye(system.size)
+            assert np.linalg.svd(matrix)[1][-1] < 1e-10
+
+
+curve_family = {
+    fold_over_backlash: lambda: one_dof(error=0.05),
+    doubling_over_error: lambda: one_dof(error=0.0005, ripple=0.3),
+    corner: lambda: one_dof(error=0.09, ripple=0.95),
+    flat: lambda: two_harmonics(1.0, 1.0)[0],
+    swallowtail: lambda: two_harmonics(1.0, 1.0)[0],
+}
+
+
+@pytest.mark.parametrize("curve", [fold_over_backlash, doubling_over_error, corner])
+def test_the_same_curve_from_one_of_its_ends(curve):
+    found = curve()
+    start = found.points[2]
+    values = {**found.values, **dict(zip(found.names, start.values, strict=True))}
+    family = curve_family[curve]()
+    again = followed(family, values, found.names, start, found.lower, found.upper, kind=found.kind)
+    assert [special.kind for special in again.special] in (
+        [special.kind for special in found.special],
+        [special.kind for special in found.special[::-1]],
+    )
+    one, two = (sorted(special.values for special in each.special) for each in (found, again))
+    assert np.abs(np.subtract(one, two)).max() < 1e-11
+    one, two = (sorted(end.values for end in each.ends) for each in (found, again))
+    assert np.abs(np.subtract(one, two)).max() < 1e-9
+
+
+def test_no_curve_begins_far_from_the_orbit_or_with_another_kind():
+    fold = lowest(linear(), SpecialKind.FOLD)
+    family, names, limits = one_dof(error=0.05), ("omega", "D"), ((0.6, 0.05), (0.9, 1.2))
+    with pytest.raises(GearlashError, match=r"no special orbit|no point of a curve"):
+        followed(family, {"omega": fold.value + 0.02}, names, fold, *limits)
+    with pytest.raises(GearlashError, match="is a fold"):
+        followed(family, {"omega": fold.value}, names, fold, *limits, SpecialKind.DOUBLING)
