@@ -56,8 +56,8 @@ def save_curve(curve: Curve, path: str | Path, model: Case | Family) -> Path:
     --------
     >>> import gearlash as gl, tempfile
     >>> case = gl.load_case("kahraman-singh")
-    >>> branch = gl.continue_branch(case, "omega", lower=0.7, upper=0.8, values={"omega": 0.75})
-    >>> fold = branch.of_kind("fold")[0]
+    >>> branch = gl.continue_branch(case, "omega", lower=0.7, upper=1.6, values={"omega": 1.5})
+    >>> fold = branch.of_kind("fold")[-1]
     >>> curve = gl.continue_curve(case, ("omega", "D"), fold, lower=(0.7, 0.9), upper=(0.8, 1.1))
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     path = gl.save_curve(curve, f"{folder}/curve.json", case)
@@ -99,8 +99,8 @@ def load_curve(path: str | Path) -> Curve:
     --------
     >>> import gearlash as gl, tempfile
     >>> case = gl.load_case("kahraman-singh")
-    >>> branch = gl.continue_branch(case, "omega", lower=0.7, upper=0.8, values={"omega": 0.75})
-    >>> fold = branch.of_kind("fold")[0]
+    >>> branch = gl.continue_branch(case, "omega", lower=0.7, upper=1.6, values={"omega": 1.5})
+    >>> fold = branch.of_kind("fold")[-1]
     >>> curve = gl.continue_curve(case, ("omega", "D"), fold, lower=(0.7, 0.9), upper=(0.8, 1.1))
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     again = gl.load_curve(gl.save_curve(curve, f"{folder}/curve.json", case))

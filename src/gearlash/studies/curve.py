@@ -101,8 +101,8 @@ def continue_curve(
     --------
     >>> import gearlash as gl
     >>> family, _ = gl.load_case("kahraman-singh").family()
-    >>> branch = gl.continue_branch(family, "omega", lower=0.7, upper=0.8, values={"omega": 0.75})
-    >>> fold = branch.of_kind("fold")[0]
+    >>> branch = gl.continue_branch(family, "omega", lower=0.7, upper=1.6, values={"omega": 1.5})
+    >>> fold = branch.of_kind("fold")[-1]
     >>> curve = gl.continue_curve(family, ("omega", "D"), fold, lower=(0.6, 0.13), upper=(0.8, 1.1))
     >>> for special in curve.special:
     ...     print(special.kind, [round(value, 9) for value in special.values])
