@@ -30,6 +30,8 @@ OFF = 0.5  # of a step: how far beside its end the next orbit may lie
 FAR = 1e6  # times the size of the first orbit: it runs away
 SINGLE = 1e-4  # of a step: halves of an orbit so near to each other are the same
 FLAT = 1e-6  # what is no change of the parameter along a branch, and no distance of a multiplier from 1
+STEADY = 0.02  # change of the parameter along a branch that is far from a fold
+LONGER = 2.5  # times the last step: how far ahead that is looked at
 LOOP_CLOSES = 0.02  # of a step: how near the first orbit is passed where a loop closes
 
 
@@ -105,7 +107,9 @@ class Follower:
             limit = self.limit(node, guess)
             if limit is None:
                 slope = slope_ahead(before, node, length)
-                found = node_near(node.equations, guess, *place_by(before, node, guess), node, slope)
+                row, target = place_by(before, node, guess)
+                near = far_from_folds(before, node)
+                found = node_near(node.equations, guess, row, target, node, slope, near=near)
             else:
                 found = self.at_limit(node, guess, limit)
             refused = self.refused(node, found, guess, length)
@@ -207,6 +211,15 @@ def place_by(before: Node | None, node: Node, guess: Array) -> tuple[Array, floa
         row = np.zeros_like(guess)
         row[-1] = 1.0
     return row, float(row @ guess)
+
+
+def far_from_folds(before: Node | None, node: Node) -> bool:
+    """Whether the parameter goes on the same way for longer than the last step."""
+    if before is None:
+        return False
+    turns = before.direction[-1], node.direction[-1]
+    ahead = turns[1] + LONGER * (turns[1] - turns[0])
+    return bool(min(*turns, ahead) * max(*turns, ahead) > 0.0 and abs(ahead) > STEADY)
 
 
 def slope_ahead(before: Node | None, node: Node, length: float) -> Array:

@@ -20,6 +20,8 @@ CORRECTOR_ITERATIONS = 12
 NOISE = 1e-11  # lengths of steps that rounding makes
 SLOW = 0.01  # contraction from which on a derivative along the parameter that was handed over is taken anew
 CONTRACTION = 0.7  # each step must be shorter than so much of the one before
+HELD = 0.02  # component of a row along the parameter from which on that may be held after the first step
+NEAR = 1e-3  # length of a first step after which it is
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,21 +41,32 @@ class Corrected:
 
 
 def correct(
-    equations: Equations, guess: Array, row: Array, target: float, slope: Array | None = None
+    equations: Equations,
+    guess: Array,
+    row: Array,
+    target: float,
+    slope: Array | None = None,
+    *,
+    near: bool = False,
 ) -> Corrected:
     """The orbit with row·u = ``target`` near ``guess``. ``slope``: a derivative along the parameter that is
-    near enough, so that it need not be taken anew."""
+    near enough, so that it need not be taken anew. ``near``: so near to the target is near enough; then the
+    parameter is held after the first step, away from folds, and no other system need be built."""
     none = np.empty(0) if slope is None else slope
     try:
-        return _newton(equations, guess.copy(), row, target, slope)
+        return _newton(equations, guess.copy(), row, target, slope, near)
     except UNBUILT as error:
         return Corrected(None, none, (), f"there is no system that could be built: {error}")
 
 
-def _newton(equations: Equations, u: Array, row: Array, target: float, slope: Array | None) -> Corrected:
+def _newton(
+    equations: Equations, u: Array, row: Array, target: float, slope: Array | None, near: bool
+) -> Corrected:
     steps: list[float] = []
     best: Evaluated | None = None
-    fresh = False
+    fresh = not row[:-1].any()  # along the parameter no step depends on the derivative by it
+    if fresh and slope is None:
+        slope = np.zeros(len(u) - 1)
     for iteration in range(CORRECTOR_ITERATIONS):
         here = equations.evaluate(u)
         if here is None:
@@ -79,11 +92,20 @@ def _newton(equations: Equations, u: Array, row: Array, target: float, slope: Ar
             return Corrected(None, slope, tuple(steps), "Newton's method meets a singular matrix")
         steps.append(length)
         u = u + step
+        if near and iteration == 0 and abs(row[-1]) > HELD and length < NEAR:
+            row, target, fresh = along_parameter(u), float(u[-1]), True
     assert best is not None
     assert slope is not None
     if best.residual > ENOUGH:
         return Corrected(None, slope, tuple(steps), f"Newton's method stays at {best.residual:.0e}")
     return Corrected(best, slope, tuple(steps))
+
+
+def along_parameter(u: Array) -> Array:
+    """The row that says the value of the parameter."""
+    row = np.zeros_like(u)
+    row[-1] = 1.0
+    return row
 
 
 def _step(

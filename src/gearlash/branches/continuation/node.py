@@ -86,11 +86,13 @@ def node_near(
     slope: Array | None = None,
     *,
     exact: bool = True,
+    near: bool = False,
 ) -> Found:
     """The orbit of the branch with row·u = ``target``; its direction agrees with that of ``before``, whose
     extrema it continues (without one: with the row). ``exact``: the derivative along the parameter is taken
-    at the orbit itself; else the one that Newton's method went by is kept."""
-    corrected = correct(equations, guess, row, target, slope)
+    at the orbit itself; else the one that Newton's method went by is kept. ``near``: so near to the target is
+    near enough."""
+    corrected = correct(equations, guess, row, target, slope, near=near)
     if corrected.here is None:
         return Found(None, corrected, corrected.failure)
     here = corrected.here
