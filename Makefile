@@ -4,7 +4,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
-.PHONY: help reproduce test lint types format look bench bench-labels lock clean
+.PHONY: help reproduce test lint types format look bench bench-labels oracles lock clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -22,6 +22,7 @@ help:
 	@echo "make lint | types | format    one of these alone"
 	@echo "make bench      gearlash and other solvers on the same work; renews docs/benchmarks.md (a quiet machine, please)"
 	@echo "make bench-labels  2,000 labels against brute force; renews docs/benchmark-labels.md"
+	@echo "make oracles    what AUTO-07p finds on smoothed systems, kept for the tests (needs auto-07p and gfortran)"
 	@echo "make look       pages and figures of the report as numbered PNGs (needs a Chromium)"
 	@echo "make lock       pin the newest versions (needs uv)"
 	@echo "make clean      remove .venv and everything made"
@@ -77,6 +78,9 @@ bench: $(VENV)/.dev
 
 bench-labels: $(VENV)/.dev
 	$(BIN)/python -m benchmarks.labels 2000 docs/benchmark-labels.md
+
+oracles: $(VENV)/.dev
+	cd tests && ../$(BIN)/python -m oracles.auto
 
 LOCK := uv pip compile --quiet --upgrade --universal --python-version 3.11 --no-emit-index-url \
 	--annotation-style line --custom-compile-command "make lock" pyproject.toml requirements/build.in
