@@ -127,6 +127,7 @@ class Follower:
                 return well_begun(node, node.problem.phases(node.u).tolist())
             extremum = self.next_touch(before, node, length)
             if extremum is None:
+                node = well_begun(node, [])
                 return node.along(replace(node.problem, kept=()))
             node = well_begun(node, [extremum.phase])
             touch, phase = touch_of(node, node.extrema.by_number[extremum.number])
@@ -235,6 +236,8 @@ class Follower:
         away = (self.start.u * self.start.problem.scale - first) / scale
         chord = (last - first) / scale
         length = float(np.linalg.norm(chord))
+        if length == 0.0:  # at a limit of the parameters
+            return False
         along = float(chord @ away) / length
         return (
             0.0 < along <= length

@@ -25,11 +25,13 @@ SAME = 1e-9  # mesh cycles: an extremum so near is the same
 @dataclass(frozen=True, eq=False)
 class Motion:
     """``extrema`` numbered along the curve; ``signature`` with held boundaries not crossed; ``turns``:
-    phases of all extrema of X of every clearance, with their curvature, and of those of the force."""
+    phases of all extrema of X of every clearance, with their curvature, and of those of the force;
+    ``contacts``: phases of all contact events."""
 
     extrema: Extrema
     signature: Signature
     turns: tuple[tuple[Array, Array, Array], ...]
+    contacts: Array
     cycles: float
 
     @staticmethod
@@ -62,7 +64,8 @@ class Motion:
         )
         (drive, back), *others = counts
         signature = Signature(int(cycles), drive, back, tuple(others))
-        return Motion(Extrema(named, cycles, count(len(named))), signature, tuple(turns), cycles)
+        contacts = np.concatenate([trace.events.phase for trace in traces]) % cycles
+        return Motion(Extrema(named, cycles, count(len(named))), signature, tuple(turns), contacts, cycles)
 
     def window(self, extremum: Extremum) -> Window:
         """Around an extremum, so wide that no other one lies in it: as far on both sides, as it may merge

@@ -10,7 +10,7 @@ import numpy as np
 from gearlash.branches.continuation.extrema import Extrema, Extremum
 from gearlash.branches.continuation.testfunctions import Spectrum
 from gearlash.orbits.floquet import ordered
-from gearlash.system import GearlashError
+from gearlash.system import ContactRule, GearlashError
 
 from .motion import Motion, apart
 from .newton import ENOUGH, Corrected, correct, tangent
@@ -19,6 +19,8 @@ from .problem import Evaluated, Problem, Touch
 from .touch import carried
 
 MIDDLE = 0.2  # of the orbit: a touch so near to where it is begun or ends is too near
+CONTACT = 0.03  # mesh cycles: the same of a contact
+LEAST_GAIN = 0.1  # of the distance that is far enough: for less it is not begun elsewhere
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,20 +168,29 @@ def state_at(here: Evaluated, phase: float) -> Array:
 
 
 def well_begun(node: Node, phases: list[float]) -> Node:
-    """The same orbit, begun far from some phases at which something touches."""
-    cycles = node.here.cycles
-    inside = [(phase - node.problem.origin) % cycles for phase in phases]
-    if all(MIDDLE * cycles < each < (1.0 - MIDDLE) * cycles for each in inside):
+    """The same orbit, begun far from some phases at which something touches; and from all contacts, where
+    the acceleration jumps there: else states have a kink along the curve, although the orbit has none."""
+    jumps = any(
+        c.contact is not ContactRule.ALWAYS and any(c.dampings) for c in node.here.props.system.clearances
+    )
+    contacts = node.motion.contacts.tolist() if jumps else []
+
+    def room(origin: float) -> float:
+        """How far from everything an origin lies, 1 where that is far enough."""
+        cycles = node.here.cycles
+        return min(
+            1.0,
+            *(apart(origin, each, cycles) / (MIDDLE * cycles) for each in phases),
+            *(apart(origin, each, cycles) / CONTACT for each in contacts),
+        )
+
+    if (not phases and not contacts) or room(node.problem.origin) >= 1.0:
         return node
-    if len(phases) == 1:
-        return begun_at(node, phases[0] - 0.5 * cycles)
-    ascending = np.sort(np.array(phases) % cycles)
-    widths = np.diff(np.append(ascending, ascending[0] + cycles))
-    widest = int(np.argmax(widths))
-    origin = float(ascending[widest] + 0.5 * widths[widest])
-    if apart(origin, node.problem.origin, cycles) < 1e-3 * cycles:
-        return node
-    return begun_at(node, origin)
+    marks = np.sort(np.array([*phases, *contacts]) % node.here.cycles)
+    between = marks + 0.5 * np.diff(np.append(marks, marks[0] + node.here.cycles))
+    tried = [*between.tolist(), *(phase - 0.5 * node.here.cycles for phase in phases)]
+    best = max(tried, key=room)
+    return begun_at(node, best) if room(best) > room(node.problem.origin) + LEAST_GAIN else node
 
 
 def touch_of(node: Node, extremum: Extremum) -> tuple[Touch, float]:
