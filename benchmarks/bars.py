@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from .branches import ASKED, POINTS
+from .branches import TASK as BRANCH
 from .pixels import AIM
 from .pixels import TASK as PIXELS
-from .questions import DIFFERENT, LOOP, MARCH
+from .questions import DIFFERENT, LOOP, MARCH, TOUCH
 from .results import OWN, Bar, Row
 from .startup import FRESH, IMPORT, RUN, STUDY, TASK
 from .trajectories import MANY, ONE
 from .works import Work
 
 ERROR = 1e-11
+MOST = 1.0, 4.0  # seconds of the branches
 
 
 def bars(rows: Sequence[Row], found: Sequence[Work], threads: Mapping[str, float]) -> tuple[Bar, ...]:
@@ -29,6 +32,9 @@ def bars(rows: Sequence[Row], found: Sequence[Work], threads: Mapping[str, float
         _ratio(f"{many} with impacts: {batch}", 6.0, _ratios(rows, MANY, hit)),
         _ratio(f"{many} without impacts: {batch}", 12.0, _ratios(rows, MANY, free)),
         _ratio("map pixels: times 500 brute-force periods of heyoka", AIM, _ratios(rows, PIXELS)),
+        _ratio("a grazing located: times a secant on heyoka", 1.0, _ratios(rows, TOUCH)),
+        *(_branch(rows, asked.period, asked.work, most) for asked, most in zip(ASKED, MOST, strict=True)),
+        _ratio("a branch: times an arclength loop on heyoka", 3.0, _ratios(rows, BRANCH)),
         _threads(threads),
         Bar.judged("bytes that differ between one thread and two", 0.0, threads[DIFFERENT], False),
         Bar.judged("largest error of any row of gearlash", ERROR, worst, False, where),
@@ -36,6 +42,15 @@ def bars(rows: Sequence[Row], found: Sequence[Work], threads: Mapping[str, float
         Bar.judged("gearlash run, warm, seconds", 1.0, own.get(RUN), False),
         Bar.judged("gearlash run on a new machine, with compilation, seconds", 30.0, own.get(FRESH), False),
         Bar.judged("gearlash reproduce, warm, seconds", 60.0, own.get(STUDY), False),
+    )
+
+
+def _branch(rows: Sequence[Row], period: int, work: str, most: float) -> Bar:
+    """Seconds of so many points."""
+    found = [r.seconds for r in rows if (r.task, r.work, r.solver) == (BRANCH, work, OWN)]
+    spent = None if not found or found[0] is None else POINTS * found[0]
+    return Bar.judged(
+        f"{POINTS} points of a branch of the article, P = {period}, seconds", most, spent, False
     )
 
 

@@ -22,14 +22,15 @@ run on one machine, one core unless it says otherwise.
 PROTOCOL = """\
 ## How it is measured
 
-All take turns, A B A B, {repeats} times after one call to warm up (the map {mapped} times, start-up five, a
-first run and `reproduce` once). A time is the median of the repeats; a ratio is the median of the ratios
-within each repeat, so that a slow spell of the machine meets both sides, and the least of them stands
-beside a bar. From run to run ratios differ by some 10 to 20 % on a shared machine: a bar met or missed by
+All take turns, A B A B, {repeats} times after one call to warm up (branches and the map {mapped} times,
+start-up five, a first run and `reproduce` once). A time is the median of the repeats; a ratio is the median
+of the ratios within each repeat, so that a slow spell of the machine meets both sides, and the least of them
+stands beside a bar. From run to run ratios differ by some 10 to 20 % on a shared machine: a bar met or missed by
 less is neither for sure. The limit and the curves of cost take the least time of the repeats.
 
 Building a model, compiling and settling on the attractor are not timed, but in the map, where gearlash
-builds its propagators anew for every pixel, and where a grazing is located, at every speed that it tries. A
+builds its propagators anew for every pixel, where a grazing is located, at every speed that it tries, and
+along a branch. A
 first run compiles on two cores and `reproduce` works on all; all else has one. A first run compiles what
 `run` needs, which the kernel of `march_many` is not; that is compiled when first called.
 
@@ -63,6 +64,13 @@ nothing but multiply-adds ({peak:.1f} billion a second); reading is measured on 
 speed; *share* is necessary arithmetic over peak. Times are the least
 of the repeats; of many, crossings are counted as on the attractor.
 """
+BRANCH = """\
+A point of gearlash's branch has its certificate, its label, every extremum followed from orbit to orbit, and
+the special points between are solved for, whose orbits count as time and not as points; the loop on heyoka
+has orbits, multipliers and extrema. Its code is compiled once for all values of the parameter, where
+gearlash builds the propagators of every new speed; what they cost, and the rest, is in the table, each part
+timed alone. Where load, error or gap is the parameter only sums are renewed.
+"""
 MAP = """\
 Every pixel starts cold. gearlash's row gives label and largest exponent, from the equations on; heyoka's
 gives the label after 500 periods and no exponent, and a motion that has not settled by then gets a wrong
@@ -92,6 +100,7 @@ def page(found: Benchmark) -> str:
     parts += ["\n".join(_solvers(found.rows)), MISSED]
     for task in dict.fromkeys(row.task for row in found.rows if row.task != "start-up"):
         parts.append("\n".join(_task(task, [row for row in found.rows if row.task == task])))
+    parts += [BRANCH, _facts("of one point of a branch, P = 1", found.branch)]
     parts += [MAP, _facts("of the map", found.pixels), _facts("two threads over one", found.threads)]
     parts += ["\n".join(_starts(found.rows)), f"## Cost against size\n\n![cost of a period]({FIGURE})"]
     parts += list(sizes_explained(found.curves))

@@ -21,6 +21,7 @@ from .timing import Runner, in_turns
 from .works import Work, family
 
 GUESS, GAP = 0.98, 1.0  # impact-free; the orbit grazes at 0.9725
+TOUCH = "a grazing located"
 MARCH, LOOP, DIFFERENT = "march", "multiply-adds alone", "bytes that differ"
 MARCHES = 20  # in a row, on each thread
 AGAIN = 20  # times in a row that an orbit's multipliers are asked for: one call is short
@@ -70,7 +71,7 @@ def grazing_rows(repeats: int) -> list[Row]:
         ask["heyoka"] = (GRAZING, lambda: peer.locate(at, GUESS, orbit.state))
         truth = exact.locate(at, GUESS, orbit.state)
     work = f"article D = {GAP:g}, from ω = {GUESS:g}"
-    return _rows("a grazing located", work, "point", ask, truth, repeats, lambda a, b: abs(a - b))
+    return _rows(TOUCH, work, "point", ask, truth, repeats, lambda a, b: abs(a - b))
 
 
 def thread_speedup(work: Work, repeats: int, periods: int) -> dict[str, float]:

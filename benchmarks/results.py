@@ -114,5 +114,6 @@ class Benchmark:
     curves: tuple[Curve, ...]
     limits: tuple[Limit, ...]
     pixels: Annotated[dict[str, float], "facts about the map"]
+    branch: Annotated[dict[str, float], "what one orbit of a branch takes, by its parts"]
     threads: Annotated[dict[str, float], "what two threads do in the time that one takes"]
     seconds: Annotated[float, "of the whole run"]

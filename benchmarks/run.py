@@ -6,6 +6,7 @@ from collections.abc import Callable
 from time import monotonic
 
 from .bars import bars
+from .branches import branch_rows
 from .limits import limits
 from .machine import this_machine
 from .pixels import REPEATS as MAPPED
@@ -40,6 +41,8 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
     progress("single questions")
     questions = multiplier_rows(found[1], repeats) + grazing_rows(repeats)
     threads = thread_speedup(found[1], repeats, 1_000 if quick else 20_000)
+    progress("branches")
+    branches, spent_on = branch_rows(1 if quick else MAPPED, quick)
     progress("map")
     mapped, facts = pixel_rows(10 if quick else 400, 1 if quick else MAPPED)
     progress("start-up")
@@ -47,7 +50,7 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
     if not quick:
         progress("first run and whole study")
         starts += long_rows()
-    rows = [*one, *many, *questions, *mapped, *starts]
+    rows = [*one, *many, *questions, *branches, *mapped, *starts]
     progress("sizes")
     sizes = curves(repeats, quick)
     progress("limits")
@@ -63,6 +66,7 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
         curves=tuple(sizes),
         limits=limits(found, spent, together),
         pixels=facts,
+        branch=spent_on,
         threads=threads,
         seconds=monotonic() - began,
     )

@@ -9,8 +9,10 @@ import pytest
 
 from benchmarks import OWN, Bar, Row
 from benchmarks.bars import bars
+from benchmarks.branches import ASKED
+from benchmarks.branches import TASK as BRANCH
 from benchmarks.pixels import TASK
-from benchmarks.questions import DIFFERENT, LOOP, MARCH
+from benchmarks.questions import DIFFERENT, LOOP, MARCH, TOUCH
 from benchmarks.trajectories import MANY, ONE
 
 
@@ -32,6 +34,11 @@ ROWS = [
     Row(MANY, "hit", "heyoka, 8 lanes", "period", 7.0, ratio=7.0),
     Row(TASK, "map", "heyoka", "pixel", 40.0, ratio=40.0),
     Row(TASK, "map", "heyoka, 8 lanes", "pixel", 20.0, ratio=20.0),
+    Row(TOUCH, "article", "heyoka", "point", 1.2e-3, ratio=1.2),
+    Row(BRANCH, ASKED[0].work, OWN, "point", 3e-3),
+    Row(BRANCH, ASKED[0].work, "heyoka", "point", 6e-3, ratio=2.0),
+    Row(BRANCH, ASKED[1].work, OWN, "point", 2e-2),
+    Row(BRANCH, ASKED[1].work, "heyoka", "point", 8e-2, ratio=4.0),
     Row("start-up", "import gearlash", OWN, "process", 0.1),
 ]
 
@@ -53,6 +60,15 @@ def test_the_worst_work_counts_and_is_named(found: dict[str, Bar]):
 def test_of_the_batches_the_faster_counts(found: dict[str, Bar]):
     assert found["many trajectories with impacts: times heyoka's batch mode"].measured == 7.0
     assert found["map pixels: times 500 brute-force periods of heyoka"].measured == 40.0
+
+
+def test_a_branch_is_told_in_seconds_and_against_a_loop(found: dict[str, Bar]):
+    one = found["300 points of a branch of the article, P = 1, seconds"]
+    six = found["300 points of a branch of the article, P = 6, seconds"]
+    assert (one.measured, one.met, six.measured, six.met) == (pytest.approx(0.9), True, 6.0, False)
+    against = found["a branch: times an arclength loop on heyoka"]
+    assert (against.measured, against.met, against.where) == (2.0, False, ASKED[0].work)
+    assert found["a grazing located: times a secant on heyoka"].met
 
 
 def test_what_was_not_measured_is_neither_met_nor_missed(found: dict[str, Bar]):

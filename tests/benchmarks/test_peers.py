@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from benchmarks import trajectories
+from benchmarks.branches import ASKED
 from benchmarks.peers import MISSING
 from benchmarks.peers.plain import Pair
 from benchmarks.peers.rk4 import RungeKutta
@@ -16,7 +17,7 @@ from benchmarks.trajectories import Own, trajectory_rows
 from benchmarks.works import MANY_PERIODS, POINTS, Work, _work, family
 from gearlash import flow
 from gearlash.branches import locate_grazing
-from gearlash.orbits import Orbit, attractor, grazing_checks
+from gearlash.orbits import Orbit, attractor, grazing_checks, orbit_at
 from gearlash.system import ContactRule, GearlashError
 
 
@@ -128,3 +129,23 @@ def test_a_peer_that_is_missing_is_a_row(work: Work, monkeypatch: pytest.MonkeyP
     for solver in ("heyoka", "CVODE", "heyoka batch"):
         assert notes[solver] == (None, MISSING)
     assert all(row.error is None for row in (*one, *many))  # there is no reference either
+
+
+@pytest.mark.parametrize("asked", ASKED, ids=lambda asked: asked.name)
+def test_a_branch_on_heyoka(asked):
+    """Its orbits, multipliers and extrema are those of gearlash, through a grazing too."""
+    module = pytest.importorskip("benchmarks.peers.heyoka_branch", exc_type=ImportError)
+    pairs = family("article")
+    system = pairs.system(asked.values)
+    orbit = attractor(system, pairs.start(asked.values))
+    assert isinstance(orbit, Orbit)
+    peer = module.Branch(Pair.of(system), asked.name, asked.period)
+    points = peer.follow(orbit.state, asked.values[asked.name], 8.0 * asked.length, 12, asked.upper)
+    assert len(points) == 12
+    for point in points[::5]:
+        values = {**asked.values, asked.name: point.value}
+        found = orbit_at(pairs.system(values), point.state * (1.0 + 1e-7), asked.period)
+        assert found is not None
+        assert np.abs(found.state - point.state).max() < 1e-11
+        assert np.abs(np.sort(np.abs(found.multipliers)) - np.sort(np.abs(point.multipliers))).max() < 1e-9
+        assert sorted(point.extrema) == pytest.approx(sorted(found.extrema.displacement), abs=1e-10)

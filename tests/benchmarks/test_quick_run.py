@@ -25,7 +25,14 @@ def found() -> Benchmark:
 def test_every_row_was_timed_or_says_why_not(found: Benchmark):
     assert all(row.seconds or row.note == MISSING for row in found.rows)
     tasks = {row.task for row in found.rows}
-    assert {"one trajectory", "many trajectories", "map pixels", "a grazing located", "start-up"} <= tasks
+    assert {
+        "one trajectory",
+        "many trajectories",
+        "map pixels",
+        "a grazing located",
+        "a branch",
+        "start-up",
+    } <= tasks
 
 
 @pytest.mark.skipif(installed("heyoka") == MISSING, reason="the reference is heyoka's")
