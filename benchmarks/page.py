@@ -25,8 +25,8 @@ PROTOCOL = """\
 All take turns, A B A B, {repeats} times after one call to warm up (branches and the map {mapped} times,
 start-up five, a first run and `reproduce` once). A time is the median of the repeats; a ratio is the median
 of the ratios within each repeat, so that a slow spell of the machine meets both sides, and the least of them
-stands beside a bar. From run to run ratios differ by some 10 to 20 % on a shared machine: a bar met or missed by
-less is neither for sure. The limit and the curves of cost take the least time of the repeats.
+stands beside a bar. From run to run ratios differ by some 10 to 20 % on a shared machine: a bar met or
+missed by less is neither for sure. The limit and the curves of cost take the least time of the repeats.
 
 Building a model, compiling and settling on the attractor are not timed, but in the map, where gearlash
 builds its propagators anew for every pixel, where a grazing is located, at every speed that it tries, and

@@ -12,16 +12,19 @@ from gearlash.system.harmonics import harmonics
 from ._surfaces import NO_STOP
 from ._tables import ORDER, Array, Shape
 
+LEFT_OUT = factorial(ORDER + 1)
+
 
 def left_out(series: Array, width: float) -> tuple[float, float]:
     """Bounds on what the Taylor series of a Fourier series over a phase ``width`` leaves out behind degree
     ORDER, and on its derivative in local time: Σ_{j>m} r^j/j! ≤ e^r r^(m+1)/(m+1)! for a harmonic that turns
     by r."""
-    value = 0.0
+    value, numbers = 0.0, series.tolist()
     for n in range(1, harmonics(series) + 1):
-        turn = n * width
-        size = hypot(series[2 * n - 1], series[2 * n])
-        value += size * exp(turn) * turn ** (ORDER + 1) / factorial(ORDER + 1)
+        size = hypot(numbers[2 * n - 1], numbers[2 * n])
+        if size != 0.0:
+            turn = n * width
+            value += size * exp(turn) * turn ** (ORDER + 1) / LEFT_OUT
     return value, (ORDER + 1) * value
 
 
@@ -41,7 +44,7 @@ def write_system(system: System, shape: Shape, memory: Array) -> None:
         at = shape.speed + c * shape.p + 1
         memory[at : at + shape.n] = clearance.h @ system.matrix
         drift = padded(clearance.h @ system.forcing, shape.harmonics)
-        drift = drift - rate * padded(derivative(clearance.offset), shape.harmonics)
+        drift -= rate * padded(derivative(clearance.offset), shape.harmonics)
         for place, series in (
             (shape.offset + c * width, clearance.offset),
             (shape.drift + c * width, drift),

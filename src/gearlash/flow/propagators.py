@@ -343,10 +343,11 @@ def _assemble(
             edges[index] if kind == EDGE
             else system.clearances[index].offset[slot] if kind == OFFSET
             else forcing[index, slot]
-            for kind, index, slot in props.units
+            for kind, index, slot in props.units.tolist()
         ],
         dtype=np.float64,
     )  # fmt: skip
+    total = float(np.abs(amplitudes).sum())
     width = 2 * shape.harmonics + 1
     about = padded(forcing, shape.harmonics)
     about[:, 0] += matrix_of(system, sides) @ centre
@@ -355,17 +356,16 @@ def _assemble(
     memory[at + shape.lag : at + shape.lag + shape.clearances] = 0.0 if centres.any() else -(edges + means)
     for c, clearance in enumerate(system.clearances):
         size = float(np.abs(clearance.h).sum())
-        total = float(np.abs(amplitudes).sum())
         own, own_derived = left_out(clearance.offset, 2 * pi / shape.cells)
         memory[at + shape.tail + 4 * c : at + shape.tail + 4 * c + 4] = (
             size * tail, size * tail * total + own, size * derived, size * derived * total + own_derived,
         )  # fmt: skip
+    sizes, closed = sizes_of(shape), np.array(sides, dtype=np.int64)
     for first, until in calls(shape):
         assemble(
-            sizes_of(shape), memory, at, amplitudes, ends, gaps, np.array(sides, dtype=np.int64), props.rules,
-            everything, first, until,
+            sizes, memory, at, amplitudes, ends, gaps, closed, props.rules, everything, first, until,
         )  # fmt: skip
-    laps(sizes_of(shape), memory, at, np.array(sides, dtype=np.int64))
+    laps(sizes, memory, at, closed)
 
 
 def _key(system: System, units: Array) -> tuple:

@@ -20,6 +20,7 @@ Sides = tuple[int, ...]
 MOST_ENUMERATED = 3  # up to so many clearances, the fastest rate is looked for in every region
 WORST_CONDITION = 3.0  # condition number of the directions h/|h| above which no centres are used
 CACHED_ANSWERS = 64  # by system: building its propagators asks for each of them several times
+_rates: dict[tuple[object, ...], float] = {}
 RATE_PER_CELL = 1.85  # (spectral radius + highest harmonic) × cell duration aimed at: degree 23 then suffices
 
 
@@ -83,6 +84,7 @@ def units_of(system: System) -> Array:
     return np.array([*edges, *forced, *shifted], dtype=np.int64)
 
 
+@lru_cache(maxsize=CACHED_ANSWERS)
 def _dampings(system: System, sides: Sides) -> tuple[float, ...]:
     """ζ of every clearance as it acts in a region: all that matrix and forcing know of the sides."""
     found = []
@@ -151,9 +153,25 @@ def edges_of(system: System, sides: Sides) -> Array:
 def first_guess(system: System) -> float:
     """Cells from the fastest rate that occurs in any region; infinite where that is beyond numbers."""
     # a modulated stiffness moves the motion's rates by its harmonics: the two add up; a forcing does not
-    own = system.period * fastest_of(system) + 2 * pi * highest_moved(system)
+    own = system.period * _fastest(system) + 2 * pi * highest_moved(system)
     cells = max(own, 2 * pi * highest_turn(system)) / RATE_PER_CELL
     return max(4.0, np.ceil(cells)) if isfinite(cells) else inf
+
+
+def _fastest(system: System) -> float:
+    """`fastest_of`, kept by what it depends on: along a speed, a load or a gap that stays."""
+    key = system.matrix.tobytes(), *map(_stiff, system.clearances)
+    found = _rates.get(key)
+    if found is None:
+        if len(_rates) >= CACHED_ANSWERS:
+            _rates.clear()
+        found = _rates[key] = fastest_of(system)
+    return found
+
+
+def _stiff(clearance: Clearance) -> tuple[object, ...]:
+    arrays = clearance.h, clearance.g, clearance.stiffness_plus, clearance.stiffness_minus
+    return clearance.contact, clearance.dampings, *(array.tobytes() for array in arrays)
 
 
 def fastest_of(system: System, regions: Iterable[Sides] = ()) -> float:

@@ -17,7 +17,7 @@ from .traces import Trace
 
 
 @dataclass(frozen=True, eq=False)
-class Change:
+class SystemChange:
     """How a system changes along a parameter: all its numbers by (``upper`` - ``lower``) / ``width``."""
 
     lower: System
@@ -32,7 +32,7 @@ class Change:
         return list(zip(self.lower.clearances, self.upper.clearances, strict=True))
 
 
-def sensitivity(trace: Trace, change: Change, parts: int = 1) -> Array:
+def sensitivity(trace: Trace, change: SystemChange, parts: int = 1) -> Array:
     """The derivative (parts, n) by the parameter of the state at the end of every part of a motion, each from
     a start that is held; the parts are equally long. Phases are held, not times: where the parameter is the
     speed, both periods end with the period."""
@@ -73,7 +73,7 @@ def _sides(modes: Array) -> Array:
     return np.where(modes > MINUS, FREE, modes)
 
 
-def _harmonics(system: System, change: Change) -> int:
+def _harmonics(system: System, change: SystemChange) -> int:
     found = 0
     for each in (system, change.lower, change.upper):
         series = [s for c in each.clearances for s in (c.stiffness_plus, c.stiffness_minus, c.offset)]
@@ -81,7 +81,7 @@ def _harmonics(system: System, change: Change) -> int:
     return found
 
 
-def _of_regions(system: System, change: Change, sides: Array, width: int) -> tuple[Array, Array, Array]:
+def _of_regions(system: System, change: SystemChange, sides: Array, width: int) -> tuple[Array, Array, Array]:
     """Of every region that is met, as `carry_change` takes them: the matrix, its change, the forcing's."""
     n = system.size
     matrices, changes = np.empty((2, len(sides), n, n))
@@ -95,7 +95,7 @@ def _of_regions(system: System, change: Change, sides: Array, width: int) -> tup
     return matrices, changes if changes.any() else changes[:, :0], forcings
 
 
-def _of_clearances(system: System, change: Change, width: int) -> tuple[Array, Array, Array]:
+def _of_clearances(system: System, change: SystemChange, width: int) -> tuple[Array, Array, Array]:
     """As `carry_change` takes them: h, g and their changes; series; edges."""
     count, n = len(system.clearances), system.size
     vectors, series, edges = np.zeros((4, count, n)), np.zeros((6, count, width)), np.zeros((4, count))

@@ -45,7 +45,10 @@ def hold(record: Any) -> None:
         )
     for name, told, annotation, check in _checks[kind]:
         value = getattr(record, name)
-        found = _held(told, annotation, check, value)
+        try:
+            found = check(value)
+        except (_WrongError, UnknownNameError, TypeError, ValueError, OverflowError):
+            raise _refused(told, annotation, value) from None
         if found is not value:
             object.__setattr__(record, name, found)
 
@@ -77,7 +80,11 @@ def _held(name: str, annotation: str, check: Check, value: Any) -> Any:
     try:
         return check(value)
     except (_WrongError, UnknownNameError, TypeError, ValueError, OverflowError):
-        raise GearlashError(f"{name} = {shown(value)}: expected {annotation}") from None
+        raise _refused(name, annotation, value) from None
+
+
+def _refused(name: str, annotation: str, value: Any) -> GearlashError:
+    return GearlashError(f"{name} = {shown(value)}: expected {annotation}")
 
 
 def _check(annotation: str) -> Check:
@@ -113,9 +120,14 @@ def _of_kind(annotation: str) -> Check:
     """An instance of a class of this name, which need not be imported here."""
 
     name = annotation.rpartition(".")[2].casefold()
+    known: set[type] = set()
 
     def check(value: Any) -> Any:
-        if any(base.__name__.casefold() == name for base in type(value).__mro__):
+        kind = type(value)
+        if kind in known:
+            return value
+        if any(base.__name__.casefold() == name for base in kind.__mro__):
+            known.add(kind)
             return value
         raise _WrongError
 

@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.flow.sensitivity import Change
+from gearlash.flow.sensitivity import SystemChange
 from gearlash.system import GearlashError, Named, System
 
 Array = NDArray[np.float64]
@@ -57,7 +57,7 @@ class Along:
         if self._affine is not None and not self._predicts(self._affine, value, system):
             self._refuted = True
 
-    def at(self, value: float, system: System) -> Change:
+    def at(self, value: float, system: System) -> SystemChange:
         """How ``system``, that of this value, changes. Raises `GearlashError` where none can be built on
         either side."""
         affine = self._affine
@@ -68,22 +68,24 @@ class Along:
         below, above = self._built(low), self._built(high)
         if below is None or above is None:
             return self._one_sided(value, system, step)
-        change = Change(below, above, high - low)
+        change = SystemChange(below, above, high - low)
         if all(abs(value - other) > AGAIN * (self.upper - self.lower) for other in self._estimated):
             self._estimated.append(value)
             wide = self._built(value - 2.0 * step), self._built(value + 2.0 * step)
             if wide[0] is not None and wide[1] is not None:
-                self.error = max(self.error, _apart(change, Change(wide[0], wide[1], 4.0 * step), system))
+                self.error = max(
+                    self.error, _apart(change, SystemChange(wide[0], wide[1], 4.0 * step), system)
+                )
         return change
 
-    def _one_sided(self, value: float, system: System, step: float) -> Change:
+    def _one_sided(self, value: float, system: System, step: float) -> SystemChange:
         """To first order only, beside a value at which the family ends."""
         for sign in (1.0, -1.0):
             there = value + sign * ONE_SIDED * step
             beside = self._built(there)
             if beside is not None:
                 self.error = max(self.error, ONE_SIDED * STEP)
-                return Change(system, beside, there - value)
+                return SystemChange(system, beside, there - value)
         raise GearlashError("no system can be built beside that of an orbit")
 
     def _built(self, value: float) -> System | None:
@@ -93,22 +95,22 @@ class Along:
             return None
 
     @property
-    def _affine(self) -> Change | None:
+    def _affine(self) -> SystemChange | None:
         return None if self._refuted else self._found
 
     @cached_property
-    def _found(self) -> Change | None:
+    def _found(self) -> SystemChange | None:
         """The change of an affine family, from both ends of the interval."""
         values = [self.lower + part * (self.upper - self.lower) for part in PROBES[:-1]] + [self.upper]
         systems = [self._built(value) for value in values]
         first, last = systems[0], systems[-1]
         if first is None or last is None:
             return None
-        change = Change(first, last, self.upper - self.lower)
+        change = SystemChange(first, last, self.upper - self.lower)
         inside = zip(values, systems, strict=True)
         return change if all(s is not None and self._predicts(change, v, s) for v, s in inside) else None
 
-    def _predicts(self, change: Change, value: float, system: System) -> bool:
+    def _predicts(self, change: SystemChange, value: float, system: System) -> bool:
         first, last = change.lower, change.upper
         if not (_fixed(first) == _fixed(last) == _fixed(system)):
             return False
@@ -133,7 +135,7 @@ def _moving(system: System) -> Array:
     return np.concatenate([system.forcing.ravel(), *parts])
 
 
-def _apart(change: Change, wide: Change, system: System) -> float:
+def _apart(change: SystemChange, wide: SystemChange, system: System) -> float:
     """Estimate of the relative error of a central difference from that with twice the step, of the numbers of
     every kind: what both disagree by, a third of which is the narrow one's to second order, and rounding."""
     worst = 0.0
