@@ -41,6 +41,8 @@ FOLDER = """\
 | run | `run.json`, `portrait.svg`, `portrait.pdf`, `history.svg`, `history.pdf` |
 | sweep | `sweep.json`, `sweep.nc`, and of a complete sweep `sweep.svg`, `sweep.pdf` |
 | map | `map.json`, `map.nc`, and of a complete map `map.svg`, `map.pdf` |
+| branch | `branch.json`, `special.csv`, `branch.svg`, `branch.pdf`, and of every branch N \
+`branch-N.json` (for `--resume`), `branch-N.nc`, `branch-N.csv` |
 | graze | `graze.json` |
 | zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf` |
 | reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/`, \
@@ -77,6 +79,15 @@ labels that occur (in the file a group of that name). `label` is an index into t
 `status` and `certificate` are codes, named by their attributes `flag_values` and `flag_meanings`.
 Coordinates and attributes are those of a sweep; `reasons` (JSON) lists row, column and reason of every
 failed pixel.
+"""
+BRANCHES = """\
+`branch-N.nc` has the dimension `point`, the orbits in their order along the branch: the parameter, a
+coordinate, may turn round. Further ones are `state_name`, `strobe`, `multiplier`, and `special` and `end`
+for the special points (`special_value`, `special_kind` …) and both ends. `branch-N.csv` is the table of its
+orbits, `special.csv` that of all special points. Coordinates and attributes are those of a sweep;
+`unexplained` (JSON) lists steps on which something changed that no special point was found for.
+`branch-N.json` keeps every number to its last digit, in a format with a version, for
+`gearlash.load_branch` and `--resume`.
 """
 
 
@@ -115,6 +126,8 @@ def results_page() -> str:
         "\n".join(_variables()),
         MAPS,
         "\n".join(_map_variables()),
+        BRANCHES,
+        "\n".join(_branch_variables()),
         "\n".join(_statuses()),
         CERTIFICATES,
         "\n".join(exit_codes()),
@@ -221,6 +234,17 @@ def _map_variables() -> Iterator[str]:
     yield "|---|---|---|"
     for variable in VARIABLES.values():
         yield f"| `{variable.name}` | {variable.units} | {_cell(variable.long_name)} |"
+
+
+def _branch_variables() -> Iterator[str]:
+    from gearlash.results.branch_dataset import MEASURED, POINTWISE, SPECIAL
+
+    yield "| variable of a branch | dimension | unit | |"
+    yield "|---|---|---|---|"
+    for variable in (*POINTWISE, *MEASURED):
+        yield f"| `{variable.name}` | `point` | {variable.units} | {_cell(variable.long_name)} |"
+    for variable in SPECIAL:
+        yield f"| `special_{variable.name}` | `special` | {variable.units} | {_cell(variable.long_name)} |"
 
 
 def _statuses() -> Iterator[str]:

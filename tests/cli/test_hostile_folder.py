@@ -28,6 +28,7 @@ COMMANDS = [
     ("check", "article"),
     (*SWEEP, "--out", "out"),
     ("map", *SWEEP[1:4], "--over", "D=0.9:1:3", "--workers", "2", "--out", "out"),
+    ("branch", "kahraman-singh", "--over", "omega=0.45:0.55", "--out", "out"),
     ("graze", "kahraman-singh", "--json"),
     ("schema",),
     ("--version",),

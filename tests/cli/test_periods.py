@@ -6,6 +6,7 @@ import pytest
 
 OVER = {
     "run": (),
+    "branch": ("--over", "omega=0.4:0.7"),
     "graze": (),
     "sweep": ("--over", "omega=0.5:0.6:2", "--cold", "--workers", "1"),
     "map": ("--over", "omega=0.5:0.6:2", "--over", "load=0.1:0.2:2", "--workers", "1"),

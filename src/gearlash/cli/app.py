@@ -7,6 +7,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
+from .commands.branch import branch
 from .commands.check import check
 from .commands.graze import graze
 from .commands.map import map as map_
@@ -64,5 +65,5 @@ def gearlash(
     pass
 
 
-for command in (run, check, sweep, map_, graze, zones, reproduce, schema):
+for command in (run, check, sweep, map_, branch, graze, zones, reproduce, schema):
     app.command()(command)

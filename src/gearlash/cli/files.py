@@ -43,7 +43,7 @@ def write_sweep(folder: OutFolder, case: Case, sweeps: Sequence[Sweep], answer: 
     """Data (NetCDF) and answer (JSON) and, of a complete sweep, the bifurcation diagram as SVG and PDF."""
     dataset = sweep_dataset(case, sweeps)
     write_data(folder, "sweep", dataset, answer, ("sweep.svg", "sweep.pdf"))
-    _draw(
+    draw_if(
         folder, "sweep", _drawable(sweeps), lambda plots: plots.diagram(dataset, units=plots.Units.of(case))
     )
 
@@ -54,7 +54,7 @@ def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: Z
     dataset = sweep_dataset(case, found[0].sweeps)
     write_data(folder, "zones", dataset, answer, ("zones.svg", "zones.pdf"))
     title = f"Zones of {case.name}"
-    _draw(
+    draw_if(
         folder, "zones", all(zones.complete for zones in found) and _drawable(found[0].sweeps),
         lambda plots: plots.zone_bands(dataset, found, title, answer.present, plots.Units.of(case)),
     )  # fmt: skip
@@ -69,7 +69,7 @@ def write_map(folder: OutFolder, case: Case, plane: PlaneMap, answer: Any) -> No
     """Data (NetCDF) and answer (JSON) and, of a complete map, the figure as SVG and PDF."""
     dataset = plane_dataset(case, plane)
     write_data(folder, "map", dataset, answer, ("map.svg", "map.pdf"))
-    _draw(folder, "map", plane.complete, lambda plots: plots.plane(dataset, units=plots.Units.of(case)))
+    draw_if(folder, "map", plane.complete, lambda plots: plots.plane(dataset, units=plots.Units.of(case)))
 
 
 def write_motion(folder: OutFolder, case: Case, attractor: Attractor, answer: RunAnswer) -> None:
@@ -81,11 +81,11 @@ def write_motion(folder: OutFolder, case: Case, attractor: Attractor, answer: Ru
     found = None if answer.numbers is None else optional(lambda: motion(attractor))
     if found is None:
         return
-    _draw(folder, "portrait", True, lambda plots: plots.portrait(found, units=plots.Units.of(case)))
-    _draw(folder, "history", True, lambda plots: plots.history(found, units=plots.Units.of(case)))
+    draw_if(folder, "portrait", True, lambda plots: plots.portrait(found, units=plots.Units.of(case)))
+    draw_if(folder, "history", True, lambda plots: plots.history(found, units=plots.Units.of(case)))
 
 
-def _draw(folder: OutFolder, name: str, complete: bool, figure: Callable[[Any], Figure]) -> None:
+def draw_if(folder: OutFolder, name: str, complete: bool, figure: Callable[[Any], Figure]) -> None:
     """The figure of what was computed whole, as SVG and PDF, unless a signal comes before it is drawn."""
 
     def drawn() -> None:

@@ -28,6 +28,11 @@ class OutFolder:
 
     path: Path
     held: Hold
+    names: frozenset[str] = frozenset()
+
+    def owns(self, name: str) -> bool:
+        """Whether this program wrote a file of this name, now or before."""
+        return name in self.names
 
     def file(self, name: str) -> Path:
         """Path of a file that was claimed."""
@@ -70,7 +75,7 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
         ) from None
     except OSError as error:
         raise GearlashError(f"--out {path}: cannot be written ({error.strerror or error})") from None
-    return OutFolder(path, held)
+    return OutFolder(path, held, frozenset({*own, *wanted}))
 
 
 def _make(path: Path) -> None:

@@ -95,15 +95,10 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
     unit behind TO holds for FROM too."""
     import numpy as np
 
-    name, equals, span = (part.strip() for part in text.partition("="))
-    parts = [part.strip() for part in span.split(":")]
-    example = "NAME=FROM:TO:COUNT, such as omega=0.5:1.4:900 or pinion_speed=1000rpm:6000rpm:500"
-    if not equals or len(parts) != 3:
-        raise CaseError("--over", [Problem("--over", repr(text), example)])
-    short, last = case.resolve(name, parts[1])
-    if _number(parts[0]) is not None:
-        parts[0] += behind_number(parts[1])
-    _, first = case.resolve(name, parts[0])
+    name, parts = _span(
+        text, 3, "NAME=FROM:TO:COUNT, such as omega=0.5:1.4:900 or pinion_speed=1000rpm:6000rpm:500"
+    )
+    short, first, last = _ends(case, name, parts)
     problems, here = [], f"--over {name}"
     digits = parts[2].isascii() and parts[2].isdigit() and len(parts[2]) < 20
     count = int(parts[2]) if digits else 0
@@ -117,6 +112,46 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
     if problems:
         raise CaseError("--over", problems)
     return Over(case.named(name, parts[1]), short, np.linspace(first, last, count), behind_number(parts[1]))
+
+
+@dataclass(frozen=True)
+class Between:
+    """A parameter and two limits of it: as it was named, its short name, dimensionless limits, and the unit
+    that they were typed in (empty: none)."""
+
+    named: str
+    short: str
+    lower: float
+    upper: float
+    unit: str = ""
+
+
+def read_between(case: Case, text: str) -> Between:
+    """``NAME=FROM:TO``, ends as they would stand in the case; a unit behind TO holds for FROM too."""
+    example = "NAME=FROM:TO, such as omega=0.5:1.4 or pinion_speed=3000:4500rpm, without a number of points"
+    name, parts = _span(text, 2, example)
+    short, first, last = _ends(case, name, parts)
+    if not first < last:
+        expected = "a rising interval FROM < TO (it is followed both ways)"
+        raise CaseError("--over", [Problem(f"--over {name}", repr(f"{parts[0]}:{parts[1]}"), expected)])
+    return Between(case.named(name, parts[1]), short, first, last, behind_number(parts[1]))
+
+
+def _span(text: str, count: int, example: str) -> tuple[str, list[str]]:
+    """The name and the ``count`` parts behind it."""
+    name, equals, span = (part.strip() for part in text.partition("="))
+    parts = [part.strip() for part in span.split(":")]
+    if not equals or len(parts) != count:
+        raise CaseError("--over", [Problem("--over", repr(text), example)])
+    return name, parts
+
+
+def _ends(case: Case, name: str, parts: list[str]) -> tuple[str, float, float]:
+    """Short name and both ends, dimensionless."""
+    short, last = case.resolve(name, parts[1])
+    if _number(parts[0]) is not None:
+        parts[0] += behind_number(parts[1])
+    return short, case.resolve(name, parts[0])[1], last
 
 
 def read_plane(case: Case, texts: Sequence[str], settings: Iterable[str] | None = None) -> tuple[Over, Over]:

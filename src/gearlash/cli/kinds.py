@@ -9,6 +9,7 @@ ANSWER_KINDS = {
     "check": "CheckAnswer",
     "sweep": "SweepAnswer",
     "map": "MapAnswer",
+    "branch": "BranchAnswer",
     "graze": "GrazeAnswer",
     "zones": "ZonesAnswer",
     "reproduce": "ReproduceAnswer",

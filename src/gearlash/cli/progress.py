@@ -38,7 +38,7 @@ def stage_bar() -> Iterator[StageCallback]:
             if progress is None:
                 bar.update(task, description=stage, total=None, words="")
             else:
-                done, total = progress.done, progress.total
+                done, total = progress.done, progress.total or None
                 bar.update(task, description=stage, completed=done, total=total, words=in_words(progress))
 
         yield tell
@@ -50,6 +50,8 @@ def silent(stage: str, progress: Progress | None) -> None:
 
 def in_words(progress: Progress) -> str:
     """Points done and the time left, from what was measured so far."""
+    if not progress.total:
+        return f"{progress.done} found"  # nobody knows how many there will be
     if progress.remaining is None:
         return f"{progress.done}/{progress.total}"
     return f"{progress.done}/{progress.total}, about {seconds_as_text(progress.remaining)} left"

@@ -249,6 +249,7 @@ def _attributes(model: Case | Family, branch: Branch) -> dict[str, Any]:
         "lower": branch.lower,
         "upper": branch.upper,
         "parameters": json.dumps(fixed),
+        "complete": int(all(str(end.kind) != "cancelled" for end in branch.ends)),
         "unexplained": json.dumps(list(branch.unexplained), ensure_ascii=False),
         **provenance(model),
     }

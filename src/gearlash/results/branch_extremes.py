@@ -1,8 +1,7 @@
-"""How far the motions of a branch swing, and how hard they press: by the exact flow, one base period after
-the other.
+"""How far the motions of a branch swing, and how hard they press: by the exact flow.
 
-A base period is begun at its own strobe: what an unstable orbit makes of the rounding of its state then grows
-over one base period only, not over all of them."""
+Of an orbit that is very unstable every base period is begun at its own strobe: what it makes of the rounding
+of its state then grows over one base period only, not over all of them."""
 
 from __future__ import annotations
 
@@ -21,6 +20,7 @@ if TYPE_CHECKING:  # a dataset of a branch is made where there is one
     from gearlash.branches.continuation import Branch, BranchPoint
 
 LEAST, MOST = ("minimum", "force_min"), ("maximum", "force_max")
+VERY_UNSTABLE = 1e4  # modulus of a multiplier
 FIGURES = (*LEAST, *MOST, "force_rms", "share_without_contact")
 
 
@@ -40,9 +40,10 @@ def measured(
 
 
 def _figures(props: Propagators, point: BranchPoint) -> dict[str, float]:
-    parts = []
-    for strobe in point.strobes:
-        trace = flow.trace(props, strobe, float(props.system.cycles))
+    parts, count = [], len(point.strobes)
+    at_once = count if float(np.abs(point.multipliers[0])) < VERY_UNSTABLE else 1
+    for strobe in point.strobes[::at_once]:
+        trace = flow.trace(props, strobe, float(props.system.cycles * at_once))
         if trace.status not in CARRIED:
             return dict.fromkeys(FIGURES, float("nan"))
         parts.append(force_figures(trace))

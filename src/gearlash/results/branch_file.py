@@ -69,14 +69,19 @@ def save_branch(branch: Branch, path: str | Path, model: Case | Family) -> Path:
     given.instance("model", model, (Case, Family), "a case, as from gearlash.load_case, or a Family")
     path = given.path("path", path)
     path.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(path, branch_text(branch, model))
+    return path
+
+
+def branch_text(branch: Branch, model: Case | Family) -> bytes:
+    """The content of the file of a branch."""
     content = {
         "format": FORMAT,
         "version": VERSION,
         "provenance": provenance(model),
         "branch": _branch(branch),
     }
-    write_whole(path, json.dumps(content, allow_nan=False, ensure_ascii=False).encode())
-    return path
+    return json.dumps(content, allow_nan=False, ensure_ascii=False).encode()
 
 
 def load_branch(path: str | Path) -> Branch:

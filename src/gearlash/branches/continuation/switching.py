@@ -117,10 +117,13 @@ def _start(line: Line, special: SpecialPoint, period: int) -> _Start:
 
 
 def _beside(start: _Start, sign: float) -> Node | None:
-    """An orbit of the other branch near the special point."""
+    """An orbit of the other branch near the special point, within the limits of the parameter."""
+    line = start.node.equations.line
     for size in SIZES:
         node = _at(start, sign * size)
-        if node is not None and _is_other(start, node, size):
+        if node is None or not line.lower <= node.value <= line.upper:
+            continue
+        if _is_other(start, node, size):
             return node
     return None
 

@@ -15,8 +15,8 @@ def schema(
         str | None,
         typer.Option(
             metavar="KIND",
-            help="Schema of what --json prints instead: run, check, sweep, map, graze, zones, reproduce, or "
-            "problem (input that cannot be used).",
+            help="Schema of what --json prints instead: run, check, sweep, map, branch, graze, zones, "
+            "reproduce, or problem (input that cannot be used).",
         ),
     ] = None,
 ) -> ExitCode:

@@ -1,0 +1,222 @@
+"""`gearlash branch`: periodic motions along one parameter, stable or not."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from gearlash.case import Case
+from gearlash.system import Status
+
+from .asked import Asked
+from .branch_parts import (
+    BranchEnd,
+    OrbitFound,
+    SpecialFound,
+    StretchFound,
+    ends_found,
+    orbits_found,
+    special_found,
+    stretches_found,
+)
+from .branch_words import NOT_LOOKED_FOR, sentence
+from .excitation import NOT_EXCITED, nothing_varies
+from .outcome import INCOMPLETE, RESUME
+from .parts import CaseUsed, PhysicalValue, case_used, physical_values
+
+if TYPE_CHECKING:  # answers are described without the engine
+    from gearlash.branches.continuation import Branch, GrazingLaw
+    from gearlash.studies.switches import Followed, NotSwitched
+
+CUT_SHORT = ("no step is short enough", "as many points as were allowed")
+"""Ends at which it is not known how a branch goes on."""
+DOUBTFUL = "look at the ends and at unexplained: shorter steps (--step) may help"
+
+
+@dataclass(frozen=True)
+class LimitsUsed:
+    """The parameter, and between which values branches were followed."""
+
+    name: Annotated[str, "short name; its values are dimensionless"]
+    named: Annotated[str, "as it was typed, or the quantity that its unit means"]
+    lower: float
+    upper: float
+    physical_lower: tuple[PhysicalValue, ...]
+    physical_upper: tuple[PhysicalValue, ...]
+    asked: Annotated[Asked, "the unit that sentences and tables tell values in"]
+
+
+@dataclass(frozen=True)
+class BranchStart:
+    """The motion that the first branch goes through."""
+
+    value: Annotated[float, "of the parameter, dimensionless"]
+    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral, unresolved, or empty"]
+    status: Annotated[str, "of that motion"]
+    message: Annotated[str, "what is known about it"]
+
+
+@dataclass(frozen=True)
+class BranchFound:
+    """One branch of periodic motions."""
+
+    number: Annotated[int, "from 1"]
+    parent: Annotated[int | None, "number of the branch that it was switched to from; null: none"]
+    parent_special: Annotated[int | None, "number of the special point there"]
+    period: Annotated[int, "of its orbits, in mesh cycles"]
+    labels: Annotated[tuple[str, ...], "that occur on it"]
+    special: Annotated[tuple[SpecialFound, ...], "in the order of the branch"]
+    stretches: tuple[StretchFound, ...]
+    ends: Annotated[tuple[BranchEnd, ...], "the first and the last"]
+    unexplained: Annotated[
+        tuple[str, ...], "steps on which something changed that no special point was found for"
+    ]
+    certificates: Annotated[dict[str, int], "number of orbits certified, uncertain, failed"]
+    orbits: Annotated[tuple[OrbitFound, ...], "in the order of the branch"]
+
+
+@dataclass(frozen=True)
+class Missed:
+    """A special point from which no branch was followed."""
+
+    branch: Annotated[int, "number of the branch"]
+    special: Annotated[int, "number of the point on it"]
+    known: Annotated[int | None, "number of the branch there that was followed already; null: none"]
+    why: str
+
+
+@dataclass(frozen=True)
+class BesideFound:
+    """Values at which several stable orbits of the branches lie."""
+
+    low: float
+    high: float
+    labels: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class BranchAnswer:
+    """Branches of periodic motions (gearlash branch)."""
+
+    sentence: str
+    status: Annotated[
+        str,
+        "ok; incomplete if it was stopped; uncertain if a step is unexplained, or a branch ends where it is "
+        "not known how it goes on; not-found where no motion could be followed; not-excited",
+    ]
+    message: str
+    advice: Annotated[str, "what to do about the status"]
+    case: CaseUsed
+    parameters: Annotated[
+        dict[str, float], "every parameter by short name, with the value that following began at"
+    ]
+    axis: LimitsUsed
+    start: BranchStart
+    branches: tuple[BranchFound, ...]
+    coexisting: Annotated[tuple[BesideFound, ...], "found on these branches; there may be more"]
+    not_switched: Annotated[tuple[Missed, ...], "where it was to be switched, and no branch was followed"]
+    not_looked_for: Annotated[tuple[str, ...], "what these branches say nothing about"]
+    result: Literal["branch"] = "branch"
+
+
+def branch_answer(
+    case: Case,
+    parameters: Mapping[str, float],
+    limits: LimitsUsed,
+    start: BranchStart,
+    found: Sequence[Followed],
+    missed: Sequence[NotSwitched] = (),
+    laws: Mapping[tuple[int, int], GrazingLaw | str] | None = None,
+) -> BranchAnswer:
+    """The record of branches; ``laws``: those of special points, by branch and point (both from 0), or why
+    there is none."""
+    laws = {} if laws is None else laws
+    names = [gap.name for gap in case.family()[0].system(parameters).clearances]
+    rows = tuple(_branch(case, i, each, names, limits.asked, laws) for i, each in enumerate(found))
+    beside = _beside([each.branch for each in found], limits)
+    status, message, advice = _outcome(case, parameters, start, [each.branch for each in found])
+    return BranchAnswer(
+        sentence=sentence(limits, start, rows, beside, status, message),
+        status=status,
+        message=message,
+        advice=advice,
+        case=case_used(case),
+        parameters=dict(parameters),
+        axis=limits,
+        start=start,
+        branches=rows,
+        coexisting=beside,
+        not_switched=tuple(
+            Missed(each.parent + 1, each.at + 1, each.known + 1 or None, each.why) for each in missed
+        ),
+        not_looked_for=NOT_LOOKED_FOR if found else (),
+    )
+
+
+def limits_used(case: Case, short: str, named: str, unit: str, lower: float, upper: float) -> LimitsUsed:
+    """With what its ends mean physically."""
+    lows, highs = (physical_values(case, short, end, computed=False) for end in (lower, upper))
+    return LimitsUsed(short, named, lower, upper, lows, highs, Asked.of(case, short, named, unit))
+
+
+def _branch(
+    case: Case,
+    index: int,
+    followed: Followed,
+    names: Sequence[str],
+    asked: Asked,
+    laws: Mapping[tuple[int, int], GrazingLaw | str],
+) -> BranchFound:
+    branch = followed.branch
+    return BranchFound(
+        number=index + 1,
+        parent=followed.parent + 1 or None,
+        parent_special=followed.at + 1 or None,
+        period=branch.points[0].period,
+        labels=tuple(dict.fromkeys(str(point.label) for point in branch.points)),
+        special=tuple(
+            special_found(case, branch, i + 1, names, asked.factor, laws.get((index, i), ""))
+            for i in range(len(branch.special))
+        ),
+        stretches=stretches_found(branch),
+        ends=ends_found(branch),
+        unexplained=branch.unexplained,
+        certificates=dict(Counter(str(point.certificate.verdict) for point in branch.points)),
+        orbits=orbits_found(branch),
+    )
+
+
+def _beside(branches: Sequence[Branch], limits: LimitsUsed) -> tuple[BesideFound, ...]:
+    from gearlash.results.stretches import beside_each_other, stretches
+
+    every = [each for branch in branches for each in stretches(branch)]
+    found = beside_each_other(every, limits.upper - limits.lower)
+    return tuple(BesideFound(each.low, each.high, tuple(map(str, each.labels))) for each in found)
+
+
+def _outcome(
+    case: Case, parameters: Mapping[str, float], start: BranchStart, branches: Sequence[Branch]
+) -> tuple[str, str, str]:
+    """Status, message and advice."""
+    if not branches:
+        if not case.family()[0].system(parameters).excited:
+            idle = nothing_varies(case)
+            return NOT_EXCITED, idle.cause, idle.advice
+        what = start.label or start.status
+        message = f"{what} there: only a periodic motion can be followed"
+        advice = "begin where the motion is periodic (--near), or at a state on a periodic one (--initial)"
+        return str(Status.NOT_FOUND), message, advice
+    ends = [str(end.kind) for branch in branches for end in branch.ends]
+    if "cancelled" in ends:
+        return INCOMPLETE, "stopped before all was followed", RESUME
+    odd = [f"branch {i}: {kind}" for i, branch in enumerate(branches, 1) for kind in _cut(branch)]
+    odd += [f"branch {i}: {each}" for i, branch in enumerate(branches, 1) for each in branch.unexplained]
+    if odd:
+        return str(Status.UNCERTAIN), "; ".join(odd), DOUBTFUL
+    return str(Status.OK), "", Status.OK.advice
+
+
+def _cut(branch: Branch) -> list[str]:
+    return [str(end.kind) for end in branch.ends if str(end.kind) in CUT_SHORT]

@@ -1,0 +1,76 @@
+"""What `gearlash branch` keeps in the folder of --out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from gearlash.case import Case
+from gearlash.case.units import pretty
+from gearlash.results import table
+from gearlash.results.branch_dataset import branch_dataset
+from gearlash.results.branch_file import branch_text
+from gearlash.results.store import netcdf, write_together
+
+from .files import draw_if
+from .folder import OutFolder
+from .jsonio import text
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from gearlash.studies.switches import Followed
+
+    from .answers.branch import BranchAnswer
+
+
+def write_branches(
+    folder: OutFolder,
+    case: Case,
+    found: Sequence[Followed],
+    datasets: Sequence[xr.Dataset] | None,
+    answer: BranchAnswer,
+    measure: str,
+) -> None:
+    """The answer (JSON), every branch as a file to resume from (JSON), as data (NetCDF) and as a table (CSV),
+    all special points as a table, and the figure as SVG and PDF, unless a signal came (``datasets`` None)."""
+    made = datasets
+    if made is None:
+        made = [branch_dataset(case, each.branch, extremes=False) for each in found]
+    contents: dict[Any, bytes | memoryview] = {folder.file("branch.json"): text(answer).encode("utf-8")}
+    contents[folder.file("special.csv")] = _special_table(made).encode("utf-8")
+    for i, (each, dataset) in enumerate(zip(found, made, strict=True), 1):
+        contents[folder.file(f"branch-{i}.json")] = branch_text(each.branch, case)
+        contents[folder.file(f"branch-{i}.nc")] = netcdf(dataset)
+        contents[folder.file(f"branch-{i}.csv")] = table(dataset).to_csv().encode("utf-8")
+    older = [path for path in folder.path.glob("branch-*.*") if folder.owns(path.name)]
+    gone = [path for path in older if path not in contents]
+    write_together(contents, instead_of=[*gone, folder.file("branch.svg"), folder.file("branch.pdf")])
+    if datasets:
+        draw_if(folder, "branch", True, lambda plots: _figure(plots, case, datasets, answer, measure))
+
+
+def _figure(
+    plots: Any, case: Case, datasets: Sequence[xr.Dataset], answer: BranchAnswer, measure: str
+) -> Any:
+    """With the parameter in the unit that was asked for."""
+    asked, along = answer.axis.asked, None
+    if asked.unit:
+        rests = any(each.rests_on for each in answer.axis.physical_lower if each.name == asked.name)
+        along = plots.Twin(asked.factor, asked.title, pretty(asked.unit), rests)
+    title = f"{'Branches' if len(datasets) > 1 else 'Branch'} of {case.name} over {asked.title}"
+    return plots.branch_diagram(datasets, measure, title=title, units=plots.Units.of(case), along=along)
+
+
+def _special_table(datasets: Sequence[xr.Dataset]) -> str:
+    """All special points, one row each, with the number of the branch and its own, as in the answer."""
+    import pandas as pd
+
+    frames = []
+    for i, dataset in enumerate(datasets, 1):
+        names = [name for name, each in dataset.data_vars.items() if each.dims == ("special",)]
+        frame = dataset[names].to_dataframe().rename(columns=lambda name: name.removeprefix("special_"))
+        frame.insert(0, "branch", i)
+        frame.insert(1, "number", range(1, len(frame) + 1))
+        frames.append(frame)
+    return pd.concat(frames).to_csv(index=False) if frames else ""

@@ -1,0 +1,100 @@
+"""Where the orbits of a branch are stable, and where several stable ones lie at the same value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from gearlash.system import Signature
+
+if TYPE_CHECKING:
+    from gearlash.branches.continuation import Branch
+
+
+TOUCHING = 1e-9  # of the interval of the parameter: stretches that overlap by less only meet
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A part of a branch along which the parameter goes one way, and orbits have one label and are stable, or
+    not: values at its two ends, ascending."""
+
+    low: float
+    high: float
+    label: Signature
+    stable: bool
+    rising: bool
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Values at which stable orbits of several stretches lie, with their labels."""
+
+    low: float
+    high: float
+    labels: tuple[Signature, ...]
+
+
+@dataclass(frozen=True)
+class _Step:
+    """From one node to the next."""
+
+    left: float
+    right: float
+    label: Signature
+    stable: bool
+
+    @property
+    def look(self) -> tuple[Signature, bool, bool]:
+        return self.label, self.stable, self.right > self.left
+
+
+def stretches(branch: Branch) -> tuple[Stretch, ...]:
+    """In the order of the branch; they end at special points exactly."""
+    runs: list[list[_Step]] = []
+    for step in _steps(branch):
+        if runs and step.look == runs[-1][-1].look:
+            runs[-1].append(step)
+        else:
+            runs.append([step])
+    return tuple(_stretch(run) for run in runs)
+
+
+def _steps(branch: Branch) -> Iterator[_Step]:
+    """Between all neighbours of orbits and special points. What lies between two special points is what the
+    first of them says comes after it."""
+    nodes = [(p.arclength, p.value, (p.label, p.stable), None) for p in branch.points]
+    nodes += [
+        (s.arclength, s.point.value, None, (s.label_after, s.unstable_after == 0)) for s in branch.special
+    ]
+    nodes.sort(key=lambda node: node[0])
+    for (_, left, here, after), (_, right, there, _) in pairwise(nodes):
+        between = here or there or after
+        if between is not None and left != right:
+            yield _Step(left, right, *between)
+
+
+def _stretch(run: Sequence[_Step]) -> Stretch:
+    low, high = sorted((run[0].left, run[-1].right))
+    label, stable, rising = run[0].look
+    return Stretch(low, high, label, stable, rising)
+
+
+def beside_each_other(every: Sequence[Stretch], unit: float) -> tuple[Beside, ...]:
+    """Intervals in which two or more of the stretches hold a stable orbit. ``unit``: width of the interval of
+    the parameter."""
+    stable = [each for each in every if each.stable]
+    ends = sorted({end for each in stable for end in (each.low, each.high)})
+    found: list[Beside] = []
+    for low, high in pairwise(ends):
+        here = [each for each in stable if each.low <= low and high <= each.high]
+        if len(here) < 2 or high - low < TOUCHING * unit:
+            continue
+        labels = tuple(each.label for each in here)
+        if found and found[-1].high == low and found[-1].labels == labels:
+            found[-1] = Beside(found[-1].low, high, labels)
+        else:
+            found.append(Beside(low, high, labels))
+    return tuple(found)
