@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from gearlash.orbits import Orbit, Settings
     from gearlash.results import Point
 
-    from .answers.branch import BranchStart, LimitsUsed
+    from .answers.branch_parts import BranchStart, LimitsUsed
 
 SAME_VALUE = 1e-9  # relative: a parameter of the file that differs by more is another one
 
@@ -86,7 +86,7 @@ class BranchInputs:
         """Looks for the motion, or takes it from the branch that was kept."""
         from gearlash.studies import point
 
-        from .answers.branch import BranchStart
+        from .answers.branch_parts import BranchStart
 
         if self.kept is not None:
             return self._from_kept(self.kept)
@@ -101,7 +101,7 @@ class BranchInputs:
         from gearlash import flow
         from gearlash.orbits import orbit_at
 
-        from .answers.branch import BranchStart
+        from .answers.branch_parts import BranchStart
 
         short, point = self.between.short, self.point
         if point is None:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from gearlash.system import GearlashError, given
+from gearlash.system import GearlashError, Signature, given
 
 from . import style
 from .followed import MEASURES, Array, Followed, Piece, parameter, read
@@ -195,7 +195,7 @@ def _colours(every: Sequence[xr.Dataset]) -> dict[str, str]:
     labels = dict.fromkeys(str(label) for dataset in every for label in dataset["label"].values)
     left, found = list(COLOURS), {}
     for label in labels:
-        if not any(int(count) for side in label.split("/") for count in side.split("-")[-2:]):
+        if Signature.parse(label).impacts == 0:
             found[label] = FREE_COLOUR
         else:
             found[label] = left.pop(0) if left else OTHER_COLOUR
@@ -261,9 +261,11 @@ def _multipliers(panel: Axes, every: Sequence[xr.Dataset], colours: dict[str, st
 
 def _words(panel: Axes, pieces: Sequence[Piece], colours: dict[str, str]) -> None:
     """Every label once, beside its longest stretch, where there is room: colours need not be told apart."""
+    left, right = panel.get_xlim()
     longest: dict[str, Piece] = {}
-    for piece in pieces:
-        if piece.label not in longest or piece.length > longest[piece.label].length:
+    for piece in (each.within(left, right) for each in pieces):
+        known = longest.get(piece.label)
+        if known is None or (piece.stable, piece.length) > (known.stable, known.length):
             longest[piece.label] = piece
     width, (low, high) = float(np.ptp(panel.get_xlim())), panel.get_ylim()
     placed: list[tuple[float, float]] = []

@@ -56,6 +56,11 @@ class Piece:
         """Of the way over the parameter."""
         return float(np.abs(np.diff(self.values)).sum())
 
+    def within(self, left: float, right: float) -> Piece:
+        """The part of it that lies between two values."""
+        shown = (self.values >= left) & (self.values <= right)
+        return Piece(self.values[shown], self.y[shown], self.label, self.stable)
+
 
 @dataclass(frozen=True, eq=False)
 class Followed:

@@ -126,6 +126,7 @@ def branch_dataset(model: Case | Family, branch: Branch, *, extremes: bool = Tru
     family = family_of(model)
     given.instance("branch", branch, Branch, "a Branch, as from gearlash.continue_branch")
     given.known("parameter", branch.name, family.defaults)
+    extremes = given.truth("extremes", extremes)
     along = ("point",)
     data = _table(model, POINTWISE, branch.points, along)
     data |= _measured(model, family, branch, branch.points, extremes, along)

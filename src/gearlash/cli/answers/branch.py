@@ -12,10 +12,11 @@ from gearlash.system import Status
 
 from .asked import Asked
 from .branch_parts import (
-    BranchEnd,
-    OrbitFound,
-    SpecialFound,
-    StretchFound,
+    BesideFound,
+    BranchFound,
+    BranchStart,
+    LimitsUsed,
+    Missed,
     ends_found,
     orbits_found,
     special_found,
@@ -24,7 +25,7 @@ from .branch_parts import (
 from .branch_words import NOT_LOOKED_FOR, sentence
 from .excitation import NOT_EXCITED, nothing_varies
 from .outcome import INCOMPLETE, RESUME
-from .parts import CaseUsed, PhysicalValue, case_used, physical_values
+from .parts import CaseUsed, case_used, physical_values
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.branches.continuation import Branch, GrazingLaw
@@ -33,67 +34,6 @@ if TYPE_CHECKING:  # answers are described without the engine
 CUT_SHORT = ("no step is short enough", "as many points as were allowed")
 """Ends at which it is not known how a branch goes on."""
 DOUBTFUL = "look at the ends and at unexplained: shorter steps (--step) may help"
-
-
-@dataclass(frozen=True)
-class LimitsUsed:
-    """The parameter, and between which values branches were followed."""
-
-    name: Annotated[str, "short name; its values are dimensionless"]
-    named: Annotated[str, "as it was typed, or the quantity that its unit means"]
-    lower: float
-    upper: float
-    physical_lower: tuple[PhysicalValue, ...]
-    physical_upper: tuple[PhysicalValue, ...]
-    asked: Annotated[Asked, "the unit that sentences and tables tell values in"]
-
-
-@dataclass(frozen=True)
-class BranchStart:
-    """The motion that the first branch goes through."""
-
-    value: Annotated[float, "of the parameter, dimensionless"]
-    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral, unresolved, or empty"]
-    status: Annotated[str, "of that motion"]
-    message: Annotated[str, "what is known about it"]
-
-
-@dataclass(frozen=True)
-class BranchFound:
-    """One branch of periodic motions."""
-
-    number: Annotated[int, "from 1"]
-    parent: Annotated[int | None, "number of the branch that it was switched to from; null: none"]
-    parent_special: Annotated[int | None, "number of the special point there"]
-    period: Annotated[int, "of its orbits, in mesh cycles"]
-    labels: Annotated[tuple[str, ...], "that occur on it"]
-    special: Annotated[tuple[SpecialFound, ...], "in the order of the branch"]
-    stretches: tuple[StretchFound, ...]
-    ends: Annotated[tuple[BranchEnd, ...], "the first and the last"]
-    unexplained: Annotated[
-        tuple[str, ...], "steps on which something changed that no special point was found for"
-    ]
-    certificates: Annotated[dict[str, int], "number of orbits certified, uncertain, failed"]
-    orbits: Annotated[tuple[OrbitFound, ...], "in the order of the branch"]
-
-
-@dataclass(frozen=True)
-class Missed:
-    """A special point from which no branch was followed."""
-
-    branch: Annotated[int, "number of the branch"]
-    special: Annotated[int, "number of the point on it"]
-    known: Annotated[int | None, "number of the branch there that was followed already; null: none"]
-    why: str
-
-
-@dataclass(frozen=True)
-class BesideFound:
-    """Values at which several stable orbits of the branches lie."""
-
-    low: float
-    high: float
-    labels: tuple[str, ...]
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
 
+from .asked import Asked
 from .parts import Multiplier, PhysicalValue, multiplier_rows, physical_values
 
 if TYPE_CHECKING:  # answers are described without the engine
@@ -102,6 +103,67 @@ class OrbitFound:
     unstable: Annotated[int, "multipliers outside the unit circle"]
     leading: Annotated[float, "modulus of the largest multiplier"]
     certificate: Annotated[str, "certified, uncertain or failed"]
+
+
+@dataclass(frozen=True)
+class LimitsUsed:
+    """The parameter, and between which values branches were followed."""
+
+    name: Annotated[str, "short name; its values are dimensionless"]
+    named: Annotated[str, "as it was typed, or the quantity that its unit means"]
+    lower: float
+    upper: float
+    physical_lower: tuple[PhysicalValue, ...]
+    physical_upper: tuple[PhysicalValue, ...]
+    asked: Annotated[Asked, "the unit that sentences and tables tell values in"]
+
+
+@dataclass(frozen=True)
+class BranchStart:
+    """The motion that the first branch goes through."""
+
+    value: Annotated[float, "of the parameter, dimensionless"]
+    label: Annotated[str, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral, unresolved, or empty"]
+    status: Annotated[str, "of that motion"]
+    message: Annotated[str, "what is known about it"]
+
+
+@dataclass(frozen=True)
+class BranchFound:
+    """One branch of periodic motions."""
+
+    number: Annotated[int, "from 1"]
+    parent: Annotated[int | None, "number of the branch that it was switched to from; null: none"]
+    parent_special: Annotated[int | None, "number of the special point there"]
+    period: Annotated[int, "of its orbits, in mesh cycles"]
+    labels: Annotated[tuple[str, ...], "that occur on it"]
+    special: Annotated[tuple[SpecialFound, ...], "in the order of the branch"]
+    stretches: tuple[StretchFound, ...]
+    ends: Annotated[tuple[BranchEnd, ...], "the first and the last"]
+    unexplained: Annotated[
+        tuple[str, ...], "steps on which something changed that no special point was found for"
+    ]
+    certificates: Annotated[dict[str, int], "number of orbits certified, uncertain, failed"]
+    orbits: Annotated[tuple[OrbitFound, ...], "in the order of the branch"]
+
+
+@dataclass(frozen=True)
+class Missed:
+    """A special point from which no branch was followed."""
+
+    branch: Annotated[int, "number of the branch"]
+    special: Annotated[int, "number of the point on it"]
+    known: Annotated[int | None, "number of the branch there that was followed already; null: none"]
+    why: str
+
+
+@dataclass(frozen=True)
+class BesideFound:
+    """Values at which several stable orbits of the branches lie."""
+
+    low: float
+    high: float
+    labels: tuple[str, ...]
 
 
 def special_found(

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 from .asked import Asked
 
 if TYPE_CHECKING:
-    from .branch import BesideFound, BranchFound, BranchStart, LimitsUsed
-    from .branch_parts import StretchFound
+    from .branch_parts import BesideFound, BranchFound, BranchStart, LimitsUsed, StretchFound
 
 MOST_NAMED = 4  # intervals in the sentence
 NOT_LOOKED_FOR = (

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from gearlash.case.units import pretty
-from gearlash.cli.answers.branch import BranchAnswer, BranchFound
-from gearlash.cli.answers.branch_parts import LawFound, NextPoint, SpecialFound
+from gearlash.cli.answers.branch import BranchAnswer
+from gearlash.cli.answers.branch_parts import BranchFound, LawFound, NextPoint, SpecialFound
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar
