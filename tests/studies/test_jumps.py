@@ -12,9 +12,8 @@ import pytest
 
 from branches.shaken import linear, shaken
 from gearlash import flow
-from gearlash.branches import BifurcationPoint
+from gearlash.branches.continuation import SpecialKind
 from gearlash.studies import Axis, point, sweep
-from gearlash.studies.smooth import plainly_one
 from gearlash.studies.transition import (
     APERIODIC,
     FOLD,
@@ -60,7 +59,8 @@ def test_upwards_it_falls_off_a_fold_on_any_grid(count):
     found = transitions(pair(), "omega", done.points)
     assert kinds(found) == [(GRAZING, "1-0-0", "1-1-0"), (FOLD, "1-1-0", "1-1-0")]
     assert [t.value for t in found] == pytest.approx([TOUCH_AT, FOLD_AT], abs=1e-7)
-    assert isinstance(found[1].point, BifurcationPoint)
+    assert found[1].point is not None
+    assert found[1].point.kind is SpecialKind.FOLD
     assert all(t.lower < t.upper for t in found)
 
 
@@ -143,17 +143,16 @@ def test_what_cannot_be_followed_is_not_decided():
     assert 0.62 <= change.upper <= 0.63
 
 
-def test_only_smooth_states_are_taken_as_they_are():
-    """A jump of a tenth of a step among states on a parabola is looked at more closely."""
-    values = np.linspace(1.0, 2.0, 8)
-    smooth = [Bare(v, Signature(1, 0), 1, np.array([v**2, 1.0 - v])) for v in values]
-    assert [plainly_one(smooth, i) for i in range(7)] == [False, False, True, True, True, False, False]
-    step = smooth[4].state[0] - smooth[3].state[0]
-    jumped = [replace(p, state=p.state + np.array([0.1 * step * (i > 3), 0.0])) for i, p in enumerate(smooth)]
-    assert not plainly_one(jumped, 3)
-    assert not plainly_one(
-        [replace(p, label=Signature(1, 1) if p.value > 1.9 else Signature(1, 0)) for p in smooth], 4
-    )
+def test_only_points_on_the_branch_are_taken_as_they_are():
+    """One of them a thousandth of a step beside it is solved for, and told where it is another motion."""
+    points = sweep(pair(), Axis.even("omega", 0.9, 0.98, 9)).points
+    rows = [Bare(p.value, p.label, p.period, p.state) for p in points]
+    assert transitions(pair(), "omega", rows) == ()
+    step = rows[4].state - rows[3].state
+    moved = [*rows[:4], replace(rows[4], state=rows[4].state + 0.1 * step), *rows[5:]]
+    assert transitions(pair(), "omega", moved) == ()  # it is near to its orbit, which is solved for
+    named = [*rows[:4], replace(rows[4], label=Signature(1, 0)), *rows[5:]]
+    assert transitions(pair(), "omega", named) == ()
 
 
 @pytest.mark.parametrize(
@@ -172,19 +171,20 @@ def test_what_was_not_proved_aperiodic_is_not_called_so(below: str, above: str, 
     assert unlocated(two, one) == kind
 
 
+@pytest.mark.parametrize("count", [3, 41])
 @pytest.mark.parametrize("rising", [True, False])
-def test_on_a_smooth_branch_one_step_joins_neighbours(rising, monkeypatch):
-    """Only where no point lies behind it is an orbit followed in small steps."""
+def test_along_one_branch_the_motion_is_followed_once(rising, count, monkeypatch):
+    """However many points lie on it."""
     begun: list[float] = []
     module = sys.modules["gearlash.studies.transitions"]
-    original = module.follow
+    original = module.walk
 
-    def counted(family, name, orbit, to, *, values, longest):
+    def counted(family, values, name, orbit, to, *, longest):
         begun.append(values[name])
-        return original(family, name, orbit, to, values=values, longest=longest)
+        return original(family, values, name, orbit, to, longest=longest)
 
-    monkeypatch.setattr(module, "follow", counted)
-    points = sweep(pair(), Axis.even("omega", 0.9, 0.92, 5)).points
+    monkeypatch.setattr(module, "walk", counted)
+    points = sweep(pair(), Axis.even("omega", 0.9, 0.92, count)).points
     assert len({p.label for p in points}) == 1
     assert transitions(pair(), "omega", points, rising=rising) == ()
     assert begun == [points[0 if rising else -1].value]

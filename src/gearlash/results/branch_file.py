@@ -149,15 +149,16 @@ def _branch(branch: Branch) -> dict[str, Any]:
 
 
 def _as_branch(stored: dict[str, Any]) -> Branch:
-    derivative, error = (stored.get(name) for name in ("derivative", "derivative_error"))  # not in old files
+    name, values = stored["name"], {each: float(value) for each, value in stored["values"].items()}
+    derivative, error = (stored.get(each) for each in ("derivative", "derivative_error"))  # not in old files
     return Branch(
-        name=stored["name"],
-        values={name: float(value) for name, value in stored["values"].items()},
+        name=name,
+        values=values,
         lower=stored["lower"],
         upper=stored["upper"],
         scale=np.array(stored["scale"], dtype=np.float64),
         points=tuple(_as_point(point) for point in stored["points"]),
-        special=tuple(_as_special(special) for special in stored["special"]),
+        special=tuple(_as_special(special, name, values) for special in stored["special"]),
         ends=tuple(EndOfBranch(EndKind(end["kind"]), end["value"], end["note"]) for end in stored["ends"]),
         unexplained=tuple(stored["unexplained"]),
         derivative=None if derivative is None else DerivativeKind(derivative),
@@ -226,15 +227,15 @@ def _special(special: SpecialPoint) -> dict[str, Any]:
     }
 
 
-def _as_special(stored: dict[str, Any]) -> SpecialPoint:
-    extremum, error = stored["extremum"], stored["error"]
+def _as_special(stored: dict[str, Any], name: str, values: dict[str, float]) -> SpecialPoint:
+    extremum, error, point = stored["extremum"], stored["error"], _as_point(stored["point"])
     return SpecialPoint(
         kind=SpecialKind(stored["kind"]),
         value=stored["value"],
         error=inf if error is None else error,
         interval=(stored["interval"][0], stored["interval"][1]),
         arclengths=(stored["arclengths"][0], stored["arclengths"][1]),
-        point=_as_point(stored["point"]),
+        point=point,
         label_before=Signature.parse(stored["label_before"]),
         label_after=Signature.parse(stored["label_after"]),
         unstable_before=stored["unstable_before"],
@@ -243,4 +244,6 @@ def _as_special(stored: dict[str, Any]) -> SpecialPoint:
         linear=stored["linear"],
         note=stored["note"],
         status=Status(stored["status"]),
+        name=name,
+        values={**values, name: point.value},
     )

@@ -8,10 +8,12 @@ from typing import ClassVar, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.branches import BifurcationPoint, GrazingPoint, Outcome, SolvedPoint
+from gearlash.branches import GrazingPoint, Outcome, SolvedPoint
+from gearlash.branches.continuation import SpecialKind, SpecialPoint
 from gearlash.system import Label, MotionKind, Record
 
-GRAZING, DOUBLING, FOLD, JUMP, APERIODIC = "grazing", "doubling", "fold", "jump", "onset of aperiodic motion"
+GRAZING, DOUBLING, FOLD = str(SpecialKind.GRAZING), str(SpecialKind.DOUBLING), str(SpecialKind.FOLD)
+JUMP, APERIODIC = "jump", "onset of aperiodic motion"
 UNPROVED = "no periodic motion proved beyond"
 """One side is neither a proved orbit nor aperiodic: unresolved, neutral or not computed."""
 UNDECIDED = "not decided"
@@ -58,14 +60,14 @@ class Transition(Record):
     name : str
         Short name of the parameter.
     kind : str
-        Grazing, doubling, fold, jump, change of basin, onset of aperiodic motion, no periodic motion proved
-        beyond, or not decided.
+        Grazing, doubling, fold, Neimark-Sacker, branch point, jump, change of basin, onset of aperiodic
+        motion, no periodic motion proved beyond, or not decided.
     lower, upper : float
         Values between which it happens, dimensionless.
     label_below, label_above : Signature or MotionKind, optional
         Of the motion on both sides: one label twice, where a fold or a jump leads from one orbit to another
         of the same label.
-    point : GrazingPoint or BifurcationPoint, optional
+    point : SpecialPoint, optional
         What was solved for; None where only the interval is known.
 
     Examples
@@ -86,7 +88,7 @@ class Transition(Record):
     upper: float
     label_below: Label | None
     label_above: Label | None
-    point: GrazingPoint | BifurcationPoint | None
+    point: SpecialPoint | None
 
     @property
     def value(self) -> float:
@@ -110,8 +112,12 @@ def kind_of_end(point: SolvedPoint | None, outcome: Outcome | None) -> str:
     return FOLD if outcome is Outcome.FOLD else ""
 
 
-def kind_of(point: SolvedPoint) -> str:
-    """What a point is called as a change of the motion."""
+def kind_of(point: SolvedPoint | SpecialPoint) -> str:
+    """What a point is called as a change of the motion: where an orbit joins that of half its period, this
+    one doubles; where it joins a symmetric one, that is a branch point of this one."""
+    if isinstance(point, SpecialPoint):
+        joins = {SpecialKind.JOINS: SpecialKind.DOUBLING, SpecialKind.SYMMETRIC: SpecialKind.BRANCH_POINT}
+        return str(joins.get(point.kind, point.kind))
     if isinstance(point, GrazingPoint):
         return GRAZING
     return FOLD if point.multiplier > 0 else DOUBLING

@@ -1,41 +1,31 @@
 """What happens between two neighbouring points of a sweep: every change of the motion, located.
 
-Points are compared as motions, not by their labels. Where one step along the branch leads from one
-to the next, nothing changes between them. Elsewhere the orbit of one is followed to the value of the other
-(`branches.follow`): the touches, doublings and folds on the way are the changes, each solved for. Where it
-arrives at another orbit than the sweep's, the sweep changed to a coexisting one; where it ends, the other
-orbit is followed back to there; and where that does not come so far either, the motion between is looked
-for, until the interval is as small as `NARROW` asks."""
+Points are compared as motions, not by their labels. The motion of a point is followed as far as the sweep
+goes along with it (`Rail`): the touches, doublings and other special points that it meets are the changes.
+Where the sweep has another motion than that, the orbit of one point is followed to the value of the other:
+where it arrives at another orbit than the sweep's, the sweep changed to a coexisting one; where it ends, the
+other orbit is followed back to there; and where that does not come so far either, the motion between is
+looked for, until the interval is as small as `NARROW` asks."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches import (
-    GrazingPoint,
-    Node,
-    Outcome,
-    PathEnd,
-    SolvedPoint,
-    follow,
-    joins,
-)
+from gearlash.branches.continuation import EndKind, EndOfBranch, Item, Node, SpecialPoint, walk
 from gearlash.orbits import Orbit, Settings, Unresolved, attractor, orbit_at
 from gearlash.results import Sweep
 from gearlash.system import Family, GearlashError, Label, MotionKind, given, plain_values, short_name
 
 from .model import Model, Source
-from .smooth import plainly_one
+from .rail import Rail
 from .transition import (
     APERIODIC,
-    GRAZING,
     JUMP,
     SAMPLED,
     UNDECIDED,
@@ -43,15 +33,20 @@ from .transition import (
     Sampled,
     Transition,
     kind_of,
-    kind_of_end,
     unlocated,
 )
 from .zone import BASIN
 
 NARROW = 1e-6  # relative width at which halving ends
+LONGER = 2  # times the period of the motions: orbits born at doublings are followed so far
 DEEPEST = 14  # halvings of one interval
-KEPT_MOTIONS = 4  # motions: those of an interval, and two behind
-SAME_STATE = 1e-6  # of an orbit's ranges: within it two states are one
+KEPT_MOTIONS = 4  # motions: those of an interval, and some behind
+SAME_STATE = 1e-6  # of the size of a motion: within it two states are one
+SLACK = 1e-9  # of the value: a change that was solved for lies within
+SMALL = 1e-3  # what counts as the size of a small value
+LOST = EndKind.SHORT, EndKind.UNBUILT, EndKind.FAR, EndKind.POINTS
+AT_END = EndKind.FOLD, EndKind.TOUCH, EndKind.DOUBLING, EndKind.PERIOD, EndKind.UNSTABLE, EndKind.CORNER
+"""Ends in the special point that was met last, if no orbit came after it."""
 FAILURES = (GearlashError, np.linalg.LinAlgError)
 """What a member that cannot be built or solved raises."""
 SHORT_SEARCH = Settings(budget=9_000, patience=600, exponent_periods=1_000)
@@ -66,37 +61,30 @@ class _MotionAt:
     state: NDArray[np.float64]
     orbit: Orbit | None = None
 
-    @staticmethod
-    def of(node: Node) -> _MotionAt:
-        return _MotionAt(node.value, node.label, node.state, node.orbit)
-
-    @cached_property
-    def node(self) -> Node | None:
-        return None if self.orbit is None else Node(self.value, self.orbit)
-
     def is_at(self, other: _MotionAt) -> bool:
         """Whether two orbits at one value are the same, at whichever base period they begin."""
         one, two = self.orbit, other.orbit
         if one is None or two is None or one.shot.period != two.shot.period:
             return False
-        node = Node(self.value, one)
-        return min(node.apart(state) for state in two.strobes) <= SAME_STATE
+        course = one.trace.polynomials[:, 0]
+        size = max(float(np.ptp(course, axis=0).max()), SMALL * max(1.0, float(np.abs(course).max())))
+        return float(np.abs(two.strobes - one.state).max(axis=1).min()) <= SAME_STATE * size
 
 
 @dataclass(frozen=True, eq=False)
 class _Way:
-    """An orbit followed: the changes on the way, in the order in which they were met, where it was last, and,
-    if it did not arrive, the point it ends at (None: not solved for) and the nearest value beyond its end."""
+    """An orbit followed: the changes on the way, in the order in which they were met, where it was last, why
+    it was not followed on, and the point it ends at, if one was solved for."""
 
     changes: tuple[Transition, ...]
     last: _MotionAt
-    outcome: Outcome
-    beyond: float
-    point: SolvedPoint | None = None
+    end: EndOfBranch
+    rising: bool
+    point: SpecialPoint | None = None
 
     @property
     def arrived(self) -> bool:
-        return self.outcome is Outcome.ARRIVED
+        return self.end.kind is EndKind.ARRIVED
 
 
 def transitions(
@@ -145,15 +133,13 @@ def transitions(
     family = Source.of(model).family()
     name = short_name(model, family, name)
     members = family.complete(plain_values(model, family, values))
-    finder = _Finder(family, members, name, given.truth("rising", rising))
-    points = _ascending(points)
+    points, rising = _ascending(points), given.truth("rising", rising)
+    last = points[-1 if rising else 0].value if points else 0.0
+    finder = _Finder(family, members, name, rising, last)
     found: dict[int, list[Transition]] = {}
     order = range(len(points) - 1)
     for i in order if finder.rising else reversed(order):
-        if plainly_one(points, i):
-            finder.passed(points[i] if finder.rising else points[i + 1])
-        else:
-            found[i] = finder.between(points[i], points[i + 1])
+        found[i] = finder.between(points[i], points[i + 1])
     return tuple(change for i in sorted(found) for change in found[i])
 
 
@@ -169,51 +155,62 @@ def _ascending(points: Sweep | Sequence[Sampled]) -> tuple[Sampled, ...]:
     return found
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class _Finder:
     family: Family
     values: Mapping[str, float]
     name: str
     rising: bool
-    trail: list[Sampled] = field(default_factory=list)
-    """Points of the sweep on one branch with the one where the next interval begins, the last first."""
+    last: float
+    """The value of the last point that is come to."""
+    rail: Rail | None = None
+    """What is followed through the points; None where that has to be begun anew."""
     known: dict[float, _MotionAt | None] = field(default_factory=dict)
     """Motions of the last few points, by value."""
 
     def between(self, below: Sampled, above: Sampled) -> list[Transition]:
         """The changes in the order of the parameter."""
-        found = self.compared(below, above)
-        near = below if self.rising else above
-        if found or not (below.period and above.period):
-            self.trail.clear()
-        else:
-            self.passed(near)
-        return found
-
-    def passed(self, point: Sampled) -> None:
-        """The next interval begins on one branch with a point."""
-        self.trail[:] = [point, *self.trail[:1]]
-
-    def compared(self, below: Sampled, above: Sampled) -> list[Transition]:
         if not (below.period and above.period):
+            self.rail = None
             different = below.label != above.label
             return [self.interval(unlocated(below, above), below, above)] if different else []
-        near, far = (self.motion(p) for p in ((below, above) if self.rising else (above, below)))
-        if near is None or far is None:
-            return [self.interval(JUMP if below.label != above.label else UNDECIDED, below, above)]
-        if near.label == far.label and self.goes_on(near, far):
-            return []
-        found = list(self.followed(near, far, 0))
+        near, far = (below, above) if self.rising else (above, below)
+        found = self.along(near, far)
+        if found is None:
+            found = self.compared(near, far)
         return found if self.rising else found[::-1]
 
-    def goes_on(self, near: _MotionAt, far: _MotionAt) -> bool:
-        """Whether one step along the branch of the points before leads from one to the other: then it need
-        not be followed."""
-        behind = [motion.node if (motion := self.motion(point)) else None for point in self.trail]
-        earlier = tuple(node for node in behind if node is not None)
-        if len(earlier) < len(behind) or near.node is None or far.node is None:
-            return False
-        return joins(self.family, self.values, self.name, near.node, earlier, far.node)
+    def along(self, near: Sampled, far: Sampled) -> list[Transition] | None:
+        """The changes that the motion of ``near`` meets on its way to ``far``; None where it is not plainly
+        that of ``far``."""
+        if self.rail is None:
+            start = self.motion(near)
+            if start is None or start.orbit is None:
+                return None
+            items = self.followed_from(start, self.last, start.orbit.shot.period * LONGER)
+            self.rail = Rail(items, 1.0 if self.rising else -1.0)
+        try:
+            reached = self.rail.reaches(far.value)
+        except FAILURES:
+            reached = False
+        if not reached:
+            return None
+        changes, left = self.rail.take(), self.rail.left
+        if left is None or left.label != far.label or not self.rail.meets(far.value, far.state):
+            return None
+        return [self.at_point(p.point, p.before, p.after, self.rising) for p in changes]
+
+    def compared(self, near: Sampled, far: Sampled) -> list[Transition]:
+        """The changes between the solved motions of two points; one of one branch is followed on."""
+        rail, self.rail = self.rail, None
+        one, two = self.motion(near), self.motion(far)
+        if one is None or two is None:
+            return [self.interval(JUMP if near.label != far.label else UNDECIDED, near, far)]
+        there = self.way(one, two.value, self.longest(one, two))
+        if there.arrived and there.last.is_at(two):
+            self.rail = rail if rail is not None and rail.is_beyond(two.value) else None
+            return list(there.changes)
+        return list(self.apart(there, one, two, 0))
 
     def motion(self, point: Sampled) -> _MotionAt | None:
         """The orbit of a point of the sweep, solved for again, once."""
@@ -231,13 +228,21 @@ class _Finder:
             return None
         return None if orbit is None else _MotionAt(point.value, orbit.label, orbit.state, orbit)
 
+    @staticmethod
+    def longest(near: _MotionAt, far: _MotionAt) -> int:
+        return LONGER * max(motion.orbit.shot.period for motion in (near, far) if motion.orbit)
+
     def followed(self, near: _MotionAt, far: _MotionAt, depth: int) -> Iterator[Transition]:
         """The changes in the order in which they are met from ``near``."""
-        longest = 2 * max(motion.orbit.shot.period for motion in (near, far) if motion.orbit)
-        there = self.way(near, far.value, longest)
+        there = self.way(near, far.value, self.longest(near, far))
         if there.arrived and there.last.is_at(far):
             yield from there.changes
-            return
+        else:
+            yield from self.apart(there, near, far, depth)
+
+    def apart(self, there: _Way, near: _MotionAt, far: _MotionAt, depth: int) -> Iterator[Transition]:
+        """The same where the way from ``near`` does not lead to ``far``."""
+        longest = self.longest(near, far)
         back = self.way(far, near.value if there.arrived else there.last.value, longest)
         if there.arrived and not back.arrived:  # only the other orbit ends on the way
             yield from reversed(list(self.end(back, near)))
@@ -258,7 +263,7 @@ class _Finder:
         wide = abs(far.value - near.value) > NARROW * max(abs(near.value), abs(far.value))
         middle = self.middle(there, far) if wide and depth < DEEPEST else None
         if middle is None:
-            lost = {there.outcome, back.outcome} & {Outcome.LOST, Outcome.UNBUILT}
+            lost = there.end.kind in LOST or back.end.kind in LOST
             if near.label == far.label and lost and there.point is None:
                 yield self.interval(UNDECIDED, near, far)
             else:
@@ -272,7 +277,7 @@ class _Finder:
 
     def middle(self, there: _Way, far: _MotionAt) -> _MotionAt | None:
         """The motion half way from the end of an orbit to ``far``, reached from that orbit."""
-        value = 0.5 * (there.beyond + far.value)
+        value = 0.5 * (there.last.value + far.value)
         try:
             found = attractor(self.family.system(self.at(value)), there.last.state, SHORT_SEARCH)
         except FAILURES:
@@ -281,35 +286,49 @@ class _Finder:
             return None
         return _MotionAt(value, found.label, found.final_state, found if isinstance(found, Orbit) else None)
 
+    def followed_from(self, start: _MotionAt, to: float, longest: int) -> Iterator[Item]:
+        assert start.orbit is not None
+        yield from walk(self.family, self.at(start.value), self.name, start.orbit, to, longest=longest)
+
     def way(self, start: _MotionAt, to: float, longest: int) -> _Way:
         """An orbit followed to a value, through doublings up to a period of ``longest`` base periods."""
-        assert start.orbit is not None
-        if start.value == to:
-            return _Way((), start, Outcome.ARRIVED, to)
-        changes: list[Transition] = []
-        point = None
-        for step in follow(
-            self.family, self.name, start.orbit, to, values=self.at(start.value), longest=longest
-        ):
-            if isinstance(step, PathEnd):
-                return _Way(tuple(changes), _MotionAt.of(step.last), step.outcome, step.beyond, point)
-            if step.after is None:
-                point = step.point
-            else:
-                changes.append(self.change(step.point, step.before, step.after))
-        raise AssertionError("what is followed ends with a PathEnd")
+        last, rising = start, to > start.value
+        changes, met = list[Transition](), list[SpecialPoint]()
+        try:
+            for item in self.followed_from(start, to, longest):
+                if isinstance(item, SpecialPoint):
+                    met.append(item)
+                elif isinstance(item, Node):
+                    changes += self.changes(met, item.label, rising)
+                    last, met = _MotionAt(item.value, item.label, item.orbit.state, item.orbit), []
+                else:
+                    point = met.pop() if met and item.kind in AT_END else None
+                    label = point.label_before if point else last.label
+                    changes += self.changes(met, label, rising)
+                    return _Way(tuple(changes), last, item, rising, point)
+        except FAILURES as error:
+            return _Way(tuple(changes), last, EndOfBranch(EndKind.SHORT, last.value, str(error)), rising)
+        raise AssertionError("what is followed has an end")
 
-    def change(self, point: SolvedPoint, before: Node, after: Node) -> Transition:
-        """A point that the orbit passes."""
-        below, above = sorted((before, after), key=lambda node: node.value)
-        lower, upper = min(below.value, point.value), max(above.value, point.value)
-        return Transition(self.name, kind_of(point), lower, upper, below.label, above.label, point)
+    def changes(self, met: Sequence[SpecialPoint], label: Label, rising: bool) -> Iterator[Transition]:
+        """Points passed one after the other; ``label``: of the motion behind the last."""
+        behind = [*(point.label_before for point in met[1:]), label]
+        for point, after in zip(met, behind, strict=False):
+            yield self.at_point(point, point.label_before, after, rising)
+
+    def at_point(self, point: SpecialPoint, before: Label, after: Label | None, rising: bool) -> Transition:
+        """A change that was solved for, with the labels in the order in which it was come to."""
+        below, above = (before, after) if rising else (after, before)
+        slack = SLACK * max(abs(point.value), SMALL)
+        return Transition(
+            self.name, kind_of(point), point.value - slack, point.value + slack, below, above, point
+        )
 
     def end(self, way: _Way, beyond: _MotionAt) -> Iterator[Transition]:
         """Where an orbit ends, and what motion there is beyond. A touch after which the orbit is not stable
         is told as the touch of this orbit, and then the jump from it."""
-        last, point = (way.last.value, way.last.label), way.point
-        end = beyond.value if beyond.value != way.last.value else way.beyond
+        point = way.point
+        end = beyond.value if beyond.value != way.last.value else way.end.value
         jump = (
             JUMP
             if beyond.orbit is not None
@@ -317,25 +336,23 @@ class _Finder:
             if beyond.label == MotionKind.APERIODIC
             else UNPROVED
         )
-        if isinstance(point, GrazingPoint):
-            label = point.label_above if end > last[0] else point.label_below
-            if label is not MotionKind.NONE:
-                yield self.joining(GRAZING, last, (point.value, label), point)
-                yield self.joining(jump, (point.value, label), (end, beyond.label))
-                return
-        kind = kind_of_end(point, way.outcome) or jump
-        yield self.joining(kind, last, (end, beyond.label), point)
+        if point is None:
+            yield self.joining(jump, (way.last.value, way.last.label), (end, beyond.label))
+        elif point.is_grazing:
+            yield self.at_point(point, point.label_before, point.label_after, way.rising)
+            yield self.joining(jump, (point.value, point.label_after), (end, beyond.label))
+        else:
+            yield self.at_point(point, point.label_before, beyond.label, way.rising)
 
     def joining(
         self,
         kind: str,
         one: tuple[float, Label | None],
         two: tuple[float, Label | None],
-        point: SolvedPoint | None = None,
     ) -> Transition:
         """A change between two values with their labels."""
         (lower, below), (upper, above) = sorted((one, two), key=lambda end: end[0])
-        return Transition(self.name, kind, lower, upper, below, above, point)
+        return Transition(self.name, kind, lower, upper, below, above, None)
 
     def interval(
         self, kind: str, one: _MotionAt | Sampled, two: _MotionAt | Sampled, label: Label | None = None

@@ -1,10 +1,11 @@
 """Branches of periodic orbits, stable or not, by pseudo-arclength continuation, with their special points."""
 
+from .branch import Branch
 from .derivative import DerivativeKind
 from .extrema import Extremum
 from .local_law import GrazingLaw, law_at
 from .node import Node
-from .points import Branch, BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
+from .points import BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
 from .settings import ContinuationSettings
 from .switching import Switched, switched
 from .walk import walk

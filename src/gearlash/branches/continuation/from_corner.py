@@ -14,8 +14,9 @@ import numpy as np
 
 from gearlash.orbits import Orbit, orbit_at
 
+from .branch import Branch
 from .equations import UNBUILT, Array, Line
-from .points import Branch, SpecialPoint
+from .points import SpecialPoint
 
 Side = tuple[Array, Array]
 AWAY = (

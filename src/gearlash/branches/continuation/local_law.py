@@ -23,10 +23,11 @@ from gearlash.orbits.floquet import ordered
 from gearlash.orbits.grazing import force_gradient
 from gearlash.system import Clearance, ContactRule, Family, GearlashError, Record, evaluate, given
 
+from .branch import Branch
 from .corner import abrupt
 from .equations import Array, Line
 from .extrema import Extrema, Extremum
-from .points import Branch, SpecialKind, SpecialPoint
+from .points import SpecialKind, SpecialPoint
 
 Complex = NDArray[np.complex128]
 HELD = 1e-3  # mesh cycles on either side of the touch in which the boundary is not crossed

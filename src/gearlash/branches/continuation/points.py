@@ -1,22 +1,21 @@
-"""What a branch is told by: its points, the special ones among them, and why it ends."""
+"""What is met along a branch: its orbits, the special ones among them, and why it ends."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import pairwise
-from math import nan
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gearlash import flow
 from gearlash.orbits import Certificate, Signature
-from gearlash.orbits.grazing import GRAZING_KINDS, Surface
-from gearlash.system import Record, Status, given
+from gearlash.orbits.floquet import rate
+from gearlash.orbits.grazing import GRAZING_KINDS, GrazingConditions, Surface, conditions_at
+from gearlash.system import GearlashError, Record, Status, System
 from gearlash.system.status import Named
 
-from .derivative import DerivativeKind
 from .extrema import Extremum
 
 Array = NDArray[np.float64]
@@ -169,6 +168,10 @@ class SpecialPoint(Record):
     note : str
         The kind in words, of a graze with its boundary.
     status : Status
+    name : str
+        Short name of the parameter.
+    values : mapping of str to float
+        All parameters of the orbit there.
 
     Examples
     --------
@@ -196,11 +199,115 @@ class SpecialPoint(Record):
     linear: bool
     note: str
     status: Status
+    name: str
+    values: Mapping[str, float]
 
     @property
     def arclength(self) -> float:
         """Of the point itself."""
         return self.point.arclength
+
+    @property
+    def is_grazing(self) -> bool:
+        """Whether an extremum touches a boundary there."""
+        return self.kind is SpecialKind.GRAZING
+
+    @property
+    def period(self) -> int:
+        """Of the orbit, in mesh cycles."""
+        return self.point.period
+
+    @property
+    def multipliers(self) -> NDArray[np.complex128]:
+        """Of the orbit, by modulus, descending."""
+        return self.point.multipliers
+
+    @property
+    def residual(self) -> float:
+        """Of the orbit."""
+        return self.point.residual
+
+    @property
+    def label_below(self) -> Signature:
+        """Of the orbit just below the value."""
+        return self.label_before if self.point.turn >= 0.0 else self.label_after
+
+    @property
+    def label_above(self) -> Signature:
+        """Of the orbit just above the value."""
+        return self.label_after if self.point.turn >= 0.0 else self.label_before
+
+    @property
+    def touch(self) -> Extremum:
+        """The extremum that touches; raises `GearlashError` where none does."""
+        if self.extremum is None:
+            raise GearlashError(f"at a {self.kind} no extremum touches a boundary")
+        return self.extremum
+
+    @property
+    def touch_kind(self) -> str:
+        """Loss of contact or engagement, drive or back side, of a graze."""
+        return grazing_kind(self.touch)
+
+    @property
+    def to_doubling(self) -> float:
+        """Least |λ + 1|."""
+        return float(np.abs(self.multipliers + 1.0).min())
+
+    @property
+    def to_fold(self) -> float:
+        """Least |λ - 1|."""
+        return float(np.abs(self.multipliers - 1.0).min())
+
+    def exponent(self, system: System) -> float:
+        """The largest exponent of the orbit.
+
+        Parameters
+        ----------
+        system : System
+            The member of the family at `values`.
+
+        Returns
+        -------
+        float
+            Per unit of τ.
+        """
+        return rate(complex(self.multipliers[0]), self.period / system.cycles * system.period)
+
+    def state_at_touch(self, system: System) -> Array:
+        """The state of a graze at its touch.
+
+        Parameters
+        ----------
+        system : System
+            The member of the family at `values`.
+
+        Returns
+        -------
+        ndarray of shape (n,)
+        """
+        phase = self.touch.phase % self.period
+        return flow.carry(flow.propagators(system), self.point.state, phase).state
+
+    def conditions(self, system: System) -> GrazingConditions:
+        """The four conditions of a graze, read anew from the state at the touch.
+
+        Parameters
+        ----------
+        system : System
+            The member of the family at `values`.
+
+        Returns
+        -------
+        GrazingConditions
+            Of the surface "force" the velocity is the residual of the orbit.
+        """
+        touch = self.touch
+        surface: Surface = "gap" if touch.surface == "gap" else "force"
+        return conditions_at(
+            system, touch.phase, self.state_at_touch(system), touch.a0,
+            clearance=touch.clearance, boundary=touch.boundary, surface=surface, force_rate=self.residual,
+        )  # fmt: skip
 
 
 def grazing_kind(extremum: Extremum) -> str:
@@ -233,89 +340,3 @@ class EndOfBranch(Record):
     kind: EndKind
     value: float
     note: str = ""
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Branch(Record):
-    """Periodic orbits along one parameter, stable or not.
-
-    Attributes
-    ----------
-    name : str
-        Of the parameter, short.
-    values : mapping of str to float
-        All parameters, dimensionless; that of `name` is where the branch was begun.
-    lower, upper : float
-        Limits of the parameter.
-    points : tuple of BranchPoint
-        In the order of their arclength.
-    special : tuple of SpecialPoint
-        In the same order.
-    ends : tuple of EndOfBranch
-        The first and the last.
-    scale : ndarray
-        Of the unknowns (states, then the parameter), in which arclength is measured.
-    unexplained : tuple of str
-        Steps on which something changed that no special point was found for, in words.
-    derivative : DerivativeKind or None
-        How the derivatives along the parameter were had; None where a file of before does not say.
-    derivative_error : float
-        Estimate of their error, relative; 0 where they are exact, NaN where it is not known. It makes
-        Newton's method slower, and no orbit less exact.
-
-    Examples
-    --------
-    >>> import gearlash as gl
-    >>> family, _ = gl.load_case("article").family()
-    >>> branch = gl.continue_branch(family, "omega", lower=1.0, upper=1.12)
-    >>> [round(special.value, 6) for special in branch.of_kind("grazing")]
-    [1.112]
-    """
-
-    _printed: ClassVar = ("name", "lower", "upper", "points", "special", "ends")
-
-    name: str
-    values: Mapping[str, float]
-    lower: float
-    upper: float
-    points: tuple[BranchPoint, ...]
-    special: tuple[SpecialPoint, ...]
-    ends: tuple[EndOfBranch, ...]
-    scale: Array
-    unexplained: tuple[str, ...] = ()
-    derivative: DerivativeKind | None = None
-    derivative_error: float = nan
-
-    @property
-    def parameter(self) -> Array:
-        """Values of the parameter, of shape (m,)."""
-        return np.array([point.value for point in self.points])
-
-    def of_kind(self, kind: SpecialKind | str) -> tuple[SpecialPoint, ...]:
-        """The special points of one kind.
-
-        Parameters
-        ----------
-        kind : SpecialKind or str
-
-        Returns
-        -------
-        tuple of SpecialPoint
-        """
-        return tuple(special for special in self.special if special.kind is SpecialKind(kind))
-
-    def at(self, value: float) -> tuple[tuple[BranchPoint, BranchPoint], ...]:
-        """Where the branch passes a value.
-
-        Parameters
-        ----------
-        value : float
-            Of the parameter.
-
-        Returns
-        -------
-        tuple of pairs of BranchPoint
-            Neighbours with the value between theirs, one pair for every passage.
-        """
-        value, pairs = given.number("value", value), pairwise(self.points)
-        return tuple(p for p in pairs if min(p[0].value, p[1].value) <= value <= max(p[0].value, p[1].value))

@@ -17,7 +17,8 @@ class ContinuationSettings(Record):
     Parameters
     ----------
     first, shortest, longest : float
-        Lengths of the first step, and of any; 0 < shortest ≤ first ≤ longest ≤ 1.
+        Lengths of the first step, and of any; 0 < shortest ≤ first ≤ longest ≤ 1. Where the states move
+        farther than on the first orbit, the longest step is as much longer.
     angle : float
         Largest angle in rad between the directions of the branch at both ends of a step, 0.01 to 1.
     most_points : int

@@ -18,6 +18,7 @@ from gearlash import flow
 from gearlash.orbits import Orbit, orbit_at
 from gearlash.system import Family, GearlashError
 
+from .branch import Branch
 from .changes import halves
 from .corner import HALVES, abrupt
 from .equations import Array, Equations, Line
@@ -25,7 +26,7 @@ from .extrema import Extrema
 from .from_corner import doubled_at_corner, halved_at_corner
 from .linear import stays_in
 from .node import Node, node_near
-from .points import Branch, SpecialKind, SpecialPoint
+from .points import SpecialKind, SpecialPoint
 
 SIZES = (1e-2, 3e-3, 1e-3, 1e-4)  # of the scale: first distances along the null vector
 BEYOND = (1e-2, 1e-3, 1e-4)  # of the amplitude that touches: how far above it an orbit is solved for

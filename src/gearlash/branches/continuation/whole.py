@@ -10,13 +10,14 @@ import numpy as np
 from gearlash.orbits import Certificate, Orbit, Verdict, orbit_at
 from gearlash.system import Family, GearlashError, Status, given
 
+from .branch import Branch
 from .derivative import DerivativeKind
 from .equations import UNBUILT, Equations, Line
 from .follow import Follower
 from .locate import MEETING
 from .node import Node, node_near
 from .notes import note_of
-from .points import Branch, BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
+from .points import BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
 from .resolve import Passed, Unexplained
 from .settings import ContinuationSettings
 
@@ -180,6 +181,8 @@ def special_of(passed: Passed, last: Node, arclength: float, settings: Continuat
         linear=linear,
         note=note_of(passed),
         status=Status.OK,
+        name=node.equations.line.name,
+        values={**node.equations.line.values, node.equations.line.name: node.value},
     )
 
 
