@@ -20,7 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches import BifurcationPoint, GrazingPoint, locate_grazing
+from gearlash.branches import GrazingPoint, locate_grazing
+from gearlash.branches.continuation import SpecialPoint
 from gearlash.case import Case
 from gearlash.flow import Propagators
 from gearlash.orbits import GrazingCheck, Orbit, grazing_checks, orbit_at
@@ -43,7 +44,7 @@ LEAST_AMPLITUDES = 4  # amplitudes from which the square root is read
 SHOWN = 6  # amplitudes that are kept, evenly among those that were followed
 
 
-def first_touch(family: Family, point: BifurcationPoint) -> Coincidence | None:
+def first_touch(family: Family, point: SpecialPoint) -> Coincidence | None:
     """The grazing that the orbit born at a doubling meets first, within 2 % of the parameter; None if there
     is none, or it cannot be followed there."""
     try:
@@ -62,9 +63,9 @@ def first_touch(family: Family, point: BifurcationPoint) -> Coincidence | None:
 
 def coincidences(case: Case, found: Sequence[Found], executor: Executor) -> list[Beside]:
     """The first touch beside every doubling that was located, with the directions it was met in."""
-    met: dict[float, tuple[BifurcationPoint, list[Direction]]] = {}
+    met: dict[float, tuple[SpecialPoint, list[Direction]]] = {}
     for transition, directions in found:
-        if transition.kind != DOUBLING or not isinstance(transition.point, BifurcationPoint):
+        if transition.kind != DOUBLING or transition.point is None:
             continue
         value = next(
             (v for v in met if abs(v - transition.value) <= SAME_DOUBLING * abs(v)), transition.value
@@ -80,7 +81,7 @@ def coincidences(case: Case, found: Sequence[Found], executor: Executor) -> list
     ]
 
 
-def beside(case_json: str, point: BifurcationPoint) -> Coincidence | None:
+def beside(case_json: str, point: SpecialPoint) -> Coincidence | None:
     """`first_touch` of a case (a task for a worker)."""
     return first_touch(Case.from_json(case_json).family()[0], point)
 
@@ -98,14 +99,14 @@ class _Branch:
     direction: Array
 
     @staticmethod
-    def at(family: Family, point: BifurcationPoint) -> _Branch:
+    def at(family: Family, point: SpecialPoint) -> _Branch:
         props = flow.propagators(family.system(point.values))
-        end = flow.variational(props, point.state, float(point.period))
+        end = flow.variational(props, point.point.state, float(point.period))
         assert end.jacobian is not None
         values, vectors = np.linalg.eig(end.jacobian)
         vector = np.real(vectors[:, np.abs(values + 1.0).argmin()])
         vector = vector / np.linalg.norm(vector)
-        return _Branch(family, point.values, point.name, point.value, point.state, point.period, vector)
+        return _Branch(family, point.values, point.name, point.value, point.point.state, point.period, vector)
 
     def props(self, mu: float) -> Propagators:
         return flow.propagators(self.family.system({**self.values, self.name: mu}))
@@ -179,7 +180,7 @@ def _located(branch: _Branch, followed: list[tuple[float, float, Orbit]]) -> Gra
 
 
 def _coincidence(
-    point: BifurcationPoint,
+    point: SpecialPoint,
     graze: GrazingPoint,
     followed: list[tuple[float, float, Orbit]],
 ) -> Coincidence:
@@ -193,7 +194,7 @@ def _coincidence(
     return Coincidence(
         doubling=point,
         grazing=graze,
-        single=point.label,
+        single=followed[0][2].label,
         doubled=orbits[0].signature.twice,
         beyond=graze.label_below if graze.value < point.value else graze.label_above,
         apart=abs(graze.value - point.value),

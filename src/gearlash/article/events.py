@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearlash.branches import BifurcationPoint, GrazingPoint
-from gearlash.branches.critical import distance_to_unit
+from gearlash.branches import GrazingPoint
+from gearlash.branches.continuation import SpecialPoint
 from gearlash.flow import propagators
 from gearlash.orbits import Orbit, attractor, orbit_at
 from gearlash.plots.regimes import short
@@ -42,7 +42,7 @@ def _value(claim: Claim) -> float:
 
 def _fits(claim: Claim, transition: Transition) -> bool:
     point = transition.point
-    if not isinstance(point, GrazingPoint) or point.boundary != claim.boundary:
+    if point is None or not point.is_grazing or point.touch.boundary != claim.boundary:
         return False
     labels = (transition.label_below, transition.label_above)
     return _labelled(claim, labels) and abs(deviation(transition.value, _value(claim))) <= FAR
@@ -88,7 +88,7 @@ class EventSearch:
 
     def solved(self, claim: Claim, transition: Transition, directions: tuple[Direction, ...]) -> Event:
         point = transition.point
-        assert isinstance(point, GrazingPoint)
+        assert point is not None
         apart = deviation(point.value, _value(claim))
         before, after = (self.beside(claim, point, side) for side in (-1, 1))
         at = touching(self.family, point)
@@ -99,14 +99,14 @@ class EventSearch:
             deviation=apart,
             label_below=transition.label_below,
             label_above=transition.label_above,
-            kind=point.kind,
-            boundary=point.boundary,
-            a0=point.a0,
-            phase=point.phase,
+            kind=point.touch_kind,
+            boundary=point.touch.boundary,
+            a0=point.touch.a0,
+            phase=point.touch.phase,
             type=table2_type(point),
             leading_below=before.leading,
             leading_above=after.leading,
-            exponent=point.exponent,
+            exponent=point.exponent(self.family.system(point.values)),
             distance_to_fold=point.to_fold,
             distance_to_doubling=point.to_doubling,
             conditions=_conditions(self.family, point),
@@ -126,14 +126,16 @@ class EventSearch:
         apart = deviation(point.value, _value(claim))
         at = touching(self.family, graze)
         near = (
-            (graze.state_zero, point.state) if graze.value < point.value else (point.state, graze.state_zero)
+            (graze.state_zero, point.point.state)
+            if graze.value < point.value
+            else (point.point.state, graze.state_zero)
         )
         values = sorted((graze.value, point.value))
         before, after = (
             self.settled(claim.parameter, values[i], side, near[i], both.labels[i])
             for i, side in ((0, -1), (1, 1))
         )
-        doubling, fold = distance_to_unit(point.multipliers)
+        doubling, fold = point.to_doubling, point.to_fold
         period = point.period * 2.0 * np.pi / self.family.system(point.values).omega
         return Event(
             **_reported(claim),
@@ -180,13 +182,13 @@ class EventSearch:
             distance /= 2.0
         raise GearlashError(f"no motion {wanted} beside {name} = {value}")
 
-    def beside(self, claim: Claim, point: GrazingPoint, side: int) -> Motion:
+    def beside(self, claim: Claim, point: SpecialPoint, side: int) -> Motion:
         """The orbit at a distance from the grazing at which it still has the label of that side."""
         wanted = point.label_below if side < 0 else point.label_above
         distance = PICTURED
         for _ in range(14):
             value = point.value * (1.0 + side * distance)
-            orbit = self.orbit_at(claim.parameter, value, point.state_zero, point.period)
+            orbit = self.orbit_at(claim.parameter, value, point.point.state, point.period)
             if orbit is not None and orbit.label == wanted and orbit.stable:
                 break
             distance /= 2.0
@@ -249,7 +251,7 @@ def _reported(claim: Claim) -> dict:
     }
 
 
-def _conditions(family: Family, point: GrazingPoint) -> tuple[tuple[str, float, bool], ...]:
+def _conditions(family: Family, point: GrazingPoint | SpecialPoint) -> tuple[tuple[str, float, bool], ...]:
     """The article's four conditions with their values at the computed point."""
     found = point.conditions(family.system(point.values))
     meets, smooth, turns, _ = found.met()
@@ -311,8 +313,9 @@ def describe(transition: Transition) -> str:
 def exponent_at(transition: Transition) -> float:
     """Largest exponent of the orbit at a located point; at a doubling or fold it is zero but for rounding."""
     point = transition.point
-    if isinstance(point, GrazingPoint):
-        return point.exponent
-    if isinstance(point, BifurcationPoint):
-        return float(np.log(np.abs(point.multipliers[0])))
-    return NAN
+    if point is None:
+        return NAN
+    if point.is_grazing:
+        duration = point.period * 2.0 * np.pi / point.values["omega"]
+        return float(np.log(np.abs(point.multipliers[0])) / duration)
+    return float(np.log(np.abs(point.multipliers[0])))

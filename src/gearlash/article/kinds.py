@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from gearlash.branches import BifurcationPoint, GrazingPoint
+from gearlash.branches.continuation import SpecialPoint
 
 STANDARD = "standard grazing"
 CODIMENSION_TWO = "co-dimension-2 grazing"
@@ -10,7 +11,7 @@ SMOOTH = "smooth"
 CRITICAL = 1e-3  # |λ ± 1| below which a grazing point counts as coincident with a doubling or a fold
 
 
-def table2_type(point: GrazingPoint | BifurcationPoint, critical: float = CRITICAL) -> str:
+def table2_type(point: GrazingPoint | BifurcationPoint | SpecialPoint, critical: float = CRITICAL) -> str:
     """The type of a located point by Table 2.
 
     Parameters
@@ -37,6 +38,6 @@ def table2_type(point: GrazingPoint | BifurcationPoint, critical: float = CRITIC
     >>> table2_type(gl.locate_grazing(family, "omega", orbit, check, values={"omega": 1.05}))
     'standard grazing'
     """
-    if isinstance(point, BifurcationPoint):
+    if isinstance(point, BifurcationPoint) or (isinstance(point, SpecialPoint) and not point.is_grazing):
         return SMOOTH
     return CODIMENSION_TWO if min(point.to_doubling, point.to_fold) < critical else STANDARD

@@ -17,7 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from gearlash.branches import GrazingPoint
+from gearlash.branches.continuation import SpecialPoint
 from gearlash.case import Case, load
 from gearlash.case.edges import shown_edge
 from gearlash.orbits import Orbit, Settings, attractor
@@ -64,7 +64,7 @@ def compute(case: Case, points: int = POINTS) -> OverviewData:
     return OverviewData(dataset, (lower.value, upper.value), motions)
 
 
-def ends(family: Family) -> tuple[GrazingPoint, GrazingPoint]:
+def ends(family: Family) -> tuple[SpecialPoint, SpecialPoint]:
     """The grazings in which the window without impacts ends."""
     inside = point(family, {"omega": INSIDE}, name="omega")
     if not inside.impact_free:
@@ -78,9 +78,9 @@ def ends(family: Family) -> tuple[GrazingPoint, GrazingPoint]:
     return lower, upper
 
 
-def _orbit(family: Family, point: GrazingPoint, factor: float) -> Orbit:
+def _orbit(family: Family, point: SpecialPoint, factor: float) -> Orbit:
     system = family.system({**point.values, "omega": point.value * factor})
-    found = attractor(system, point.state_zero, trial=(point.state_zero, point.period))
+    found = attractor(system, point.point.state, trial=(point.point.state, point.period))
     if not isinstance(found, Orbit):
         raise GearlashError(f"no periodic motion beside the grazing: {found.message}")
     return found

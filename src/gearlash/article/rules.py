@@ -12,13 +12,12 @@ from concurrent.futures import Executor
 import numpy as np
 
 from gearlash import flow
-from gearlash.branches import GrazingPoint, Passage, follow
+from gearlash.branches.continuation import SpecialPoint, walk
 from gearlash.case import Case
 from gearlash.orbits import orbit_at
 from gearlash.results import Axis, Direction, Point
 from gearlash.studies.point import point
 from gearlash.studies.sweep import sweep
-from gearlash.studies.transition import GRAZING
 from gearlash.studies.transitions import transitions
 from gearlash.system import ContactRule, Family
 
@@ -78,9 +77,9 @@ def effect(
         speeds=tuple(_label("omega", p) for p in at_speeds),
         backlash=tuple(_label("D", p) for p in down.points),
         back_side=tuple(
-            _touch(t.point)
+            _touch(family, t.point)
             for t in found
-            if t.kind == GRAZING and isinstance(t.point, GrazingPoint) and t.point.boundary < 0
+            if t.point is not None and t.point.is_grazing and t.point.touch.boundary < 0
         ),
     )
 
@@ -98,19 +97,19 @@ def _end(family: Family, values: Mapping[str, float], quiet: Point, to: float) -
     orbit = orbit_at(flow.propagators(family.system(member)), quiet.state, len(quiet.strobes))
     if orbit is None:
         return None
-    for met in follow(family, "omega", orbit, to, values=member):
-        if isinstance(met, Passage) and isinstance(met.point, GrazingPoint):
-            return _touch(met.point)
+    for met in walk(family, member, "omega", orbit, to):
+        if isinstance(met, SpecialPoint) and met.is_grazing:
+            return _touch(family, met)
     return None
 
 
-def _touch(point: GrazingPoint) -> RuleGrazing:
+def _touch(family: Family, point: SpecialPoint) -> RuleGrazing:
     return RuleGrazing(
         point.value,
         point.error,
         point.label_below,
         point.label_above,
-        point.kind,
-        point.surface,
-        point.exponent,
+        point.touch_kind,
+        point.touch.surface,
+        point.exponent(family.system(point.values)),
     )

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from gearlash.branches import BifurcationPoint, GrazingPoint
 from gearlash.studies.transition import Transition
 from gearlash.system import Label, Signature, label_text
 
@@ -19,10 +18,10 @@ def fill(found: Sequence[Found], events: Sequence[Event]) -> tuple[Table2Row, ..
     """The three rows: what the article says of each type, and what this run located of it."""
     transitions = [transition for transition, _ in found]
     matched = {event.value for event in events if event.found}
-    grazes = [t for t in transitions if isinstance(t.point, GrazingPoint)]
+    grazes = [t for t in transitions if t.point is not None and t.point.is_grazing]
     standard = [t for t in grazes if t.point is not None and table2_type(t.point) == STANDARD]
     double = [t for t in grazes if t.point is not None and table2_type(t.point) == CODIMENSION_TWO]
-    smooth = [t for t in transitions if isinstance(t.point, BifurcationPoint)]
+    smooth = [t for t in transitions if t.point is not None and not t.point.is_grazing]
     kept = all(_period(t.label_below) == _period(t.label_above) for t in standard)
     negative = all(exponent_at(t) < 0.0 for t in standard)
     return (
@@ -124,7 +123,7 @@ def _kinds(transitions: Sequence[Transition]) -> dict[str, int]:
 
 def _nearest_coincidence(grazes: Sequence[Transition]) -> str:
     """The located grazing whose multipliers come nearest to -1."""
-    points = [(t.point.to_doubling, t) for t in grazes if isinstance(t.point, GrazingPoint)]
+    points = [(t.point.to_doubling, t) for t in grazes if t.point is not None]
     if not points:
         return "No grazing was located."
     least, transition = min(points, key=lambda pair: pair[0])

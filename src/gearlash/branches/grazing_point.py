@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from gearlash.orbits.grazing import GRAZING_KINDS, GrazingConditions, Surface, conditions_at
 from gearlash.system import Label, Record, Status, System
 
+from .continuation.extrema import Extremum
 from .critical import distance_to_unit
 
 Array = NDArray[np.float64]
@@ -112,6 +113,16 @@ class GrazingPoint(Record):
     def kind(self) -> str:
         """Loss of contact or engagement, drive or back side."""
         return GRAZING_KINDS[(self.surface, self.boundary, 1 if self.a0 > 0 else -1)]
+
+    @property
+    def touch(self) -> Extremum:
+        """What touches, as an extremum of a branch has it."""
+        return Extremum(0, self.clearance, self.surface, self.boundary, self.phase, 0.0, self.a0)
+
+    @property
+    def touch_kind(self) -> str:
+        """Loss of contact or engagement, drive or back side."""
+        return self.kind
 
     def conditions(self, system: System) -> GrazingConditions:
         """The four conditions, read anew from the state at the touch.

@@ -16,7 +16,7 @@ class PassedBifurcation:
 
     Attributes
     ----------
-    kind : {"fold", "doubling"}
+    kind : {"fold", "doubling", "Neimark-Sacker", "branch point"}
     value : float
         Of the parameter.
     label_below, label_above : Signature or MotionKind

@@ -3,23 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
-from gearlash.branches import BifurcationPoint, GrazingPoint, Outcome, Passage, PathEnd, follow
+from gearlash.branches.continuation import (
+    EndKind,
+    EndOfBranch,
+    Item,
+    Node,
+    SpecialKind,
+    SpecialPoint,
+    walk,
+)
 from gearlash.jobs.stop import interruptible
 from gearlash.orbits import Settings
 from gearlash.results import Direction, Point
 from gearlash.results.followed import INTERRUPTED, FollowedPath, PassedBifurcation
-from gearlash.system import Family, GearlashError, MotionKind, given, plain_values, short_name
+from gearlash.system import Family, GearlashError, Label, MotionKind, given, plain_values, short_name
 
 from .arguments import checked_settings
 from .beginning import orbit_of, value_of
 from .model import Model, Source
+from .transition import kind_of
 
 REACH = 0.95  # as far as it is followed, relative to the value at the start
 SMALL = 1e-3  # what counts as the size of a small value
 BEYOND = 1e-3  # how far beyond a touch the orbit is looked after, relative to that value
 PARTS = 1000  # of one direction, for the progress
+MET = {SpecialKind.DOUBLING: "its period doubles", SpecialKind.FOLD: "it ends in a fold"}
+"""What happens to an orbit beyond its touch, in words."""
 
 
 def first_grazing(
@@ -31,7 +43,7 @@ def first_grazing(
     values: Mapping[str, float | str] | None = None,
     settings: Settings | None = None,
     tell: Callable[[int, int], object] | None = None,
-) -> tuple[FollowedPath, GrazingPoint | None]:
+) -> tuple[FollowedPath, SpecialPoint | None]:
     """Follows one periodic motion in one parameter, through doublings, until a contact is born or dies.
 
     Parameters
@@ -55,7 +67,7 @@ def first_grazing(
     path : FollowedPath
         How far the motion was followed and why not farther. The way ends 95 % of the value away from it, or
         at the end of the parameter's range.
-    touch : GrazingPoint or None
+    touch : SpecialPoint or None
         The first grazing on this way, solved for.
 
     Raises
@@ -76,36 +88,58 @@ def first_grazing(
     direction, settings = _way(direction), checked_settings(settings)
     if tell is not None:
         given.function("tell", tell, "a function of two whole numbers")
-    to, reached = _last(family, name, start.value, direction), start.value
-    way, passed = abs(to - start.value), []
-    found: Passage | None = None
-
-    def hear(value: float) -> None:
-        nonlocal reached
-        reached = value
-        if tell is not None:
-            tell(round(PARTS * abs(value - start.value) / way), PARTS)
-
-    beyond = ""
+    orbit, to = orbit_of(family, others, name, start), _last(family, name, start.value, direction)
+    items = walk(family, others, name, orbit, to, longest=settings.max_period)
+    way = _Way(direction, start.value)
     try:
         with interruptible():
-            for step in _steps(family, others, name, start, to, hear, settings):
-                if isinstance(step, PathEnd):
-                    ended, decided = _ended(step, family, name)
-                    return FollowedPath(direction, step.last.value, ended, decided, "", tuple(passed)), None
-                if isinstance(step.point, GrazingPoint):
-                    found = step
-                    beyond = _beyond(family, others, name, step, direction)
+            for item in items:
+                way.read(item, family, name)
+                if tell is not None and isinstance(item, Node) and to != start.value:
+                    tell(round(PARTS * abs(item.value - start.value) / abs(to - start.value)), PARTS)
+                if way.touch is not None:
+                    farthest = _last(family, name, way.touch.value, direction)
+                    way.beyond = _beyond(items, way.touch.value, farthest)
                     break
-                passed.append(_passed(step.point, step, direction))
     except KeyboardInterrupt:
-        if found is None:
-            return FollowedPath(direction, reached, INTERRUPTED, False, "", tuple(passed)), None
-        beyond = INTERRUPTED
-    assert found is not None  # what is followed ends with a PathEnd
-    assert isinstance(found.point, GrazingPoint)
-    ended = f"grazing at {found.value:.10g}"
-    return FollowedPath(direction, found.value, ended, True, beyond, tuple(passed)), found.point
+        if way.touch is None:
+            way.ended = INTERRUPTED, False
+        else:
+            way.beyond = INTERRUPTED
+    return way.path, way.touch
+
+
+@dataclass(eq=False)
+class _Way:
+    """How far a motion was followed, and what it met up to its first grazing."""
+
+    direction: Literal["down", "up"]
+    reached: float
+    touch: SpecialPoint | None = None
+    beyond: str = ""
+    ended: tuple[str, bool] = ("", False)
+    passed: list[PassedBifurcation] = field(default_factory=list)
+    met: SpecialPoint | None = None
+
+    @property
+    def path(self) -> FollowedPath:
+        ended, decided = self.ended
+        return FollowedPath(self.direction, self.reached, ended, decided, self.beyond, tuple(self.passed))
+
+    def read(self, item: Item, family: Family, name: str) -> None:
+        if self.met is not None:  # it is told with the label that comes behind it
+            self.passed.append(_passed(self.met, _label_before(item), self.direction))
+            self.met = None
+        if isinstance(item, Node):
+            self.reached = item.value
+        elif isinstance(item, EndOfBranch):
+            self.ended = _ended(item, family, name)
+            self.reached = item.value
+        elif item.is_grazing:
+            self.touch, self.reached = item, item.value
+            self.ended = f"grazing at {item.value:.10g}", True
+        else:
+            self.met = item
 
 
 def _checked(
@@ -128,20 +162,6 @@ def _way(direction: str) -> Literal["down", "up"]:
     return "up" if found is Direction.UP else "down"
 
 
-def _steps(
-    family: Family,
-    values: Mapping[str, float],
-    name: str,
-    start: Point,
-    to: float,
-    hear: Callable[[float], object],
-    settings: Settings,
-) -> Iterator[Passage | PathEnd]:
-    """The way from a point of a study."""
-    orbit = orbit_of(family, values, name, start)
-    yield from follow(family, name, orbit, to, values=values, tell=hear, longest=settings.max_period)
-
-
 def _last(family: Family, name: str, value: float, direction: str) -> float:
     """The end of the search: of its reach, or of the range of the parameter."""
     parameter = next(p for p in family.parameters if p.name == name)
@@ -149,40 +169,51 @@ def _last(family: Family, name: str, value: float, direction: str) -> float:
     return min(value + reach, parameter.upper) if direction == "up" else max(value - reach, parameter.lower)
 
 
-def _ended(end: PathEnd, family: Family, name: str) -> tuple[str, bool]:
+def _ended(end: EndOfBranch, family: Family, name: str) -> tuple[str, bool]:
     """Why the motion was not followed further, and whether that is the end of it, or of the search."""
-    if end.outcome is Outcome.ARRIVED:
+    if end.kind is EndKind.ARRIVED:
         parameter = next(p for p in family.parameters if p.name == name)
-        at_limit = end.last.value in (parameter.lower, parameter.upper)
+        at_limit = end.value in (parameter.lower, parameter.upper)
         return ("end of the range of the parameter" if at_limit else "end of the search"), True
-    if end.outcome is Outcome.PERIOD:
-        return f"at {end.beyond:.10g} {end.outcome} (--max-period)", False
-    if end.outcome in (Outcome.UNBUILT, Outcome.LOST):
-        return f"{end.outcome}: {end.reason}", False
-    return f"at {end.beyond:.10g} {end.outcome}", True
+    if end.kind is EndKind.PERIOD:
+        return f"at {end.value:.10g} {end.kind} (--max-period)", False
+    if end.kind in (EndKind.UNBUILT, EndKind.SHORT, EndKind.POINTS):
+        return f"{end.kind}: {end.note}", False
+    return f"at {end.value:.10g} {end.kind}", True
 
 
-def _passed(point: BifurcationPoint, met: Passage, direction: str) -> PassedBifurcation:
-    before, after = met.before.label, met.after.label if met.after else MotionKind.NONE
-    below, above = (before, after) if direction == "up" else (after, before)
-    return PassedBifurcation("doubling" if point.multiplier < 0 else "fold", point.value, below, above)
+def _label_before(item: Item) -> Label:
+    """Of the motion that leads up to an item."""
+    if isinstance(item, EndOfBranch):
+        return MotionKind.NONE
+    return item.label if isinstance(item, Node) else item.label_before
 
 
-def _beyond(family: Family, values: Mapping[str, float], name: str, met: Passage, direction: str) -> str:
+def _passed(point: SpecialPoint, after: Label, direction: str) -> PassedBifurcation:
+    below, above = (point.label_before, after) if direction == "up" else (after, point.label_before)
+    return PassedBifurcation(kind_of(point), point.value, below, above)
+
+
+def _beyond(items: Iterator[Item], touch: float, farthest: float) -> str:
     """What the orbit does just beyond its touch."""
-    if met.after is None:
-        return str(Outcome.TOUCH)
-    node, sign = met.after, 1.0 if direction == "up" else -1.0
-    farthest = _last(family, name, met.value, direction)
-    to = met.value + sign * min(BEYOND * max(abs(met.value), SMALL), abs(farthest - met.value))
-    if sign * (to - node.value) <= 0.0:
-        return ""
-    step = next(follow(family, name, node.orbit, to, values={**values, name: node.value}))
-    if isinstance(step, Passage):
-        if isinstance(step.point, GrazingPoint):
-            return f"{node.label} goes on to the next grazing, at {step.value:.10g}"
-        what = "its period doubles" if step.point.multiplier < 0 else "it ends in a fold"
-        return f"{node.label} goes on to {step.value:.10g}, where {what}"
-    if step.outcome is Outcome.ARRIVED:
-        return f"{node.label} goes on (followed to {to:.7g})"
-    return f"{node.label} goes on to {step.last.value:.10g}, where {step.outcome}"
+    enough = min(BEYOND * max(abs(touch), SMALL), abs(farthest - touch))
+    followed = f"followed to {touch + (enough if farthest > touch else -enough):.7g}"
+    label: Label | None = None
+    for item in items:
+        if isinstance(item, SpecialPoint) and item.is_grazing:
+            return f"{item.label_before} goes on to the next grazing, at {item.value:.10g}"
+        if isinstance(item, SpecialPoint):
+            what = MET.get(item.kind, str(item.kind))
+            return f"{item.label_before} goes on to {item.value:.10g}, where {what}"
+        if isinstance(item, EndOfBranch):
+            if item.kind is EndKind.ARRIVED:
+                return f"{label} goes on ({followed})" if label is not None else ""
+            return (
+                str(item.kind)
+                if label is None
+                else f"{label} goes on to {item.value:.10g}, where {item.kind}"
+            )
+        label = item.label
+        if abs(item.value - touch) >= enough:
+            return f"{label} goes on ({followed})"
+    return ""

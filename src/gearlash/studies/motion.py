@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.branches import GrazingPoint
+from gearlash.branches.continuation import SpecialPoint
 from gearlash.flow import Trace
 from gearlash.flow.events import gap_displacement, gap_velocity
 from gearlash.orbits import Attractor, Orbit, orbit_at
@@ -233,20 +234,21 @@ def _pair(touch: Any) -> tuple[float, int]:
     return given.number("phase of the touch", parts[0]), given.whole("boundary of the touch", parts[1], -1, 1)
 
 
-def touching(family: Family, point: GrazingPoint) -> Motion:
+def touching(family: Family, point: SpecialPoint | GrazingPoint) -> Motion:
     """The motion at a grazing that was solved for."""
-    props = flow.propagators(family.system(point.values))
-    orbit = orbit_at(props, point.state_zero, point.period // props.system.cycles)
+    props, at = flow.propagators(family.system(point.values)), point.touch
+    state = point.state_zero if isinstance(point, GrazingPoint) else point.point.state
+    orbit = orbit_at(props, state, point.period // props.system.cycles)
     if orbit is None:
         raise GearlashError(f"no orbit at {point.name} = {point.value:.10g}")
-    phase = point.phase
-    if point.surface == "gap":
-        gap, extrema = props.system.clearances[point.clearance], orbit.trace.extrema_of(point.clearance)
-        edge = gap.gap_plus if point.boundary > 0 else -gap.gap_minus
+    phase = at.phase
+    if at.surface == "gap":
+        gap, extrema = props.system.clearances[at.clearance], orbit.trace.extrema_of(at.clearance)
+        edge = gap.gap_plus if at.boundary > 0 else -gap.gap_minus
         phase = float(extrema.phase[np.argmin(np.abs(extrema.displacement - edge))])
-    touch = phase, point.boundary
-    found = motion(orbit, value=point.value, touch=touch, label=MotionKind.GRAZING, clearance=point.clearance)
-    return replace(found, status=point.status, message=f"touches a boundary: {point.kind}")
+    touch = phase, at.boundary
+    found = motion(orbit, value=point.value, touch=touch, label=MotionKind.GRAZING, clearance=at.clearance)
+    return replace(found, status=point.status, message=f"touches a boundary: {point.touch_kind}")
 
 
 def _phases(trace: Trace, cycles: float, clearance: int) -> Array:

@@ -10,7 +10,8 @@ from gearlash.studies.motion import Motion
 from gearlash.system import Label, Record
 
 if TYPE_CHECKING:
-    from gearlash.branches import BifurcationPoint, GrazingPoint
+    from gearlash.branches import GrazingPoint
+    from gearlash.branches.continuation import SpecialPoint
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class Coincidence(Record):
 
     Attributes
     ----------
-    doubling : BifurcationPoint
+    doubling : SpecialPoint
     grazing : GrazingPoint
     single, doubled, beyond : label
         Of the motions on the far side of the doubling, between the two, and beyond the grazing.
@@ -53,7 +54,7 @@ class Coincidence(Record):
     opening : tuple of Opening
     """
 
-    doubling: BifurcationPoint
+    doubling: SpecialPoint
     grazing: GrazingPoint
     single: Label
     doubled: Label

@@ -21,7 +21,7 @@ from .points import EndKind, EndOfBranch, SpecialKind, SpecialPoint
 from .resolve import Passed, Unexplained
 from .settings import ContinuationSettings
 from .switching import doubled_beside
-from .whole import LONGEST_PERIOD, first_node, special_of
+from .whole import LONGEST_PERIOD, first_node, point_of, special_of
 
 Item = Node | SpecialPoint | EndOfBranch
 LEAST_WAY = 0.05  # of the value: the unit of the parameter on a way that is shorter
@@ -35,6 +35,8 @@ SIZES = (
 )  # of the scale: how far beside the single orbit the doubled one is solved for
 NEAR = 0.2  # of the scale: as far as an orbit lies from where it is taken up, at the most
 AT_TOUCH = 1e-6  # of the unit: stability that is lost so near behind a touch is lost in it
+PASSED = SpecialKind.GRAZING, SpecialKind.BRANCH_POINT, SpecialKind.EXISTENCE
+"""Points that the branch itself goes through, or towards."""
 STABLE = ContinuationSettings(certify=False, most_points=20_000)
 """How a stable motion is followed unless it is said."""
 
@@ -51,7 +53,8 @@ def walk(
 ) -> Iterator[Item]:
     """The stable motion that ``orbit``, found at ``values``, is followed to where ``name`` has the value
     ``to``: every orbit that is stepped to, every special point, in order, and then its end. The orbit before
-    a special point is the last that came, the one beyond the next. An orbit that is born at a doubling is
+    a special point is the last that came, the one beyond the next. Where it joins the orbit of half its
+    period, that is told as the doubling of this one. An orbit that is born at a doubling is
     followed up to a period of ``longest`` base periods. Nothing is computed before it is asked for. Raises
     `GearlashError` where the orbit is none of this family, or is not isolated."""
     values = family.complete(values)
@@ -90,9 +93,12 @@ class _Walker:
         for item in Follower(_ahead(node, self.sign), self.settings).run():
             if isinstance(item, Passed):
                 special = way.special(item, self.settings)
-                yield special
-                if special.kind not in (SpecialKind.GRAZING, SpecialKind.BRANCH_POINT):
-                    return self.beyond(special, way)
+                if special.kind in PASSED:
+                    yield special
+                    continue
+                after = self.beyond(special, way)
+                yield self.of_single(special, after) if special.kind is SpecialKind.JOINS else special
+                return after
             elif isinstance(item, EndOfBranch):
                 return self.ended(item, way)
             elif isinstance(item, Unexplained):
@@ -138,6 +144,21 @@ class _Walker:
         if special.kind is SpecialKind.EXISTENCE:
             return EndOfBranch(EndKind.FAR, value, special.note)
         return EndOfBranch(EndKind.FOLD if special.kind is SpecialKind.FOLD else EndKind.UNSTABLE, value)
+
+    def of_single(self, special: SpecialPoint, after: Node | EndOfBranch) -> SpecialPoint:
+        """Where an orbit joins that of half its period: the doubling of this one, as it is met from there."""
+        period = special.point.period // self.line.system_at(special.point.value).system.cycles
+        single = self.solved(special.point.value, special.point.state, period // 2)
+        if single is None:
+            return special
+        return replace(
+            special,
+            kind=SpecialKind.DOUBLING,
+            point=point_of(single, special.arclength, self.settings),
+            label_after=after.label if isinstance(after, Node) else single.label,
+            unstable_after=single.spectrum.unstable.total,
+            note=str(SpecialKind.DOUBLING),
+        )
 
     def doubled(self, special: SpecialPoint, label: Signature) -> Node | None:
         """The stable orbit of twice the period beyond a doubling."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
 from gearlash.results.followed import INTERRUPTED, FollowedPath
-from gearlash.system import Family, Label, Signature, Status, label_text
+from gearlash.system import Family, Label, Signature, Status, System, label_text
 
 from .asked import Asked
 from .excitation import NOT_EXCITED, nothing_varies
@@ -17,7 +17,7 @@ from .parts import CaseUsed, Multiplier, PhysicalValue, case_used, multiplier_ro
 from .sentence import ASSUMED_MARK, physical_text
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.branches import GrazingPoint
+    from gearlash.branches.continuation import SpecialPoint
     from gearlash.results import Point
 
 HOLDS = 1e-9  # tolerance of the conditions, in units of D_c
@@ -98,7 +98,7 @@ def graze_answer(
     unit: str,
     start: Point,
     paths: tuple[FollowedPath, ...],
-    found: list[GrazingPoint],
+    found: list[SpecialPoint],
 ) -> GrazeAnswer:
     """The record of what was found on the paths from ``start``; ``named`` is the parameter as typed, ``unit``
     what its value was typed in."""
@@ -130,58 +130,63 @@ def graze_answer(
     )
 
 
-def _touch(case: Case, family: Family, point: GrazingPoint) -> TouchFound:
+def _touch(case: Case, family: Family, point: SpecialPoint) -> TouchFound:
     from gearlash.article import table2_type
 
+    touch, system = point.touch, family.system(point.values)
+    rising = point.point.turn >= 0.0
+    stable = (True, point.unstable_after == 0)[:: 1 if rising else -1]
     return TouchFound(
         value=point.value,
         error=point.error,
         physical=physical_values(case, point.name, point.value, back_side_met=_meets_back(point)),
-        clearance=point.clearance_name,
-        side="drive" if point.boundary > 0 else "back",
-        surface=point.surface,
-        kind=point.kind,
+        clearance=system.clearances[touch.clearance].name,
+        side="drive" if touch.boundary > 0 else "back",
+        surface="gap" if touch.surface == "gap" else "force",
+        kind=point.touch_kind,
         type=table2_type(point),
         label_below=point.label_below,
         label_above=point.label_above,
-        stable_below=point.stable_below,
-        stable_above=point.stable_above,
+        stable_below=stable[0],
+        stable_above=stable[1],
         period=point.period,
-        phase=point.phase,
-        a0=point.a0,
-        state=dict(zip(family.states, map(float, point.state), strict=True)),
-        conditions=_conditions(family, point),
+        phase=touch.phase,
+        a0=touch.a0,
+        state=dict(zip(family.states, map(float, point.state_at_touch(system)), strict=True)),
+        conditions=_conditions(system, point),
         multipliers=multiplier_rows(point.multipliers),
-        largest_exponent=point.exponent,
+        largest_exponent=point.exponent(system),
         to_doubling=point.to_doubling,
         to_fold=point.to_fold,
         residual=point.residual,
     )
 
 
-def _meets_back(point: GrazingPoint) -> bool:
+def _meets_back(point: SpecialPoint) -> bool:
     sides = point.label_below, point.label_above
-    return point.boundary < 0 or any(isinstance(one, Signature) and one.back_impacts > 0 for one in sides)
+    return point.touch.boundary < 0 or any(
+        isinstance(one, Signature) and one.back_impacts > 0 for one in sides
+    )
 
 
-def _conditions(family: Family, point: GrazingPoint) -> tuple[Condition, ...]:
+def _conditions(system: System, point: SpecialPoint) -> tuple[Condition, ...]:
     """The four conditions in words."""
-    found = point.conditions(family.system(point.values))
+    found = point.conditions(system)
     values = (found.distance, found.gradient, found.velocity, found.a0)
     return tuple(map(Condition, _worded(point), values, found.met(HOLDS)))
 
 
-def _worded(point: GrazingPoint) -> tuple[str, str, str, str]:
-    if point.surface == "force":
+def _worded(point: SpecialPoint) -> tuple[str, str, str, str]:
+    if point.touch.surface == "force":
         return "H = Φ = 0", "|∂H/∂z| ≠ 0", "Φ′ = 0 (its residual)", "a0 = Φ″ ≠ 0"
-    sign = "X − D" if point.boundary > 0 else "X + D⁻"
+    sign = "X − D" if point.touch.boundary > 0 else "X + D⁻"
     return f"H = {sign} = 0", "|∂H/∂X| ≠ 0", "X′ = 0", f"a0 = X″ {_curvature(point)}"
 
 
-def _curvature(point: GrazingPoint) -> str:
+def _curvature(point: SpecialPoint) -> str:
     """The article's touch is a minimum of X seen from S1; what this one is instead."""
-    above = point.a0 > 0.0
-    if point.boundary > 0:
+    above = point.touch.a0 > 0.0
+    if point.touch.boundary > 0:
         return "> 0" if above else "< 0 (seen from S2; the article's touch is seen from S1)"
     return "> 0 (at Σ2, seen from S2)" if above else "< 0 (at Σ2: the mirror image of the article's)"
 

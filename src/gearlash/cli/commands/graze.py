@@ -12,7 +12,7 @@ from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from gearlash.branches import GrazingPoint
+    from gearlash.branches.continuation import SpecialPoint
     from gearlash.orbits import Settings as SearchSettings
     from gearlash.results import Point
     from gearlash.results.followed import FollowedPath
@@ -78,7 +78,7 @@ def graze(
 
 def _followed(
     family: Family, parameters: Mapping[str, float], over: str, start: list[float], search: SearchSettings
-) -> tuple[Point, list[tuple[FollowedPath, GrazingPoint | None]]]:
+) -> tuple[Point, list[tuple[FollowedPath, SpecialPoint | None]]]:
     """The motion to begin with, and, of a periodic one, the ways down and up with the touches they end at."""
     from gearlash.cli.interrupt import expect_results
     from gearlash.cli.late import late_bar
