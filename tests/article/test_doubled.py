@@ -9,7 +9,7 @@ import pytest
 
 from gearlash.article.doubled import first_touch
 from gearlash.article.reproduction import Coincidence
-from gearlash.branches import BifurcationPoint, locate_multiplier
+from gearlash.branches.continuation import SpecialKind, SpecialPoint, walk
 from gearlash.case import load
 from gearlash.flow import propagators
 from gearlash.orbits import Orbit, attractor, shoot
@@ -19,12 +19,13 @@ PLACE = {**FAMILY.complete(), "omega": 0.78}
 
 
 @cache
-def doubling(near: float) -> BifurcationPoint:
-    """The doubling that the attractor at this D comes from or goes to."""
+def doubling(near: float) -> SpecialPoint:
+    """The doubling that the attractor at this D meets downwards."""
     values = {**PLACE, "D": near}
     found = attractor(FAMILY.system(values), FAMILY.start(values))
     assert isinstance(found, Orbit)
-    return locate_multiplier(FAMILY, "D", found, -1, values=values)
+    way = walk(FAMILY, values, "D", found, near - 0.02)
+    return next(p for p in way if isinstance(p, SpecialPoint) and p.kind is SpecialKind.DOUBLING)
 
 
 @cache
@@ -48,14 +49,14 @@ def test_labels_and_places_of_the_codimension_2_event():
 def test_the_label_changes_at_the_grazing(part: float, label: str):
     """Orbits solved for anew, from the followed ones: the middle label lives between the two only."""
     both = touch()
-    near = both.grazing.state_zero if part > 0.3 else both.doubling.state + 0.3 * (
-        both.grazing.state_zero - both.doubling.state
+    near = both.grazing.state_zero if part > 0.3 else both.doubling.point.state + 0.3 * (
+        both.grazing.state_zero - both.doubling.point.state
     )  # fmt: skip
     props = propagators(FAMILY.system({**PLACE, "D": both.doubling.value - part * both.apart}))
     best = attractor(props, near)
     assert best.label in (label, "unresolved")
     shot = shoot(props, near, 12)
-    if shot.status.ok and np.abs(shot.state - both.doubling.state).max() > 1e-4:
+    if shot.status.ok and np.abs(shot.state - both.doubling.point.state).max() > 1e-4:
         assert Orbit(props, shot, 0, shot.status, "").label == label
 
 

@@ -221,11 +221,16 @@ def test_a_doubling_beyond_the_largest_period_ends_the_way(gearlash: Gearlash):
 
 
 def test_what_was_not_found_is_told_in_the_unit_that_was_asked_for(gearlash: Gearlash):
-    options = ("--over", "pinion_speed", "--near", "4000 rpm", "--set", "error=0", "--set", "load=5")
-    sentence = gearlash("graze", "article", *options, "--json").answer["sentence"]
-    assert sentence.startswith(
-        "4000 rpm, 1-0-0: no grazing of this motion was found from 1384.129 to 7800 rpm"
-    )
+    options = ("--over", "backlash", "--near", "0.1 mm", "--json")
+    sentence = gearlash("graze", "article", *options).answer["sentence"]
+    assert sentence.startswith("0.1 mm, 1-0-0: no grazing of this motion was found from 0.005 to 0.195 mm")
+
+
+def test_two_extrema_that_touch_at_once_are_one_grazing(gearlash: Gearlash):
+    """Without the error of the first harmonic the motion repeats twice a cycle: both minima touch together."""
+    options = ("--near", "0.37", "--set", "error=0", "--set", "load=5", "--json")
+    first = gearlash("graze", "article", *options).answer["points"][0]
+    assert (first["label_below"], first["label_above"]) == ("1-2-0", "1-0-0")
 
 
 def test_the_value_found_is_told_in_the_unit_that_was_asked_for(gearlash: Gearlash):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearlash import flow
-from gearlash.branches import GrazingPoint, locate_grazing
+from gearlash.branches import locate_grazing
 from gearlash.flow.events import contact_force
 from gearlash.orbits import Orbit, Signature, grazing_checks, lyapunov, sections, shoot
 from gearlash.results import sweep_dataset
@@ -66,25 +66,24 @@ def test_a_touch_in_either_gap_is_solved_for(rule, gap, ends):
     family = two_gaps(rule)
     found = sweep(family, Axis.even("omega", ends[0], ends[1], 5), direction="up")
     changes = transitions(family, "omega", found.points)
-    grazes = [t.point for t in changes if isinstance(t.point, GrazingPoint)]
-    at = next(point for point in grazes if point.clearance == gap)
+    grazes = [t.point for t in changes if t.point is not None and t.point.is_grazing]
+    at = next(point for point in grazes if point.touch.clearance == gap)
     assert at.status.ok
-    assert at.clearance_name == ("stop", "link")[gap]
+    assert family.system(at.values).clearances[gap].name == ("stop", "link")[gap]
+    side, surface = at.touch.boundary, at.touch.surface
     below, above = at.label_below, at.label_above
     assert isinstance(below, Signature)
     assert isinstance(above, Signature)
-    assert below.one_impact_from(above) == (gap, at.boundary)
+    assert below.one_impact_from(above) == (gap, side)
     system = family.system(at.values)
     c = system.clearances[gap]
-    moved = flow.trace(built(family, **at.values), at.state_zero, float(at.period))
+    moved = flow.trace(built(family, **at.values), at.point.state, float(at.period))
     samples = moved.samples(200_001)
     x, speed = samples.state @ c.h, samples.state @ (c.h @ system.matrix)
-    edge = c.gap_plus if at.boundary > 0 else -c.gap_minus
+    edge = c.gap_plus if side > 0 else -c.gap_minus
     height = x - edge
-    if at.surface == "force":
-        height = contact_force(
-            system, samples.phase, x, speed, np.full(len(x), 0 if at.boundary > 0 else 2), gap
-        )
+    if surface == "force":
+        height = contact_force(system, samples.phase, x, speed, np.full(len(x), 0 if side > 0 else 2), gap)
     turning = np.flatnonzero((height[1:-1] - height[:-2]) * (height[2:] - height[1:-1]) <= 0.0) + 1
     assert np.abs(height[turning]).min() <= 1e-8
 
@@ -95,8 +94,8 @@ def test_changes_along_a_sweep_name_the_gap():
     assert [p.certificate for p in found.points] == ["certified"] * 6
     changes = transitions(family, "omega", found.points)
     assert [(c.kind, c.label_below, c.label_above) for c in changes] == [(GRAZING, "1-1-0/1-1", "1-0-0/1-1")]
-    assert isinstance(changes[0].point, GrazingPoint)
-    assert changes[0].point.clearance == 0
+    assert changes[0].point is not None
+    assert changes[0].point.touch.clearance == 0
     data = sweep_dataset(family, [found])
     assert data["other_impacts"].values.tolist() == [[2] * 6]
     assert data["certificate"].values.tolist() == [["certified"] * 6]

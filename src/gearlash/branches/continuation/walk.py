@@ -93,6 +93,8 @@ class _Walker:
         for item in Follower(_ahead(node, self.sign), self.settings).run():
             if isinstance(item, Passed):
                 special = way.special(item, self.settings)
+                if special is None:
+                    continue
                 if special.kind in PASSED:
                     yield special
                     continue
@@ -219,13 +221,14 @@ class _Way:
         self.arclength += float(np.linalg.norm(node.u - self.last.u))
         self.last, self.label = node, node.orbit.signature
 
-    def special(self, passed: Passed, settings: ContinuationSettings) -> SpecialPoint:
-        """With the labels that the way has: those of an orbit that touches say nothing."""
+    def special(self, passed: Passed, settings: ContinuationSettings) -> SpecialPoint | None:
+        """With the labels that the way has: those of an orbit that touches say nothing. Of extrema that touch
+        at one place, as in a motion of half the period, the first tells for all; None for the others."""
         found = special_of(passed, self.last, self.arclength, settings)
         if found.kind is SpecialKind.GRAZING:
-            same = self.touch is not None and self.touch.interval == found.interval
-            before = found.label_before if same else self.label
-            self.touch = replace(found, label_before=before)
+            if self.touch is not None and self.touch.interval == found.interval:
+                return None
+            self.touch = replace(found, label_before=self.label)
             self.label = found.label_after
             return self.touch
         return replace(found, label_before=self.label, label_after=self.label)
