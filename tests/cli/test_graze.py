@@ -227,7 +227,7 @@ def test_what_was_not_found_is_told_in_the_unit_that_was_asked_for(gearlash: Gea
 
 
 def test_two_extrema_that_touch_at_once_are_one_grazing(gearlash: Gearlash):
-    """Without the error of the first harmonic the motion repeats twice a cycle: both minima touch together."""
+    """Without the error of the first harmonic the motion repeats twice a cycle: two minima touch together."""
     options = ("--near", "0.37", "--set", "error=0", "--set", "load=5", "--json")
     first = gearlash("graze", "article", *options).answer["points"][0]
     assert (first["label_below"], first["label_above"]) == ("1-2-0", "1-0-0")

@@ -8,7 +8,7 @@ from .node import Node
 from .points import BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
 from .settings import ContinuationSettings
 from .switching import Switched, switched
-from .walk import walk
+from .walk import Item, walk
 from .whole import continue_orbit
 
 __all__ = [
@@ -20,6 +20,7 @@ __all__ = [
     "EndOfBranch",
     "Extremum",
     "GrazingLaw",
+    "Item",
     "Node",
     "SpecialKind",
     "SpecialPoint",

@@ -64,6 +64,7 @@ def _newton(
 ) -> Corrected:
     steps: list[float] = []
     best: Evaluated | None = None
+    chances = 2
     fresh = not row[:-1].any()  # along the parameter no step depends on the derivative by it
     if fresh and slope is None:
         slope = np.zeros(len(u) - 1)
@@ -84,6 +85,8 @@ def _newton(
         if slow and not fresh:
             slope, fresh = equations.slope(here), True
             step, length = _step(equations, here, slope, row, target)
+        elif slow and length > CONTRACTION * steps[-1] and chances > 0 and best.residual > ROUNDED:
+            chances -= 1  # behind a touch the first steps may be as long as the map is bent
         elif slow and length > CONTRACTION * steps[-1]:
             if best.residual <= ROUNDED:  # rounding makes the steps: two branches meet near by
                 break

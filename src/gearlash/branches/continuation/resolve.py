@@ -16,6 +16,7 @@ DOUBTFUL_STEP = 1e-7  # length of a step below which it is not cut because of a 
 TIGHT = 1e-10  # the same where things happen in it that cannot be told apart
 AFTER_GRAZE = (0.01, 0.1)  # of what is left of the step: there multipliers move like the root of the depth
 BESIDE_CORNER = 1e-5  # of the scale: from a corner, to the orbits that stand for its two sides
+ENDWARDS = 0.2  # of the way from an end: where a step is cut that cannot be cut in the middle
 CUTS = 80  # of one step, at most
 
 
@@ -76,10 +77,14 @@ class Resolver:
         yield from _at_once(piece, located, unsure or f"{len(found) - len(located)} were not solved for")
 
     def middle(self, piece: Between, place: float) -> Node | None:
+        """An orbit between the ends, where the step is cut: near a place, or where Newton's method fails there
+        nearer to either end."""
         if piece.length <= TIGHT or self.cuts <= 0:
             return None
         self.cuts -= 1
-        return piece.node(place)
+        nearer = (place, ENDWARDS * place, piece.length - ENDWARDS * (piece.length - place))
+        found = (piece.node(each) for each in nearer)
+        return next((node for node in found if node is not None), None)
 
     def both(self, before: Node | None, left: Node, middle: Node, right: Node) -> Iterator[Item]:
         """The two parts of a step, one after the other; the second is numbered as the first has ended."""

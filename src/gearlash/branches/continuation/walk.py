@@ -60,7 +60,8 @@ def walk(
     values = family.complete(values)
     start = float(values[name])
     lower, upper = sorted((start, to))
-    line = Line(family, values, name, lower, upper, LEAST_WAY * max(abs(start), SMALL))
+    unit = LEAST_WAY * max(abs(start), SMALL)
+    line = Line(family, values, name, lower, upper if upper > lower else lower + unit, unit)
     walker = _Walker(line, to, 1.0 if to > start else -1.0, longest, settings)
     node = first_node(line, orbit, start)
     if not node.orbit.stable:
