@@ -77,7 +77,7 @@ class Resolver:
         yield from _at_once(piece, located, unsure or f"{len(found) - len(located)} were not solved for")
 
     def middle(self, piece: Between, place: float) -> Node | None:
-        """An orbit between the ends, where the step is cut: near a place, or where Newton's method fails there
+        """An orbit between the ends, where the step is cut: near a place, or where Newton fails there
         nearer to either end."""
         if piece.length <= TIGHT or self.cuts <= 0:
             return None
