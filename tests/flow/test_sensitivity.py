@@ -68,7 +68,9 @@ def moved(system: System, a: float) -> System:
 def derivative(system: System, start: np.ndarray, vary: Varied, at: float, step: float) -> np.ndarray:
     trace = flow.trace(system, start, CYCLES * system.cycles)
     assert trace.status.ok
-    return sensitivity(trace, SystemChange(vary(system, at - step), vary(system, at + step), 2.0 * step))[0]
+    return sensitivity(
+        trace, SystemChange.between(vary(system, at - step), vary(system, at + step), 2.0 * step)
+    )[0]
 
 
 def test_a_motion_is_as_large_as_all_that_makes_it():
@@ -160,7 +162,7 @@ def test_parts_begin_anew(rule):
     forcing[1] = 0.1, 1.0, 0.2
     system = System(1.1, matrix, forcing, (stop,))
     start = np.array([0.5, 0.6])
-    change = SystemChange(scaled(system, 0.5), scaled(system, 1.5), 1.0)
+    change = SystemChange.between(scaled(system, 0.5), scaled(system, 1.5), 1.0)
     trace = flow.trace(system, start, 2.0 * system.cycles)
     first, second = sensitivity(trace, change, 2)
     whole = sensitivity(trace, change)[0]

@@ -244,7 +244,8 @@ def propagators_of(system: System | Propagators) -> Propagators:
 def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagators | None:
     """Propagators with this many cells, or None where the remainder is above `TRUNCATION`."""
     shape = laid_out(system, cells)
-    first = [code_of(sides) for sides in extreme_regions(system) if has_width(system, sides)]
+    # the closed ones first: where a grid is too coarse, it is for them, and no other need be tried
+    first = [code_of(sides) for sides in reversed(extreme_regions(system)) if has_width(system, sides)]
     regions = max(len(first), regions_likely(system))
     check_memory(system, shape, regions, len(units))
     fitting = (allowed() - 8.0 * shape.slots) / of_region(shape, len(units))

@@ -2,34 +2,73 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi
+from typing import NamedTuple
 
 import numpy as np
 
-from gearlash.system import Clearance, ContactRule, System, padded
+from gearlash.system import ContactRule, System, derivative, padded
 from gearlash.system.harmonics import harmonics
 
 from ._sensitivity import carry_change
-from ._tables import FREE, MINUS, OVER_MINUS, OVER_PLUS, Array
-from .regions import Sides, forcing_of, matrix_of
+from ._tables import FREE, MINUS, OVER_MINUS, OVER_PLUS, PLUS, Array
+from .regions import matrix_of
 from .traces import Trace
 
 
-@dataclass(frozen=True, eq=False)
-class SystemChange:
-    """How a system changes along a parameter: all its numbers by (``upper`` - ``lower``) / ``width``."""
+class ClearanceChange(NamedTuple):
+    """Of a clearance: how fast its numbers change along a parameter. Of both sides: first +, then -."""
 
-    lower: System
-    upper: System
-    width: float
+    h: Array
+    g: Array
+    stiffness: Array  # (2, 2H+1)
+    offset: Array  # (2H+1)
+    gaps: Array  # (2)
+    dampings: Array  # (2)
 
-    def of(self, upper: Array | float, lower: Array | float) -> Array:
-        return np.subtract(upper, lower) / self.width
 
-    @property
-    def clearances(self) -> list[tuple[Clearance, Clearance]]:
-        return list(zip(self.lower.clearances, self.upper.clearances, strict=True))
+class SystemChange(NamedTuple):
+    """How fast all numbers of a system change along a parameter; series have one length."""
+
+    omega: float
+    matrix: Array
+    forcing: Array
+    clearances: tuple[ClearanceChange, ...]
+
+    @staticmethod
+    def between(lower: System, upper: System, width: float) -> SystemChange:
+        """By two systems whose parameters are so far apart."""
+        count = max(most_harmonics(lower), most_harmonics(upper))
+        return of_numbers(lower, (numbers_of(upper, count) - numbers_of(lower, count)) / width, count)
+
+
+def most_harmonics(system: System) -> int:
+    """Of the longest series."""
+    series = [s for c in system.clearances for s in (c.stiffness_plus, c.stiffness_minus, c.offset)]
+    return max(harmonics(each) for each in (system.forcing, *series))
+
+
+def numbers_of(system: System, count: int) -> Array:
+    """All numbers of a system, one after the other, with so many harmonics in every series."""
+    parts = [np.array([system.omega]), system.matrix.ravel(), padded(system.forcing, count).ravel()]
+    for c in system.clearances:
+        parts += [c.h, c.g, *(padded(s, count) for s in (c.stiffness_plus, c.stiffness_minus, c.offset))]
+        parts.append(np.array([c.gap_plus, c.gap_minus, *c.dampings]))
+    return np.concatenate(parts)
+
+
+def of_numbers(like: System, numbers: Array, count: int) -> SystemChange:
+    """Such numbers, of a system with as many states and clearances."""
+    n, width = like.size, 2 * count + 1
+    matrix, forcing, *rest = np.split(numbers[1:], [n * n, n * n + n * width])
+    each = rest[0].reshape(len(like.clearances), 2 * n + 3 * width + 4)
+    clearances = []
+    for row in each:
+        h, g, stiffness, offset, gaps, dampings = np.split(
+            row, [n, 2 * n, 2 * n + 2 * width, 2 * n + 3 * width, 2 * n + 3 * width + 2]
+        )
+        clearances.append(ClearanceChange(h, g, stiffness.reshape(2, width), offset, gaps, dampings))
+    return SystemChange(float(numbers[0]), matrix.reshape(n, n), forcing.reshape(n, width), tuple(clearances))
 
 
 def sensitivity(trace: Trace, change: SystemChange, parts: int = 1) -> Array:
@@ -39,7 +78,7 @@ def sensitivity(trace: Trace, change: SystemChange, parts: int = 1) -> Array:
     props = trace.propagators
     system, cell = props.system, 2.0 * pi / props.cells
     sides, regions = np.unique(_sides(trace.modes), axis=0, return_inverse=True)
-    width = 2 * _harmonics(system, change) + 1
+    width = max(2 * most_harmonics(system) + 1, change.forcing.shape[1])
     matrices, changes, forcings = _of_regions(system, change, sides, width)
     vectors, series, edges = _of_clearances(system, change, width)
     total = float(round(trace.cycles * props.cells_per_cycle))
@@ -62,7 +101,7 @@ def sensitivity(trace: Trace, change: SystemChange, parts: int = 1) -> Array:
         series,
         edges,
         system.omega / system.cycles,
-        (change.upper.omega - change.lower.omega) / (change.width * system.omega),
+        change.omega / system.omega,
         ends,
     )
     return ends
@@ -73,43 +112,60 @@ def _sides(modes: Array) -> Array:
     return np.where(modes > MINUS, FREE, modes)
 
 
-def _harmonics(system: System, change: SystemChange) -> int:
-    found = 0
-    for each in (system, change.lower, change.upper):
-        series = [s for c in each.clearances for s in (c.stiffness_plus, c.stiffness_minus, c.offset)]
-        found = max(found, *(harmonics(s) for s in (each.forcing, *series)))
-    return found
-
-
 def _of_regions(system: System, change: SystemChange, sides: Array, width: int) -> tuple[Array, Array, Array]:
     """Of every region that is met, as `carry_change` takes them: the matrix, its change, the forcing's."""
     n = system.size
     matrices, changes = np.empty((2, len(sides), n, n))
     forcings = np.zeros((len(sides), n, width))
+    acting = [_damping(system, change, c, width // 2) for c in range(len(system.clearances))]
     for k, row in enumerate(sides.tolist()):
-        region: Sides = tuple(row)
-        matrices[k] = matrix_of(system, region).T
-        changes[k] = change.of(matrix_of(change.upper, region), matrix_of(change.lower, region)).T
-        upper, lower = (padded(forcing_of(s, region), width // 2) for s in (change.upper, change.lower))
-        forcings[k] = change.of(upper, lower)
+        matrices[k] = matrix_of(system, tuple(row)).T
+        changes[k], forcings[k] = change.matrix.T, padded(change.forcing, width // 2)
+        for damping, side in zip(acting, row, strict=True):
+            if side in damping:
+                matrix, forcing = damping[side]
+                changes[k] += matrix.T
+                forcings[k] += forcing
     return matrices, changes if changes.any() else changes[:, :0], forcings
+
+
+def _damping(system: System, change: SystemChange, which: int, count: int) -> dict[int, tuple[Array, Array]]:
+    """Of every side on which a damper acts: the change of what it adds to matrix and forcing, ζ g (h M) and
+    ζ g (h b - e')."""
+    own, moved = system.clearances[which], change.clearances[which]
+    if not (any(own.dampings) or moved.dampings.any()):
+        return {}
+    rate = system.omega / system.cycles
+    slope, moved_slope = (padded(derivative(series), count) for series in (own.offset, moved.offset))
+    force, moved_force = padded(system.forcing, count), padded(change.forcing, count)
+    reads, moved_reads = own.h @ system.matrix, moved.h @ system.matrix + own.h @ change.matrix
+    feels = own.h @ force - rate * slope
+    moved_feels = (
+        moved.h @ force + own.h @ moved_force - change.omega / system.cycles * slope - rate * moved_slope
+    )
+    found = {}
+    for side, k in ((PLUS, 0), (MINUS, 1), (FREE, 0)):
+        if side == FREE and own.contact is not ContactRule.ALWAYS:
+            continue
+        damping, faster = own.dampings[k], moved.dampings[k]
+        push = faster * own.g + damping * moved.g
+        found[side] = (
+            np.outer(push, reads) + damping * np.outer(own.g, moved_reads),
+            np.outer(push, feels) + damping * np.outer(own.g, moved_feels),
+        )
+    return found
 
 
 def _of_clearances(system: System, change: SystemChange, width: int) -> tuple[Array, Array, Array]:
     """As `carry_change` takes them: h, g and their changes; series; edges."""
     count, n = len(system.clearances), system.size
     vectors, series, edges = np.zeros((4, count, n)), np.zeros((6, count, width)), np.zeros((4, count))
-    for c, (own, (lower, upper)) in enumerate(zip(system.clearances, change.clearances, strict=True)):
-        vectors[:, c] = own.h, own.g, change.of(upper.h, lower.h), change.of(upper.g, lower.g)
-        edges[:, c] = (
-            own.gap_plus,
-            own.gap_minus,
-            change.of(upper.gap_plus, lower.gap_plus),
-            change.of(upper.gap_minus, lower.gap_minus),
-        )
-        for k, name in ((0, "stiffness_plus"), (1, "stiffness_minus"), (4, "offset")):
-            mine, low, high = (padded(getattr(each, name), width // 2) for each in (own, lower, upper))
-            series[k, c], series[5 if k == 4 else k + 2, c] = mine, change.of(high, low)
+    for c, (own, moved) in enumerate(zip(system.clearances, change.clearances, strict=True)):
+        vectors[:, c] = own.h, own.g, moved.h, moved.g
+        edges[:, c] = own.gap_plus, own.gap_minus, *moved.gaps
+        for k, each in enumerate((own.stiffness_plus, own.stiffness_minus, *moved.stiffness, own.offset)):
+            series[k, c, : len(each)] = each
+        series[5, c, : len(moved.offset)] = moved.offset
     return vectors, series.reshape(-1), edges
 
 
