@@ -15,11 +15,15 @@ from hypothesis import strategies as st
 
 from gearlash import case, flow, orbits, studies
 from gearlash.branches import GrazingPoint, locate_multiplier
+from gearlash.branches.continuation import SpecialKind, SpecialPoint
 from gearlash.jobs import Execution, Progress
 from gearlash.studies import Axis, Direction, Interval, Quiet, ZoneEnd
+from gearlash.studies.intervals import intersection, union
 from gearlash.studies.model import Source
 from gearlash.studies.quiet import Row, Search
-from gearlash.studies.zone import BASIN, RANGE, UNKNOWN, Zone, ZoneMotion, intersection, union
+from gearlash.studies.scanned import scanned_zones
+from gearlash.studies.zone import BASIN, RANGE, UNKNOWN, Zone, ZoneMotion
+from gearlash.studies.zone import Interval as Plain
 from gearlash.studies.zones import zones_of_kinds
 from gearlash.system import GearlashError, Signature, UnknownNameError
 
@@ -49,7 +53,9 @@ def test_grazing_ends_are_those_of_the_closed_form(classical):
     assert last.lower.value == pytest.approx(high, abs=1e-10)
     for end in (wide.upper, last.lower):
         assert end.kind == "grazing"
-        assert isinstance(end.point, GrazingPoint)
+        assert isinstance(end.point, SpecialPoint)
+        assert end.point.kind is SpecialKind.GRAZING
+        assert {end.point.label_before, end.point.label_after} == {"1-0-0", "1-1-0"}
         assert (end.inside, end.outside) == ("1-0-0", "1-1-0")
         assert end.uncertainty < 1e-12
 
@@ -67,12 +73,16 @@ def test_where_another_attractor_coexists_only_the_wider_interval_holds(classica
     first, wide = classical.zones[0], classical.wider[0]
     assert first.every
     assert not wide.every
-    assert (first.upper.kind, first.upper.direction) == ("fold", "down")
+    assert first.upper.kind == "fold"
+    assert "down" in first.upper.direction
     assert first.upper.value < wide.upper.value
     assert {t.label for t in wide.coexisting} == {"1-0-0", "1-1-0"}
     beside = next(t for t in wide.motions if not t.quiet)
-    assert (beside.label, beside.directions) == ("1-1-0", ("down",))
-    assert first.upper.value < beside.lower <= beside.upper < wide.upper.value
+    assert beside.label == "1-1-0"
+    assert beside.lower == pytest.approx(first.upper.value, abs=1e-12)
+    assert beside.upper > wide.upper.value
+    assert beside.exists is not None
+    assert (beside.exists.lower.kind, beside.exists.upper.kind) == (RANGE, RANGE)
     assert first.coexisting == ()
 
 
@@ -121,7 +131,7 @@ def test_a_basin_that_ends_is_no_bifurcation():
     """From far outside, the cold start falls into the impacting motion long before the quiet one ends."""
     axis = Axis.even("omega", 0.65, 0.8, 7)
     cold = studies.sweep(CLASSICAL, axis, start=[2.0, 0.0])
-    found = studies.zones(CLASSICAL, axis, known=[cold], start=[2.0, 0.0])
+    found = scanned_zones(CLASSICAL, axis, "impact-free", [cold], start=[2.0, 0.0])
     (zone,) = found.zones
     assert zone.upper.kind == BASIN
     assert 0.0 < zone.upper.uncertainty <= 1e-6
@@ -132,9 +142,10 @@ def test_what_cannot_be_computed_ends_a_zone_without_a_bound():
     axis = Axis("D", np.array([-1.0, -0.5, 0.5, 1.0]))
     found = studies.zones(CLASSICAL, axis, values={"omega": 0.5})
     (zone,) = found.zones
-    assert (zone.lower.value, zone.lower.kind, zone.upper.kind) == (0.5, UNKNOWN, RANGE)
+    assert (zone.lower.kind, zone.upper.kind) == (UNKNOWN, RANGE)
+    assert zone.lower.value == pytest.approx(0.0, abs=1e-6)
     assert zone.lower.outside is None
-    assert "D" in zone.lower.reason
+    assert "no system" in zone.lower.reason
     assert found.wider == ()
 
 
@@ -147,8 +158,7 @@ def test_a_cancelled_search_knows_that_it_is_incomplete():
         execution=Execution(progress=lambda p: p.done == count and cancel.set(), cancel=cancel),
     )
     assert (found.complete, found.message) == (False, "cancelled")
-    assert found.zones[0].upper.kind == UNKNOWN
-    assert found.zones[0].upper.value == pytest.approx(0.7)
+    assert found.zones == found.wider == found.branches == ()
 
 
 def test_the_windows_of_the_article():
@@ -251,15 +261,21 @@ def test_margins():
 def test_motions_coexist_only_where_they_overlap():
     motions = (
         ZoneMotion(Signature(1, 0), ("up",), 1.0, 1.4, True),
-        ZoneMotion(Signature(2, 1), ("down",), 1.4, 1.6, False),
+        ZoneMotion(Signature(2, 1), ("down",), 1.3, 1.6, False),
     )
     apart = (motions[0], ZoneMotion(Signature(2, 1), ("up",), 1.5, 1.6, False))
+    span = Plain(ZoneEnd(1.0, RANGE), ZoneEnd(2.0, RANGE))
+    meeting = tuple(
+        ZoneMotion(Signature(period, 0), ("up",), low, high, True, span, span, 0)
+        for period, low, high in ((1, 1.0, 1.4), (2, 1.4, 1.6))
+    )
 
     def make(motions):
         return Zone(ZoneEnd(1.0, RANGE), ZoneEnd(2.0, RANGE), "D", Quiet.IMPACT_FREE, False, motions)
 
     assert make(motions).coexisting == motions
     assert make(apart).coexisting == ()
+    assert make(meeting).coexisting == ()
 
 
 def sharp_loss_of_contact(damping: float, load: float, error: float) -> tuple[float, float]:
@@ -303,7 +319,7 @@ def test_a_loss_of_contact_narrower_than_a_step_is_found_by_its_flanks(range_: t
     low, high = sharp_loss_of_contact(1e-3, 0.1, 2.4e-4)
     assert 1e-3 < high - low < 2e-3
     found = studies.zones(CLASSICAL, Axis.even("omega", *range_, 5), values=values)
-    assert found.step > 3.0 * (high - low)
+    assert found.resolution > 3.0 * (high - low)
     intervals = [*found.zones, *found.wider]
     assert not any(z.contains(0.5 * (low + high)) for z in intervals)
     ends = {round(e.value, 9) for z in intervals for e in (z.lower, z.upper) if e.kind == "grazing"}
@@ -321,12 +337,11 @@ def test_a_load_that_changes_sides_is_no_quiet_interval_through_zero():
     assert min(abs(e + amplitude) for e in ends) < 1e-9
 
 
-def test_the_step_that_is_told_is_that_of_what_was_looked_at():
-    coarse = studies.zones(CLASSICAL, Axis.even("omega", 0.3, 0.6, 4))
-    assert coarse.resolution == pytest.approx(0.1)
-    assert 0.0 < coarse.step <= 0.3 / 128 * (1.0 + 1e-9)
-    fine = studies.zones(CLASSICAL, Axis.even("omega", 0.3, 0.6, 301))
-    assert fine.step <= fine.resolution == pytest.approx(1e-3)
+def test_the_step_that_is_told_is_that_between_orbits_of_a_branch():
+    found = studies.zones(CLASSICAL, Axis.even("omega", 0.3, 0.6, 4))
+    assert found.resolution == pytest.approx(0.1)
+    (branch,) = found.branches
+    assert found.step == pytest.approx(float(np.diff(branch.parameter).max()), rel=1e-9)
 
 
 def test_several_kinds_at_once_are_those_of_one():
@@ -342,7 +357,8 @@ def test_an_end_of_one_row_is_looked_at_in_the_others():
     (up,) = studies.sweeps(CLASSICAL, axis, ["up"])
     search = Search(Source.of(CLASSICAL), (), studies.Settings(), Quiet.IMPACT_FREE, None, Execution())
     row = Row(up.direction, up.points, frozenset(p.value for p in up.points))
-    point = next(e.point for z in studies.zones(CLASSICAL, SPEEDS).wider for e in (z.upper,))
+    known = studies.sweeps(CLASSICAL, SPEEDS, ["up"])
+    point = scanned_zones(CLASSICAL, SPEEDS, "impact-free", known).zones[0].upper.point
     assert isinstance(point, GrazingPoint)
     end = ZoneEnd(0.5, "grazing", 1e-12, point=point)
     ((at, found),) = search.probes(row, {(Direction.COLD, 0.4, 0.6): end})
@@ -354,10 +370,11 @@ def test_an_end_of_one_row_is_looked_at_in_the_others():
     assert search.probes(probed, {(Direction.COLD, 0.4, 0.6): end}) == []
 
 
-def test_one_quiet_point_between_two_that_fail_is_no_interval():
+def test_one_quiet_point_is_enough_to_follow_its_motion():
     axis = Axis("D", np.array([-1.0, 0.5]))
     found = studies.zones(CLASSICAL, axis, values={"omega": 0.5})
-    assert found.zones == found.wider == ()
+    (zone,) = found.zones
+    assert (zone.lower.kind, zone.upper.value) == (UNKNOWN, 0.5)
     assert found.complete
 
 
@@ -385,4 +402,4 @@ def test_ctrl_c_while_zones_are_swept_begins_nothing_more():
     assert set(told) == {3 * len(SPEEDS)}  # no end was looked for
     assert (found.complete, found.message) == (False, "interrupted")
     assert sum(sweep.computed for sweep in found.sweeps) == 40
-    assert all(UNKNOWN in (z.lower.kind, z.upper.kind) for z in (*found.zones, *found.wider))
+    assert found.zones == found.wider == ()

@@ -10,9 +10,10 @@ import numpy as np
 from gearlash.case import Case
 from gearlash.jobs import Execution, ProgressCallback
 from gearlash.results import Axis, Direction, Sweep
+from gearlash.studies.scanned import scanned_zones
 from gearlash.studies.sweep import sweep
-from gearlash.studies.zones import Zone as Found
-from gearlash.studies.zones import ZoneMotion, Zones, zones
+from gearlash.studies.zone import Zone as Found
+from gearlash.studies.zone import ZoneMotion, Zones
 
 from .claims import Claim
 from .judge import NOT_FOUND, deviation, verdict
@@ -69,12 +70,12 @@ def article_zones(
 
 
 def _zones(case: Case, claim: Claim, axis: Axis, known: Sequence[Sweep], executor: Executor) -> Zones:
-    return zones(
+    return scanned_zones(
         case,
         axis,
         ZONE_KINDS[claim.zone],
+        known,
         values=claim.fixed,
-        known=known,
         settings=STUDY_SETTINGS,
         execution=Execution(executor),
     )
@@ -98,12 +99,12 @@ def _from_start(
         settings=STUDY_SETTINGS,
         execution=Execution(executor, progress=progress),
     )
-    found = zones(
+    found = scanned_zones(
         family,
         axis,
         ZONE_KINDS[claim.zone],
+        [done],
         values=claim.fixed,
-        known=[done],
         settings=STUDY_SETTINGS,
         execution=Execution(executor),
     )

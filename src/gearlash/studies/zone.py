@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from math import inf
 from typing import ClassVar
 
 from gearlash.branches import BifurcationPoint, GrazingPoint
+from gearlash.branches.continuation import Branch, SpecialPoint
 from gearlash.results import Axis, Point, Sweep
 from gearlash.system import Label, MotionKind, Named, Record, Signature
 
@@ -17,6 +17,13 @@ BASIN = "change of basin"
 """The quiet motion goes on, but the cold start does not lead to it any more. Other kinds are those of
 `transitions`.
 """
+
+
+SEEN = "seen on the grid only"
+"""Motion that has no branch, or whose branch could not be followed, was seen at the value of the axis beside
+this end: the end lies between it and the next value, as closely as halving told."""
+
+MEETING = 1e-7  # of the value: intervals that overlap by no more only meet
 
 
 class Quiet(Named):
@@ -63,16 +70,16 @@ class ZoneEnd(Record):
     value : float
         Of the parameter, dimensionless.
     kind : str
-        Grazing, fold, doubling, jump, onset of aperiodic motion, no periodic motion proved beyond (see
-        `transitions`), change of basin, the end of the range, or that nothing was computed beyond.
+        Grazing, fold, doubling, Neimark-Sacker or another kind of special point of a branch; that other
+        motion was seen on the grid only; the end of the range, or that nothing was computed beyond.
     uncertainty : float
         The end lies within ± this of ``value``.
     inside, outside : Signature or MotionKind, optional
         Labels of the motion on both sides.
     direction : str
-        Of the sweep whose attractor changes.
-    point : GrazingPoint or BifurcationPoint, optional
-        What was solved for, where it was.
+        How the motion that changes here was found: by which sweeps, or by what led to its branch.
+    point : SpecialPoint, GrazingPoint or BifurcationPoint, optional
+        What was solved for, where it was: of a branch that was followed the first.
     reason : str
         Why there is no label outside, where there is none.
 
@@ -89,7 +96,7 @@ class ZoneEnd(Record):
     inside: Label | None = None
     outside: Label | None = None
     direction: str = ""
-    point: GrazingPoint | BifurcationPoint | None = None
+    point: SpecialPoint | GrazingPoint | BifurcationPoint | None = None
     reason: str = ""
 
     @property
@@ -109,59 +116,6 @@ class ZoneEnd(Record):
             return f"{self.kind}: {self.reason}"
         what = f"grazing, {self.point.kind}" if isinstance(self.point, GrazingPoint) else self.kind
         return f"{what}; {self.inside} inside, {self.beyond} outside ({self.direction})"
-
-
-@dataclass(frozen=True, repr=False)
-class ZoneMotion(Record):
-    """A motion that was seen in a zone, with the stretch in which it was seen.
-
-    Parameters
-    ----------
-    label : Signature or MotionKind
-    directions : tuple of str
-        Of the sweeps that saw it.
-    lower, upper : float
-        First and last value of the axis at which they saw it.
-    quiet : bool
-
-    Examples
-    --------
-    >>> import gearlash as gl
-    >>> axis = gl.Axis.even("omega", 0.5, 0.6, 3)
-    >>> (zone,) = gl.zones(gl.load_case("kahraman-singh"), axis).zones
-    >>> zone.motions[0].directions, zone.motions[0].quiet
-    (('cold', 'up', 'down'), True)
-    """
-
-    label: Label
-    directions: tuple[str, ...]
-    lower: float
-    upper: float
-    quiet: bool
-
-
-@dataclass(frozen=True, repr=False)
-class Physical(Record):
-    """An interval in a physical unit.
-
-    Parameters
-    ----------
-    name : str
-        Of the physical quantity.
-    lower, upper : float
-    unit : str
-
-    Examples
-    --------
-    >>> import gearlash as gl
-    >>> gl.Physical("pinion_speed", 1000.0, 1500.0, "rpm").unit
-    'rpm'
-    """
-
-    name: str
-    lower: float
-    upper: float
-    unit: str
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -201,6 +155,112 @@ class Interval(Record):
         bool
         """
         return self.lower.value <= value <= self.upper.value
+
+
+@dataclass(frozen=True, repr=False)
+class ZoneMotion(Record):
+    """A motion that was found in a zone.
+
+    Parameters
+    ----------
+    label : Signature or MotionKind
+    directions : tuple of str
+        How it was found: sweeps that saw it, or what led to its branch.
+    lower, upper : float
+        Of the interval in which it is stable, with this label; of a motion without a branch the first and
+        the last value of the axis at which it was seen.
+    quiet : bool
+    stable : Interval, optional
+        The interval in which it is stable, with what happens at its ends; None where it has no branch.
+    exists : Interval, optional
+        The interval in which its whole branch exists, stable or not, under whatever label.
+    branch : int, optional
+        Its branch among `Zones.branches`.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> axis = gl.Axis.even("omega", 0.5, 0.6, 3)
+    >>> (zone,) = gl.zones(gl.load_case("kahraman-singh"), axis).zones
+    >>> zone.motions[0].directions, zone.motions[0].quiet
+    (('cold', 'up', 'down'), True)
+    """
+
+    label: Label
+    directions: tuple[str, ...]
+    lower: float
+    upper: float
+    quiet: bool
+    stable: Interval | None = None
+    exists: Interval | None = None
+    branch: int | None = None
+
+    def beside(self, other: ZoneMotion) -> bool:
+        """Whether another motion was found at one of the values of this one; they do not only meet.
+
+        Parameters
+        ----------
+        other : ZoneMotion
+
+        Returns
+        -------
+        bool
+        """
+        low, high = max(self.lower, other.lower), min(self.upper, other.upper)
+        if self.branch is None or other.branch is None:
+            return low <= high
+        return high - low > MEETING * max(abs(low), abs(high))
+
+
+@dataclass(frozen=True, repr=False)
+class Physical(Record):
+    """An interval in a physical unit.
+
+    Parameters
+    ----------
+    name : str
+        Of the physical quantity.
+    lower, upper : float
+    unit : str
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.Physical("pinion_speed", 1000.0, 1500.0, "rpm").unit
+    'rpm'
+    """
+
+    name: str
+    lower: float
+    upper: float
+    unit: str
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Margin(Record):
+    """How far a value lies from an end of its zone.
+
+    Parameters
+    ----------
+    distance : float
+        Of the value from the end, less the end's uncertainty; dimensionless.
+    percent : float
+        The same, of the value; infinite where that is zero.
+    end : ZoneEnd
+        With the event there.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> found = gl.zones(gl.load_case("kahraman-singh"), gl.Axis.even("omega", 0.5, 0.9, 3))
+    >>> below, above = found.zones[0].margins(0.6)
+    >>> below, round(above.distance, 4), round(above.percent, 1), above.end.kind
+    (None, 0.108, 18.0, 'fold')
+    """
+
+    distance: float
+    percent: float
+    end: ZoneEnd
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -243,11 +303,28 @@ class Zone(Interval):
         """Motions that were seen beside another one at the same value; what is unresolved may be on its
         way to any of them."""
         known = [one for one in self.motions if one.label is not MotionKind.UNRESOLVED]
-        return tuple(
-            one
-            for one in known
-            if any(one is not two and one.lower <= two.upper and two.lower <= one.upper for two in known)
-        )
+        return tuple(one for one in known if any(one is not two and one.beside(two) for two in known))
+
+    def margins(self, value: float) -> tuple[Margin | None, Margin | None]:
+        """How far a value lies from the ends at which something happens, downwards and upwards.
+
+        Parameters
+        ----------
+        value : float
+            Dimensionless.
+
+        Returns
+        -------
+        tuple of Margin or None
+            None where the range ends first, and outside the zone.
+        """
+        found: list[Margin | None] = []
+        for end, sign in ((self.lower, -1.0), (self.upper, 1.0)):
+            apart = sign * (end.value - value) - end.uncertainty
+            inside = self.contains(value) and apart >= 0.0
+            share = 100.0 * apart / abs(value) if value else inf
+            found.append(Margin(apart, share, end) if end.bounded and inside else None)
+        return found[0], found[1]
 
     def margin(self, value: float) -> float:
         """Distance of a value to the nearer end at which something happens, less its uncertainty.
@@ -297,11 +374,14 @@ class Zones(Record):
     message : str
         Why it was not.
     resolution : float
-        Step of the axis. A narrower zone may have been missed, and so may other motions that live between two
-        values of the axis only.
+        Step of the axis. Motions that live between two of its values only may have been missed, where no
+        branch of another one leads to them.
     step : float
-        Widest step in which quiet motion was followed inside the zones. A narrower interruption may have been
-        missed.
+        Widest step between neighbouring orbits of the branches inside the zones.
+    branches : tuple of Branch
+        Of all motions that were found, each followed once.
+    starts : int
+        Starts from which motions were looked for.
 
     Examples
     --------
@@ -322,6 +402,8 @@ class Zones(Record):
     message: str = ""
     resolution: float = field(default=0.0)
     step: float = field(default=0.0)
+    branches: tuple[Branch, ...] = ()
+    starts: int = 0
 
     def at(self, value: float) -> Zone | None:
         """The zone that holds a value, in which every attractor found is quiet.
@@ -351,29 +433,3 @@ class Zones(Record):
         """
         held = [min(max(value, zone.lower.value), zone.upper.value) for zone in self.zones]
         return min(held, key=lambda v: abs(v - value), default=None)
-
-
-def intersection(rows: Sequence[Iterable[Interval]]) -> list[Interval]:
-    """Where all rows have an interval."""
-    found = list(rows[0])
-    for row in rows[1:]:
-        row, pairs = list(row), []
-        for a in found:
-            for b in row:
-                lower = a.lower if a.lower.value >= b.lower.value else b.lower
-                upper = a.upper if a.upper.value <= b.upper.value else b.upper
-                pairs.append(Interval(lower, upper))
-        found = [pair for pair in pairs if pair.width > 0.0]
-    return sorted(found, key=lambda interval: interval.lower.value)
-
-
-def union(rows: Sequence[Iterable[Interval]]) -> list[Interval]:
-    """Where some row has an interval; what overlaps or touches is one."""
-    found: list[Interval] = []
-    for interval in sorted((i for row in rows for i in row), key=lambda i: i.lower.value):
-        if found and interval.lower.value <= found[-1].upper.value:
-            upper = max(found[-1].upper, interval.upper, key=lambda end: end.value)
-            found[-1] = Interval(found[-1].lower, upper)
-        else:
-            found.append(interval)
-    return found

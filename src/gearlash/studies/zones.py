@@ -1,27 +1,30 @@
-"""Stable zones: where a pair runs without impacts, or without impacts on the back side, whatever it
-started from.
-"""
+"""Stable zones: where every motion that was found runs without impacts, or without impacts on the back side.
+
+Every motion found is followed along its whole branch; its stable arcs say where it lives, and the special
+points at their ends are the ends of zones. So a coarse axis gives the same ends as a fine one."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from gearlash.jobs import Execution
 from gearlash.orbits import Settings
-from gearlash.results import Axis, Sweep, same_motion
-from gearlash.results.physical import physical_axis
-from gearlash.system import GearlashError, Label, given
+from gearlash.results import Axis, Sweep
+from gearlash.system import GearlashError, given
 
 from .arguments import checked_execution, checked_settings, checked_start, checked_values
-from .ends import END_WIDTH
+from .followed import PASSES, Followed, Question
+from .found_zones import Found
 from .model import Model, Source
 from .named import plain_axis
-from .quiet import Search
+from .scanned import check_sweeps
+from .seen import Onsets
 from .sweep import sweeps
-from .zone import Interval, Physical, Quiet, Zone, ZoneMotion, Zones, intersection, union
+from .zone import Quiet, Zones
+
+FEWEST = 2  # values of an axis
 
 
 def zones(
@@ -35,14 +38,14 @@ def zones(
     settings: Settings | None = None,
     execution: Execution | None = None,
 ) -> Zones:
-    """Intervals of a parameter with quiet motion, their ends located, and what coexists in them.
+    """Intervals of a parameter with quiet motion, their ends solved for, and what coexists in them.
 
-    A zone counts where every attractor that cold, up and down sweeps find is quiet; intervals where only
-    some are come beside it. Between two points at which a sweep found quiet motion, that motion is followed
-    in steps of at most a 128th of the axis, with closer looks where it comes nearest to an impact, and beside
-    every grazing that ends another sweep's interval. An end is met by following the sweep's own orbit to
-    where it changes or ends (grazing, fold, loss of stability). What is found from cold starts, and motion
-    that is not periodic, is halved to about 1e-6 of the value instead (1e-4 where one side is not periodic).
+    Motions are looked for by cold, up and down sweeps, and from just beyond the ends of those found. Each
+    periodic one is followed once along its whole branch, stable or not, with its doublings. A zone counts
+    where every attractor found is quiet; intervals where only some are come beside it. Their ends are special
+    points of branches: grazings, folds, doublings, Neimark-Sacker points. Motion that is not periodic has no
+    branch: it begins where the periodic motion beside it in its sweep loses its stability, or was seen at
+    values of the axis only; then the interval between two of them is halved to 1e-4 of the value.
 
     Parameters
     ----------
@@ -61,7 +64,7 @@ def zones(
     settings : Settings, optional
         How attractors are looked for.
     execution : Execution, optional
-        How the work is carried out. Its progress counts points, then stretches, then ends.
+        How the work is carried out. Its progress counts points of the sweeps, then branches.
 
     Returns
     -------
@@ -96,94 +99,40 @@ def zones_of_kinds(
     settings: Settings | None = None,
     execution: Execution | None = None,
 ) -> tuple[Zones, ...]:
-    """The same of several kinds from the same sweeps."""
+    """The same of several kinds from the same sweeps and branches."""
     source = Source.of(model)
     family = source.family()
     wanted, settings = [given.choice(Quiet, "kind of zone", k) for k in kinds], checked_settings(settings)
     axis = plain_axis(model, family, axis)
     fixed, begin = checked_values(model, family, values, [axis]), checked_start(family, start)
     execution = checked_execution(source, execution)
-    if len(axis) < 2:
+    if len(axis) < FEWEST:
         raise GearlashError(f"zones along {axis.name}: expected at least two values")
     ways = None if known is None else given.instances("known", known, Sweep, "sweeps made before")
-    ended: list[str] = []
     if ways is None:
         ways = sweeps(model, axis, values=fixed, start=begin, settings=settings, execution=execution)
-        ended += [sweep.message for sweep in ways if not sweep.complete]
-    _check(ways, axis, fixed)
-    found, donors = [], []
-    for quiet in wanted:
-        search = Search(source, tuple(fixed.items()), settings, quiet, begin, execution, donors, ended)
-        found.append(_found(model, ways, axis, search))
-    return tuple(found)
+    check_sweeps(ways, axis, fixed)
+    low, high = float(axis.values[0]), float(axis.values[-1])
+    question = Question(source, tuple(fixed.items()), axis.name, low, high, settings)
+    followed, starts = branches_found(ways, question, execution)
+    found = Found(model, axis, tuple(ways), followed, Onsets(followed, begin), starts)
+    return tuple(found.zones(quiet) for quiet in wanted)
 
 
-def _found(model: Model, ways: Sequence[Sweep], axis: Axis, search: Search) -> Zones:
-    quiet, (rows, reason, step) = search.quiet, search.rows(ways)
-    certain = [_zone(model, ways, quiet, interval, True) for interval in intersection(rows)]
-    wide = [_zone(model, ways, quiet, interval, False) for interval in union(rows)]
-    wider = [zone for zone in wide if not any(_same(zone, sure) for sure in certain)]
-    return Zones(quiet, axis, tuple(certain), tuple(wider), tuple(ways), not reason, reason, axis.step, step)
-
-
-def _check(ways: Sequence[Sweep], axis: Axis, fixed: Mapping[str, float] | None) -> None:
-    """Sweeps made before must be those of this question."""
-    if not ways:
-        raise GearlashError("zones of no sweep: expected at least one")
-    for sweep in ways:
-        same = sweep.axis.name == axis.name and np.array_equal(sweep.axis.values, axis.values)
-        if not same or dict(sweep.fixed) != dict(fixed or {}):
-            raise GearlashError(f"a sweep {sweep.direction} over another axis or with other fixed parameters")
-
-
-def _zone(model: Model, ways: Sequence[Sweep], quiet: Quiet, interval: Interval, every: bool) -> Zone:
-    name = ways[0].axis.name
-    ends = Axis(name, np.unique([interval.lower.value, interval.upper.value]))  # one value if it has no width
-    physical = tuple(
-        Physical(n, float(v[0]), float(v[-1]), unit) for n, v, unit in physical_axis(model, ends)
-    )
-    return Zone(interval.lower, interval.upper, name, quiet, every, _motions(ways, quiet, interval), physical)
-
-
-def _motions(ways: Sequence[Sweep], quiet: Quiet, interval: Interval) -> tuple[ZoneMotion, ...]:
-    """Who was seen at the values inside, as stretches of one label found by the same sweeps."""
-    open_, closed = {}, []
-    for i, value in enumerate(map(float, ways[0].axis.values)):
-        if not interval.contains(value):
-            continue
-        here = {}
-        for who, holds, directions in _residents(ways, quiet, i):
-            before = open_.pop((who, directions), None)
-            lower = before.lower if before else value
-            here[who, directions] = ZoneMotion(who, directions, lower, value, holds)
-        closed.extend(open_.values())
-        open_ = here
-    return tuple(sorted([*closed, *open_.values()], key=lambda t: (t.lower, t.upper, str(t.label))))
-
-
-def _residents(ways: Sequence[Sweep], quiet: Quiet, i: int) -> list[tuple[Label, bool, tuple[str, ...]]]:
-    """Different motions at one value: label, whether quiet, and the directions that found it."""
-    groups: list[tuple[Label, list[Sweep]]] = []
-    for sweep in ways:
-        label = sweep.points[i].label
-        if label is None:  # no motion was found
-            continue
-        same = (group for _, group in groups if same_motion(group[0].points[i], sweep.points[i]))
-        home = next(same, None)
-        if home is None:
-            groups.append((label, [sweep]))
-        else:
-            home.append(sweep)
-    return [
-        (label, quiet.holds(group[0].points[i]), tuple(str(sweep.direction) for sweep in group))
-        for label, group in groups
-    ]
-
-
-def _same(one: Interval, other: Interval) -> bool:
-    """Equal but for what halving leaves open."""
-    pairs = ((one.lower, other.lower), (one.upper, other.upper))
-    return all(
-        abs(a.value - b.value) <= a.uncertainty + b.uncertainty + 4.0 * END_WIDTH * max(abs(a.value), 1e-3)
-        for a, b in pairs
-    )
+def branches_found(ways: Sequence[Sweep], question: Question, execution: Execution) -> tuple[Followed, int]:
+    """The branches of all motions that the sweeps show, of those that meet them, and of what motion goes on
+    as beyond their ends; and from how many starts motions were looked for."""
+    reason = next((sweep.message for sweep in ways if not sweep.complete), "")
+    followed = Followed(question, execution, reason=reason)
+    followed.add((str(sweep.direction), point) for sweep in ways for point in sweep.points)
+    followed.switch()
+    starts = sum(point.computed for sweep in ways for point in sweep.points)
+    for _ in range(PASSES):
+        more = followed.look_beyond()
+        starts += len(more)
+        before = len(followed.branches)
+        followed.add(more)
+        followed.switch()
+        if len(followed.branches) == before:
+            break
+    return followed, starts

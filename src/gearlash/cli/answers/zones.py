@@ -16,11 +16,11 @@ from .excitation import idle_study
 from .outcome import POINTS, study_status, troubles
 from .parts import CaseUsed, case_used, physical_values
 from .sweep import START, AxisUsed, axis_used, first_failure
-from .zones_parts import Resident, ZoneEnd, ZoneFound
-from .zones_words import headline
+from .zones_parts import EndPoint, MarginFound, Resident, Stay, ZoneEnd, ZoneFound
+from .zones_words import event, headline
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.studies.zone import Zone, ZoneMotion, Zones
+    from gearlash.studies.zone import Interval, Margin, Zone, ZoneMotion, Zones
     from gearlash.studies.zone import ZoneEnd as FoundEnd
 
 
@@ -45,14 +45,14 @@ class ZonesAnswer:
     statuses: Annotated[dict[Status, int], "number of points of the three sweeps by status"]
     resolution: Annotated[
         float,
-        "step of the axis: a zone narrower than that may have been missed, and so may other motions that "
-        "live between two of its values only",
+        "step of the axis: other motions that live between two of its values only may have been missed, "
+        "where no branch of another one leads to them",
     ]
     step: Annotated[
-        float,
-        "inside the zones quiet motion was followed in steps of this at the most: an interruption narrower "
-        "than that may have been missed",
+        float, "widest step between neighbouring orbits of the branches inside the zones of every motion"
     ]
+    starts: Annotated[int, "starts from which motions were looked for; what none leads to may exist"]
+    branches: Annotated[int, "branches that were followed"]
     zones: Annotated[
         tuple[ZoneFound, ...], "where every attractor found is quiet, then where at least one is"
     ]
@@ -90,6 +90,8 @@ def zones_answer(
         statuses=statuses,
         resolution=found[0].resolution,
         step=max(zones.step for zones in found),
+        starts=found[0].starts,
+        branches=len(found[0].branches),
         zones=listed,
     )
 
@@ -97,14 +99,40 @@ def zones_answer(
 def _zone(case: Case, zone: Zone, here: float, asked: Asked) -> ZoneFound:
     beside, back_met = zone.coexisting, _meets_back(zone)
     margin = zone.margin(here) if zone.contains(here) and isfinite(zone.margin(here)) else None
+    below, above = zone.margins(here)
+    lower = _end(case, zone.name, zone.lower, back_met, asked)
+    upper = _end(case, zone.name, zone.upper, back_met, asked)
     return ZoneFound(
         kind=zone.quiet.value,
         every=zone.every,
-        lower=_end(case, zone.name, zone.lower, back_met, asked),
-        upper=_end(case, zone.name, zone.upper, back_met, asked),
+        lower=lower,
+        upper=upper,
         margin=margin,
         margin_asked=None if margin is None else abs(asked.value(margin)),
         residents=tuple(_resident(motion, motion in beside) for motion in zone.motions),
+        margin_below=_margin(case, zone.name, below, here, lower, asked),
+        margin_above=_margin(case, zone.name, above, here, upper, asked),
+    )
+
+
+def _margin(
+    case: Case, name: str, margin: Margin | None, here: float, end: ZoneEnd, asked: Asked
+) -> MarginFound | None:
+    if margin is None:
+        return None
+    own = {value.name: value.value for value in physical_values(case, name, here)}
+    sign = 1.0 if end.value > here else -1.0
+    there = physical_values(case, name, here + sign * margin.distance)
+    rests = {value.name: value.rests_on for value in end.physical}
+    return MarginFound(
+        distance=margin.distance,
+        asked=abs(asked.value(here + sign * margin.distance) - asked.value(here)),
+        physical=tuple(
+            replace(each, value=abs(each.value - own[each.name]), rests_on=rests.get(each.name, ()))
+            for each in there
+        ),
+        percent=margin.percent if isfinite(margin.percent) else None,
+        event=event(end, case.between_teeth),
     )
 
 
@@ -121,6 +149,23 @@ def _end(case: Case, name: str, end: FoundEnd, back_met: bool, asked: Asked) -> 
         inside=label_text(end.inside),
         outside=end.beyond,
         direction=end.direction,
+        point=_point(end),
+    )
+
+
+def _point(end: FoundEnd) -> EndPoint | None:
+    from gearlash.branches.continuation import SpecialPoint
+
+    point = end.point
+    if not isinstance(point, SpecialPoint):
+        return None
+    return EndPoint(
+        branch_kind=str(point.kind),
+        note=point.note,
+        label_before=label_text(point.label_before),
+        label_after=label_text(point.label_after),
+        unstable_before=point.unstable_before,
+        unstable_after=point.unstable_after,
     )
 
 
@@ -139,4 +184,13 @@ def _resident(motion: ZoneMotion, coexisting: bool) -> Resident:
         motion.upper,
         motion.quiet,
         coexisting,
+        _stay(motion.stable),
+        _stay(motion.exists),
     )
+
+
+def _stay(interval: Interval | None) -> Stay | None:
+    if interval is None:
+        return None
+    lower, upper = interval.lower, interval.upper
+    return Stay(lower.value, upper.value, lower.kind, upper.kind)

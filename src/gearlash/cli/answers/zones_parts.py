@@ -9,6 +9,19 @@ from .parts import PhysicalValue
 
 
 @dataclass(frozen=True)
+class EndPoint:
+    """The special point of a branch that an end is; before and after: in the order of the branch, which may
+    turn round in the parameter."""
+
+    branch_kind: Annotated[str, "fold, doubling, Neimark-Sacker, branch point, grazing, …"]
+    note: Annotated[str, "the kind in words, of a grazing with its boundary"]
+    label_before: str
+    label_after: str
+    unstable_before: Annotated[int, "multipliers outside the unit circle before it; 0: stable"]
+    unstable_after: int
+
+
+@dataclass(frozen=True)
 class ZoneEnd:
     """Where an interval ends."""
 
@@ -17,13 +30,14 @@ class ZoneEnd:
     physical: tuple[PhysicalValue, ...]
     kind: Annotated[
         str,
-        "grazing, fold, doubling, jump, onset of aperiodic motion, no periodic motion proved beyond, "
-        "change of basin, end of the range, not computed beyond",
+        "grazing, fold, doubling, Neimark-Sacker or another special point of a branch; seen on the grid "
+        "only; end of the range, not computed beyond",
     ]
-    solved: Annotated[bool, "solved for together with the orbit; else found by halving"]
+    solved: Annotated[bool, "solved for as a special point of a branch; else halved, or nothing happens"]
     inside: Annotated[str, "label just inside"]
     outside: Annotated[str, "label just outside"]
-    direction: Annotated[str, "sweep whose attractor changes here"]
+    direction: Annotated[str, "how the motion that changes here was found: sweeps, or what led to its branch"]
+    point: Annotated[EndPoint | None, "what was solved for; null where nothing was"] = None
 
     def inner(self, inwards: int) -> float:
         """The value that is shown: where it was halved, the last that was seen to be inside; ``inwards`` is
@@ -32,15 +46,41 @@ class ZoneEnd:
 
 
 @dataclass(frozen=True)
+class Stay:
+    """An interval of the parameter between two ends of a branch, or of a stable part of it."""
+
+    lower: float
+    upper: float
+    lower_kind: Annotated[str, "what ends it there; end of the range: the limit of the scan, it may go on"]
+    upper_kind: str
+
+
+@dataclass(frozen=True)
 class Resident:
-    """A motion that was seen inside."""
+    """A motion that was found inside."""
 
     label: str
-    directions: Annotated[tuple[str, ...], "sweeps that found it"]
-    lower: Annotated[float, "least value of the axis at which they did"]
-    upper: Annotated[float, "largest value of the axis at which they did"]
+    directions: Annotated[tuple[str, ...], "sweeps that found it, or what led to its branch"]
+    lower: Annotated[
+        float,
+        "least value at which it is stable with this label; of motion without a branch, at which it was seen",
+    ]
+    upper: Annotated[float, "largest value of the same"]
     quiet: bool
-    coexisting: Annotated[bool, "seen beside another motion at the same value"]
+    coexisting: Annotated[bool, "found beside another motion at the same values"]
+    stable: Annotated[Stay | None, "where it is stable with this label; null without a branch"] = None
+    exists: Annotated[Stay | None, "where its whole branch exists, stable or not, with any label"] = None
+
+
+@dataclass(frozen=True)
+class MarginFound:
+    """From the present value to an end at which something happens."""
+
+    distance: Annotated[float, "less the end's uncertainty, dimensionless"]
+    asked: Annotated[float, "the same in the unit that was asked for"]
+    physical: Annotated[tuple[PhysicalValue, ...], "the same in every physical unit"]
+    percent: Annotated[float | None, "the same, of the present value; null where that is zero"]
+    event: Annotated[str, "what happens there"]
 
 
 @dataclass(frozen=True)
@@ -60,3 +100,5 @@ class ZoneFound:
     ]
     margin_asked: Annotated[float | None, "the same in the unit that was asked for"]
     residents: tuple[Resident, ...]
+    margin_below: Annotated[MarginFound | None, "to the lower end, where something happens at it"] = None
+    margin_above: Annotated[MarginFound | None, "to the upper end, where something happens at it"] = None

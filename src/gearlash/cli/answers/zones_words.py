@@ -3,14 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import floor, log10
 
 from .asked import Asked
-from .zones_parts import ZoneEnd, ZoneFound
+from .zones_parts import MarginFound, ZoneEnd, ZoneFound
 
 QUIET = {"impact-free": "free of impacts", "drive-side-only": "free of impacts on the back side"}
 WHO = {True: "every attractor found", False: "at least one attractor found, but not everywhere for all"}
 ASSUMED_MARK = "†"  # behind a physical number that rests on an assumed value
 MOST_ZONES = 4  # further zones that are named
+CHANGES = {
+    "fold": "ends (fold)",
+    "doubling": "doubles its period (doubling)",
+    "Neimark-Sacker": "loses its stability (Neimark-Sacker)",
+    "branch point": "loses its stability (branch point)",
+    "joins the orbit of half its period": "ends in the orbit of half its period (doubling)",
+    "joins a symmetric orbit": "ends in a symmetric orbit",
+}
+BEGINS = {"fold": "begins"}
+SEEN_ONLY = "seen on the grid only"
 NO_END = ("end of the range", "not computed beyond")
 
 
@@ -27,7 +38,7 @@ def headline(asked: Asked, ends: tuple[float, float], here: float, zones: Sequen
     else:
         span = _span(asked, own, here)
         first = [f"{at} lies in a zone {QUIET[own.kind]} for {WHO[own.every]}: {span}"]
-        first.append(_margin(asked, own, here))
+        first.append(_margins(asked, own, here))
     kind = own.kind if own is not None else _first_kind(zones)
     others = [zone for zone in zones if zone is not own and zone.every and zone.kind == kind]
     if own is not None and own.every and not others:
@@ -56,18 +67,48 @@ def _marked(asked: Asked, zone: ZoneFound) -> bool:
     return bool(asked.unit) and any(p.rests_on for end in ends for p in end.physical)
 
 
-def _margin(asked: Asked, zone: ZoneFound, here: float) -> str:
-    """How far the nearest end at which something happens is."""
-    ends: list[tuple[float, str, ZoneEnd]] = []
-    if zone.lower.kind not in NO_END:
-        ends.append((here - zone.lower.value, "lower", zone.lower))
-    if zone.upper.kind not in NO_END:
-        ends.append((zone.upper.value - here, "upper", zone.upper))
+def _margins(asked: Asked, zone: ZoneFound, here: float) -> str:
+    """The events at its ends, where something happens there, and how far they are: the nearer one first."""
+    ends: list[tuple[float, str]] = []
+    for margin, end, inwards in ((zone.margin_below, zone.lower, 1), (zone.margin_above, zone.upper, -1)):
+        if margin is not None:
+            ends.append((margin.distance, f"{margin.event} {how_far(asked, margin, end, here, inwards)}"))
     if not ends:
         return "no end of it was met within the range"
-    _, which, end = min(ends, key=lambda one: one[0])
-    apart = _apart(asked, here, end, 1 if which == "lower" else -1)
-    return f"{apart} from its {which} end ({end.kind})"
+    return "; ".join(text for _, text in sorted(ends))
+
+
+def how_far(asked: Asked, margin: MarginFound, end: ZoneEnd, here: float, inwards: int) -> str:
+    """Such as ``at 4114.1 rpm, 85.9 rpm (2.0 %) below``; ``inwards`` is +1 at a lower end, -1 at an upper."""
+    share = "" if margin.percent is None else f" ({percent(margin.percent)} %)"
+    side = "below" if (inwards > 0) == (asked.factor > 0.0) else "above"
+    at = asked.with_unit(asked.edge(end.inner(inwards), inwards, here))
+    return f"at {at}, {_apart(asked, here, end, inwards)}{share} {side}"
+
+
+def percent(value: float) -> str:
+    """Two significant digits, rounded down."""
+    places = max(0, 1 - floor(log10(value))) if value > 0.0 else 0
+    return f"{floor(value * 10**places) / 10**places:.{places}f}"
+
+
+def event(end: ZoneEnd, between_teeth: bool) -> str:
+    """What happens at an end, as a clause."""
+    if end.kind == "grazing" and end.point is not None:
+        return f"{_touch(end.point.note, between_teeth)} (grazing)"
+    if end.point is not None and end.kind in CHANGES:
+        if end.inside in (end.point.label_before, end.point.label_after):
+            return f"the motion {CHANGES[end.kind]}"
+        return f"another motion, {end.outside}, {BEGINS.get(end.kind, 'becomes stable')} ({end.kind})"
+    return f"other motion is seen ({end.outside})" if end.kind == SEEN_ONLY else f"its end lies ({end.kind})"
+
+
+def _touch(note: str, between_teeth: bool) -> str:
+    """A grazing in the words of who runs a machine."""
+    side, teeth = " on the back side" if "back side" in note else "", "teeth " if between_teeth else ""
+    if note.startswith("loss of contact"):
+        return f"{teeth}begin to separate{side}" if teeth else f"contact begins to be lost{side}"
+    return f"{teeth}begin to hit{side}" if teeth else f"impacts begin{side}"
 
 
 def _apart(asked: Asked, here: float, end: ZoneEnd, inwards: int) -> str:

@@ -9,7 +9,8 @@ from rich.text import Text
 from gearlash.case.edges import shown_edge
 from gearlash.case.units import pretty
 from gearlash.cli.answers.zones import ZonesAnswer
-from gearlash.cli.answers.zones_parts import ZoneEnd, ZoneFound
+from gearlash.cli.answers.zones_parts import Resident, ZoneEnd, ZoneFound
+from gearlash.cli.answers.zones_words import how_far
 
 from .layout import facts, headline, note
 from .numbers import Marks, at_least, known
@@ -37,7 +38,7 @@ def zones_view(answer: ZonesAnswer, width: int) -> Iterator[Text]:
 def _examined(answer: ZonesAnswer) -> str:
     """What was looked at, and so what may have been missed."""
     asked, unit = answer.asked, answer.asked.unit
-    ends = asked.between(*(f"{asked.value(end):.6g}" for end in (answer.axis.lower, answer.axis.upper)))
+    reach = asked.between(*(f"{asked.value(end):.6g}" for end in (answer.axis.lower, answer.axis.upper)))
 
     def length(step: float) -> str:
         text = at_least(abs(asked.value(step)), 3)
@@ -45,14 +46,17 @@ def _examined(answer: ZonesAnswer) -> str:
 
     cold = "cold" if answer.start is None else "the state that was given at every value"
     said = (
-        f"From {cold}, up and down sweeps of {answer.axis.count} values, {ends}: a zone narrower than "
-        f"{length(answer.resolution)}, or a motion that lives between two of the values only, may have been "
-        "missed."
+        f"From {cold}, up and down sweeps of {answer.axis.count} values, {reach}, and from beyond the "
+        f"ends of the motions found: {answer.starts} starts. Every periodic motion was followed along its whole "
+        f"branch ({answer.branches} in all). That no other motion exists is not claimed: one to which none of "
+        f"these starts leads, such as one that lives within {length(answer.resolution)} between two of the "
+        "values, may have been missed."
     )
     if answer.step > 0.0:
         said += (
-            f" Inside the zones quiet motion was followed in steps of {length(answer.step)} at the most: an "
-            "interruption narrower than that may have been missed."
+            f" Inside the zones neighbouring orbits of a branch lie {length(answer.step)} apart at the "
+            "most; between them no multiplier reached the unit circle and no extremum its boundary, as far as both, "
+            "followed one by one, tell."
         )
     return said
 
@@ -65,21 +69,42 @@ def _edges(answer: ZonesAnswer, zone: ZoneFound) -> tuple[str, str]:
 def _facts(answer: ZonesAnswer, zone: ZoneFound, marks: Marks) -> Iterator[tuple[str, str]]:
     yield "from", _end(answer, zone.lower, 1, marks)
     yield "to", _end(answer, zone.upper, -1, marks)
-    asked, here = answer.asked, answer.present
-    if zone.margin is not None:
-        lower = abs(here - zone.margin - zone.lower.uncertainty - zone.lower.value)
-        upper = abs(here + zone.margin + zone.upper.uncertainty - zone.upper.value)
-        end, inwards = (zone.lower, 1) if lower < upper else (zone.upper, -1)
-        yield (
-            "margin",
-            f"{asked.distance(here, end.inner(inwards), inwards)}, from the present {asked.text(here)}",
-        )
-    for i, r in enumerate(zone.residents):
-        low, high = (asked.value(value) for value in (r.lower, r.upper))
-        where = f"{low:.5g}" if r.lower == r.upper else f"{low:.5g} to {high:.5g}"
-        noisy = "" if r.quiet else "; not quiet"
-        unit = f" {pretty(asked.unit)}" if asked.unit else ""
-        yield "" if i else "motions", f"{r.label} at {where}{unit} ({', '.join(r.directions)}){noisy}"
+    first = "margin"
+    for margin, end, inwards in ((zone.margin_below, zone.lower, 1), (zone.margin_above, zone.upper, -1)):
+        if margin is not None:
+            yield first, f"{margin.event} {how_far(answer.asked, margin, end, answer.present, inwards)}"
+            first = ""
+    for i, resident in enumerate(zone.residents):
+        yield "" if i else "motions", _motion(answer, resident)
+
+
+def _motion(answer: ZonesAnswer, r: Resident) -> str:
+    """Where a motion is stable, and where its whole branch exists."""
+    noisy = "" if r.quiet else "; not quiet"
+    found = f"({', '.join(r.directions)}){noisy}"
+    if r.stable is None or r.exists is None:
+        where = _reach(answer, r.lower, r.upper)
+        return f"{r.label} seen at {where} {found}; it has no branch that could be followed"
+    stable, exists = r.stable, r.exists
+    told = f"{r.label} stable from {_place(answer, stable.lower, stable.lower_kind)} to "
+    told += f"{_place(answer, stable.upper, stable.upper_kind)} {found}"
+    if (stable.lower, stable.upper) == (exists.lower, exists.upper):
+        return f"{told}; so far its branch exists"
+    told += f"; its branch exists from {_place(answer, exists.lower, exists.lower_kind)} to "
+    return told + _place(answer, exists.upper, exists.upper_kind)
+
+
+def _place(answer: ZonesAnswer, value: float, kind: str) -> str:
+    """A value and what happens there."""
+    asked = answer.asked
+    told = f"{asked.value(value):.6g}" + (f" {pretty(asked.unit)}" if asked.unit else "")
+    return f"{told} ({'limit of the scan' if kind == 'end of the range' else kind})"
+
+
+def _reach(answer: ZonesAnswer, lower: float, upper: float) -> str:
+    low, high = (answer.asked.value(value) for value in (lower, upper))
+    unit = f" {pretty(answer.asked.unit)}" if answer.asked.unit else ""
+    return (f"{low:.5g}" if lower == upper else f"{low:.5g} to {high:.5g}") + unit
 
 
 def _end(answer: ZonesAnswer, end: ZoneEnd, inwards: int, marks: Marks) -> str:

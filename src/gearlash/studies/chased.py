@@ -1,0 +1,87 @@
+"""Aperiodic motion beyond the end of a stable arc, followed back across it: does it coexist with the arc?
+
+So a motion that coexists with a quiet one is found however coarse the axis is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from gearlash.jobs import Chain, Part
+from gearlash.results import Point
+from gearlash.system import MotionKind
+
+from .followed import BEYOND_END, Followed, Question
+from .point import evaluate
+from .seen import HALVED_TO, Stretch, halved
+from .zone import RANGE, Interval, ZoneEnd, ZoneMotion
+
+FIRST = (
+    1e-3  # of the value: how far back it is looked for first; nearer to the end what decays does so slowly
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Chase:
+    """A task: aperiodic motion found at ``point``, followed from ``value`` upwards (+1) or downwards (-1)."""
+
+    question: Question
+    point: Point
+    value: float
+    sign: int
+
+
+def chase(task: Chase, carry: object) -> Part:
+    """The last point at which the motion was aperiodic, None where that is none, and the next one at which it
+    was not, None where the range ends first."""
+    q, last, other, state = task.question, None, None, task.point.state
+    family, step = q.source.family(), FIRST * max(abs(task.value), 1e-3)
+    value: float | None = task.value + task.sign * step
+    while value is not None and q.lower <= value <= q.upper:
+        point = evaluate(family, q.values(family, value), q.name, state, None, q.settings, None)[0]
+        if point.label is MotionKind.APERIODIC:
+            last, state = point, point.state
+        else:
+            other = point
+        step *= 2.0 if other is None else 1.0
+        value = _next(q, task.sign * step, last, other)
+    return Part(((last, other),))
+
+
+def _next(question: Question, step: float, last: Point | None, other: Point | None) -> float | None:
+    """In growing steps until the motion is lost; then by halves."""
+    if last is None:
+        return None
+    if other is None:
+        ends = question.lower, question.upper
+        return None if last.value in ends else min(max(last.value + step, ends[0]), ends[1])
+    narrow = abs(other.value - last.value) <= HALVED_TO * max(abs(other.value), 1e-3)
+    return None if narrow else 0.5 * (last.value + other.value)
+
+
+def chased(followed: Followed, seen: Iterable[Stretch]) -> list[ZoneMotion]:
+    """Aperiodic motions that go on inside stable arcs, and that no sweep saw just there."""
+    seen, tasks, chains = list(seen), {}, []
+    for (i, up), point in followed.beyond.items():
+        arc = followed.arcs[i]
+        end, sign = (arc.upper, -1) if up else (arc.lower, 1)
+        near = end.value + sign * FIRST * max(abs(end.value), 1e-3)
+        if point.label is not MotionKind.APERIODIC or any(s.lower <= near <= s.upper for s in seen):
+            continue
+        tasks[i, up] = end
+        chains.append(Chain((i, up), (Chase(followed.question, point, end.value, sign),), (1,)))
+    done = followed.done(chase, chains)
+    found = [(tasks[name], *parts) for name, parts in done.items() if isinstance(name, tuple)]
+    return [_motion(end, last, other) for end, last, other in found if last is not None]
+
+
+def _motion(end: ZoneEnd, last: Point, other: Point | None) -> ZoneMotion:
+    """From the end of the arc to where the motion was lost."""
+    label = MotionKind.APERIODIC
+    if other is None:
+        lost = ZoneEnd(last.value, RANGE, inside=label, direction=BEYOND_END)
+    else:
+        lost = halved(other, last, BEYOND_END)
+    here = replace(end, inside=label, outside=end.inside)
+    low, high = sorted((here, lost), key=lambda one: one.value)
+    return ZoneMotion(label, (BEYOND_END,), low.value, high.value, False, Interval(low, high))

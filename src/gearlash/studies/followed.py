@@ -1,0 +1,338 @@
+"""Every motion that was found, followed once along its whole branch.
+
+Points of sweeps are where branches begin. From each branch others are reached: where it doubles or breaks its
+symmetry, and from just beyond the ends of its stable arcs, where motion goes on as something else."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash import flow
+from gearlash.branches.continuation import (
+    Branch,
+    ContinuationSettings,
+    SpecialKind,
+    SpecialPoint,
+    continue_orbit,
+    switched,
+)
+from gearlash.jobs import Chain, Execution, Part, run, stopping
+from gearlash.jobs.chains import Work
+from gearlash.orbits import Settings, orbit_at
+from gearlash.results import Point
+from gearlash.system import Family, GearlashError, MotionKind
+
+from .arcs import Arc, arcs_of
+from .model import Source
+from .point import evaluate
+from .zone import ZoneEnd
+
+Array = NDArray[np.float64]
+
+MOST_POINTS = 1_000  # of a branch, each way
+LONGEST = 0.3  # step; on a large motion one of a small motion's size is short
+BEYOND = (1e-4, 1e-3)  # of the value: how far beyond the end of a stable arc is looked what motion goes on as
+SAME = 1e-6  # of the size of a motion: what agrees so well is the same
+BETWEEN = (
+    0.25  # of the distance of two neighbours of a branch: how far beside the chord a motion of it may lie
+)
+MEET = 1e-6  # of the axis: where two branches end so near to each other, they meet
+ROUNDS = 40  # of following
+PASSES = 3  # of looking beyond ends
+LONGEST_PERIOD = 64
+SWITCHED = (SpecialKind.DOUBLING, SpecialKind.JOINS, SpecialKind.BRANCH_POINT, SpecialKind.SYMMETRIC)
+DOUBLED, BROKEN, SINGLE = "doubling", "symmetry breaking", "orbit of half its period"
+BEYOND_END = "beyond an end"
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """What is asked of every branch: the parameter and its limits, all else fixed."""
+
+    source: Source
+    fixed: tuple[tuple[str, float], ...]
+    name: str
+    lower: float
+    upper: float
+    settings: Settings
+
+    def values(self, family: Family, value: float) -> dict[str, float]:
+        return family.complete({**dict(self.fixed), self.name: value})
+
+    @property
+    def width(self) -> float:
+        return self.upper - self.lower
+
+
+@dataclass(frozen=True, eq=False)
+class Seed:
+    """A periodic orbit with which a branch begins, and how it was found."""
+
+    value: float
+    state: Array
+    periods: int
+    way: str
+
+
+@dataclass(frozen=True, eq=False)
+class Follow:
+    """A task: the branch of a seed."""
+
+    question: Question
+    seed: Seed
+
+
+@dataclass(frozen=True, eq=False)
+class Switch:
+    """A task: orbits of the branches that meet one at a special point."""
+
+    question: Question
+    branch: Branch
+    special: SpecialPoint
+
+
+@dataclass(frozen=True, eq=False)
+class Look:
+    """A task: what motion from a state leads to at a value."""
+
+    question: Question
+    value: float
+    state: Array
+
+
+def follow_branch(task: Follow, carry: object) -> Part:
+    """The branch of a seed, or why there is none."""
+    q, seed = task.question, task.seed
+    family = q.source.family()
+    steps = ContinuationSettings(longest=LONGEST, most_points=MOST_POINTS, certify=False)
+    try:
+        props = flow.propagators(family.system(q.values(family, seed.value)))
+        orbit = orbit_at(props, seed.state, seed.periods)
+        if orbit is None:
+            return Part(("its orbit was not found again",))
+        found = continue_orbit(
+            family, q.values(family, seed.value), q.name, orbit, q.lower, q.upper, steps, None, stopping
+        )
+    except (GearlashError, np.linalg.LinAlgError) as error:
+        return Part((str(error),))
+    return Part(()) if stopping() else Part((found,))
+
+
+def switch_branch(task: Switch, carry: object) -> Part:
+    """Seeds on the other branches at a special point."""
+    family = task.question.source.family()
+    way = {SpecialKind.DOUBLING: DOUBLED, SpecialKind.JOINS: SINGLE}.get(task.special.kind, BROKEN)
+    try:
+        found = switched(family, task.branch, task.special)
+    except (GearlashError, np.linalg.LinAlgError):
+        return Part(((),))
+    inside = [s for s in found if task.question.lower <= s.value <= task.question.upper]
+    return Part((tuple(Seed(s.value, s.orbit.state, s.orbit.shot.period, way) for s in inside),))
+
+
+def look(task: Look, carry: object) -> Part:
+    """The attractor that a state leads to."""
+    q = task.question
+    family = q.source.family()
+    values = q.values(family, task.value)
+    return Part((evaluate(family, values, q.name, task.state, None, q.settings, None)[0],))
+
+
+@dataclass(eq=False)
+class Followed:
+    """``branches`` and all their ``arcs``; ``ways``: how the motion of an arc was found, by its identity;
+    ``unfollowed``: points that are periodic, but whose branch could not be followed, and why; ``beyond``:
+    what motion goes on as beyond the end of an arc, by its number and whether it is the upper end;
+    ``reason``: why something is missing."""
+
+    question: Question
+    execution: Execution
+    branches: list[Branch] = field(default_factory=list)
+    arcs: list[Arc] = field(default_factory=list)
+    ways: dict[int, set[str]] = field(default_factory=dict)
+    unfollowed: list[tuple[Point, str]] = field(default_factory=list)
+    beyond: dict[tuple[int, bool], Point] = field(default_factory=dict)
+    reason: str = ""
+
+    @property
+    def stable(self) -> list[Arc]:
+        return [arc for arc in self.arcs if arc.stable]
+
+    def add(self, points: Iterable[tuple[str, Point]]) -> None:
+        """Follows the branches of all periodic points that lie on none yet."""
+        family = self.question.source.family()
+        open_ = [(way, point) for way, point in points if point.periodic]
+        for _ in range(ROUNDS):
+            open_ = [(way, point) for way, point in open_ if not self._known(family, point, way)]
+            if not open_ or self.reason:
+                return
+            chosen: dict[int, tuple[str, Point]] = {}
+            for way, point in sorted(open_, key=lambda one: one[1].minimum - one[1].maximum):
+                chosen.setdefault(point.period, (way, point))  # steps are in units of the first motion's size
+            seeds = [Seed(p.value, p.state, len(p.strobes), way) for way, p in chosen.values()]
+            for (way, point), failure in zip(chosen.values(), self.followed(seeds), strict=True):
+                if failure or not self._known(family, point, way):
+                    self.unfollowed.append((point, failure or "its branch does not lead back to it"))
+            lost = {id(point) for point, _ in self.unfollowed}
+            open_ = [(way, point) for way, point in open_ if id(point) not in lost]
+
+    def _known(self, family: Family, point: Point, way: str) -> bool:
+        arc = self.arc_of(family, point)
+        if arc is not None:
+            self.ways.setdefault(id(arc), set()).add(way)
+        return arc is not None
+
+    def followed(self, seeds: Sequence[Seed]) -> list[str]:
+        """Follows the branches of seeds; why it could not, of each, or empty."""
+        chains = [Chain(i, (Follow(self.question, seed),), (1,)) for i, seed in enumerate(seeds)]
+        done, failures = self.done(follow_branch, chains), []
+        for i in range(len(seeds)):
+            found = done.get(i, "stopped")
+            failures.append(found if isinstance(found, str) else "")
+            if not isinstance(found, str):
+                self.take(found)
+        return failures
+
+    def take(self, branch: Branch) -> None:
+        arcs = arcs_of(branch, len(self.branches))
+        if any(self._same(arc, known) for arc in arcs if arc.stable for known in self.stable):
+            return
+        self.branches.append(branch)
+        self.arcs.extend(arcs)
+
+    def _same(self, arc: Arc, other: Arc) -> bool:
+        """Whether two arcs are the same, of one branch that was followed from two of its orbits."""
+        near = MEET * self.question.width
+        if arc.label != other.label or not _meet(arc.lower.value, other.lower.value, near):
+            return False
+        if not _meet(arc.upper.value, other.upper.value, near):
+            return False
+        middle = 0.5 * (arc.lower.value + arc.upper.value)
+        (one, apart), (two, away) = arc.strobes(middle), other.strobes(middle)
+        size = max(float(np.abs(one).max()), 1e-3)
+        return _distance(one, two[0]) <= max(BETWEEN * (apart + away), SAME * size)
+
+    def arc_of(self, family: Family, point: Point) -> Arc | None:
+        """The stable arc that a periodic point of a sweep lies on."""
+        near = SAME * self.question.width
+        for arc in self.arcs:
+            if not arc.stable or arc.label != point.label:
+                continue
+            if not arc.lower.value - near <= point.value <= arc.upper.value + near:
+                continue
+            strobes, apart = arc.strobes(point.value)
+            size = max(float(np.abs(strobes).max()), 1e-3)
+            away = _distance(strobes, point.state)
+            if away <= max(SAME * size, BETWEEN * apart) or self._leads_to(family, strobes, point, size):
+                return arc
+        return None
+
+    def _leads_to(self, family: Family, strobes: Array, point: Point, size: float) -> bool:
+        try:
+            props = flow.propagators(family.system(self.question.values(family, point.value)))
+            found = orbit_at(props, strobes[0], len(strobes))
+        except (GearlashError, np.linalg.LinAlgError):
+            return False
+        return found is not None and _distance(found.strobes, point.state) <= SAME * size
+
+    def switch(self) -> None:
+        """Branches that meet those known where a stable arc ends, until there are no more."""
+        tried: set[int] = set()
+        for _ in range(ROUNDS):
+            specials = {
+                id(end.point): (arc, end.point)
+                for arc in self.stable
+                for end in (arc.lower, arc.upper)
+                if isinstance(end.point, SpecialPoint)
+                and end.point.kind in SWITCHED and id(end.point) not in tried and not self._met(end.point)
+            }  # fmt: skip
+            tried |= set(specials)
+            if not specials or self.reason:
+                return
+            chains = [
+                Chain(i, (Switch(self.question, self.branches[arc.branch], special),), (1,))
+                for i, (arc, special) in enumerate(specials.values())
+                if special.kind is not SpecialKind.DOUBLING or 2 * special.point.period <= LONGEST_PERIOD
+            ]
+            done = self.done(switch_branch, chains)
+            self.followed([seed for name in sorted(done, key=str) for seed in done[name]])
+
+    def _met(self, special: SpecialPoint) -> bool:
+        """Whether the other branch at a doubling is known, as it ends there."""
+        near = MEET * self.question.width
+        wanted = {SpecialKind.DOUBLING: SpecialKind.JOINS, SpecialKind.JOINS: SpecialKind.DOUBLING}
+        kind = wanted.get(special.kind)
+        return any(
+            other.kind is kind and _meet(other.value, special.value, near)
+            for branch in self.branches
+            for other in branch.special
+        )
+
+    def look_beyond(self) -> list[tuple[str, Point]]:
+        """What motion goes on as just beyond the ends of stable arcs where no other stable arc begins; where
+        that is not settled so near to them, farther beyond."""
+        ends = {
+            (i, up): end
+            for i, arc in enumerate(self.arcs)
+            for end, up in ((arc.lower, False), (arc.upper, True))
+            if arc.stable and (i, up) not in self.beyond and self._open(arc, end, up)
+        }
+        found: dict[tuple[int, bool], Point] = {}
+        for far in BEYOND:
+            left = {name: end for name, end in ends.items() if name not in found or not _settled(found[name])}
+            tasks = [
+                Chain(name, (task,), (1,))
+                for name, end in left.items()
+                if (task := self._look(name, end, far))
+            ]
+            found.update(
+                (name, point) for name, point in self.done(look, tasks).items() if isinstance(name, tuple)
+            )
+        self.beyond.update(found)
+        return [(BEYOND_END, point) for point in found.values()]
+
+    def _look(self, name: tuple[int, bool], end: ZoneEnd, far: float) -> Look | None:
+        value = end.value + (1.0 if name[1] else -1.0) * far * max(abs(end.value), 1e-3)
+        if not self.question.lower <= value <= self.question.upper or not isinstance(end.point, SpecialPoint):
+            return None
+        return Look(self.question, value, end.point.point.state)
+
+    def _open(self, arc: Arc, end: ZoneEnd, up: bool) -> bool:
+        """Whether a branch was solved for where an arc ends, and no other stable arc goes on from there."""
+        if not isinstance(end.point, SpecialPoint) or end.outside is not None:
+            return False
+        return next(self.onward(arc, end, up), None) is None
+
+    def onward(self, arc: Arc, end: ZoneEnd, up: bool) -> Iterator[Arc]:
+        """Stable arcs that begin where another one ends."""
+        near = MEET * self.question.width
+        for other in self.stable:
+            beside = other.lower if up else other.upper
+            if other is not arc and beside.bounded and _meet(beside.value, end.value, near):
+                yield other
+
+    def done(self, work: Work, chains: Sequence[Chain]) -> Mapping[Hashable, Any]:
+        """What each task returned."""
+        if not chains or self.reason:
+            return {}
+        outcome = run(work, chains, self.execution)
+        self.reason = outcome.reason
+        return {name: found[0] for name, found in outcome.results.items() if found}
+
+
+def _settled(point: Point) -> bool:
+    return point.periodic or point.label is MotionKind.APERIODIC
+
+
+def _meet(one: float, other: float, near: float) -> bool:
+    return abs(one - other) <= near
+
+
+def _distance(strobes: Array, state: Array) -> float:
+    """Of a state from the nearest of an orbit's."""
+    return float(np.abs(strobes - state).max(axis=1).min())

@@ -1,0 +1,177 @@
+"""From the arcs of branches, and motion that has none, to zones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from gearlash.results import Axis, Sweep
+from gearlash.results.physical import physical_axis
+from gearlash.system import Label
+
+from .arcs import Arc
+from .chased import chased
+from .followed import MEET, Followed
+from .intervals import union, without
+from .model import Model
+from .seen import Onsets, Stretch, stretches
+from .zone import Interval, Physical, Quiet, Zone, ZoneEnd, ZoneMotion, Zones
+
+FOLLOWED = "along its branch"  # how a motion was found that no start led to
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """All that was found along an axis; ``starts``: from how many starts."""
+
+    model: Model
+    axis: Axis
+    sweeps: tuple[Sweep, ...]
+    followed: Followed
+    onsets: Onsets
+    starts: int
+
+    @property
+    def near(self) -> float:
+        return MEET * self.followed.question.width
+
+    @cached_property
+    def seen(self) -> list[Stretch]:
+        return stretches(self.sweeps, self.followed)
+
+    @cached_property
+    def chased(self) -> list[ZoneMotion]:
+        return chased(self.followed, self.seen)
+
+    @cached_property
+    def exists(self) -> list[Interval]:
+        """Of every branch, where it exists."""
+        rows = [
+            [arc for arc in self.followed.arcs if arc.branch == i] for i in range(len(self.followed.branches))
+        ]
+        return [
+            Interval(
+                min((arc.lower for arc in row), key=lambda end: end.value),
+                max((arc.upper for arc in row), key=lambda end: end.value),
+            )
+            for row in rows
+        ]
+
+    def zones(self, quiet: Quiet) -> Zones:
+        """Zones of one kind."""
+        arcs = self.followed.stable
+        calm = [arc for arc in arcs if quiet.holds_signature(arc.label)]
+        noisy = [arc for arc in arcs if not quiet.holds_signature(arc.label)]
+        wide = [self.told(one) for one in union([calm], self.near)]
+        certain = wide
+        for arc in noisy:
+            taken = self.told(Interval(arc.lower, arc.upper))
+            certain = without(certain, taken, self.from_outside(arc.label, calm), self.near)
+        certain = self.without_seen(certain, calm)
+        every = [self.zone(quiet, one, True) for one in certain]
+        some = [
+            self.zone(quiet, one, False) for one in wide if not any(self.same(one, sure) for sure in certain)
+        ]
+        reason = self.followed.reason
+        return Zones(
+            quiet, self.axis, tuple(every), tuple(some), self.sweeps, not reason, reason, self.axis.step,
+            self.step(certain), tuple(self.followed.branches), self.starts,
+        )  # fmt: skip
+
+    def without_seen(self, certain: list[Interval], calm: Sequence[Arc]) -> list[Interval]:
+        """What is left where motion without a branch was seen. Its ends are asked for where they matter."""
+        for stretch in self.seen:
+            low, high = self.onsets.cell(stretch, -1)[0], self.onsets.cell(stretch, 1)[1]
+            if not any(one.lower.value <= high and low <= one.upper.value for one in certain):
+                continue
+            lower, upper = self.onsets.of([(stretch, -1), (stretch, 1)])
+            outside = self.from_outside(stretch.label, calm)
+            certain = without(certain, Interval(lower, upper), outside, self.near)
+        for motion in self.chased:
+            assert motion.stable is not None
+            certain = without(certain, motion.stable, self.from_outside(motion.label, calm), self.near)
+        return certain
+
+    def from_outside(self, label: Label | None, calm: Sequence[Arc]) -> Callable[[ZoneEnd], ZoneEnd]:
+        """The ends of what is not quiet, as those of what is."""
+
+        def opposite(end: ZoneEnd) -> ZoneEnd:
+            inside = next((arc.label for arc in calm if arc.contains(end.value)), end.outside)
+            return replace(end, inside=inside, outside=label, reason=end.reason if label is None else "")
+
+        return opposite
+
+    def told(self, one: Interval) -> Interval:
+        """With what motion goes on as beyond its ends, and how its own was found."""
+        return Interval(self.told_end(one.lower, False), self.told_end(one.upper, True))
+
+    def told_end(self, end: ZoneEnd, up: bool) -> ZoneEnd:
+        owners = [
+            (i, arc)
+            for i, arc in enumerate(self.followed.arcs)
+            if arc.stable and (arc.upper if up else arc.lower) is end
+        ]
+        if not owners:
+            return end
+        (number, arc) = owners[0]
+        end = replace(end, direction=", ".join(self.ways(arc)))
+        beyond = self.followed.beyond.get((number, up))
+        if end.outside is None and beyond is not None:
+            reason = str(beyond.status) if beyond.label is None else ""
+            end = replace(end, outside=beyond.label, reason=reason)
+        return end
+
+    def ways(self, arc: Arc) -> tuple[str, ...]:
+        """How the motion of an arc was found."""
+        found = self.followed.ways.get(id(arc), set())
+        sweeps = [way for sweep in self.sweeps if (way := str(sweep.direction)) in found]
+        return (*sweeps, *sorted(found - set(sweeps))) or (FOLLOWED,)
+
+    def same(self, one: Interval, other: Interval) -> bool:
+        pairs = ((one.lower, other.lower), (one.upper, other.upper))
+        return all(abs(a.value - b.value) <= a.uncertainty + b.uncertainty + self.near for a, b in pairs)
+
+    def step(self, certain: Sequence[Interval]) -> float:
+        """The widest step between neighbouring orbits inside the zones."""
+        widest = 0.0
+        for arc in self.followed.stable:
+            for one in certain:
+                low, high = max(arc.lower.value, one.lower.value), min(arc.upper.value, one.upper.value)
+                if high > low:
+                    inner = arc.values[(arc.values > low) & (arc.values < high)]
+                    widest = max(widest, float(np.diff([low, *inner, high]).max()))
+        return widest
+
+    def zone(self, quiet: Quiet, one: Interval, every: bool) -> Zone:
+        name = self.axis.name
+        ends = Axis(name, np.unique([one.lower.value, one.upper.value]))
+        physical = tuple(
+            Physical(n, float(v[0]), float(v[-1]), unit) for n, v, unit in physical_axis(self.model, ends)
+        )
+        motions = sorted(self.motions(quiet, one), key=lambda t: (t.lower, t.upper, str(t.label)))
+        return Zone(one.lower, one.upper, name, quiet, every, tuple(motions), physical)
+
+    def motions(self, quiet: Quiet, one: Interval) -> Iterator[ZoneMotion]:
+        """All that were found in an interval."""
+        for arc in self.followed.stable:
+            low, high = max(arc.lower.value, one.lower.value), min(arc.upper.value, one.upper.value)
+            if high - low > self.near:
+                holds = quiet.holds_signature(arc.label)
+                stable = self.told(Interval(arc.lower, arc.upper))
+                yield ZoneMotion(
+                    arc.label, self.ways(arc), arc.lower.value, arc.upper.value, holds, stable,
+                    self.exists[arc.branch], arc.branch,
+                )  # fmt: skip
+        for motion in self.chased:
+            if min(motion.upper, one.upper.value) - max(motion.lower, one.lower.value) > self.near:
+                yield motion
+        for stretch in self.seen:
+            known = stretch.label is not None and not stretch.missing
+            if known and max(stretch.lower, one.lower.value) <= min(stretch.upper, one.upper.value):
+                holds = all(quiet.holds(point) for point in stretch.points)
+                way = str(stretch.sweep.direction)
+                assert stretch.label is not None
+                yield ZoneMotion(stretch.label, (way,), stretch.lower, stretch.upper, holds)
