@@ -64,6 +64,7 @@ SNAPSHOT = [
     "ImpactFree",
     "Interval",
     "ManyStrobes",
+    "Margin",
     "Model",
     "Motion",
     "MotionKind",

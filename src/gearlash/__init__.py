@@ -190,9 +190,8 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .studies.transitions import (
         transitions as transitions,
     )
-    from .studies.zone import (
-        Physical as Physical,
-    )
+    from .studies.zone import Physical as Physical
+    from .studies.zone_end import Margin as Margin
     from .system import (
         BuildError as BuildError,
         Clearance as Clearance,
@@ -382,6 +381,7 @@ _PUBLIC = {
     "gearlash.studies.transition": ("Sampled", "Transition"),
     "gearlash.studies.transitions": ("transitions",),
     "gearlash.studies.zone": ("Physical",),
+    "gearlash.studies.zone_end": ("Margin",),
     # the claims of a publication, judged
     "gearlash.article": ("reproduce",),
 }

@@ -109,6 +109,7 @@ def calls() -> tuple[Call, ...]:
         whole(gl.Signature, orbit.signature), whole(gl.Scales, scales), whole(gl.Trace, trace),
         whole(gl.GrazingPoint, grazing), whole(gl.BifurcationPoint, bifurcation), whole(gl.Case, spur),
         whole(orbits.Shot, orbit.shot), whole(flow.Events, trace.events), whole(studies.Zones, quiet),
+        whole(gl.Margin, gl.Margin(0.1, 1.0, end)),
         *(whole(type(each), each) for each in records),
         Call("Aperiodic", gl.Aperiodic, {
             "propagators": props, "final_state": np.zeros(2), "largest_exponent": 0.1, "exponent_error": 0.1,

@@ -11,8 +11,8 @@ import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
 from gearlash.cli.answers.asked import Asked
-from gearlash.cli.answers.zones_parts import ZoneEnd, ZoneFound
-from gearlash.cli.answers.zones_words import headline
+from gearlash.cli.answers.zones_parts import EndPoint, MarginFound, ZoneEnd, ZoneFound
+from gearlash.cli.answers.zones_words import event, headline
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 from gearlash.cli.show.numbers import at_least
@@ -48,13 +48,15 @@ def test_zones_in_words(gearlash: Gearlash):
     first = " ".join(out.partition("\n\n")[0].split())
     assert first == (
         "omega = 1.04713 lies in a zone free of impacts for every attractor found: omega from 0.9725 to "
-        "1.06; 0.0746 from its lower end (grazing)"
+        "1.06; teeth begin to separate (grazing) at omega = 0.9725, 0.0746 (7.1 %) below"
     )
     assert "Free of impacts on the back side, every attractor found: omega from 0.95 to 1.06" in out
     assert "grazing, 1-0-0 inside, 1-1-0 outside" in out
     flat = " ".join(out.split())
-    assert "a zone narrower than 0.01, or a motion that lives between two of the values only" in flat
-    assert "quiet motion was followed in steps of 0.000834 at the most" in flat
+    assert "Every periodic motion was followed along its whole branch (1 in all)" in flat
+    assert "one to which none of these starts leads, such as one that lives within 0.01 between two" in flat
+    assert "1-0-0 stable from 0.9725 (grazing) to 1.06 (limit of the scan)" in flat
+    assert "its branch exists from 0.95 (limit of the scan) to 1.06 (limit of the scan)" in flat
 
 
 @pytest.mark.parametrize("count", [5, 15, 41])
@@ -63,8 +65,8 @@ def test_the_present_speed_comes_first_however_coarse_the_axis(gearlash: Gearlas
     ran = gearlash("zones", DRIVE, "--over", f"pinion_speed=1000rpm:6000rpm:{count}", "--json")
     answer = ran.answer
     assert answer["sentence"].startswith(
-        "4200 rpm lies in a zone free of impacts for every attractor found: 4114.1 to 6000 rpm †; 85.9 rpm "
-        "from its lower end (grazing)"
+        "4200 rpm lies in a zone free of impacts for every attractor found: 4114.1 to 6000 rpm †; teeth "
+        "begin to separate (grazing) at 4114.1 rpm, 85.9 rpm (2.0 %) below"
     )
     assert answer["asked"]["unit"] == "rpm"
     free = [z for z in answer["zones"] if z["kind"] == "impact-free"]
@@ -72,14 +74,27 @@ def test_the_present_speed_comes_first_however_coarse_the_axis(gearlash: Gearlas
     assert not any(z["lower"]["value"] < middle < z["upper"]["value"] for z in free)
     held = next(z for z in free if z["margin"] is not None)
     assert held["margin_asked"] == pytest.approx(85.9, abs=0.1)
+    below = held["margin_below"]
+    assert (held["margin_above"], below["event"]) == (None, "teeth begin to separate (grazing)")
+    assert below["asked"] == pytest.approx(85.92, abs=0.01)
+    assert below["percent"] == pytest.approx(100.0 * 85.92 / 4200.0, abs=1e-3)
+    rpm = next(each for each in below["physical"] if each["unit"] == "rpm")
+    assert rpm["value"] == pytest.approx(below["asked"], rel=1e-12)
+    point = held["lower"]["point"]
+    assert {point["label_before"], point["label_after"]} == {"1-0-0", "1-1-0"}
+    assert (point["unstable_before"], point["unstable_after"]) == (0, 0)
 
 
 def test_what_was_typed_in_other_units_is_told_in_them(gearlash: Gearlash):
     for over, start, margin in (
-        ("pinion_speed=100rad/s:600rad/s:9", "439.823 rad/s lies in a zone", "rad/s from its lower end"),
+        ("pinion_speed=100rad/s:600rad/s:9", "439.823 rad/s lies in a zone", "rad/s (2.0 %) below"),
         ("backlash=0.02mm:0.2mm:5", "0.08 mm lies in a zone", "no end of it was met within the range"),
-        ("torque=10Nm:300Nm:5", "150 Nm lies in a zone", "Nm from its lower end (grazing)"),
-        ("omega=0.2:0.9:9", "omega = 0.548539 lies in a zone", "0.0111 from its lower end (grazing)"),
+        (
+            "torque=10Nm:300Nm:5",
+            "150 Nm lies in a zone",
+            "separate (grazing) at 92.2 Nm, 57.8 Nm (38 %) below",
+        ),
+        ("omega=0.2:0.9:9", "omega = 0.548539 lies in a zone", "0.0111 (2.0 %) below"),
     ):
         options = ("--over", over, "--kind", "impact-free", "--json")
         sentence = gearlash("zones", DRIVE, *options).answer["sentence"]
@@ -99,7 +114,7 @@ def test_one_edge_is_one_number_in_run_and_zones(gearlash: Gearlash):
     run = gearlash("run", DRIVE, "--json").answer["sentence"]
     ran = gearlash("zones", DRIVE, "--over", "pinion_speed=3900rpm:5000rpm:5")
     assert "impact-free from 4114.1 rpm †" in run
-    assert ran.out.count("4114.1 to 5000 rpm") == 2
+    assert " ".join(ran.out.split()).count("4114.1 to 5000 rpm") == 2
     assert "4114.1 rpm †" in ran.out
 
 
@@ -123,15 +138,22 @@ def test_out_has_zones_and_not_a_sweep_again(gearlash: Gearlash, tmp_path: Path)
     assert gl.load_dataset(tmp_path / "zones" / "zones.nc").attrs["complete"] == 1
 
 
-def zone(low: float, high: float, every: bool = True, kind: str = "impact-free") -> ZoneFound:
+TOUCH = EndPoint("grazing", "loss of contact on the drive side (minimum of X in S1)", "1-1-0", "1-0-0", 0, 0)
+
+
+def zone(
+    low: float, high: float, every: bool = True, kind: str = "impact-free", here: float = 0.0
+) -> ZoneFound:
     """In thousands of revolutions per minute; both ends are grazings but those at 1 and 9."""
-    ends = [
-        ZoneEnd(
-            v, 0.0, (), "end of the range" if v in (1.0, 9.0) else "grazing", True, "1-0-0", "1-1-0", "up"
-        )
-        for v in (low, high)
-    ]
-    return ZoneFound(kind, every, ends[0], ends[1], None, None, ())  # pyright: ignore[reportArgumentType]
+    ends, margins = [], []
+    for v in (low, high):
+        limit = v in (1.0, 9.0)
+        what = "end of the range" if limit else "grazing"
+        ends.append(ZoneEnd(v, 0.0, (), what, not limit, "1-0-0", "1-1-0", "up", None if limit else TOUCH))
+        apart, words = abs(v - here), event(ends[-1], True)
+        inside = low <= here <= high and not limit
+        margins.append(MarginFound(apart, 1e3 * apart, (), 100.0 * apart / here, words) if inside else None)
+    return ZoneFound(kind, every, *ends, None, None, (), *margins)  # pyright: ignore[reportArgumentType]
 
 
 @pytest.mark.parametrize(
@@ -139,9 +161,9 @@ def zone(low: float, high: float, every: bool = True, kind: str = "impact-free")
     [
         (
             2.0,
-            [zone(1.0, 3.0), zone(5.0, 6.0)],
-            "2000 rpm lies in a zone free of impacts for every attractor found: 1000 to 3000 rpm; 1000 rpm "
-            "from its upper end (grazing); other zone free of impacts for every attractor found: 5000 to "
+            [zone(1.0, 3.0, here=2.0), zone(5.0, 6.0)],
+            "2000 rpm lies in a zone free of impacts for every attractor found: 1000 to 3000 rpm; teeth begin "
+            "to separate (grazing) at 3000 rpm, 1000 rpm (50 %) above; other zone free of impacts for every attractor found: 5000 to "
             "6000 rpm",
         ),
         (
@@ -152,16 +174,18 @@ def zone(low: float, high: float, every: bool = True, kind: str = "impact-free")
         ),
         (
             4.0,
-            [zone(3.0, 5.0, every=False)],
+            [zone(3.0, 5.0, every=False, here=4.0)],
             "4000 rpm lies in a zone free of impacts for at least one attractor found, but not everywhere "
-            "for all: 3000 to 5000 rpm; 1000 rpm from its lower end (grazing); no interval was found in "
+            "for all: 3000 to 5000 rpm; teeth begin to separate (grazing) at 3000 rpm, 1000 rpm (25 %) below; "
+            "teeth begin to separate (grazing) at 5000 rpm, 1000 rpm (25 %) above; no interval was found in "
             "which every attractor found is free of impacts",
         ),
         (
             4.0,
-            [zone(3.0, 5.0, every=False), zone(1.0, 9.0, kind="drive-side-only")],
+            [zone(3.0, 5.0, every=False, here=4.0), zone(1.0, 9.0, kind="drive-side-only", here=4.0)],
             "4000 rpm lies in a zone free of impacts for at least one attractor found, but not everywhere "
-            "for all: 3000 to 5000 rpm; 1000 rpm from its lower end (grazing); no interval was found in "
+            "for all: 3000 to 5000 rpm; teeth begin to separate (grazing) at 3000 rpm, 1000 rpm (25 %) below; "
+            "teeth begin to separate (grazing) at 5000 rpm, 1000 rpm (25 %) above; no interval was found in "
             "which every attractor found is free of impacts",
         ),
         (
@@ -190,8 +214,10 @@ def test_headlines(here: float, zones: list[ZoneFound], words: str):
 
 def test_an_end_that_was_halved_is_shown_where_motion_was_last_seen_to_be_quiet():
     low, high = (ZoneEnd(v, 0.01, (), "jump", False, "1-0-0", "1-1-0", "up") for v in (1.0, 3.0))
-    one = ZoneFound("impact-free", True, low, high, None, None, ())
-    assert "1010 to 2990 rpm; 990 rpm from its" in headline(RPM, (0.5, 9.0), 2.0, [one])
+    below, above = (MarginFound(0.99, 990.0, (), 49.5, event(end, True)) for end in (low, high))
+    one = ZoneFound("impact-free", True, low, high, None, None, (), below, above)
+    words = headline(RPM, (0.5, 9.0), 2.0, [one])
+    assert "1010 to 2990 rpm; its end lies (jump) at 1010 rpm, 990 rpm (49 %) below" in words
     assert "lies in no zone" in headline(RPM, (0.5, 9.0), 2.995, [one])
 
 

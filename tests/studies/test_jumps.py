@@ -25,7 +25,7 @@ from gearlash.studies.transition import (
     unlocated,
 )
 from gearlash.studies.transitions import transitions
-from gearlash.studies.zone import BASIN
+from gearlash.studies.zone_end import BASIN
 from gearlash.system import ContactRule, Family, GearlashError, Label, Signature, read_label
 from orbits.contacts import two_gaps
 from orbits.members import article, built, one_dof

@@ -22,8 +22,9 @@ from gearlash.studies.intervals import intersection, union
 from gearlash.studies.model import Source
 from gearlash.studies.quiet import Row, Search
 from gearlash.studies.scanned import scanned_zones
-from gearlash.studies.zone import BASIN, RANGE, UNKNOWN, Zone, ZoneMotion
-from gearlash.studies.zone import Interval as Plain
+from gearlash.studies.zone import Zone, ZoneMotion
+from gearlash.studies.zone_end import BASIN, RANGE, UNKNOWN
+from gearlash.studies.zone_end import Interval as Plain
 from gearlash.studies.zones import zones_of_kinds
 from gearlash.system import GearlashError, Signature, UnknownNameError
 

@@ -11,7 +11,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 
-from gearlash.studies.zone import Quiet, Zone, ZoneEnd, Zones
+from gearlash.studies.zone import Zone, Zones
+from gearlash.studies.zone_end import Quiet, ZoneEnd
 
 from . import style
 from .bifurcation import directions, new_points, scatter

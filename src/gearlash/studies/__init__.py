@@ -16,7 +16,8 @@ from .model import Model, open_workers, prepare
 from .plane import map_plane
 from .point import point, summary
 from .sweep import sweep, sweeps
-from .zone import Interval, Quiet, Zone, ZoneEnd, ZoneMotion, Zones
+from .zone import Zone, ZoneMotion, Zones
+from .zone_end import Interval, Quiet, ZoneEnd
 from .zones import zones
 
 if TYPE_CHECKING:

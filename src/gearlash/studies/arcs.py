@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from gearlash.branches.continuation import Branch, BranchPoint, EndKind, EndOfBranch, SpecialPoint
 from gearlash.system import Signature
 
-from .zone import RANGE, UNKNOWN, Interval, ZoneEnd
+from .zone_end import RANGE, UNKNOWN, Interval, ZoneEnd
 
 LIMITS = (EndKind.LOWER, EndKind.UPPER)
 UNSEEN = "a change between two orbits of the branch that was not solved for"

@@ -20,7 +20,7 @@ from gearlash.system import ContactRule, Family, GearlashError, System
 
 from .model import Source
 from .row import Neighbour, continued, neighbour_after
-from .zone import Quiet
+from .zone_end import Quiet
 
 SIDE_HALVINGS = 20  # of a step in which the side of contact changes without an impact being seen
 NO_NEIGHBOUR = Neighbour(None, None)

@@ -14,7 +14,8 @@ from gearlash.system import MotionKind
 from .followed import BEYOND_END, Followed, Question
 from .point import evaluate
 from .seen import HALVED_TO, Stretch, halved
-from .zone import RANGE, Interval, ZoneEnd, ZoneMotion
+from .zone import ZoneMotion
+from .zone_end import RANGE, Interval, ZoneEnd
 
 FIRST = (
     1e-3  # of the value: how far back it is looked for first; nearer to the end what decays does so slowly

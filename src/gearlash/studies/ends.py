@@ -24,7 +24,7 @@ from .model import Source
 from .point import summary
 from .row import Neighbour, continued, neighbour_after
 from .transition import kind_of_end, unlocated
-from .zone import BASIN, Quiet, ZoneEnd
+from .zone_end import BASIN, Quiet, ZoneEnd
 
 END_WIDTH = 1e-6  # of the value: width at which halving ends
 ROUGH = 1e-4  # the same where one side is not periodic: no label is sharp there, and each costs much

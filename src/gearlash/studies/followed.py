@@ -30,7 +30,7 @@ from gearlash.system import Family, GearlashError, MotionKind
 from .arcs import Arc, arcs_of
 from .model import Source
 from .point import evaluate
-from .zone import ZoneEnd
+from .zone_end import ZoneEnd
 
 Array = NDArray[np.float64]
 

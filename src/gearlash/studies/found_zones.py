@@ -18,7 +18,8 @@ from .followed import MEET, Followed
 from .intervals import union, without
 from .model import Model
 from .seen import Onsets, Stretch, stretches
-from .zone import Interval, Physical, Quiet, Zone, ZoneEnd, ZoneMotion, Zones
+from .zone import Physical, Zone, ZoneMotion, Zones
+from .zone_end import Interval, Quiet, ZoneEnd
 
 FOLLOWED = "along its branch"  # how a motion was found that no start led to
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
-from .zone import RANGE, Interval, ZoneEnd
+from .zone_end import RANGE, Interval, ZoneEnd
 
 
 def intersection(rows: Sequence[Iterable[Interval]]) -> list[Interval]:

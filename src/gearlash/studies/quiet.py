@@ -23,7 +23,7 @@ from gearlash.system import Status
 from .between import Stretch, look_between
 from .ends import END_WIDTH, Bracket, find_end
 from .model import Source
-from .zone import RANGE, UNKNOWN, Interval, Quiet, ZoneEnd
+from .zone_end import RANGE, UNKNOWN, Interval, Quiet, ZoneEnd
 
 STEPS = 128  # of the whole axis in which quiet motion is followed, at least
 PIECE = 128  # points of a task

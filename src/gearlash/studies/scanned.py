@@ -22,7 +22,8 @@ from .intervals import intersection, union
 from .model import Model, Source
 from .named import plain_axis
 from .quiet import Search
-from .zone import Interval, Physical, Quiet, Zone, ZoneMotion, Zones
+from .zone import Physical, Zone, ZoneMotion, Zones
+from .zone_end import Interval, Quiet
 
 
 def scanned_zones(

@@ -20,7 +20,7 @@ from gearlash.system import Label, MotionKind, Status
 from .arcs import Arc
 from .followed import MEET, Followed, Question
 from .row import Neighbour, continued, neighbour_after
-from .zone import RANGE, SEEN, UNKNOWN, ZoneEnd
+from .zone_end import RANGE, SEEN, UNKNOWN, ZoneEnd
 
 HALVED_TO = 1e-4  # of the value: no label is sharp there, and each costs much
 MOST_HALVINGS = 40

@@ -35,7 +35,7 @@ from .transition import (
     kind_of,
     unlocated,
 )
-from .zone import BASIN
+from .zone_end import BASIN
 
 NARROW = 1e-6  # relative width at which halving ends
 LONGER = 2  # times the period of the motions: orbits born at doublings are followed so far

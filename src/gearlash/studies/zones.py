@@ -22,7 +22,8 @@ from .named import plain_axis
 from .scanned import check_sweeps
 from .seen import Onsets
 from .sweep import sweeps
-from .zone import Quiet, Zones
+from .zone import Zones
+from .zone_end import Quiet
 
 FEWEST = 2  # values of an axis
 

@@ -20,8 +20,9 @@ from .zones_parts import EndPoint, MarginFound, Resident, Stay, ZoneEnd, ZoneFou
 from .zones_words import event, headline
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.studies.zone import Interval, Margin, Zone, ZoneMotion, Zones
-    from gearlash.studies.zone import ZoneEnd as FoundEnd
+    from gearlash.studies.zone import Zone, ZoneMotion, Zones
+    from gearlash.studies.zone_end import Interval, Margin
+    from gearlash.studies.zone_end import ZoneEnd as FoundEnd
 
 
 RANGE_END = "end of the range"

@@ -47,16 +47,16 @@ def _examined(answer: ZonesAnswer) -> str:
     cold = "cold" if answer.start is None else "the state that was given at every value"
     said = (
         f"From {cold}, up and down sweeps of {answer.axis.count} values, {reach}, and from beyond the "
-        f"ends of the motions found: {answer.starts} starts. Every periodic motion was followed along its whole "
-        f"branch ({answer.branches} in all). That no other motion exists is not claimed: one to which none of "
-        f"these starts leads, such as one that lives within {length(answer.resolution)} between two of the "
-        "values, may have been missed."
+        f"ends of the motions found: {answer.starts} starts. Every periodic motion was followed along its "
+        f"whole branch ({answer.branches} in all). That no other motion exists is not claimed: one to which "
+        f"none of these starts leads, such as one that lives within {length(answer.resolution)} between two "
+        "of the values, may have been missed."
     )
     if answer.step > 0.0:
         said += (
-            f" Inside the zones neighbouring orbits of a branch lie {length(answer.step)} apart at the "
-            "most; between them no multiplier reached the unit circle and no extremum its boundary, as far as both, "
-            "followed one by one, tell."
+            f" Inside the zones neighbouring orbits of a branch lie {length(answer.step)} apart at the most; "
+            "multipliers and extrema, followed one by one from each to the next, reached neither the unit "
+            "circle nor a boundary between them."
         )
     return said
 
