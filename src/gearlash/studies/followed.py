@@ -42,6 +42,8 @@ BETWEEN = (
     0.25  # of the distance of two neighbours of a branch: how far beside the chord a motion of it may lie
 )
 MEET = 1e-6  # of the axis: where two branches end so near to each other, they meet
+NARROW = 2e-3  # of the axis: from arcs that are no wider no further branches are looked for
+MOST_SWITCHED = 12  # branches to which is switched
 ROUNDS = 40  # of following
 PASSES = 3  # of looking beyond ends
 LONGEST_PERIOD = 64
@@ -158,6 +160,12 @@ class Followed:
     unfollowed: list[tuple[Point, str]] = field(default_factory=list)
     beyond: dict[tuple[int, bool], Point] = field(default_factory=dict)
     reason: str = ""
+    switched_to: int = 0
+
+    @property
+    def wide(self) -> list[Arc]:
+        """Stable arcs from which further branches are looked for."""
+        return [arc for arc in self.stable if arc.width > NARROW * self.question.width]
 
     @property
     def stable(self) -> list[Arc]:
@@ -246,7 +254,7 @@ class Followed:
         for _ in range(ROUNDS):
             specials = {
                 id(end.point): (arc, end.point)
-                for arc in self.stable
+                for arc in self.wide
                 for end in (arc.lower, arc.upper)
                 if isinstance(end.point, SpecialPoint)
                 and end.point.kind in SWITCHED and id(end.point) not in tried and not self._met(end.point)
@@ -260,7 +268,11 @@ class Followed:
                 if special.kind is not SpecialKind.DOUBLING or 2 * special.point.period <= LONGEST_PERIOD
             ]
             done = self.done(switch_branch, chains)
-            self.followed([seed for name in sorted(done, key=str) for seed in done[name]])
+            seeds = [seed for name in sorted(done, key=str) for seed in done[name]]
+            self.followed(seeds[: MOST_SWITCHED - self.switched_to])
+            self.switched_to += len(seeds)
+            if self.switched_to >= MOST_SWITCHED:
+                return
 
     def _met(self, special: SpecialPoint) -> bool:
         """Whether the other branch at a doubling is known, as it ends there."""
@@ -280,7 +292,10 @@ class Followed:
             (i, up): end
             for i, arc in enumerate(self.arcs)
             for end, up in ((arc.lower, False), (arc.upper, True))
-            if arc.stable and (i, up) not in self.beyond and self._open(arc, end, up)
+            if arc.stable
+            and arc.width > NARROW * self.question.width
+            and (i, up) not in self.beyond
+            and self._open(arc, end, up)
         }
         found: dict[tuple[int, bool], Point] = {}
         for far in BEYOND:

@@ -8,9 +8,10 @@ from functools import cached_property
 
 import numpy as np
 
+from gearlash.orbits.contraction import contracts
 from gearlash.results import Axis, Sweep
 from gearlash.results.physical import physical_axis
-from gearlash.system import Label
+from gearlash.system import GearlashError, Label
 
 from .arcs import Arc
 from .chased import chased
@@ -66,7 +67,7 @@ class Found:
         arcs = self.followed.stable
         calm = [arc for arc in arcs if quiet.holds_signature(arc.label)]
         noisy = [arc for arc in arcs if not quiet.holds_signature(arc.label)]
-        wide = [self.told(one) for one in union([calm], self.near)]
+        wide = [self.told(one) for one in union([calm], self.near) if one.width > self.near]
         certain = wide
         for arc in noisy:
             taken = self.told(Interval(arc.lower, arc.upper))
@@ -153,7 +154,19 @@ class Found:
             Physical(n, float(v[0]), float(v[-1]), unit) for n, v, unit in physical_axis(self.model, ends)
         )
         motions = sorted(self.motions(quiet, one), key=lambda t: (t.lower, t.upper, str(t.label)))
-        return Zone(one.lower, one.upper, name, quiet, every, tuple(motions), physical)
+        unique = every and self.unique(one)
+        return Zone(one.lower, one.upper, name, quiet, every, tuple(motions), physical, unique)
+
+    def unique(self, one: Interval) -> bool:
+        """Whether the contraction test holds at all values of the axis inside, and at both ends."""
+        question, values = self.followed.question, self.axis.values
+        family = question.source.family()
+        low, high = one.lower.value, one.upper.value
+        inside = values[(values > low) & (values < high)].tolist()
+        try:
+            return all(contracts(family.system(question.values(family, v))) for v in (low, high, *inside))
+        except GearlashError:  # an end beyond which no system can be built
+            return False
 
     def motions(self, quiet: Quiet, one: Interval) -> Iterator[ZoneMotion]:
         """All that were found in an interval."""

@@ -148,7 +148,8 @@ class Onsets:
             tasks[key] = Halve(self.followed.question, stretch.sweep.direction, self.start, outside, own)
         done = self.followed.done(halve, [Chain(key, (task,), (1,)) for key, task in tasks.items()])
         for key, task in tasks.items():
-            self.known[key] = halved(*done.get(key, (task.periodic, task.other)), str(task.direction))
+            periodic, other = done.get(key, (task.periodic, task.other))
+            self.known[key] = halved(periodic, other, str(task.direction))
         return [self.known[str(s.sweep.direction), s.beside(side)[1].value, side] for s, side in wanted]
 
     def solved(self, stretch: Stretch, side: int) -> ZoneEnd | None:

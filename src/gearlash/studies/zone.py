@@ -111,6 +111,9 @@ class Zone(Interval):
         All that were seen in it; where two were seen at one value, attractors coexist.
     physical : tuple of Physical
         The interval in physical units.
+    unique : bool
+        Whether a contraction test proves, at every value of the axis inside and at both ends, that all
+        motions come together, so that no other motion exists there. False proves nothing.
 
     Examples
     --------
@@ -128,6 +131,7 @@ class Zone(Interval):
     every: bool
     motions: tuple[ZoneMotion, ...] = ()
     physical: tuple[Physical, ...] = ()
+    unique: bool = False
 
     @property
     def coexisting(self) -> tuple[ZoneMotion, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gearlash.branches import BifurcationPoint, GrazingPoint
-from gearlash.branches.continuation import SpecialPoint
+from gearlash.branches.continuation import SpecialKind, SpecialPoint
 from gearlash.results import Point
 from gearlash.system import Label, Named, Record, Signature
 
@@ -111,6 +111,8 @@ class ZoneEnd(Record):
         if self.kind == UNKNOWN:
             return f"{self.kind}: {self.reason}"
         what = f"grazing, {self.point.kind}" if isinstance(self.point, GrazingPoint) else self.kind
+        if isinstance(self.point, SpecialPoint) and self.point.kind is SpecialKind.GRAZING:
+            what = f"grazing, {self.point.note}"
         return f"{what}; {self.inside} inside, {self.beyond} outside ({self.direction})"
 
 

@@ -113,6 +113,7 @@ def _zone(case: Case, zone: Zone, here: float, asked: Asked) -> ZoneFound:
         residents=tuple(_resident(motion, motion in beside) for motion in zone.motions),
         margin_below=_margin(case, zone.name, below, here, lower, asked),
         margin_above=_margin(case, zone.name, above, here, upper, asked),
+        unique=zone.unique,
     )
 
 

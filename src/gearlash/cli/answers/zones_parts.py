@@ -102,3 +102,8 @@ class ZoneFound:
     residents: tuple[Resident, ...]
     margin_below: Annotated[MarginFound | None, "to the lower end, where something happens at it"] = None
     margin_above: Annotated[MarginFound | None, "to the upper end, where something happens at it"] = None
+    unique: Annotated[
+        bool,
+        "a contraction test proves, at every value of the axis inside and at both ends, that there is no "
+        "other motion; false proves nothing",
+    ] = False

@@ -74,6 +74,11 @@ def _facts(answer: ZonesAnswer, zone: ZoneFound, marks: Marks) -> Iterator[tuple
         if margin is not None:
             yield first, f"{margin.event} {how_far(answer.asked, margin, end, answer.present, inwards)}"
             first = ""
+    if zone.unique:
+        yield (
+            "proved",
+            "at every value of the axis inside all motions come together (contraction): there is no other",
+        )
     for i, resident in enumerate(zone.residents):
         yield "" if i else "motions", _motion(answer, resident)
 
