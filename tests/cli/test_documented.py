@@ -8,11 +8,12 @@ from typing import get_type_hints
 
 import pytest
 
+from gearlash.branches.continuation import SpecialKind
 from gearlash.cli.answers import excitation, outcome
 from gearlash.cli.answers.zones_parts import ZoneEnd
 from gearlash.cli.exits import MEANINGS, ExitCode
 from gearlash.cli.folder import MOTION_FILES
-from gearlash.studies import transition, zone
+from gearlash.studies import zone_end
 from gearlash.system import Status
 from tools.reference_results import FOLDER, results_page
 
@@ -57,17 +58,7 @@ def test_every_status_is_described():
 
 @pytest.mark.parametrize(
     "kind",
-    [
-        transition.GRAZING,
-        transition.FOLD,
-        transition.DOUBLING,
-        transition.JUMP,
-        transition.APERIODIC,
-        transition.UNPROVED,
-        zone.BASIN,
-        zone.RANGE,
-        zone.UNKNOWN,
-    ],
+    [*map(str, SpecialKind), zone_end.SEEN, zone_end.RANGE, zone_end.UNKNOWN],
 )
 def test_every_kind_of_end_is_described(kind: str):
     (text,) = get_type_hints(ZoneEnd, include_extras=True)["kind"].__metadata__

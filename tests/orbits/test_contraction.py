@@ -7,6 +7,7 @@ import pytest
 
 import gearlash as gl
 from gearlash.orbits.contraction import contracts
+from gearlash.system import constant
 
 
 def bilinear(
@@ -16,9 +17,7 @@ def bilinear(
     matrix = np.array([[0.0, 1.0], [0.0, -2.0 * damping]])
     forcing = np.array([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     h, g = np.array([1.0, 0.0]), np.array([0.0, -1.0])
-    clearance = gl.Clearance(
-        h, g, gap, gap, gl.constant(stiff), gl.constant(soft), contact=gl.ContactRule(contact)
-    )
+    clearance = gl.Clearance(h, g, gap, gap, constant(stiff), constant(soft), contact=gl.ContactRule(contact))
     return gl.System(0.9, matrix, forcing, (clearance,))
 
 
@@ -57,6 +56,6 @@ def test_a_field_that_jumps_is_not_asked():
     forcing = np.array([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     h, g = np.array([1.0, 0.0]), np.array([0.0, -1.0])
     stop = gl.Clearance(
-        h, g, 0.0, 0.0, gl.constant(1.0), gl.constant(0.9), damping=0.1, contact=gl.ContactRule.IN_CONTACT
+        h, g, 0.0, 0.0, constant(1.0), constant(0.9), damping=0.1, contact=gl.ContactRule.IN_CONTACT
     )
     assert not contracts(gl.System(0.9, matrix, forcing, (stop,)))

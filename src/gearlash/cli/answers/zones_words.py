@@ -19,6 +19,7 @@ CHANGES = {
     "branch point": "loses its stability (branch point)",
     "joins the orbit of half its period": "ends in the orbit of half its period (doubling)",
     "joins a symmetric orbit": "ends in a symmetric orbit",
+    "end of existence": "grows without bound (end of existence)",
 }
 BEGINS = {"fold": "begins"}
 SEEN_ONLY = "seen on the grid only"
