@@ -103,6 +103,27 @@ def torus_at(returns: Returns, state, value: float, near: complex, scale: float 
     return solved(returns, state, value, test, scale)
 
 
+def endless_at(returns: Returns, state, value: float, scale: float = 1.0) -> Found:
+    """Where motions of every size are closed: ``returns`` are those without excitation and gaps, which carry
+    a multiple of a state into the same multiple of its image. ``state``: the direction."""
+    z, p = np.asarray(state, dtype=Real), float(value)
+    along = z / (z @ z)
+    best: Found | None = None
+    for _ in range(ITERATIONS):
+        image, monodromy = returns.image(z, p)
+        defect = np.append(image - z, along @ z - 1)
+        found = Found(z, p, monodromy, float(np.abs(defect).max() / np.abs(z).max()))
+        if best is not None and found.defect > 0.3 * best.defect and best.defect < 1e-11:
+            break
+        best, there = found, float(p + STEP * scale)
+        by_value = (returns.image(z, there)[0] - image) / (Real(there) - Real(p))
+        rows = np.vstack([monodromy - np.eye(len(z)), along])
+        change = refined(np.column_stack([rows, np.append(by_value, Real(0))]), defect)
+        z, p = z - change[:-1], float(p - change[-1])
+    assert best is not None
+    return best
+
+
 def bordered(monodromy: np.ndarray, mu: float, left: np.ndarray, right: np.ndarray) -> float:
     """g: zero where ``mu`` is a multiplier."""
     n = len(monodromy)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gearlash.branches.continuation import Branch, SpecialKind, SpecialPoint
-from gearlash.system import Family, System
+from gearlash.branches.continuation import Branch, Extremum, SpecialKind, SpecialPoint
+from gearlash.system import ContactRule, Family, System
 
-from .shooting import Found, Returns, closed, multiplier_at, torus_at
+from .shooting import Found, Returns, closed, endless_at, multiplier_at, torus_at
 from .touching_orbits import WINDOW, TouchAt, touching
 
 HALVED = SpecialKind.BRANCH_POINT, SpecialKind.SYMMETRIC
@@ -51,11 +51,17 @@ def _solved(build, cycles: float, special: SpecialPoint, state, value: float, sc
     if kind is SpecialKind.GRAZING:
         e = special.extremum
         assert e is not None
-        touch = TouchAt(e.clearance, e.boundary, e.surface == "force", e.boundary * e.a0 > 0.0, e.phase)
+        minimum, begins = e.boundary * e.a0 > 0.0, _through_the_gap(build(value), e)
+        touch = TouchAt(
+            e.clearance, e.boundary, e.surface == "force", minimum and not begins, e.phase, minimum and begins
+        )
         return touching(build, cycles, touch, state, value, scale, window)
     if kind is SpecialKind.TORUS:
         near = multipliers[np.argmin(np.abs(np.abs(multipliers) - 1.0))]
         return torus_at(Returns(build, cycles), state, value, complex(near), scale)
+    if kind is SpecialKind.EXISTENCE:
+        returns = Returns(lambda value: _without_size(build(value)), cycles)
+        return endless_at(returns, state / np.abs(state).max(), value, scale)
     if kind is SpecialKind.FOLD:
         return multiplier_at(Returns(build, cycles), state, value, 1.0, scale)
     if kind is SpecialKind.DOUBLING:
@@ -64,6 +70,20 @@ def _solved(build, cycles: float, special: SpecialPoint, state, value: float, sc
         return multiplier_at(Returns(build, 0.5 * cycles), state, value, -1.0, scale)
     assert kind in HALVED
     return multiplier_at(Returns(build, 0.5 * cycles, mirrored=True), state, value, -1.0, scale)
+
+
+def _through_the_gap(system: System, extremum: Extremum) -> bool:
+    """Under `no-tension` contact ends before its boundary is reached, so a minimum that touches it has no
+    contact before; behind it has."""
+    clearance = system.clearances[extremum.clearance]
+    damped = clearance.dampings[0 if extremum.boundary > 0 else 1] != 0.0
+    return extremum.surface == "gap" and clearance.contact is ContactRule.NO_TENSION and damped
+
+
+def _without_size(system: System) -> System:
+    """What remains of a motion that is so large that excitation and gaps are nothing beside it."""
+    plain = [replace(c, gap_plus=0.0, gap_minus=0.0, offset=[0.0]) for c in system.clearances]
+    return replace(system, forcing=0.0 * system.forcing, clearances=tuple(plain))
 
 
 @dataclass(frozen=True)

@@ -27,13 +27,16 @@ STEP = 1e-7  # of the parameter, over its scale
 @dataclass(frozen=True)
 class TouchAt:
     """What touches: δ of one side or, ``early``, what presses there (P), at a phase; ``from_contact``: it is
-    a minimum, and the contact goes on through it."""
+    a minimum, and the contact goes on through it. ``begins``: a minimum at which contact begins, under
+    `no-tension`, where a little higher it begins before the boundary is reached, and a little lower behind
+    it."""
 
     clearance: int
     boundary: int
     early: bool
     from_contact: bool
     phase: float
+    begins: bool = False
 
     def side(self, system: System) -> Side:
         return next(s for s in sides(system) if s.clearance == self.clearance and s.sign == self.boundary)
@@ -96,7 +99,11 @@ class _Passage:
         system, held, start = self.system, self.touch.held, self.near - self.window
         first = region_oracle.run(system, state, Real(start) - self.begin, self.begin, variational=True)
         phase, there = self._extremum(first.state, start)
-        through = region_oracle.run(system, first.state, 2 * self.window, start, variational=True, held=held)
+        through = there
+        if not self.touch.begins:
+            through = region_oracle.run(
+                system, first.state, 2 * self.window, start, variational=True, held=held
+            )
         rest = Real(self.begin) + Real(self.cycles) - through.end
         last = region_oracle.run(system, through.state, rest, through.end, variational=True)
         assert first.jacobian is not None

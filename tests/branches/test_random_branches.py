@@ -1,0 +1,69 @@
+"""Branches of pairs drawn at random against shooting on another integrator, and what holds on any branch."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+pytest.importorskip("heyoka", reason="heyoka has wheels for Linux only")
+
+from gearlash.branches.continuation import Branch, SpecialKind
+from oracles.random_branches import draw, followed
+from oracles.special_points import again, point_again
+
+SEEDS = {
+    2: {SpecialKind.GRAZING, SpecialKind.DOUBLING, SpecialKind.FOLD},
+    3: {SpecialKind.GRAZING, SpecialKind.DOUBLING},
+    12: {SpecialKind.GRAZING, SpecialKind.DOUBLING},
+    21: {SpecialKind.JOINS, SpecialKind.FOLD, SpecialKind.DOUBLING, SpecialKind.GRAZING},
+    45: {SpecialKind.EXISTENCE, SpecialKind.DOUBLING},
+    54: {SpecialKind.JOINS, SpecialKind.FOLD, SpecialKind.GRAZING},
+}
+"""Seeds whose branches have special points, and of which kinds; 12 and 54 have corners under `no-tension`."""
+
+CHANGES = {SpecialKind.FOLD: 1, SpecialKind.DOUBLING: 1}
+
+
+@cache
+def branch_of(seed: int) -> Branch:
+    branch = followed(draw(seed))
+    assert branch is not None
+    return branch
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_special_points_are_those_of_the_oracle(seed):
+    drawn, branch = draw(seed), branch_of(seed)
+    assert {special.kind for special in branch.special} == SEEDS[seed]
+    for special in branch.special:
+        theirs = again(drawn.family, branch, special)
+        assert theirs.found.defect < 1e-13
+        assert theirs.value_apart < max(1e-12, special.error / (branch.upper - branch.lower))
+        if special.kind is not SpecialKind.EXISTENCE:  # there the orbit is infinite
+            assert theirs.state_apart < 1e-11
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_orbits_between_them_are_those_of_the_oracle(seed):
+    drawn, branch = draw(seed), branch_of(seed)
+    for index in np.linspace(2, len(branch.points) - 3, 3).astype(int):
+        checked = point_again(drawn.family, branch, int(index))
+        assert checked.contacts == ""
+        assert checked.state_apart < 1e-10
+        assert checked.multipliers_apart < 1e-7
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_stability_and_contacts_change_at_special_points_only(seed):
+    branch = branch_of(seed)
+    assert not branch.unexplained
+    for left, right in pairwise(branch.points):
+        between = [s for s in branch.special if left.arclength < s.arclength < right.arclength]
+        most = sum(CHANGES.get(special.kind, 0) for special in between)
+        if not any("corner" in special.note for special in between):
+            assert abs(right.unstable - left.unstable) in {most, most % 2}
+        if left.label != right.label:
+            assert SpecialKind.GRAZING in {special.kind for special in between}
