@@ -58,7 +58,7 @@ def test_points_hold_labels_and_statuses_whatever_they_are_made_of():
 def test_no_program_text_reads_meaning_back_out_of_a_label_or_takes_advice_off_a_message():
     """Texts become labels where files are read, and where the article's own printed labels are."""
     parsing = {path.name for path, text in SOURCES.items() if re.search(r"Signature\.parse\(", text)}
-    assert parsing <= {"label.py", "signature.py", "branch_file.py", "judge.py"}
+    assert parsing <= {"label.py", "signature.py", "branch_file.py", "curve_file.py", "judge.py"}
     splitting = {path.name for path, text in SOURCES.items() if '.split("-")' in text}
     assert splitting <= {"signature.py"}
     assert not [path for path, text in SOURCES.items() if re.search(r"removesuffix\(.*advice", text)]

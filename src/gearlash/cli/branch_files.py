@@ -19,7 +19,7 @@ from .jsonio import text
 if TYPE_CHECKING:
     import xarray as xr
 
-    from gearlash.studies.switches import Followed
+    from gearlash.studies.switches import SwitchedBranch
 
     from .answers.branch import BranchAnswer
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 def write_branches(
     folder: OutFolder,
     case: Case,
-    found: Sequence[Followed],
+    found: Sequence[SwitchedBranch],
     datasets: Sequence[xr.Dataset] | None,
     answer: BranchAnswer,
     measure: str,

@@ -12,12 +12,12 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from gearlash.system import GearlashError, Signature, given
+from gearlash.system import GearlashError, given, read_label
 
 from . import style
 from .followed import MEASURES, Array, Followed, Piece, parameter, read
 from .marks import TICKS
-from .regimes import short
+from .regimes import FREE, regime, short
 from .swept import axis_name, swept
 from .units import ASSUMED, Twin, Units, literal, name, second
 
@@ -195,7 +195,7 @@ def _colours(every: Sequence[xr.Dataset]) -> dict[str, str]:
     labels = dict.fromkeys(str(label) for dataset in every for label in dataset["label"].values)
     left, found = list(COLOURS), {}
     for label in labels:
-        if Signature.parse(label).impacts == 0:
+        if regime(read_label(label)) is FREE:
             found[label] = FREE_COLOUR
         else:
             found[label] = left.pop(0) if left else OTHER_COLOUR

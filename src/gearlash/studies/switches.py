@@ -31,7 +31,7 @@ SAME = 1e-6  # of the largest state: orbits that lie nearer to each other are on
 
 
 @dataclass(frozen=True, eq=False)
-class Followed:
+class SwitchedBranch:
     """A branch, and where it was switched to: at special point ``at`` (from 0) of branch ``parent``; the
     first one has none (-1)."""
 
@@ -58,12 +58,12 @@ def with_switches(
     depth: int,
     steps: ContinuationSettings | None = None,
     execution: Execution | None = None,
-) -> tuple[tuple[Followed, ...], tuple[NotSwitched, ...]]:
+) -> tuple[tuple[SwitchedBranch, ...], tuple[NotSwitched, ...]]:
     """A branch with those that begin at its special points (``points``: their numbers, from 0; None: all),
     and at all of theirs, ``depth`` branches deep. Orbits that lie on a branch which was followed already are
     not followed once more."""
     family, listener = Source.of(model).family(), Following(Execution() if execution is None else execution)
-    found, missed = [Followed(first)], _none_begins(first, points or ())
+    found, missed = [SwitchedBranch(first)], _none_begins(first, points or ())
     queue = [(0, i, 1) for i in _born(first) if points is None or i in points]
     while queue and not listener.stop():
         parent, i, level = queue.pop(0)
@@ -83,7 +83,7 @@ def with_switches(
                 values = {**branch.values, branch.name: one.value}
                 limits = branch.name, one.orbit, branch.lower, branch.upper
                 grown = continue_orbit(family, values, *limits, steps, listener.tell, listener.stop)
-                found.append(Followed(grown, parent, i))
+                found.append(SwitchedBranch(grown, parent, i))
                 if level < depth:
                     queue += [(len(found) - 1, j, level + 1) for j in _born(grown)]
     missed += [NotSwitched(parent, i, why="interrupted before") for parent, i, _ in queue]

@@ -29,7 +29,7 @@ from .parts import CaseUsed, case_used, physical_values
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.branches.continuation import Branch, GrazingLaw
-    from gearlash.studies.switches import Followed, NotSwitched
+    from gearlash.studies.switches import NotSwitched, SwitchedBranch
 
 CUT_SHORT = ("no step is short enough", "as many points as were allowed")
 """Ends at which it is not known how a branch goes on."""
@@ -66,7 +66,7 @@ def branch_answer(
     parameters: Mapping[str, float],
     limits: LimitsUsed,
     start: BranchStart,
-    found: Sequence[Followed],
+    found: Sequence[SwitchedBranch],
     missed: Sequence[NotSwitched] = (),
     laws: Mapping[tuple[int, int], GrazingLaw | str] | None = None,
 ) -> BranchAnswer:
@@ -104,7 +104,7 @@ def limits_used(case: Case, short: str, named: str, unit: str, lower: float, upp
 def _branch(
     case: Case,
     index: int,
-    followed: Followed,
+    followed: SwitchedBranch,
     names: Sequence[str],
     asked: Asked,
     laws: Mapping[tuple[int, int], GrazingLaw | str],

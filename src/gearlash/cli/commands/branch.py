@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from gearlash.cli.answers.branch import BranchAnswer
     from gearlash.cli.branch_inputs import BranchInputs
     from gearlash.orbits import Settings as SearchSettings
-    from gearlash.studies.switches import Followed
+    from gearlash.studies.switches import SwitchedBranch
     from gearlash.system import Family
 
 MOST_FILES = 32  # branches that are kept in a folder
@@ -140,7 +140,7 @@ def _followed(
     depth: int,
     law: bool,
     steps: ContinuationSettings,
-) -> tuple[BranchAnswer, Sequence[Followed]]:
+) -> tuple[BranchAnswer, Sequence[SwitchedBranch]]:
     """The branch through the motion to begin with, those that were to be switched to, and what is told."""
     from gearlash.cli.answers.branch import branch_answer
     from gearlash.cli.interrupt import expect_results
@@ -168,7 +168,7 @@ def _followed(
     return branch_answer(*said, found, missed, laws), found
 
 
-def _laws(family: Family, found: Sequence[Followed]) -> dict[tuple[int, int], GrazingLaw | str]:
+def _laws(family: Family, found: Sequence[SwitchedBranch]) -> dict[tuple[int, int], GrazingLaw | str]:
     """Of every touch, or why there is none."""
     from gearlash.studies import grazing_law
     from gearlash.system import GearlashError
@@ -184,7 +184,7 @@ def _laws(family: Family, found: Sequence[Followed]) -> dict[tuple[int, int], Gr
     return laws
 
 
-def _datasets(case: Case, found: Sequence[Followed]) -> list[xr.Dataset] | None:
+def _datasets(case: Case, found: Sequence[SwitchedBranch]) -> list[xr.Dataset] | None:
     """With the extremes of every motion, unless a signal comes before they are computed."""
     from gearlash.cli.interrupt import optional
     from gearlash.results.branch_dataset import branch_dataset
