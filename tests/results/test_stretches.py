@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import gearlash as gl
+from gearlash.results.between_points import Here, Passing, between
 from gearlash.results.stretches import Stretch, beside_each_other, stretches
 
 
@@ -46,3 +47,17 @@ def test_stretches_that_only_meet_do_not_overlap():
     assert beside_each_other(rows, 1.0) == (), "unstable ones do not count"
     (found,) = beside_each_other([*rows, Stretch(0.7, 2.0, one, True, False)], 2.0)
     assert (found.low, found.high, found.labels) == (0.7, 1.0, (two, one))
+
+
+def test_between_two_special_points_without_an_orbit_what_they_change_tells():
+    """A fold and a grazing and a fold, all found between the same two orbits."""
+    one, two = Here("1-0-1", 1), Here("1-0-2", 1)
+    nodes = [
+        one,
+        Passing("fold", one, Here("1-0-1", 0)),
+        Passing("grazing", one, two),
+        Passing("fold", Here("1-0-1", 0), two),
+        two,
+    ]
+    assert between(nodes) == [one, Here("1-0-1", 0), Here("1-0-2", 0), two]
+    assert between(nodes[1:]) == between(nodes)[1:]

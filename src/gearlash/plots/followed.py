@@ -12,6 +12,7 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
+from gearlash.results.between_points import Here, Passing, between
 from gearlash.results.branch_dataset import TAKEN
 from gearlash.results.variables import dimension
 from gearlash.system import GearlashError, given
@@ -76,18 +77,14 @@ class Followed:
     @staticmethod
     def of(dataset: xr.Dataset, y: Array, special_y: Array) -> Followed:
         """From a dataset of a branch, with y of its points and special points."""
-        points, special = _rows(dataset, ""), _rows(dataset, "special_")
         width = max(y.shape[1], special_y.shape[1])
-        s = np.concatenate([points.s, special.s])
+        s = np.concatenate([dataset["arclength"].values, dataset["special_arclength"].values])
         order = np.argsort(s, kind="stable")
         table = np.concatenate([_wide(y, width), _wide(special_y, width)])
-        rows = [*zip(points.labels, points.stable, strict=True), *[None] * len(special.s)]
-        after = [None] * len(points.s) + [*zip(special.labels, special.stable, strict=True)]
-        between = []
-        for left, right in pairwise(order.tolist()):
-            between.append(rows[left] or rows[right] or after[left])
-        values = np.concatenate([points.values, special.values])
-        labels, stable = zip(*between, strict=True) if between else ((), ())
+        values = np.concatenate([dataset[parameter(dataset)].values, dataset["special_value"].values])
+        nodes = [*_orbits(dataset), *_special(dataset)]
+        looks = between([nodes[i] for i in order.tolist()])
+        labels, stable = tuple(look.label for look in looks), tuple(look.unstable == 0 for look in looks)
         return Followed(s[order], values[order], table[order], labels, stable)
 
     def pieces(self) -> Iterator[Piece]:
@@ -118,23 +115,18 @@ class Followed:
         return drawn[:, 0], drawn[:, 1:]
 
 
-@dataclass(frozen=True, eq=False)
-class _Rows:
-    s: Array
-    values: Array
-    labels: list[str]
-    stable: list[bool]
+def _orbits(dataset: xr.Dataset) -> list[Here[str]]:
+    columns = dataset["label"].values, dataset["unstable"].values
+    return [Here(str(label), int(unstable)) for label, unstable in zip(*columns, strict=True)]
 
 
-def _rows(dataset: xr.Dataset, of: str) -> _Rows:
-    special = bool(of)
-    values = dataset["special_value"] if special else dataset[parameter(dataset)]
-    return _Rows(
-        dataset[f"{of}arclength"].values.astype(np.float64),
-        values.values.astype(np.float64),
-        list(map(str, dataset["special_label_after" if special else "label"].values)),
-        list(dataset["special_unstable_after" if special else "unstable"].values == 0),
-    )
+def _special(dataset: xr.Dataset) -> list[Passing[str]]:
+    sides = []
+    for side in ("before", "after"):
+        columns = (dataset[f"special_{name}_{side}"].values for name in ("label", "unstable"))
+        sides.append([Here(str(label), int(unstable)) for label, unstable in zip(*columns, strict=True)])
+    kinds = map(str, dataset["special_kind"].values)
+    return [Passing(*each) for each in zip(kinds, *sides, strict=True)]
 
 
 def parameter(dataset: xr.Dataset) -> str:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 from gearlash.system import Signature
 
+from .between_points import Here, Passing, between
+
 if TYPE_CHECKING:
     from gearlash.branches.continuation import Branch
 
@@ -63,17 +65,19 @@ def stretches(branch: Branch) -> tuple[Stretch, ...]:
 
 
 def _steps(branch: Branch) -> Iterator[_Step]:
-    """Between all neighbours of orbits and special points. What lies between two special points is what the
-    first of them says comes after it."""
-    nodes = [(p.arclength, p.value, (p.label, p.stable), None) for p in branch.points]
-    nodes += [
-        (s.arclength, s.point.value, None, (s.label_after, s.unstable_after == 0)) for s in branch.special
+    """Between all neighbours of orbits and special points."""
+    rows: list[tuple[float, float, Here[Signature] | Passing[Signature]]] = [
+        (point.arclength, point.value, Here(point.label, point.unstable)) for point in branch.points
     ]
-    nodes.sort(key=lambda node: node[0])
-    for (_, left, here, after), (_, right, there, _) in pairwise(nodes):
-        between = here or there or after
-        if between is not None and left != right:
-            yield _Step(left, right, *between)
+    for special in branch.special:
+        before = Here(special.label_before, special.unstable_before)
+        after = Here(special.label_after, special.unstable_after)
+        rows.append((special.arclength, special.point.value, Passing(str(special.kind), before, after)))
+    rows.sort(key=lambda row: row[0])
+    found = between([row[2] for row in rows])
+    for (_, left, _), (_, right, _), here in zip(rows[:-1], rows[1:], found, strict=True):
+        if left != right:
+            yield _Step(left, right, here.label, here.unstable == 0)
 
 
 def _stretch(run: Sequence[_Step]) -> Stretch:
