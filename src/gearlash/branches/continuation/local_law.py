@@ -277,7 +277,9 @@ def _missing(multipliers: Complex, coefficients: Complex, extremum: Extremum, ra
         found.append(f"a0 = {extremum.a0:.1e} is zero: the extremum is born or ends there")
     if float(np.abs(multipliers - 1.0).min()) <= SMALL:
         found.append("a multiplier is 1: the orbit does not depend smoothly on the parameter")
-    if not abs(rate) > SMALL:
+    if np.isnan(rate):
+        found.append("how the extremum moves with the parameter was not found")
+    elif abs(rate) <= SMALL:
         found.append(f"the extremum does not move with the parameter: {rate:.1e} over its interval")
     if float(np.abs(coefficients).max()) <= SMALL:
         found.append("the touch moves no multiplier")
