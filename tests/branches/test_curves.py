@@ -30,7 +30,7 @@ from gearlash.branches.curves import (
     curve_through,
 )
 from gearlash.orbits import Orbit, orbit_at
-from gearlash.system import Family, GearlashError
+from gearlash.system import Clearance, Family, GearlashError, Parameter, System
 from orbits.members import built, one_dof, orbit
 
 QUIET = Listener(lambda _: None, lambda: False)
@@ -322,3 +322,84 @@ def test_no_curve_begins_far_from_the_orbit_or_with_another_kind():
         followed(family, {"omega": fold.value + 0.02}, names, fold, *limits)
     with pytest.raises(GearlashError, match="is a fold"):
         followed(family, {"omega": fold.value}, names, fold, *limits, SpecialKind.DOUBLING)
+
+
+def test_where_the_local_law_has_no_root():
+    """Inside the tongue of a ripple, M₁₂ of the monodromy at the touch vanishes: in 80 bits."""
+    pytest.importorskip("heyoka", reason="heyoka has wheels for Linux only")
+    from oracles import region_oracle
+
+    family, values = one_dof(error=0.0005, ripple=0.3, error_phase=1.0), {"omega": 1.9, "error": 0.01}
+    start = orbit_at(built(family, **values), [1.1, 0.0], 1)
+    assert start is not None
+    branch = continue_orbit(family, values, "error", start, 0.001, 0.2, PLAIN)
+    touch = lowest(branch, SpecialKind.GRAZING)
+    values = {**values, "error": touch.value}
+    names, limits = ("omega", "error"), ((1.9, 0.0001), (2.0, 0.2))
+    found = only(followed(family, values, names, touch, *limits, steps=COARSE), CodimTwoKind.NO_ROOT)
+    system = family.system(named(names, found.values))
+    (extremum,) = found.point.touches
+    state = region_oracle.run(system, found.point.state, extremum.phase, held=(0, 1, True)).state
+    walk = region_oracle.run(system, state, 1.0, extremum.phase, True, held=(0, 1, True))
+    assert walk.jacobian is not None
+    assert abs(float(walk.jacobian[0, 1])) < 1e-10
+
+
+def test_orders_of_contact_where_a_fold_meets_a_grazing():
+    """The grazing curve is tangent to the fold of the clear side, of second order, and of third order to
+    that of the side with the new impact."""
+    meets = only(fold_over_backlash(), CodimTwoKind.GRAZING_FOLD)
+    names, limits = ("omega", "D"), ((0.7079, 0.1446), (0.7082, 0.1470))
+    family, values = one_dof(error=0.05), named(names, meets.values)
+    grazing = followed(family, values, names, meets, *limits)
+    omega, d = (grazing.parameters - meets.values).T
+    graze = np.polynomial.Polynomial.fit(d, omega, 7)
+    assert abs(graze(0.0)) < 1e-9
+    assert abs(graze.deriv()(0.0)) < 1e-6
+    assert graze.deriv(2)(0.0) > 10.0
+    folds = followed(family, values, names, meets, *limits, SpecialKind.FOLD)
+    away = np.array([np.subtract(p.values, meets.values) for p in folds.points if p.signature == "1-1-1"])
+    gaps, ways = np.abs(away[:, 0] - graze(away[:, 1])), np.abs(away[:, 1])
+    near = (ways > 4e-5) & (ways < 4e-4)
+    assert near.sum() >= 3
+    assert np.polyfit(np.log(ways[near]), np.log(gaps[near]), 1)[0] == pytest.approx(3.0, abs=0.2)
+
+
+def between_two_stops() -> Family:
+    """An oscillator between two stops, each a clearance of its own."""
+
+    def build(p: Mapping[str, float]) -> System:
+        h, g, none, hard = np.array([1.0, 0.0]), np.array([0.0, -1.0]), np.zeros(1), np.array([8.0])
+        stops = (
+            Clearance(h, g, p["gap"], 9.0, hard, none, name="right"),
+            Clearance(h, g, 9.0, p["other"], none, hard, name="left"),
+        )
+        forcing = np.array([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+        return System(p["omega"], np.array([[0.0, 1.0], [-1.0, -0.1]]), forcing, stops)
+
+    defaults = {"omega": 1.5, "gap": 1.0, "other": 1.5}
+    parameters = tuple(Parameter(name, value) for name, value in defaults.items())
+    return Family(parameters, ("x", "v"), build, lambda _: np.zeros(2))
+
+
+def test_two_clearances_grazed_at_once():
+    """Closed form: the amplitude 1/√((1 − ω²)² + 0.01 ω²) is as large as both gaps."""
+    family = between_two_stops()
+    branch = continue_orbit(family, {"omega": 2.0}, "omega", orbit(family, omega=2.0), 1.3, 2.1, PLAIN)
+    free = next(
+        s for s in branch.of_kind(SpecialKind.GRAZING) if "1-0-0/0-0" in (s.label_before, s.label_after)
+    )
+    values, names = {"omega": free.value}, ("omega", "other")
+    curve = followed(family, values, names, free, (1.3, 0.5), (2.1, 2.0), steps=COARSE)
+    found = only(curve, CodimTwoKind.TWO_GRAZINGS)
+    square = np.roots([1.0, 0.01 - 2.0, 0.0]).max()  # of ω where the amplitude is 1
+    assert found.values == pytest.approx((np.sqrt(square), 1.0), abs=1e-13)
+    assert {extremum.clearance for extremum in found.point.touches} == {0, 1}
+    other = followed(
+        family, named(names, found.values), names, found, (1.3, 0.5), (2.1, 2.0), steps=COARSE, touch=1
+    )
+    omega, gap = other.parameters.T
+    clear = gap < 1.0
+    amplitude = 1.0 / np.sqrt((1.0 - omega**2) ** 2 + 0.01 * omega**2)
+    assert clear.sum() > 3
+    assert amplitude[clear] == pytest.approx(gap[clear], abs=1e-11)

@@ -14,7 +14,7 @@ from gearlash.system import GearlashError
 
 from .conditions import At, Condition
 from .locate import Met
-from .motion import Motion, is_clear
+from .motion import Motion, apart, is_clear
 from .newton import correct, tangent
 from .node import Node, begun_at, node_of, touch_of
 from .plane import Array, Plane
@@ -31,6 +31,7 @@ OF_TWO = {
     CodimTwoKind.GRAZING_TORUS: At.CIRCLE,
 }
 NEAR_START = 0.05  # scaled: how far the first orbit of a curve may lie from the start
+SAME_EXTREMUM = 0.02  # mesh cycles: how far from where it was told the extremum that touches may lie
 NEAR_POINT = 0.5  # scaled: how far that orbit may lie from the point
 APART = 1e-3  # of the amplitude: how far the other extremum must be from touching, too
 AMPLITUDES = (3e-3, 1e-3, 1e-2, 3e-4)  # scaled: of the doubled orbit with which its curve begins
@@ -126,8 +127,11 @@ def _with_touch(
     node = _begun(here, extremum.phase - 0.5 * here.cycles)
     window = Window(extremum.clearance, extremum.surface, extremum.boundary, 0.0)
     mine = node.motion.beside(extremum.phase, window)
-    if mine is None:
-        raise GearlashError("the orbit has no extremum beside that boundary")
+    if mine is None or apart(mine.phase, extremum.phase, here.cycles) > SAME_EXTREMUM:
+        raise GearlashError(
+            "the orbit has no extremum there whose boundary could be held: a touch of this kind is not "
+            "followed in two parameters"
+        )
     touch, phase = touch_of(node, mine)
     return node, touch, phase
 

@@ -24,7 +24,8 @@ ON_CIRCLE = 1e-7  # distance of a pair from the unit circle
 NEARLY_FLAT = 1e-3  # H‴ in units of the motion: where it is less, it may be none
 SECANTS = 60
 NO_NUMBER = -1  # of an extremum that is none on both sides
-UNSOLVED = 1e-6  # of the width of the limits: error of the zero of a function along a curve
+BY_DIFFERENCES = 1e-6  # of the width of the limits: error of the zero of a function along a curve
+BY_FORMULA = 1e-10  # the same where no derivative of the map is taken by differences
 ZERO = 1e-13  # of the way: a bracket so narrow is a place
 THROUGH_INFINITY = 1e-2  # of the values at both ends: a zero at which more is left is none
 
@@ -50,7 +51,8 @@ class Met:
     def errors(self) -> Array:
         """(2,) of the parameters: what is left, times how far they move with it."""
         if not self.solved:
-            return UNSOLVED * self.here.problem.plane.unit
+            rough = self.kind in (CodimTwoKind.CUSP, CodimTwoKind.GENERALISED_DOUBLING)
+            return (BY_DIFFERENCES if rough else BY_FORMULA) * self.here.problem.plane.unit
         gains = np.abs(np.linalg.pinv(self.jacobian)[-2:]) @ (np.abs(self.here.residual) + 4e-16)
         found: Array = gains * self.here.problem.plane.unit + 1e-15 * np.abs(self.place)
         return found

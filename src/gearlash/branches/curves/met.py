@@ -9,6 +9,7 @@ import numpy as np
 
 from . import secondary
 from .conditions import At
+from .law import coefficient
 from .locate import NEAR, Met, degenerate, flat, multiplier_on, named, second_touch, touch_on, zero_between
 from .motion import is_clear
 from .node import Node
@@ -54,6 +55,10 @@ def _on_grazing(left: Node, right: Node) -> Happened:
                 found.append((part, met))
         elif needed:
             return Happened(doubt="a second condition holds on it that could not be solved for")
+    if coefficient(left) * coefficient(right) < 0.0:
+        node = zero_between(left, right, coefficient)
+        if node is not None:
+            found.append((_part(left, node, right), named(CodimTwoKind.NO_ROOT, node)))
     for number in _crossed(left, right):
         met = second_touch(left, right, number)
         if met is None or not _near(met, left, right):
@@ -61,6 +66,11 @@ def _on_grazing(left: Node, right: Node) -> Happened:
         one, two = (abs(side.extrema.by_number[number].distance) for side in (left, right))
         found.append((one / (one + two), met))
     return Happened(tuple(met for _, met in sorted(found, key=lambda pair: pair[0])))
+
+
+def _part(left: Node, node: Node, right: Node) -> float:
+    """Of the way, at which a point lies."""
+    return float(np.linalg.norm(node.u - left.u) / np.linalg.norm(right.u - left.u))
 
 
 def _may_be_flat(left: Node, right: Node) -> bool:
