@@ -38,7 +38,8 @@ class Branch(Record):
     scale : ndarray
         Of the unknowns (states, then the parameter), in which arclength is measured.
     unexplained : tuple of str
-        Steps on which something changed that no special point was found for, in words.
+        Steps on which something changed that no special point was found for, and what else is not decided,
+        in words.
     derivative : DerivativeKind or None
         How the derivatives along the parameter were had; None where a file of before does not say.
     derivative_error : float

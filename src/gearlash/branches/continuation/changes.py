@@ -13,6 +13,7 @@ from .node import Node
 
 BORN_NEAR = 3.0  # times what the extrema moved: born so near to a boundary, it may have crossed it
 CURVED = 0.25  # of what the curvature makes of a step: a function that comes so near zero may have been there
+TURN_ROUNDING = 1e-7  # what a derivative along the parameter that is not exact makes of a turn
 SLACK = 0.25  # of a step: beyond its ends, for where a function is least (a multiplier may well only touch 1)
 Function = Callable[[Node], float]
 
@@ -58,6 +59,8 @@ def changes(left: Node, right: Node) -> list[Change]:
     """Every change of sign that matters between two orbits."""
     found = list(_grazings(left, right))
     signs = {test: f(left) * f(right) < 0.0 for test, f in OF_SPECTRUM.items()}
+    if signs[Test.TURN] and not signs[Test.AT_ONE] and _at_fold(left, right):
+        signs[Test.TURN] = False
     if signs[Test.TURN]:
         found.append(Change(Test.JOIN if changes_places(left, right) else Test.TURN))
     elif signs[Test.AT_ONE]:
@@ -67,6 +70,12 @@ def changes(left: Node, right: Node) -> list[Change]:
     if signs[Test.TORUS] and left.spectrum.unstable.pairs != right.spectrum.unstable.pairs:
         found.append(Change(Test.TORUS))
     return found
+
+
+def _at_fold(left: Node, right: Node) -> bool:
+    """Whether one of two orbits lies in a fold within rounding: then its multipliers tell on which side, as
+    they are known better than the direction of the branch."""
+    return min(abs(left.spectrum.turn), abs(right.spectrum.turn)) <= TURN_ROUNDING
 
 
 def halves(node: Node) -> Array:

@@ -61,7 +61,7 @@ def corner(before: Node | None, node: Node, passed: int | None = None) -> Corner
     if touch is None:
         return None
     after, note = None, HALVES
-    if touch.equations.period % 2 or float(np.linalg.norm(halves(touch))) > SAME_HALVES:
+    if not at_half(touch):
         after = _beyond(touch, extremum)
         note = ENDS
         if after is not None:
@@ -79,6 +79,11 @@ def abrupt(system: System, extremum: Extremum) -> bool:
     clearance = system.clearances[extremum.clearance]
     damping = clearance.dampings[0 if extremum.boundary > 0 else 1]
     return extremum.surface == "gap" and clearance.contact is ContactRule.NO_TENSION and damping != 0.0
+
+
+def at_half(node: Node) -> bool:
+    """Whether an orbit closes after half its period already."""
+    return node.equations.period % 2 == 0 and float(np.linalg.norm(halves(node))) <= SAME_HALVES
 
 
 def _nearest(node: Node) -> Extremum | None:

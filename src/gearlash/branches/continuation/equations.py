@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import isfinite
+from math import isclose, isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,7 @@ from .derivative import Along
 Array = NDArray[np.float64]
 UNBUILT = (GearlashError, np.linalg.LinAlgError)
 """What a system that cannot be built or carried raises."""
+ULPS = 1e-15  # relative: what rounding makes of a limit
 LEAST_SIZE = 1e-3  # of the largest state: the size of one that hardly moves
 MOST_SEGMENTS = 16
 KEPT_SYSTEMS = 3  # systems that are kept, the last ones asked for
@@ -65,6 +66,11 @@ class Line:
         while len(self._built) > KEPT_SYSTEMS:
             del self._built[next(iter(self._built))]
         return found
+
+    def within(self, value: float) -> float:
+        """The same, or the limit that it is within rounding."""
+        limits = (limit for limit in (self.lower, self.upper) if isclose(value, limit, rel_tol=ULPS))
+        return next(limits, value)
 
     @property
     def unit(self) -> float:
@@ -135,7 +141,7 @@ class Equations:
         return flow.carry(here.props, states[-1], ahead, self.phase).state
 
     def value(self, u: Array) -> float:
-        return float(u[-1]) * self.line.unit
+        return self.line.within(float(u[-1]) * self.line.unit)
 
     def states(self, u: Array) -> Array:
         """(m, n) at the beginning of every segment."""

@@ -18,6 +18,8 @@ from gearlash.orbits import GrazingCheck, Orbit, grazing_checks
 from gearlash.orbits.extrema import gap_extrema
 from gearlash.system import ContactRule
 
+from .seam import lost_at_seam, twice_at_seam
+
 LARGEST_MOVE = 0.5  # of the way to the next extremum of its kind: how far one may move in a step, in phase
 TIED = 1e-6  # of the orbit's period: extrema of one kind so near in phase cannot be told apart
 
@@ -84,7 +86,8 @@ class Extrema:
     @staticmethod
     def of(orbit: Orbit) -> Extrema:
         """Numbered from zero on."""
-        found = [*map(_plain, grazing_checks(orbit)), *_at_edges(orbit)]
+        found = [*map(_plain, grazing_checks(orbit)), *_at_edges(orbit), *_at_seam(orbit)]
+        found = _once(found, float(orbit.period))
         found.sort(key=lambda extremum: (extremum.phase, extremum.boundary))
         named = tuple(extremum._replace(number=i) for i, extremum in enumerate(found))
         return Extrema(named, float(orbit.period), count(len(named)))
@@ -148,6 +151,27 @@ def _at_edges(orbit: Orbit) -> Iterator[Extremum]:
             for phase, x, a0 in zip(found.phase, found.displacement, found.curvature, strict=True):
                 if boundary * a0 > 0.0:
                     yield Extremum(-1, j, "gap", boundary, float(phase), float(x - gap), float(a0))
+
+
+def _at_seam(orbit: Orbit) -> Iterator[Extremum]:
+    """Extrema of the gap at phase zero that the trace of the orbit does not have."""
+    for j, c in enumerate(orbit.propagators.system.clearances):
+        lost = lost_at_seam(orbit, j, gap_extrema(orbit.trace, j).phase.tolist())
+        for boundary, gap in ((1, c.gap_plus), (-1, -c.gap_minus)) if lost is not None else ():
+            x, a0 = lost
+            inside = c.contact is not ContactRule.NO_TENSION or boundary * a0 < 0.0
+            if c.stops(boundary) and (inside or any(c.dampings)):
+                yield Extremum(-1, j, "gap", boundary, 0.0, x - gap, a0)
+
+
+def _once(found: list[Extremum], length: float) -> list[Extremum]:
+    """Without those at the end of the orbit that are at its beginning, too."""
+    kept: list[Extremum] = []
+    for each in found:
+        same = (other for other in kept if other.group == each.group)
+        if not any(twice_at_seam(each.phase, other.phase, length) for other in same):
+            kept.append(each)
+    return kept
 
 
 def _matched(

@@ -13,9 +13,10 @@ import numpy as np
 
 from .between import WELL
 from .changes import halves
-from .corner import Corner, corner
+from .corner import HALVES, Corner, corner
 from .equations import Array
 from .infinity import GROWN, runs_away
+from .loop import closing
 from .node import Found, Node, node_near
 from .points import EndKind, EndOfBranch, SpecialKind
 from .resolve import Item, Passed, Resolver
@@ -32,7 +33,6 @@ SINGLE = 1e-4  # of a step: halves of an orbit so near to each other are the sam
 FLAT = 1e-6  # what is no change of the parameter along a branch, and no distance of a multiplier from 1
 STEADY = 0.02  # change of the parameter along a branch that is far from a fold
 LONGER = 2.5  # times the last step: how far ahead that is looked at
-LOOP_CLOSES = 0.02  # of a step: how near the first orbit is passed where a loop closes
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,20 +61,26 @@ class Follower:
                 before, node, length = None, beyond.after, self.settings.first
                 continue
             after, length, ending = step
-            if count > 2 and self.closes(node, after):
-                ending = EndOfBranch(EndKind.CLOSED, self.start.value)
+            first = closing(self.start, node, after) if count > 2 else None
+            if first is not None:
+                after, ending = first, EndOfBranch(EndKind.CLOSED, self.start.value)
             degenerate = of_linear_doubling(after)
             if degenerate:
                 ending = EndOfBranch(EndKind.LINEAR, after.value)
             for item in Resolver(touches=degenerate).resolve(before, node, after):
                 yield item
-                if isinstance(item, Passed) and item.located.kind is SpecialKind.JOINS:
-                    ending = EndOfBranch(EndKind.JOINED, item.located.node.value)
-                    break
-                if isinstance(item, Passed) and item.located.kind is SpecialKind.GRAZING:
-                    passed = item.located.change.number
                 if isinstance(item, Node):
                     before, node = node, item
+                elif isinstance(item, Passed) and item.located.kind is SpecialKind.JOINS:
+                    ending = EndOfBranch(EndKind.JOINED, item.located.node.value)
+                    break
+                elif isinstance(item, Passed) and item.located.kind is SpecialKind.GRAZING:
+                    passed = item.located.change.number
+                    if item.located.note == HALVES:
+                        ending = EndOfBranch(EndKind.CORNER, item.located.node.value, HALVES)
+                        break
+                    if degenerate:  # beyond it lie motions of every size at the one value
+                        break
             if ending is not None:
                 yield ending
                 return
@@ -174,25 +180,6 @@ class Follower:
         if "no system" in refused:
             return EndOfBranch(EndKind.UNBUILT, node.value, refused)
         return EndOfBranch(EndKind.FAR if "without bound" in refused else EndKind.SHORT, node.value, note)
-
-    def closes(self, left: Node, right: Node) -> bool:
-        """Whether the first orbit, begun at any of its base periods, lies between two neighbours."""
-        scale = self.start.equations.size
-        strobes = self.start.orbit.strobes
-        first, last = (_place(each.orbit.strobes, each, scale) for each in (left, right))
-        chord, length = last - first, float(np.linalg.norm(last - first))
-        for shift in range(len(strobes)):
-            away = _place(np.roll(strobes, -shift, axis=0), self.start, scale) - first
-            along = float(chord @ away) / length
-            beside = float(np.linalg.norm(away - along * chord / length))
-            if 0.0 < along <= length and beside <= LOOP_CLOSES * length:
-                return True
-        return False
-
-
-def _place(strobes: Array, node: Node, scale: Array) -> Array:
-    """States at phase zero and the parameter, scaled."""
-    return np.append((strobes / scale).ravel(), node.u[-1])
 
 
 def of_linear_doubling(node: Node) -> bool:

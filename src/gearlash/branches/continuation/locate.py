@@ -10,7 +10,7 @@ import numpy as np
 from gearlash.orbits import Orbit, orbit_at
 
 from .between import Between, zero
-from .changes import Change, Test, halves
+from .changes import TURN_ROUNDING, Change, Test, halves
 from .equations import UNBUILT, Array
 from .extrema import Extrema
 from .node import Node
@@ -120,7 +120,8 @@ def _kind(piece: Between, change: Change, node: Node) -> SpecialKind | None:
         pair = node.spectrum.nearest_pair
         return SpecialKind.TORUS if abs(abs(pair) - 1.0) < 1e-4 else None
     if change.test is Test.AT_ONE:
-        return SpecialKind.BRANCH_POINT
+        turns = min(abs(side.spectrum.turn) for side in (piece.left, piece.right))
+        return SpecialKind.FOLD if turns <= TURN_ROUNDING else SpecialKind.BRANCH_POINT
     crosses = piece.left.spectrum.at_one * piece.right.spectrum.at_one < 0.0
     return SpecialKind.FOLD if crosses else SpecialKind.SYMMETRIC
 

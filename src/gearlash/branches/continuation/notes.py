@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .corner import PASSES, abrupt
+from .corner import PASSES, TURNS, abrupt
 from .infinity import at_infinity
 from .node import Node
 from .points import SpecialKind, grazing_kind
@@ -29,7 +29,9 @@ def note_of(passed: Passed) -> str:
             return _joined(grazing_kind(extremum), located.note)
         kind_ = BACK[extremum.boundary] if extremum.boundary * extremum.a0 > 0.0 else grazing_kind(extremum)
         below = [side.spectrum.unstable.below for side in (passed.left, passed.right)]
-        return _joined(kind_, located.note or PASSES, BORN if sum(below) % 2 else "")
+        same_way = passed.left.direction[-1] * passed.right.direction[-1] > 0.0
+        way = located.note or (PASSES if same_way else TURNS)
+        return _joined(kind_, way, BORN if sum(below) % 2 else "")
     return _joined(str(kind), located.note or _degenerate(node, kind))
 
 

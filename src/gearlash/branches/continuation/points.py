@@ -17,6 +17,7 @@ from gearlash.system import GearlashError, Record, Status, System
 from gearlash.system.status import Named
 
 from .extrema import Extremum
+from .testfunctions import outside
 
 Array = NDArray[np.float64]
 
@@ -131,8 +132,8 @@ class BranchPoint(Record):
 
     @property
     def unstable(self) -> int:
-        """Multipliers outside the unit circle."""
-        return int((np.abs(self.multipliers) > 1.0).sum())
+        """Multipliers outside the unit circle, beyond rounding."""
+        return len(outside(self.multipliers))
 
     @property
     def stable(self) -> bool:

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from .between import Between
 from .changes import Test, changes, doubt, explained
-from .corner import abrupt
+from .corner import HALVES, abrupt, at_half
 from .locate import Located, locate
 from .node import Node
 
@@ -136,8 +136,11 @@ class Resolver:
                 last = item
             yield item
         first = (piece.right if beyond is None else beyond).linked(last)
-        touches = (one for one in passed if one.located.change.test is Test.GRAZING)
-        yield from (replace(one, left=last, right=first) for one in touches)
+        touches = [one.located for one in passed if one.located.change.test is Test.GRAZING]
+        if at_half(touches[0].node):  # beyond lies the same orbit, half a period later
+            yield Passed(last, last, replace(touches[0], note=HALVES))
+            return
+        yield from (Passed(last, first, touch) for touch in touches)
         yield first
         if beyond is not None:
             yield from self.resolve(None, first, piece.right.linked(first))

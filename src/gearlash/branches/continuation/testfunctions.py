@@ -15,6 +15,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 Complex = NDArray[np.complex128]
+NEUTRAL = 1e-11  # how far from the unit circle a multiplier must lie to be off it: less may be rounding
+
+
+def outside(multipliers: Complex) -> Complex:
+    """Those outside the unit circle beyond rounding. Without damping whole branches lie on it."""
+    return multipliers[np.abs(multipliers) > 1.0 + NEUTRAL]
+
+
+def neutral(multipliers: Complex) -> bool:
+    """Whether one lies on the unit circle within rounding."""
+    return bool((np.abs(np.abs(multipliers) - 1.0) <= NEUTRAL).any())
 
 
 @dataclass(frozen=True)
@@ -39,9 +50,9 @@ class Spectrum:
 
     @cached_property
     def unstable(self) -> Unstable:
-        outside = self.multipliers[np.abs(self.multipliers) > 1.0]
-        real = outside.real[outside.imag == 0.0]
-        return Unstable(int((real > 1.0).sum()), int((real < -1.0).sum()), int((outside.imag > 0.0).sum()))
+        found = outside(self.multipliers)
+        real = found.real[found.imag == 0.0]
+        return Unstable(int((real > 1.0).sum()), int((real < -1.0).sum()), int((found.imag > 0.0).sum()))
 
     @cached_property
     def doubling(self) -> float:

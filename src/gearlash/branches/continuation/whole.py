@@ -20,7 +20,9 @@ from .notes import note_of
 from .points import BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
 from .resolve import Passed, Unexplained
 from .settings import ContinuationSettings
+from .testfunctions import neutral
 
+FEW_NEUTRAL = 3  # orbits with a multiplier on the unit circle: so many may lie at special points by chance
 LONGEST_PERIOD = 64  # base periods
 NOT_ASKED = Certificate(Verdict.UNCERTAIN, ("it was not asked for",))
 
@@ -56,15 +58,28 @@ def continue_orbit(
         points=_with_births(points),
         special=_met((*behind.special, *ahead.special), line.unit),
         ends=(behind.end, ahead.end),
-        unexplained=(*behind.unexplained, *ahead.unexplained),
+        unexplained=(*behind.unexplained, *ahead.unexplained, *_neutral(points)),
         derivative=line.along.kind,
         derivative_error=0.0 if line.along.kind is DerivativeKind.EXACT else line.along.error,
+    )
+
+
+def _neutral(points: tuple[BranchPoint, ...]) -> tuple[str, ...]:
+    """What is said of a branch whose multipliers stay on the unit circle, as without damping."""
+    found = [point.value for point in points if neutral(point.multipliers)]
+    if len(found) <= FEW_NEUTRAL:
+        return ()
+    return (
+        f"multipliers lie on the unit circle within rounding in {len(found)} of {len(points)} orbits, from "
+        f"{min(found):.12g} to {max(found):.12g}: whether these are stable, or pairs leave the circle there, "
+        "is not decided",
     )
 
 
 def first_node(line: Line, orbit: Orbit, value: float) -> Node:
     """The orbit as a point of its branch, in the direction of rising values. Raises `GearlashError` where it
     is none, or too long."""
+    value = line.within(value)
     if not line.lower <= value <= line.upper:
         raise GearlashError(
             f"{line.name} = {value:.10g} of the orbit lies outside the interval from {line.lower:g} to "

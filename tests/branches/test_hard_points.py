@@ -1,0 +1,109 @@
+"""Branches that are hard to follow: no damping, closed loops, two gaps, twin touches, chaos near a touch."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from branches.followed import PLAIN, bundled
+from branches.shaken import shaken
+from gearlash.branches.continuation import Branch, EndKind, SpecialKind, continue_orbit
+from gearlash.orbits import orbit_at
+from orbits.contacts import two_gaps
+from orbits.members import built, one_dof, orbit
+
+
+@cache
+def undamped(ripple: float, lower: float, upper: float) -> Branch:
+    family, values = one_dof(error=0.02, mesh_damping=0.0, ripple=ripple), {"omega": 1.4}
+    start = orbit_at(built(family, **values), np.array([1.1, 0.0]), 1)
+    assert start is not None
+    return continue_orbit(family, values, "omega", start, lower, upper, PLAIN)
+
+
+def test_without_damping_nothing_is_made_of_rounding():
+    """All multipliers lie on the unit circle: no torus, and it is said what is not decided. The response is
+    E ω²/(ω² - 1), which touches at ω² = 5/4, with the extremum exactly at phase zero."""
+    branch = undamped(0.0, 1.1, 1.6)
+    (touch,) = branch.special
+    assert touch.value == pytest.approx(np.sqrt(1.25), rel=1e-12)
+    assert [point.unstable for point in branch.points] == [0] * len(branch.points)
+    (said,) = branch.unexplained
+    assert "not decided" in said
+
+
+def test_without_damping_a_parametric_resonance_is_bounded_by_its_doublings():
+    branch = undamped(0.2, 1.2, 2.4)
+    low, high = branch.special
+    assert low.kind is high.kind is SpecialKind.DOUBLING
+    assert low.value + high.value == pytest.approx(4.0, abs=0.01)
+    inside = [point.unstable for point in branch.points if low.value < point.value < high.value]
+    assert inside == [1] * len(inside)
+    for point in branch.points:
+        assert abs(np.prod(point.multipliers) - 1.0) < 1e-12
+
+
+@pytest.mark.parametrize(("omega", "touches", "doublings"), [(0.576, 2, 0), (0.622, 0, 2)])
+def test_what_lies_on_a_closed_loop_is_told_once(omega, touches, doublings):
+    """6-7-0 and 9-9-0 of the article's pair: orbits on islands of their own."""
+    start = orbit(bundled(), omega=omega)
+    branch = continue_orbit(bundled(), {"omega": omega}, "omega", start, 0.5, 1.4, PLAIN)
+    assert [end.kind for end in branch.ends] == [EndKind.CLOSED, EndKind.CLOSED]
+    kinds = [special.kind for special in branch.special]
+    assert kinds.count(SpecialKind.FOLD) == 2
+    assert kinds.count(SpecialKind.GRAZING) == touches
+    assert kinds.count(SpecialKind.DOUBLING) == doublings
+    assert len({special.value for special in branch.special}) == len(branch.special)
+    first, last = branch.points[0], branch.points[-1]
+    assert last.value == pytest.approx(first.value, rel=1e-12)
+    away = min(np.abs(strobe - first.state).max() for strobe in last.strobes)
+    assert away < 1e-9
+
+
+def test_two_gaps_touch_one_after_the_other():
+    family = two_gaps()
+    branch = continue_orbit(family, {}, "omega", orbit(family), 0.75, 1.1, PLAIN)
+    assert [special.label_before for special in branch.special] == ["1-1-0/1-1", "1-2-0/1-1", "1-1-0/1-1"]
+    assert [special.label_after for special in branch.special] == ["1-2-0/1-1", "1-1-0/1-1", "1-0-0/1-1"]
+    assert not branch.unexplained
+
+
+def test_a_symmetric_orbit_touches_both_sides_at_once():
+    """Without load, an orbit that is its own image under X → -X half a period later: every touch is a pair at
+    one value, and between breakings of the symmetry folds are folds."""
+    family, values = one_dof(load=0.0, error=10.0, D=0.3, mesh_damping=0.02), {"omega": 0.3}
+    start = orbit_at(built(family, **values), orbit(family, **values).state, 1)
+    assert start is not None
+    branch = continue_orbit(family, values, "omega", start, 0.25, 0.34, PLAIN)
+    touches = branch.of_kind(SpecialKind.GRAZING)
+    assert len(touches) == 4
+    for one, other in zip(touches[::2], touches[1::2], strict=True):
+        assert one.value == pytest.approx(other.value, rel=1e-12)
+        assert one.extremum is not None
+        assert other.extremum is not None
+        assert one.extremum.boundary == -other.extremum.boundary
+        assert {one.label_before, one.label_after} == {"1-1-1", "1-2-2"}
+    assert not branch.unexplained
+
+
+def test_a_doubling_right_behind_a_touch():
+    """A stiff stop with little damping: chaos begins 1e-4 behind the touch, the orbit itself goes on."""
+    family, values = shaken(), {"omega": 0.79, "a": 0.7 / 1.26}
+    branch = continue_orbit(family, values, "omega", orbit(family, **values), 0.75, 0.805, PLAIN)
+    touch, doubling = branch.special
+    assert touch.value == pytest.approx(0.80192811, abs=1e-8)
+    assert doubling.kind is SpecialKind.DOUBLING
+    assert 0.0 < doubling.value - touch.value < 2e-4
+    assert branch.points[-1].unstable == 1
+
+
+def test_a_branch_restarts_at_its_own_ends():
+    family = one_dof(error=0.05)
+    lower, upper = 0.1 + 1.0 / 3.0, np.pi / 2.0
+    branch = continue_orbit(family, {"omega": 1.45}, "omega", orbit(family, omega=1.45), lower, upper, PLAIN)
+    for point, limit in zip((branch.points[0], branch.points[-1]), (lower, upper), strict=True):
+        assert point.value == limit
+    assert all(left.arclength < right.arclength for left, right in pairwise(branch.points))
