@@ -8,8 +8,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from branches.followed import PLAIN, bundled
+from branches.followed import PLAIN, bundled, linear
 from branches.shaken import shaken
+from branches.parts import parts
 from gearlash.branches.continuation import Branch, EndKind, SpecialKind, continue_orbit
 from gearlash.orbits import orbit_at
 from orbits.contacts import two_gaps
@@ -107,3 +108,41 @@ def test_a_branch_restarts_at_its_own_ends():
     for point, limit in zip((branch.points[0], branch.points[-1]), (lower, upper), strict=True):
         assert point.value == limit
     assert all(left.arclength < right.arclength for left, right in pairwise(branch.points))
+
+
+def test_three_extrema_touch_within_a_millionth():
+    """One after the other, each for itself, in the order of their heights."""
+    family = parts(3)
+    branch = continue_orbit(family, {}, "gap", orbit(family), 0.9, 1.2, PLAIN)
+    touches = sorted(branch.special, key=lambda special: -special.value)
+    assert [special.kind for special in touches] == [SpecialKind.GRAZING] * 3
+    labels = [branch.special[0].label_before, *(special.label_after for special in branch.special)]
+    assert sorted(label.drive for label in labels) == [0, 1, 2, 3]
+    assert len({touch.extremum.number for touch in touches if touch.extremum is not None}) == 3
+    values = [touch.value for touch in touches]
+    assert 1e-9 < values[0] - values[2] < 1e-6
+    t = np.linspace(0.0, 6.0 * np.pi / 1.4, 200_001)
+    response = [(1.0 / complex(1.0 - w * w, 0.2 * w), w, size) for w, size in ((1.4, 1.0), (1.4 / 3, 1e-7))]
+    x = sum(size * (z * np.exp(1j * w * t)).real for z, w, size in response)
+    assert values[0] == pytest.approx(float(np.max(x)), abs=2e-9)
+    assert not branch.unexplained
+
+
+@pytest.mark.parametrize("height", [1e-9, -1e-9])
+def test_a_touch_of_the_back_side_within_rounding_of_a_fold(height):
+    """The impacting branch does not depend on the gap as long as it meets one side: so a gap is chosen in
+    which its fold passes the back side at a given height. Each is told once; only which comes first depends
+    on the height."""
+    fold = min(linear().of_kind(SpecialKind.FOLD), key=lambda special: special.value)
+    nearest = min(each.distance for each in fold.point.extrema if each.boundary < 0)
+    family = one_dof(error=0.05)
+    values = {"omega": 1.45, "D": 1.0 + 0.5 * (height - nearest)}
+    branch = continue_orbit(family, values, "omega", orbit(family, **values), 0.6, 1.6, PLAIN)
+    there = [special for special in branch.special if abs(special.value - fold.value) < 1e-6]
+    assert sorted(special.kind for special in there) == sorted([SpecialKind.FOLD, SpecialKind.GRAZING])
+    assert len(branch.of_kind(SpecialKind.FOLD)) == 2
+    for special in there:
+        assert special.value == pytest.approx(fold.value, rel=1e-6)
+    counts = [there[0].unstable_before, there[-1].unstable_after]
+    assert sorted(counts) == [0, 1]
+    assert not branch.unexplained

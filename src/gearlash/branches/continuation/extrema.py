@@ -157,8 +157,10 @@ def _at_seam(orbit: Orbit) -> Iterator[Extremum]:
     """Extrema of the gap at phase zero that the trace of the orbit does not have."""
     for j, c in enumerate(orbit.propagators.system.clearances):
         lost = lost_at_seam(orbit, j, gap_extrema(orbit.trace, j).phase.tolist())
-        for boundary, gap in ((1, c.gap_plus), (-1, -c.gap_minus)) if lost is not None else ():
-            x, a0 = lost
+        if lost is None:
+            continue
+        x, a0 = lost
+        for boundary, gap in ((1, c.gap_plus), (-1, -c.gap_minus)):
             inside = c.contact is not ContactRule.NO_TENSION or boundary * a0 < 0.0
             if c.stops(boundary) and (inside or any(c.dampings)):
                 yield Extremum(-1, j, "gap", boundary, 0.0, x - gap, a0)

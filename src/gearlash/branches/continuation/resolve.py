@@ -109,13 +109,19 @@ class Resolver:
             return
         touch = replace(here.node, touching=touching)
         *inner, _ = self.resolve(before, piece.left, touch)
-        yield from inner
         nodes = [item for item in inner if isinstance(item, Node)]
-        yield from passed
-        last, earlier = touch.linked(nodes[-1]) if nodes else touch, None
+        later = list(self.behind(touch.linked(nodes[-1]) if nodes else touch, piece, here.place))
+        told = {item.located.change.test for item in (*inner, *later) if isinstance(item, Passed)}
+        yield from inner
+        yield from (one for one in passed if one.located.change.test not in told - {Test.GRAZING})
+        yield from later
+
+    def behind(self, touch: Node, piece: Between, place: float) -> Iterator[Item]:
+        """What is left of a step behind a touch."""
+        last, earlier = touch, None
         for part in (*AFTER_GRAZE, 1.0):
-            place = here.place + part * (piece.length - here.place)
-            node = piece.right if part == 1.0 else piece.node(place)
+            at = place + part * (piece.length - place)
+            node = piece.right if part == 1.0 else piece.node(at)
             if node is None:
                 continue
             for item in self.resolve(earlier, last, node.linked(last)):
