@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from branches.followed import PLAIN, bundled, linear
-from branches.shaken import shaken
 from branches.parts import parts
+from branches.shaken import shaken
 from gearlash.branches.continuation import Branch, EndKind, SpecialKind, continue_orbit
 from gearlash.orbits import orbit_at
 from orbits.contacts import two_gaps
