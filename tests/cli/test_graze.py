@@ -82,9 +82,12 @@ def test_a_physical_name_and_value(gearlash: Gearlash):
     plain = gearlash("graze", "article", "--near", "1.05", "--json").answer["points"][0]["value"]
     ran = gearlash("graze", "article", "--over", "pinion_speed", "--near", "4011 rpm")
     assert ran.code == 0
-    shown = f"omega = {plain:.10g} ({load('article').scales.pinion_rpm(plain):.6g} rpm)"
+    rpm = float(load("article").scales.pinion_rpm(plain))
+    shown = f"{rpm:.8g} rpm (omega = {plain:.10g})"
     assert shown in " ".join(ran.out.split())
     assert "conditions" in ran.out
+    assert f"{rpm:.10g} rpm, omega = {plain:.13g}" in ran.out
+    assert f"{abs(rpm - 4011.0):.4g} rpm above the start ({100.0 * abs(rpm / 4011.0 - 1.0):.4g} %)" in ran.out
 
 
 def test_an_aperiodic_motion_cannot_be_followed(gearlash: Gearlash):
@@ -238,5 +241,8 @@ def test_the_value_found_is_told_in_the_unit_that_was_asked_for(gearlash: Gearla
     answer = gearlash("graze", "article", *options).answer
     assert answer["sentence"].startswith("1.87 kHz, 1-0-0: ")
     kilohertz = answer["asked"]["factor"] * answer["points"][0]["value"]
-    assert f"({kilohertz:.6g} kHz)" in answer["sentence"]
+    assert f"{kilohertz:.8g} kHz (omega = " in answer["sentence"]
+    for point in answer["points"]:
+        assert point["margin"] == point["value"] - answer["near"]
+        assert point["margin_asked"] == pytest.approx(answer["asked"]["factor"] * point["margin"], rel=1e-9)
     assert "found along this motion" in answer["sentence"]

@@ -39,6 +39,8 @@ class TouchFound:
     value: Annotated[float, "of the parameter, dimensionless"]
     error: Annotated[float, "estimate of its error: the last step of Newton's method"]
     physical: tuple[PhysicalValue, ...]
+    margin: Annotated[float, "from the value at the start to this one, dimensionless; negative below it"]
+    margin_asked: Annotated[float, "the same in the unit that was asked for"]
     clearance: Annotated[str, "name of the gap"]
     side: Literal["drive", "back"]
     surface: Annotated[
@@ -103,8 +105,9 @@ def graze_answer(
     """The record of what was found on the paths from ``start``; ``named`` is the parameter as typed, ``unit``
     what its value was typed in."""
     near = parameters[over]
-    touches = tuple(_touch(case, family, p) for p in sorted(found, key=lambda p: abs(p.value - near)))
     asked = Asked.of(case, over, named, unit)
+    nearest = sorted(found, key=lambda point: abs(point.value - near))
+    touches = tuple(_touch(case, family, point, near, asked) for point in nearest)
     what = start.status if start.label is None else start.label
     here = f"{asked.text(near, 10 if not asked.unit else 6)}, {what}"
     status, advice = _outcome(start, bool(touches))
@@ -130,7 +133,7 @@ def graze_answer(
     )
 
 
-def _touch(case: Case, family: Family, point: SpecialPoint) -> TouchFound:
+def _touch(case: Case, family: Family, point: SpecialPoint, near: float, asked: Asked) -> TouchFound:
     from gearlash.article import table2_type
 
     touch, system = point.touch, family.system(point.values)
@@ -140,6 +143,8 @@ def _touch(case: Case, family: Family, point: SpecialPoint) -> TouchFound:
         value=point.value,
         error=point.error,
         physical=physical_values(case, point.name, point.value, back_side_met=_meets_back(point)),
+        margin=point.value - near,
+        margin_asked=asked.value(point.value) - asked.value(near),
         clearance=system.clearances[touch.clearance].name,
         side="drive" if touch.boundary > 0 else "back",
         surface="gap" if touch.surface == "gap" else "force",
@@ -212,7 +217,7 @@ def _sentence(
         text = f"no grazing of this motion was found {asked.reach(low, high, 7)}"
         return text + (f" ({', '.join(said)})" if said else "")
     first = touches[0]
-    value = f"{over} = {first.value:.10g}{_physically(asked, first)}"
+    value = _value(over, asked, first)
     what = first.kind.partition(" (")[0] + (f" of {first.clearance}" if several else "")
     below, above = (
         _side(first.label_below, first.stable_below),
@@ -239,14 +244,13 @@ def _several(family: Family, parameters: Mapping[str, float]) -> bool:
     return len(family.system(parameters).clearances) > 1
 
 
-def _physically(asked: Asked, touch: TouchFound) -> str:
-    """A value found in the unit that was asked for, else in the first that the case has."""
-    if not touch.physical:
-        return ""
+def _value(over: str, asked: Asked, touch: TouchFound) -> str:
+    """A value found, first in the unit that was asked for; without one beside the first that the case has."""
+    plain = f"{over} = {touch.value:.10g}"
     if not asked.unit:
-        return f" ({physical_text(touch.physical[0], 6)})"
+        return f"{plain} ({physical_text(touch.physical[0], 6)})" if touch.physical else plain
     mark = f" {ASSUMED_MARK}" if any(p.rests_on for p in touch.physical if p.name == asked.name) else ""
-    return f" ({asked.text(touch.value)}{mark})"
+    return f"{asked.text(touch.value, 8)}{mark} ({plain})"
 
 
 def _outcome(start: Point, found: bool) -> tuple[str, str]:

@@ -13,8 +13,9 @@ from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
 
 EXAMINED = (
-    "This motion was followed, in steps of 1 % at the most: two touches within one step, of which the second "
-    "undoes the first, may have been missed. Motions that coexist with it were not looked at."
+    "This motion was followed from orbit to orbit: two touches within one step, of which the second undoes "
+    "the first, may have been missed. Motions that coexist with it were not looked at (gearlash branch and "
+    "gearlash sweep look at more of them)."
 )
 
 
@@ -25,14 +26,19 @@ def graze_view(answer: GrazeAnswer, width: int) -> Iterator[Text]:
     if not answer.points:
         yield from facts("", [("status", answer.status), ("what to do", answer.advice)], width)
     for touch in answer.points:
-        yield from facts(f"{answer.over} = {touch.value:.13g}", list(_facts(touch, marks)), width)
+        yield from facts(_title(answer, touch), list(_facts(answer, touch, marks)), width)
     yield from _paths(answer, width)
     footnote = marks.footnote()
     if footnote:
         yield from note(footnote, width)
 
 
-def _facts(touch: TouchFound, marks: Marks) -> Iterator[tuple[str, str]]:
+def _title(answer: GrazeAnswer, touch: TouchFound) -> str:
+    plain = f"{answer.over} = {touch.value:.13g}"
+    return f"{answer.asked.text(touch.value, 10)}, {plain}" if answer.asked.unit else plain
+
+
+def _facts(answer: GrazeAnswer, touch: TouchFound, marks: Marks) -> Iterator[tuple[str, str]]:
     if touch.physical:
         shown = (marks.of(quantity(p.value, pretty(p.unit), 8), p.rests_on) for p in touch.physical)
         yield "physical", ", ".join(shown)
@@ -42,6 +48,7 @@ def _facts(touch: TouchFound, marks: Marks) -> Iterator[tuple[str, str]]:
     sides = (touch.label_below, touch.stable_below), (touch.label_above, touch.stable_above)
     below, above = (label if stable is not False else f"{label} (unstable)" for label, stable in sides)
     yield "labels", f"{below} below, {above} above"
+    yield "margin", _margin(answer, touch)
     yield "touch", f"phase {touch.phase:.6f} of {touch.period} mesh cycle{'s' if touch.period > 1 else ''}"
     yield (
         "multipliers",
@@ -53,6 +60,16 @@ def _facts(touch: TouchFound, marks: Marks) -> Iterator[tuple[str, str]]:
         verdict = "holds" if c.holds else "does not hold"
         yield "" if i else "conditions", f"{i + 1}  {c.condition}: {number(c.value, 3)}, {verdict}"
     yield "accuracy", f"error of the value about {touch.error:.0e}, residual {touch.residual:.0e}"
+
+
+def _margin(answer: GrazeAnswer, touch: TouchFound) -> str:
+    """From where it was begun: ``247.8 rpm above the start (6.195 %)``."""
+    asked = answer.asked
+    far = f"{abs(touch.margin_asked):.4g}" + (f" {pretty(asked.unit)}" if asked.unit else "")
+    side = "above" if touch.margin > 0.0 else "below"
+    start = asked.value(answer.near)
+    share = f" ({100.0 * abs(touch.margin_asked / start):.4g} %)" if start else ""
+    return f"{far} {side} the start{share}"
 
 
 def _paths(answer: GrazeAnswer, width: int) -> Iterator[Text]:
