@@ -10,6 +10,7 @@ import pytest
 
 pytest.importorskip("heyoka", reason="heyoka has wheels for Linux only")
 
+import gearlash as gl
 from gearlash.branches.continuation import Branch, SpecialKind
 from oracles.random_branches import draw, followed
 from oracles.special_points import again, point_again
@@ -67,3 +68,12 @@ def test_stability_and_contacts_change_at_special_points_only(seed):
             assert abs(right.unstable - left.unstable) in {most, most % 2}
         if left.label != right.label:
             assert SpecialKind.GRAZING in {special.kind for special in between}
+
+
+@pytest.mark.parametrize("seed", [0, 31])
+def test_the_ends_lie_on_the_limits_so_that_a_branch_goes_on_from_them(seed):
+    drawn, branch = draw(seed), branch_of(seed)
+    assert [branch.points[0].value, branch.points[-1].value] == [drawn.lower, drawn.upper]
+    limits = {"lower": drawn.lower, "upper": drawn.upper, "values": branch.values}
+    again = gl.continue_branch(drawn.family, drawn.name, branch.points[0], **limits)
+    assert [s.value for s in again.special] == pytest.approx([s.value for s in branch.special], rel=1e-11)
