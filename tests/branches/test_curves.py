@@ -30,7 +30,8 @@ from gearlash.branches.curves import (
     curve_through,
 )
 from gearlash.orbits import Orbit, orbit_at
-from gearlash.system import Clearance, Family, GearlashError, Parameter, System
+from gearlash.system import Clearance, ContactRule, Family, GearlashError, Parameter, System
+from orbits.contacts import one_dof_under
 from orbits.members import built, one_dof, orbit
 
 QUIET = Listener(lambda _: None, lambda: False)
@@ -363,6 +364,23 @@ def test_orders_of_contact_where_a_fold_meets_a_grazing():
     near = (ways > 4e-5) & (ways < 4e-4)
     assert near.sum() >= 3
     assert np.polyfit(np.log(ways[near]), np.log(gaps[near]), 1)[0] == pytest.approx(3.0, abs=0.2)
+
+
+def test_a_closed_curve_is_followed_once():
+    """The touches of an orbit with three impacts, from the two values at which its branch meets them."""
+    rng = np.random.default_rng(10)
+    names = ("load", "mesh_damping", "error", "ripple")
+    drawn = named(
+        names, tuple(rng.uniform(*ends) for ends in ((0.05, 0.3), (0.02, 0.1), (0.02, 0.2), (0.0, 0.3)))
+    )
+    family = one_dof_under(ContactRule.IN_CONTACT, **drawn, D=float(rng.uniform(0.2, 1.0)))
+    values = {"omega": float(rng.uniform(1.3, 1.6))}
+    branch = continue_orbit(family, values, "omega", orbit(family, **values), 1.1, 1.7, PLAIN)
+    for touch in branch.of_kind(SpecialKind.GRAZING)[:2]:
+        values = {"omega": touch.value}
+        curve = followed(family, values, ("omega", "error"), touch, (0.5, 0.005), (1.8, 0.3))
+        assert {end.kind for end in curve.ends} == {CurveEndKind.CLOSED}
+        assert np.ptp(curve.parameters[:, 0]) == pytest.approx(0.166, abs=2e-3)
 
 
 def between_two_stops() -> Family:

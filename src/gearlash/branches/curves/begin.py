@@ -14,12 +14,12 @@ from gearlash.system import GearlashError
 
 from .conditions import At, Condition
 from .locate import Met
-from .motion import Motion, apart, is_clear
+from .motion import CurveOrbit, apart, is_clear
 from .newton import correct, tangent
 from .node import Node, begun_at, node_of, touch_of
 from .plane import Array, Plane
 from .points import CodimTwoKind, CodimTwoPoint, CurvePoint
-from .problem import Evaluated, Problem, Touch
+from .problem import Evaluated, Problem, TouchCondition
 from .restart import beyond, clear_side
 from .touch import Window
 
@@ -93,7 +93,7 @@ def _kind_of(
     return start.kind, period, ()
 
 
-def plain(plane: Plane, place: Array, state: Array, period: int) -> Evaluated:
+def orbit_alone(plane: Plane, place: Array, state: Array, period: int) -> Evaluated:
     """An orbit from phase zero, with nothing asked of it."""
     props = plane.system_at(place)
     trace = flow.trace(props, state, float(period * props.system.cycles))
@@ -107,7 +107,7 @@ def plain(plane: Plane, place: Array, state: Array, period: int) -> Evaluated:
 
 def _unbound(here: Evaluated) -> Node:
     """A node without equations but that of closing: to be begun elsewhere, and told its extrema."""
-    return Node(here, here.jacobian(), np.zeros(len(here.u)), Motion.of(here), frozenset())
+    return Node(here, here.jacobian(), np.zeros(len(here.u)), CurveOrbit.of(here), frozenset())
 
 
 def grazing_node(plane: Plane, place: Array, state: Array, period: int, extremum: Extremum) -> Node:
@@ -121,9 +121,9 @@ def grazing_node(plane: Plane, place: Array, state: Array, period: int, extremum
 
 def _with_touch(
     plane: Plane, place: Array, state: Array, period: int, extremum: Extremum
-) -> tuple[Node, Touch, float]:
+) -> tuple[Node, TouchCondition, float]:
     """The orbit begun half of it before an extremum, and that as a touch."""
-    here = plain(plane, place, state, period)
+    here = orbit_alone(plane, place, state, period)
     node = _begun(here, extremum.phase - 0.5 * here.cycles)
     window = Window(extremum.clearance, extremum.surface, extremum.boundary, 0.0)
     mine = node.motion.beside(extremum.phase, window)
@@ -143,7 +143,7 @@ def _begun(here: Evaluated, origin: float) -> Node:
 
 def condition_node(plane: Plane, place: Array, state: Array, period: int, at: At) -> Node:
     """The orbit as a point of the curve of a condition on its multipliers."""
-    here = plain(plane, place, state, period)
+    here = orbit_alone(plane, place, state, period)
     problem = here.problem.with_condition(at, here)
     return _on_curve(problem, here.u)
 
@@ -215,7 +215,7 @@ def point_of_two(plane: Plane, start: CodimTwoPoint, place: Array, period: int) 
     if corrected.here is None:
         raise GearlashError(f"the start is no such point: {corrected.failure}")
     here = Evaluated(problem.near(corrected.here), corrected.here.u, corrected.here.props)
-    motion = Motion.of(here)
+    motion = CurveOrbit.of(here)
     mine = motion.beside(float(here.problem.phases(here.u)[0]), touch.window)
     if mine is None:
         raise GearlashError("the extremum that touches is not there")

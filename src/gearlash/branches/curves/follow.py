@@ -18,7 +18,7 @@ from .locate import Met, touch_on
 from .met import Happened, between
 from .motion import is_clear
 from .newton import Corrected
-from .node import Node, solved, touch_of, well_begun
+from .node import Node, solved, state_at, touch_of, well_begun
 from .plane import UNBUILT, Array
 from .points import CurveEndKind, EndOfCurve
 from .restart import beyond, clear_side
@@ -30,7 +30,8 @@ OFF = 0.5  # of a step: how far beside its end the next orbit may lie
 SOON = 3.0  # steps: an extremum that would touch within so many is kept from crossing
 AHEAD = 2.0  # steps: a depth that would vanish within so many is looked for
 NEAR = 4.0  # times as far as foretold may a touch lie
-LOOP_CLOSES = 0.05  # of a step: how near the first orbit is passed where a loop closes
+LOOP_CLOSES = 0.05  # of a step: how near the first parameters are passed where a loop closes
+SAME = 0.2  # the same of its states
 Item = Node | Met | EndOfCurve
 
 
@@ -228,20 +229,22 @@ class Follower:
         return min(length, self.settings.longest)
 
     def closes(self, left: Node, right: Node) -> bool:
-        """Whether the first orbit lies between two neighbours."""
-        if left.problem.origin != self.start.problem.origin or len(left.u) != len(self.start.u):
-            return False
-        scale = left.problem.scale
-        first, last = left.u * scale, right.u * scale
-        away = (self.start.u * self.start.problem.scale - first) / scale
-        chord = (last - first) / scale
+        """Whether the first orbit, begun at any of its base periods, lies between two neighbours."""
+        unit = left.problem.plane.unit
+        chord, away = (right.place - left.place) / unit, (self.start.place - left.place) / unit
         length = float(np.linalg.norm(chord))
         if length == 0.0:  # at a limit of the parameters
             return False
         along = float(chord @ away) / length
-        return (
-            0.0 < along <= length
-            and float(np.linalg.norm(away - along * chord / length)) <= LOOP_CLOSES * length
+        if not 0.0 < along <= length or np.linalg.norm(away - along * chord / length) > LOOP_CLOSES * length:
+            return False
+        size, part = left.problem.size, along / length
+        one, two = (state_at(side.here, 0.0) / size for side in (left, right))
+        between, moved = (1.0 - part) * one + part * two, float(np.linalg.norm(two - one))
+        cycles = left.here.props.system.cycles
+        return any(
+            np.linalg.norm(state_at(self.start.here, float(k * cycles)) / size - between) <= SAME * moved
+            for k in range(self.start.problem.period)
         )
 
 

@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 from gearlash.branches.continuation.extrema import Extremum
 
 from .conditions import At
-from .motion import Motion
+from .motion import CurveOrbit
 from .newton import correct
 from .node import Node, solved, touch_of, well_begun
 from .plane import UNBUILT, Array
@@ -38,7 +38,7 @@ class Met:
     kind: CodimTwoKind
     here: Evaluated
     jacobian: Array
-    motion: Motion
+    motion: CurveOrbit
     touched: tuple[Extremum, ...]
     solved: bool = True
     note: str = ""
@@ -160,14 +160,14 @@ def _two(problem: Problem, guess: Array, near: Node) -> Met | None:
     try:
         problem = problem.near(corrected.here)
         here = Evaluated(problem, corrected.here.u, corrected.here.props)
-        jacobian, motion = here.jacobian(), Motion.of(here)
+        jacobian, motion = here.jacobian(), CurveOrbit.of(here)
     except UNBUILT:
         return None
     motion = replace(motion, extrema=motion.extrema.after(near.extrema))
     return Met(CodimTwoKind.CUSP, here, jacobian, motion, _touched(here, motion))
 
 
-def _touched(here: Evaluated, motion: Motion) -> tuple[Extremum, ...]:
+def _touched(here: Evaluated, motion: CurveOrbit) -> tuple[Extremum, ...]:
     """What touches. A degenerate one is no extremum that the motion would show."""
     found = []
     for k, touch in enumerate(here.problem.touches):

@@ -23,7 +23,7 @@ SAME = 1e-9  # mesh cycles: an extremum so near is the same
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class CurveOrbit:
     """``extrema`` numbered along the curve; ``signature`` with held boundaries not crossed; ``turns``:
     phases of all extrema of X of every clearance, with their curvature, and of those of the force;
     ``contacts``: phases of all contact events."""
@@ -35,7 +35,7 @@ class Motion:
     cycles: float
 
     @staticmethod
-    def of(here: Evaluated) -> Motion:
+    def of(here: Evaluated) -> CurveOrbit:
         system, cycles = here.props.system, here.cycles
         states = here.course[0]
         traces = [traced(here.props, z, leg) for z, leg in zip(states[:-1], here.legs, strict=True)]
@@ -65,7 +65,9 @@ class Motion:
         (drive, back), *others = counts
         signature = Signature(int(cycles), drive, back, tuple(others))
         contacts = np.concatenate([trace.events.phase for trace in traces]) % cycles
-        return Motion(Extrema(named, cycles, count(len(named))), signature, tuple(turns), contacts, cycles)
+        return CurveOrbit(
+            Extrema(named, cycles, count(len(named))), signature, tuple(turns), contacts, cycles
+        )
 
     def window(self, extremum: Extremum) -> Window:
         """Around an extremum, so wide that no other one lies in it: as far on both sides, as it may merge

@@ -12,10 +12,10 @@ from gearlash.branches.continuation.testfunctions import Spectrum
 from gearlash.orbits.floquet import ordered
 from gearlash.system import ContactRule, GearlashError
 
-from .motion import Motion, apart
+from .motion import CurveOrbit, apart
 from .newton import ENOUGH, Corrected, correct, tangent
 from .plane import UNBUILT, Array
-from .problem import Evaluated, Problem, Touch
+from .problem import Evaluated, Problem, TouchCondition
 from .touch import carried
 
 MIDDLE = 0.2  # of the orbit: a touch so near to where it is begun or ends is too near
@@ -30,7 +30,7 @@ class Node:
     here: Evaluated
     jacobian: Array
     direction: Array
-    motion: Motion
+    motion: CurveOrbit
     touching: frozenset[int]
 
     @property
@@ -86,7 +86,7 @@ def node_of(corrected: Corrected, toward: Array, before: Node | None) -> Node:
     assert here is not None
     here = Evaluated(here.problem.near(here), here.u, here.props)
     jacobian = here.jacobian()
-    motion = Motion.of(here)
+    motion = CurveOrbit.of(here)
     if before is not None:
         motion = replace(motion, extrema=motion.extrema.after(before.extrema))
     node = Node(here, jacobian, tangent(jacobian, toward), motion, frozenset())
@@ -193,7 +193,7 @@ def well_begun(node: Node, phases: list[float]) -> Node:
     return begun_at(node, best) if room(best) > room(node.problem.origin) + LEAST_GAIN else node
 
 
-def touch_of(node: Node, extremum: Extremum) -> tuple[Touch, float]:
+def touch_of(node: Node, extremum: Extremum) -> tuple[TouchCondition, float]:
     """An extremum as a touch, and its phase on the orbit as it is begun."""
     origin = node.problem.origin
-    return Touch(node.motion.window(extremum)), origin + (extremum.phase - origin) % node.here.cycles
+    return TouchCondition(node.motion.window(extremum)), origin + (extremum.phase - origin) % node.here.cycles

@@ -23,7 +23,7 @@ STEP = 1e-7  # of scaled unknowns: for derivatives that are no solutions of the 
 
 
 @dataclass(frozen=True)
-class Touch:
+class TouchCondition:
     """An extremum that lies ``depth`` below its boundary (above it: negative); ``zero``: orders of further
     derivatives of H that vanish there, of 2 and 3; ``held``: whether the boundary is not crossed
     there."""
@@ -43,7 +43,7 @@ class Problem:
     period: int
     size: Array
     origin: float = 0.0
-    touches: tuple[Touch, ...] = ()
+    touches: tuple[TouchCondition, ...] = ()
     conditions: tuple[Condition, ...] = ()
     kept: tuple[tuple[float, Window], ...] = ()
 
