@@ -30,9 +30,8 @@ from gearlash.results import Direction, Point
 from gearlash.studies.transition import Transition
 from gearlash.system import Family, GearlashError, Signature, Status
 
-from .events import Found
 from .reproduction import Explained, Scan
-from .rows import Row
+from .rows import Found, Row
 from .stretches import special_points, stretches, together
 
 Array = NDArray[np.float64]
@@ -266,6 +265,7 @@ def _explained(
     branches: Sequence[Branch], transition: Transition, directions: Sequence[Direction]
 ) -> Explained:
     """The special point that a change along the sweeps is: of the same kind, and nearest to it."""
+    assert transition.point is not None  # as of `rows.distinct`
     near = [
         (abs(special.value - transition.value), number, special)
         for number, branch in enumerate(branches)
@@ -283,4 +283,5 @@ def _explained(
         directions=tuple(map(str, directions)),
         branch=number,
         special=special,
+        swept=transition.point,
     )

@@ -1,4 +1,4 @@
-"""The article's events: the nearest computed transition with the same labels, or what is there instead."""
+"""The article's events: the nearest special point with the same labels, or what is there instead."""
 
 from __future__ import annotations
 
@@ -7,32 +7,31 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearlash.branches import GrazingPoint
-from gearlash.branches.continuation import SpecialPoint
+from gearlash import SpecialPoint
 from gearlash.flow import propagators
 from gearlash.orbits import Orbit, attractor, orbit_at
 from gearlash.plots.regimes import short
 from gearlash.results import Direction
 from gearlash.studies.motion import Motion, motion, touching
-from gearlash.studies.transition import Transition
 from gearlash.system import Family, GearlashError, Label
 
 from .claims import Claim
-from .doubled import Beside, Found
 from .judge import FAR, NOT_FOUND, coincides, deviation, same_label, verdict, worst
 from .kinds import table2_type
-from .reproduction import NAN, Coincidence, Event
+from .opening import Beside
+from .reproduction import NAN, Coincidence, Event, Explained
 from .rows import STUDY_SETTINGS
 
 PICTURED = 0.008  # relative distance of the motions before and after; halved until the labels agree
+NOT_ON_A_BRANCH = "Solved for along the sweeps; none of the followed branches has it."
 ZERO = 1e-3  # |λ ± 1|, |X ∓ D| and |X'| below which a condition counts as met
 
 
-def match(claim: Claim, found: Sequence[Found]) -> Found | None:
-    """The computed grazing with the claim's boundary and labels that lies nearest to its value, within
-    10 %."""
-    near = [pair for pair in found if _fits(claim, pair[0])]
-    return min(near, key=lambda pair: abs(pair[0].value - _value(claim)), default=None)
+def match(claim: Claim, found: Sequence[Explained]) -> Explained | None:
+    """The grazing with the claim's boundary and labels, met along the sweeps, that lies nearest to its value,
+    within 10 %."""
+    near = [each for each in found if _fits(claim, each)]
+    return min(near, key=lambda each: abs(each.point.value - _value(claim)), default=None)
 
 
 def _value(claim: Claim) -> float:
@@ -40,12 +39,11 @@ def _value(claim: Claim) -> float:
     return claim.value
 
 
-def _fits(claim: Claim, transition: Transition) -> bool:
-    point = transition.point
-    if point is None or not point.is_grazing or point.touch.boundary != claim.boundary:
+def _fits(claim: Claim, event: Explained) -> bool:
+    if not event.point.is_grazing or event.point.touch.boundary != claim.boundary:
         return False
-    labels = (transition.label_below, transition.label_above)
-    return _labelled(claim, labels) and abs(deviation(transition.value, _value(claim))) <= FAR
+    close = abs(deviation(event.point.value, _value(claim))) <= FAR
+    return close and _labelled(claim, (event.before, event.after))
 
 
 def _labelled(claim: Claim, labels: tuple[Label | None, Label | None]) -> bool:
@@ -59,7 +57,7 @@ def match_coincidence(claim: Claim, found: Sequence[Beside]) -> Beside | None:
     near = [
         pair
         for pair in found
-        if pair[0].grazing.boundary == claim.boundary
+        if pair[0].grazing.touch.boundary == claim.boundary
         and _labelled(claim, pair[0].labels)
         and abs(deviation(pair[0].doubling.value, _value(claim))) <= FAR
     ]
@@ -70,12 +68,12 @@ def match_coincidence(claim: Claim, found: Sequence[Beside]) -> Beside | None:
 class EventSearch:
     """Finds a claim's event among what the sweeps located, and computes the motions around it.
 
-    ``values`` are those of the family with what the claim fixes; ``found`` the transitions of the axis,
-    ``coincidences`` the doublings on it with a grazing beside them."""
+    ``values`` are those of the family with what the claim fixes; ``found`` the changes along the axis, as
+    special points of branches, ``coincidences`` the doublings on it with a grazing beside them."""
 
     family: Family
     values: dict[str, float]
-    found: Sequence[Found]
+    found: Sequence[Explained]
     coincidences: Sequence[Beside] = ()
 
     def event(self, claim: Claim) -> Event:
@@ -83,12 +81,11 @@ class EventSearch:
         if claim.kind == "codimension-2":
             beside = match_coincidence(claim, self.coincidences)
             return self.coincident(claim, *beside) if beside is not None else self.missing(claim)
-        pair = match(claim, self.found)
-        return self.solved(claim, *pair) if pair is not None else self.missing(claim)
+        event = match(claim, self.found)
+        return self.solved(claim, event) if event is not None else self.missing(claim)
 
-    def solved(self, claim: Claim, transition: Transition, directions: tuple[Direction, ...]) -> Event:
-        point = transition.point
-        assert point is not None
+    def solved(self, claim: Claim, event: Explained) -> Event:
+        point, directions = event.point, tuple(map(Direction, event.directions))
         apart = deviation(point.value, _value(claim))
         before, after = (self.beside(claim, point, side) for side in (-1, 1))
         at = touching(self.family, point)
@@ -97,8 +94,8 @@ class EventSearch:
             found=True,
             value=point.value,
             deviation=apart,
-            label_below=transition.label_below,
-            label_above=transition.label_above,
+            label_below=event.before,
+            label_above=event.after,
             kind=point.touch_kind,
             boundary=point.touch.boundary,
             a0=point.touch.a0,
@@ -111,10 +108,12 @@ class EventSearch:
             distance_to_doubling=point.to_doubling,
             conditions=_conditions(self.family, point),
             residual=point.residual,
-            method="solved together with orbit and time of the touch (Newton, one-sided system)",
+            method="a special point of a followed branch, solved for together with its orbit"
+            if event.special is not None
+            else "solved for together with its orbit along the sweeps",
             branch=_branch(directions),
             verdict=verdict([apart], labels_equal=True),
-            note="",
+            note="" if event.special is not None else NOT_ON_A_BRANCH,
             motions=(before, at, after),
             everywhere=len(directions) == len(Direction),
         )
@@ -125,18 +124,12 @@ class EventSearch:
         point, graze = both.doubling, both.grazing
         apart = deviation(point.value, _value(claim))
         at = touching(self.family, graze)
-        near = (
-            (graze.state_zero, point.point.state)
-            if graze.value < point.value
-            else (point.point.state, graze.state_zero)
-        )
+        near = [each.point.state for each in sorted((graze, point), key=lambda each: each.value)]
         values = sorted((graze.value, point.value))
         before, after = (
             self.settled(claim.parameter, values[i], side, near[i], both.labels[i])
             for i, side in ((0, -1), (1, 1))
         )
-        doubling, fold = point.to_doubling, point.to_fold
-        period = point.period * 2.0 * np.pi / self.family.system(point.values).omega
         return Event(
             **_reported(claim),
             found=True,
@@ -144,23 +137,27 @@ class EventSearch:
             deviation=apart,
             label_below=both.labels[0],
             label_above=both.labels[1],
-            kind=graze.kind,
-            boundary=graze.boundary,
-            a0=graze.a0,
-            phase=graze.phase,
+            kind=graze.touch_kind,
+            boundary=graze.touch.boundary,
+            a0=graze.touch.a0,
+            phase=graze.touch.phase,
             type=f"{point.kind}, and {table2_type(graze)} {both.apart:.1e} beside it",
             leading_below=before.leading,
             leading_above=after.leading,
-            exponent=float(np.log(np.abs(point.multipliers[0])) / period),
-            distance_to_fold=fold,
-            distance_to_doubling=doubling,
+            exponent=point.exponent(self.family.system(point.values)),
+            distance_to_fold=point.to_fold,
+            distance_to_doubling=point.to_doubling,
             conditions=(
-                ("least |λ + 1| of the orbit at the doubling", doubling, doubling <= ZERO),
+                (
+                    "least |λ + 1| of the orbit at the doubling",
+                    point.to_doubling,
+                    point.to_doubling <= ZERO,
+                ),
                 *_conditions(self.family, graze),
             ),
             residual=max(point.residual, graze.residual),
-            method="the doubling solved for together with its orbit; the orbit born there followed by its "
-            "amplitude to its first touch, which is solved for together with orbit and time",
+            method="both are special points of followed branches, each solved for together with its orbit: "
+            "the doubling of the single orbit, and the first touch on the branch that begins there",
             branch=_branch(directions),
             verdict=worst(
                 [verdict([apart], labels_equal=True), coincides(both.apart, point.value, claim.printed)]
@@ -251,7 +248,7 @@ def _reported(claim: Claim) -> dict:
     }
 
 
-def _conditions(family: Family, point: GrazingPoint | SpecialPoint) -> tuple[tuple[str, float, bool], ...]:
+def _conditions(family: Family, point: SpecialPoint) -> tuple[tuple[str, float, bool], ...]:
     """The article's four conditions with their values at the computed point."""
     found = point.conditions(family.system(point.values))
     meets, smooth, turns, _ = found.met()
@@ -274,17 +271,17 @@ def _branch(directions: tuple[Direction, ...]) -> str:
     return "met in: " + "; ".join(words[d] for d in directions)
 
 
-def instead(claim: Claim, found: Sequence[Found]) -> str:
+def instead(claim: Claim, found: Sequence[Explained]) -> str:
     """What was located instead: the nearest transitions that touch either reported label."""
     labels = [text for text in (claim.below, claim.above) if text]
     related = [
-        t for t, _ in found
-        if any(same_label(side, text) for side in (t.label_below, t.label_above) for text in labels)
+        each for each in found
+        if any(same_label(side, text) for side in (each.before, each.after) for text in labels)
     ]  # fmt: skip
     if not related:
         return f"No motion {' or '.join(labels)} changes into another one anywhere in the sweeps."
-    related.sort(key=lambda t: abs(t.value - _value(claim)))
-    parts = [describe(t) for t in related[:3]]
+    related.sort(key=lambda each: abs(each.value - _value(claim)))
+    parts = [describe(each) for each in related[:3]]
     text = "Nearest located changes of the reported motions: " + "; ".join(parts) + "."
     return text
 
@@ -301,21 +298,7 @@ def _beside(claim: Claim, coincidences: Sequence[Beside]) -> str:
     )
 
 
-def describe(transition: Transition) -> str:
-    """One transition in words."""
-    symbol = {"omega": "ω"}.get(transition.name, transition.name)
-    return (
-        f"{transition.kind} at {symbol} = {transition.value:.6f} "
-        f"({short(transition.label_below)} → {short(transition.label_above)})"
-    )
-
-
-def exponent_at(transition: Transition) -> float:
-    """Largest exponent of the orbit at a located point; at a doubling or fold it is zero but for rounding."""
-    point = transition.point
-    if point is None:
-        return NAN
-    if point.is_grazing:
-        duration = point.period * 2.0 * np.pi / point.values["omega"]
-        return float(np.log(np.abs(point.multipliers[0])) / duration)
-    return float(np.log(np.abs(point.multipliers[0])))
+def describe(event: Explained) -> str:
+    """One change in words."""
+    symbol = {"omega": "ω"}.get(event.point.name, event.point.name)
+    return f"{event.kind} at {symbol} = {event.value:.6f} ({short(event.before)} → {short(event.after)})"

@@ -14,6 +14,8 @@ from gearlash.studies.sweep import sweeps
 from gearlash.studies.transition import Transition
 from gearlash.studies.transitions import transitions
 
+Found = tuple[Transition, tuple[Direction, ...]]
+"""A change that was solved for, and the sweeps that met it."""
 STUDY_SETTINGS = Settings(
     budget=9_000, patience=600, exponent_periods=1_000
 )  # base periods of one transient; what needs more is flagged, not guessed
@@ -69,7 +71,7 @@ def locate(case_json: str, done: Sweep, part: int) -> tuple[Transition, ...]:
     return transitions(family, done.axis.name, points[first : last + 1], values=done.fixed, rising=rising)
 
 
-def distinct(rows: tuple[Row, ...]) -> list[tuple[Transition, tuple[Direction, ...]]]:
+def distinct(rows: tuple[Row, ...]) -> list[Found]:
     """Solved transitions of all rows, each once, with the directions it was met in, by rising value."""
     found: list[tuple[Transition, list[Direction]]] = []
     for row in rows:

@@ -24,11 +24,11 @@ from gearlash.system import GearlashError, Label, MotionKind, given
 from .bearing import bearing_modes
 from .branching import Following
 from .claims import Claim, load
-from .doubled import coincidences
-from .events import EventSearch, Found
+from .events import EventSearch
+from .opening import coincidences
 from .pair import check_pair
 from .reproduction import BearingMode, Check, Diagram, DiagramMark, Event, ReportedZone, Reproduction, Run
-from .rows import STUDY_SETTINGS, Row, distinct, rows
+from .rows import STUDY_SETTINGS, Found, Row, distinct, rows
 from .rules import effects
 from .table2 import fill
 from .verdicts import Evidence, judge
@@ -158,21 +158,21 @@ def reproduce(
             for claim in claims
             if claim.kind == "zone"
         )
-        beside = {name: coincidences(case, each, executor) for name, each in found.items()}
         clock.lap(STAGES[2])
         tell(STAGES[5], None)
         compared = effects(case, scope.rules_backlash, at, executor)
         clock.lap(STAGES[5])
         tell(STAGES[6], None)
-        scans = tuple(each.scan(found[each.name], executor) for each in followed)
+        scans = {each.name: each.scan(found[each.name], executor) for each in followed}
+        beside = {name: coincidences(case, scan, executor) for name, scan in scans.items()}
         clock.lap(STAGES[6])
     tell(STAGES[3], None)
     family, _ = case.family()
     values = family.complete()
     events = tuple(
-        EventSearch(family, {**values, **claim.fixed}, found[claim.parameter], beside[claim.parameter]).event(
-            claim
-        )
+        EventSearch(
+            family, {**values, **claim.fixed}, scans[claim.parameter].events, beside[claim.parameter]
+        ).event(claim)
         for claim in claims
         if claim.portrait
     )
@@ -184,10 +184,11 @@ def reproduce(
         events,
         zones,
         {"omega": frequency, "D": backlash},
+        {name: scan.events for name, scan in scans.items()},
         _motions(case, claims, {"omega": frequency, "D": backlash}),
     )
     judged = judge(claims, evidence)
-    table = fill([*found["omega"], *found["D"]], events)
+    table = fill(tuple(scans.values()), events)
     clock.lap(STAGES[4])
     all_rows = (*frequency, *backlash)
     return Reproduction(
@@ -204,7 +205,7 @@ def reproduce(
         rules=compared,
         bearings=_bearings(case, frequency, zones, {"D": scope.fixed_backlash}),
         coincidences=tuple(both for pairs in beside.values() for both, _ in pairs),
-        scans=scans,
+        scans=tuple(scans.values()),
     )
 
 
@@ -243,7 +244,8 @@ def _diagram(
 
 
 def _mark(transition: Transition, directions: Sequence[Direction], article: bool) -> DiagramMark:
-    boundary = getattr(transition.point, "boundary", 0)
+    point = transition.point
+    boundary = point.touch.boundary if point is not None and point.is_grazing else 0
     where = "all" if len(directions) == 3 else ",".join(str(d) for d in directions)
     return DiagramMark(
         transition.value,

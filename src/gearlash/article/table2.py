@@ -1,29 +1,42 @@
-"""The article's Table 2, filled from what was located."""
+"""The article's Table 2, filled from special points of branches."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 
-from gearlash.studies.transition import Transition
+import numpy as np
+
+from gearlash import SpecialKind, SpecialPoint
 from gearlash.system import Label, Signature, label_text
 
-from .events import Found, exponent_at
 from .judge import NOT_FOUND, REPRODUCED, coincides
 from .kinds import CODIMENSION_TWO, STANDARD, table2_type
-from .reproduction import Event, Table2Row
+from .reproduction import Event, Explained, Scan, Table2Row
+from .stretches import special_points
+
+SMOOTH_KINDS = (SpecialKind.FOLD, SpecialKind.DOUBLING, SpecialKind.TORUS)
+EXAMPLES = 6
 
 
-def fill(found: Sequence[Found], events: Sequence[Event]) -> tuple[Table2Row, ...]:
-    """The three rows: what the article says of each type, and what this run located of it."""
-    transitions = [transition for transition, _ in found]
+def fill(scans: Sequence[Scan], events: Sequence[Event]) -> tuple[Table2Row, ...]:
+    """The three rows: what the article says of each type, and what the branches of this run have of it.
+
+    Counted are special points that a stable orbit comes to; shown first are those that the article has, then
+    others that the sweeps met."""
+    met = [special for scan in scans for special in met_by_stable(scan)]
+    grazes = [special for special in met if special.is_grazing]
+    standard = [special for special in grazes if table2_type(special) == STANDARD]
+    double = [special for special in grazes if table2_type(special) == CODIMENSION_TWO]
+    smooth = [special for special in met if special.kind in SMOOTH_KINDS]
     matched = {event.value for event in events if event.found}
-    grazes = [t for t in transitions if t.point is not None and t.point.is_grazing]
-    standard = [t for t in grazes if t.point is not None and table2_type(t.point) == STANDARD]
-    double = [t for t in grazes if t.point is not None and table2_type(t.point) == CODIMENSION_TWO]
-    smooth = [t for t in transitions if t.point is not None and not t.point.is_grazing]
-    kept = all(_period(t.label_below) == _period(t.label_above) for t in standard)
-    negative = all(exponent_at(t) < 0.0 for t in standard)
+    swept = sorted(
+        (each for scan in scans for each in scan.events if each.special is not None),
+        key=lambda each: each.point.value not in matched,
+    )
+    kept = all(special.label_before.period == special.label_after.period for special in standard)
+    negative = all(exponent_at(special) < 0.0 for special in standard)
     return (
         _row(
             "Standard Grazing Bifurcation",
@@ -31,11 +44,11 @@ def fill(found: Sequence[Found], events: Sequence[Event]) -> tuple[Table2Row, ..
             "No change",
             "Sudden change (birth or death of impacts)",
             "Boundaries of “1-0” zones (e.g., ω≈1.112, 0.972)",
-            sorted(standard, key=lambda t: t.value not in matched),
+            [each for each in swept if each.point.is_grazing and table2_type(each.point) == STANDARD],
             REPRODUCED if standard and kept and negative else NOT_FOUND,
-            f"{len(standard)} located; the period is kept at {_all(kept)} of them, the exponent is negative "
-            f"at {_all(negative)}. The change of the counts is sudden, that of the motion is not: the map is "
-            "C¹ there.",
+            f"{len(standard)} on the branches, where a stable orbit comes to them; the period is kept at "
+            f"{_all(kept)} of them, the exponent is negative at {_all(negative)}. The change of the counts "
+            "is sudden, that of the motion is not: the map is C¹ there.",
         ),
         _codimension_two(double, grazes, events),
         _row(
@@ -44,34 +57,59 @@ def fill(found: Sequence[Found], events: Sequence[Event]) -> tuple[Table2Row, ..
             "Changes or leads to chaos",
             "May change gradually or chaotically",
             "Various regions leading to chaotic motion",
-            smooth,
+            [each for each in swept if each.point.kind in SMOOTH_KINDS],
             REPRODUCED if smooth else NOT_FOUND,
-            f"{len(smooth)} located: "
-            + ", ".join(f"{n} {kind}" for kind, n in _kinds(smooth).items())
-            + ". At each the critical multiplier is ±1 by construction.",
+            f"{len(smooth)} on the branches, where a stable orbit comes to them: "
+            + ", ".join(f"{n} {kind}" for kind, n in Counter(str(each.kind) for each in smooth).items())
+            + ". At each a multiplier is ±1, or a pair of them on the unit circle, by construction.",
         ),
     )
 
 
-def _row(kind, condition, period, pattern, region, transitions, verdict, note) -> Table2Row:
-    shown: list[Transition] = list(transitions)[:6]  # examples
+def met_by_stable(scan: Scan) -> list[SpecialPoint]:
+    """Special points of its branches that a stable orbit comes to."""
+    return [
+        special
+        for branch in scan.branches
+        for special in special_points(branch)
+        if min(special.unstable_before, special.unstable_after) == 0
+    ]
+
+
+def exponent_at(special: SpecialPoint) -> float:
+    """Largest exponent of the orbit there, per unit of τ; at a doubling or fold zero but for rounding."""
+    duration = special.period * 2.0 * np.pi / special.values["omega"]
+    return float(np.log(np.abs(special.multipliers[0])) / duration)
+
+
+def _row(
+    kind: str,
+    condition: str,
+    period: str,
+    pattern: str,
+    region: str,
+    found: Sequence[Explained],
+    verdict: str,
+    note: str,
+) -> Table2Row:
+    shown = list(found)[:EXAMPLES]
     return Table2Row(
         type=kind,
         condition=condition,
         reported_effect_p=period,
         reported_effect_qr=pattern,
         reported_region=region,
-        events=tuple(f"{_symbol(t)} = {t.value:.4f}" for t in shown),
-        exponent=tuple(exponent_at(t) for t in shown),
-        periods=tuple(f"{_period(t.label_below)} → {_period(t.label_above)}" for t in shown),
-        patterns=tuple(f"{label_text(t.label_below)} → {label_text(t.label_above)}" for t in shown),
+        events=tuple(f"{_symbol(each.point.name)} = {each.point.value:.4f}" for each in shown),
+        exponent=tuple(exponent_at(each.point) for each in shown),
+        periods=tuple(f"{_period(each.before)} → {_period(each.after)}" for each in shown),
+        patterns=tuple(f"{label_text(each.before)} → {label_text(each.after)}" for each in shown),
         verdict=verdict,
         note=note,
     )
 
 
 def _codimension_two(
-    double: Sequence[Transition], grazes: Sequence[Transition], events: Sequence[Event]
+    double: Sequence[SpecialPoint], grazes: Sequence[SpecialPoint], events: Sequence[Event]
 ) -> Table2Row:
     """Points with a multiplier at −1; else pairs of doubling and grazing, judged by whether the printed
     digits tell them apart."""
@@ -81,15 +119,25 @@ def _codimension_two(
         "Changes (e.g., P/2)",
         "Sudden change",
         "Within chaotic or period-multiplying regimes (e.g., D≈0.3523)",
-        double,
+        (),
         REPRODUCED if double else NOT_FOUND,
-        f"{len(double)} located." if double else _nearest_coincidence(grazes),
+        f"{len(double)} on the branches." if double else _nearest_coincidence(grazes),
     )
+    if double:
+        row = replace(
+            row,
+            events=tuple(f"{_symbol(each.name)} = {each.value:.4f}" for each in double[:EXAMPLES]),
+            exponent=tuple(map(exponent_at, double[:EXAMPLES])),
+            periods=tuple(
+                f"{each.label_below.period} → {each.label_above.period}" for each in double[:EXAMPLES]
+            ),
+            patterns=tuple(f"{each.label_below} → {each.label_above}" for each in double[:EXAMPLES]),
+        )
     pairs = [(event, event.coincidence) for event in events if event.coincidence is not None]
     if double or not pairs:
         return row
     event, both = min(pairs, key=lambda pair: pair[1].apart)
-    name = {"omega": "ω"}.get(event.parameter, event.parameter)
+    name = _symbol(event.parameter)
     return replace(
         row,
         events=(f"{name} = {event.value:.4f}",),
@@ -102,8 +150,8 @@ def _codimension_two(
     )
 
 
-def _symbol(transition: Transition) -> str:
-    return {"omega": "ω"}.get(transition.name, transition.name)
+def _symbol(name: str) -> str:
+    return {"omega": "ω"}.get(name, name)
 
 
 def _period(label: Label | None) -> str:
@@ -114,21 +162,13 @@ def _all(flag: bool) -> str:
     return "all" if flag else "not all"
 
 
-def _kinds(transitions: Sequence[Transition]) -> dict[str, int]:
-    counts: dict[str, int] = {}
-    for transition in transitions:
-        counts[transition.kind] = counts.get(transition.kind, 0) + 1
-    return counts
-
-
-def _nearest_coincidence(grazes: Sequence[Transition]) -> str:
-    """The located grazing whose multipliers come nearest to -1."""
-    points = [(t.point.to_doubling, t) for t in grazes if t.point is not None]
-    if not points:
-        return "No grazing was located."
-    least, transition = min(points, key=lambda pair: pair[0])
+def _nearest_coincidence(grazes: Sequence[SpecialPoint]) -> str:
+    """The grazing whose multipliers come nearest to -1."""
+    if not grazes:
+        return "No stable orbit comes to a grazing on the branches."
+    nearest = min(grazes, key=lambda special: special.to_doubling)
     return (
-        f"No located grazing has a multiplier at −1; the nearest is at {_symbol(transition)} = "
-        f"{transition.value:.6f} ({transition.label_below} → {transition.label_above}) with least |λ+1| = "
-        f"{least:.3f}. One parameter alone meets such a point only by coincidence."
+        f"No grazing has a multiplier at −1; the nearest is at {_symbol(nearest.name)} = {nearest.value:.6f} "
+        f"({nearest.label_below} → {nearest.label_above}) with least |λ+1| = {nearest.to_doubling:.3f}. One "
+        "parameter alone meets such a point only by coincidence."
     )

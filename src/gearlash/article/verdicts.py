@@ -8,16 +8,17 @@ from itertools import pairwise
 
 import numpy as np
 
+from gearlash import SpecialKind
 from gearlash.case import Case
 from gearlash.results import Point
-from gearlash.studies.transition import DOUBLING, FOLD
 from gearlash.system import MotionKind, label_text
 
 from .claims import Claim
 from .judge import NOT_FOUND, REPRODUCED, SHIFTED, coincides, same_label, verdict
 from .pair import FITTED, is_bundled
-from .reproduction import NAN, ClaimRow, Coincidence, Event, Part, Reading, ReportedZone
+from .reproduction import NAN, ClaimRow, Coincidence, Event, Explained, Part, Reading, ReportedZone
 from .rows import Row
+from .table2 import exponent_at
 from .zoning import SOME
 
 
@@ -29,6 +30,7 @@ class Evidence:
     events: Sequence[Event]
     zones: Sequence[ReportedZone]
     rows: Mapping[str, Sequence[Row]]
+    met: Mapping[str, Sequence[Explained]]  # changes along the sweeps, as special points
     motions: Mapping[str, Sequence[tuple[str, Point]]]  # claim id → (start, what was found)
 
 
@@ -130,10 +132,12 @@ def _why_close(both: Coincidence, claim: Claim) -> str:
     return (
         f"Doubling at {both.doubling.value:.8f}, grazing at {both.grazing.value:.8f}: one event to the "
         f"digits of {claim.printed}, not one point. They lie so close because the doubled orbit opens like a "
-        f"square root (measured: distance to the power {both.power:.2f}): an extremum that passes the "
-        f"boundary at {clear} in the doubling itself reaches it almost at once. From the smallest amplitudes "
-        f"{both.predicted:.1e} is foreseen. The exponent of the touching orbit is "
-        f"{both.grazing.exponent:.1e}. In one true point that clearance of {clear} would vanish as well, "
+        f"square root (measured: amplitude ∼ distance to the power {both.power:.2f}): at the distance s its "
+        f"amplitude is a = √(s/c), c = {both.opens:.3g}, and the extremum that passes the boundary at h = "
+        f"{clear} in the doubling itself comes nearer by b a, b = {both.approaches:.3g}. It touches at "
+        f"s = c (h/b)² = {both.predicted:.1e} by these two alone, at {both.corrected:.2e} with the next "
+        f"terms of both, at {both.apart:.2e} as solved for. The exponent of the touching orbit is "
+        f"{exponent_at(both.grazing):.1e}. In one true point h = {clear} would vanish as well, "
         "which takes a second parameter; that is not claimed."
     )
 
@@ -152,7 +156,7 @@ def _exponent(claim: Claim, evidence: Evidence) -> ClaimRow:
         touch = event.coincidence.grazing
         note = (
             f"At the doubling, {place}, where a multiplier is −1: zero but for rounding. At the grazing "
-            f"{event.coincidence.apart:.1e} beside it: {touch.exponent:.1e}."
+            f"{event.coincidence.apart:.1e} beside it: {exponent_at(touch):.1e}."
         )
     return _row(
         claim,
@@ -243,8 +247,8 @@ def _moved(one: Point, two: Point) -> float:
 
 def _routes(claim: Claim, evidence: Evidence) -> ClaimRow:
     rows = evidence.rows[claim.parameter]
-    found = [t for row in rows for t in row.transitions if t.point is not None and t.kind in (DOUBLING, FOLD)]
-    doublings = {round(t.value, 6) for t in found if t.kind == DOUBLING}
+    met = (each.point for each in evidence.met[claim.parameter] if each.kind == SpecialKind.DOUBLING)
+    doublings = {round(special.value, 6) for special in met}
     aperiodic = {
         p.value
         for row in rows

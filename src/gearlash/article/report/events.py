@@ -92,9 +92,8 @@ def _others(pairs: tuple[Coincidence, ...]) -> Text:
         for p in pairs
     )
     return Text.of(
-        "Every doubling located along the sweeps was followed in the same way. Those with a grazing within "
-        "2 % "
-        f"of the parameter: {shown}."
+        "Every doubling that the sweeps met was asked the same. Those whose doubled orbit touches a boundary "
+        f"before anything else happens to it, within 2 % of the parameter: {shown}."
     )
 
 

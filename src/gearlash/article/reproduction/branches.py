@@ -72,6 +72,8 @@ class Explained(Record):
         On which of the branches; -1 where none has it.
     special : SpecialPoint or None
         The point; None where none of the branches has one of this kind within 1e-9 of the value.
+    swept : SpecialPoint
+        As it was solved for along the sweeps.
     """
 
     _printed: ClassVar = ("value", "kind", "before", "after", "branch", "special")
@@ -83,6 +85,12 @@ class Explained(Record):
     directions: tuple[str, ...]
     branch: int
     special: SpecialPoint | None
+    swept: SpecialPoint
+
+    @property
+    def point(self) -> SpecialPoint:
+        """That of the branch; without one that of the sweeps."""
+        return self.swept if self.special is None else self.special
 
     @property
     def apart(self) -> float:

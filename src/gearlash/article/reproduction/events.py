@@ -10,8 +10,7 @@ from gearlash.studies.motion import Motion
 from gearlash.system import Label, Record
 
 if TYPE_CHECKING:
-    from gearlash.branches import GrazingPoint
-    from gearlash.branches.continuation import SpecialPoint
+    from gearlash import SpecialPoint
 
 
 @dataclass(frozen=True)
@@ -21,7 +20,7 @@ class Opening:
     Attributes
     ----------
     amplitude : float
-        How far its state at phase zero is from that of the single orbit, along the critical eigenvector.
+        Half of how far it lies, at phase zero, from itself half of its period later: at most.
     distance : float
         Of the parameter from the doubling.
     clearance : float
@@ -40,7 +39,7 @@ class Coincidence(Record):
     Attributes
     ----------
     doubling : SpecialPoint
-    grazing : GrazingPoint
+    grazing : SpecialPoint
     single, doubled, beyond : label
         Of the motions on the far side of the doubling, between the two, and beyond the grazing.
     apart : float
@@ -48,14 +47,23 @@ class Coincidence(Record):
     clearance : float
         Of the touching extremum at the doubling itself: 0 in a true co-dimension-2 point.
     predicted : float
-        ``apart`` as foreseen from the smallest amplitudes and the square root alone.
+        ``apart`` as foreseen from small amplitudes and the square root alone: c (h/b)².
     power : float
-        Of the opening as measured: amplitude ∼ distance^power, 1/2 in theory.
+        Of the opening as measured at the smallest amplitudes: amplitude ∼ distance^power, 1/2 in theory.
     opening : tuple of Opening
+    opens : float
+        c: distance of the parameter over the square of the amplitude.
+    approaches : float
+        b: by how much the extremum comes nearer to the boundary, over the amplitude.
+    corrected : float
+        ``apart`` as foreseen with the next terms of both as well, from amplitudes up to half of that which
+        touches.
+    amplitude : float
+        Of the orbit that touches.
     """
 
     doubling: SpecialPoint
-    grazing: GrazingPoint
+    grazing: SpecialPoint
     single: Label
     doubled: Label
     beyond: Label
@@ -64,6 +72,10 @@ class Coincidence(Record):
     predicted: float
     power: float
     opening: tuple[Opening, ...]
+    opens: float = float("nan")
+    approaches: float = float("nan")
+    corrected: float = float("nan")
+    amplitude: float = float("nan")
 
     @property
     def labels(self) -> tuple[Label, Label]:
