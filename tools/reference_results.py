@@ -53,7 +53,8 @@ computed, a command stops with exit code 2 if one of its files is already there 
 
 `report.json` holds every number of the report: `format` (1), `case`, `frequency` and `backlash` (the two
 sweeps with what was located along them), `events`, `zones`, `window`, `table2`, `claims`, `checks`, `run`,
-`rules` (the small study under each contact rule).
+`rules` (the small study under each contact rule), `scans` (both sweeps as branches of periodic orbits:
+special points and ends whole, all other orbits in columns).
 Its records have the fields of `gearlash.article.reproduction`; curves are thinned, and complex
 numbers are `{"re", "im"}`.
 """

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from gearlash import EndOfBranch
 from gearlash.article import REPRODUCED, SHIFTED, ClaimRow, Reproduction, Scope, reproduce
 from gearlash.article.reproduction import Reading
 from gearlash.case import load
@@ -108,6 +109,33 @@ def test_a_bearing_swings_inside_the_window(done: Reproduction):
     assert mode.force > 5 * mode.mesh_force
 
 
+def test_every_change_along_the_sweeps_is_a_special_point_of_a_branch(done: Reproduction):
+    for scan in done.scans:
+        assert scan.on_branches == scan.attractors > 0
+        assert [event.value for event in scan.events if event.special is None] == []
+
+
+def test_coexistence_stands_in_the_page_on_theory(done: Reproduction):
+    theory = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
+    told = {
+        "omega": [("2-1-0", "fold", "Neimark-Sacker"), ("1-1-0", "grazing", "doubling")],
+        "D": [("3-3-1", "doubling", "fold"), ("3-3-1", "fold", "grazing"), ("3-3-0", "grazing", "upper")],
+    }
+    for scan in done.scans:
+        for label, *kinds in told[scan.parameter]:
+            stretches = [
+                each
+                for each in scan.stretches
+                if each.label == label
+                and str(each.lower_end.kind).startswith(kinds[0])
+                and str(each.upper_end.kind).startswith(kinds[1])
+                and each.upper > (1.1 if scan.parameter == "omega" else 0.41)
+            ]
+            assert stretches, (label, kinds)
+            for end in (stretches[-1].lower_end, stretches[-1].upper_end):
+                assert isinstance(end, EndOfBranch) or f"{end.value:.5f}" in theory, end
+
+
 def test_table_2_has_the_pair_that_print_does_not_tell_apart(done: Reproduction):
     row = next(row for row in done.table2 if row.type.startswith("Co-dimension-2"))
     assert row.verdict == REPRODUCED
@@ -122,6 +150,10 @@ def test_the_page_on_theory_and_the_readme_say_what_comes_out(done: Reproduction
     (both,) = [each for each in done.coincidences if each.labels == ("12-12-3", "6-6-1")]
     assert f"doubling of 6-6-1 at {both.doubling.value:.7f}" in theory
     assert f"grazing at {both.grazing.value:.7f}, {both.apart:.1e}".replace("e-06", "e-6") in theory
+    for value in (both.predicted, both.corrected):
+        assert f"{value:.1e}".replace("e-06", "e-6") in theory
+    law = f"h = {both.clearance:.4f}, c = {both.opens:.4f} and b = {both.approaches:.2f}"
+    assert law in " ".join(theory.split())
     ways = ("X = 1, all else zero", "X = D + f_m, all else zero", "cold", "all zero", "up", "down")
     lower = [reading(done, "D", way).lower.value for way in ways]
     said = "from X = 1, all else zero: {:.4f}; from X = D + f_m: {:.4f}; cold {:.4f}; all zero {:.4f}; "

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearlash import SpecialPoint
+from gearlash import Branch, GrazingLaw, SpecialPoint, grazing_law
 from gearlash.flow import propagators
 from gearlash.orbits import Orbit, attractor, orbit_at
 from gearlash.plots.regimes import short
@@ -69,12 +69,13 @@ class EventSearch:
     """Finds a claim's event among what the sweeps located, and computes the motions around it.
 
     ``values`` are those of the family with what the claim fixes; ``found`` the changes along the axis, as
-    special points of branches, ``coincidences`` the doublings on it with a grazing beside them."""
+    special points of ``branches``, ``coincidences`` the doublings on it with a grazing beside them."""
 
     family: Family
     values: dict[str, float]
     found: Sequence[Explained]
     coincidences: Sequence[Beside] = ()
+    branches: Sequence[Branch] = ()
 
     def event(self, claim: Claim) -> Event:
         """The claim's event, found or not."""
@@ -116,6 +117,7 @@ class EventSearch:
             note="" if event.special is not None else NOT_ON_A_BRANCH,
             motions=(before, at, after),
             everywhere=len(directions) == len(Direction),
+            law=self.law(point),
         )
 
     def coincident(self, claim: Claim, both: Coincidence, directions: tuple[Direction, ...]) -> Event:
@@ -166,7 +168,16 @@ class EventSearch:
             motions=(before, at, after),
             coincidence=both,
             everywhere=len(directions) == len(Direction),
+            law=self.law(graze),
         )
+
+    def law(self, special: SpecialPoint) -> GrazingLaw | None:
+        """Of a touch that one of the branches has; none for one from the gap under `no-tension`."""
+        branch = next((branch for branch in self.branches if special in branch.special), None)
+        try:
+            return None if branch is None else grazing_law(self.family, branch, special)
+        except GearlashError:
+            return None
 
     def settled(self, name: str, value: float, side: int, state: np.ndarray, wanted: Label) -> Motion:
         """The attractor at a distance at which it has the label of that side, from a state beside it."""

@@ -19,15 +19,25 @@ from gearlash.studies.model import open_workers
 from gearlash.studies.motion import Motion, motion
 from gearlash.studies.point import point
 from gearlash.studies.transition import Transition
-from gearlash.system import GearlashError, Label, MotionKind, given
+from gearlash.system import Family, GearlashError, Label, MotionKind, given
 
 from .bearing import bearing_modes
 from .branching import Following
 from .claims import Claim, load
 from .events import EventSearch
-from .opening import coincidences
+from .opening import Beside, coincidences
 from .pair import check_pair
-from .reproduction import BearingMode, Check, Diagram, DiagramMark, Event, ReportedZone, Reproduction, Run
+from .reproduction import (
+    BearingMode,
+    Check,
+    Diagram,
+    DiagramMark,
+    Event,
+    ReportedZone,
+    Reproduction,
+    Run,
+    Scan,
+)
 from .rows import STUDY_SETTINGS, Found, Row, distinct, rows
 from .rules import effects
 from .table2 import fill
@@ -170,9 +180,9 @@ def reproduce(
     family, _ = case.family()
     values = family.complete()
     events = tuple(
-        EventSearch(
-            family, {**values, **claim.fixed}, scans[claim.parameter].events, beside[claim.parameter]
-        ).event(claim)
+        _search(family, {**values, **claim.fixed}, scans[claim.parameter], beside[claim.parameter]).event(
+            claim
+        )
         for claim in claims
         if claim.portrait
     )
@@ -207,6 +217,10 @@ def reproduce(
         coincidences=tuple(both for pairs in beside.values() for both, _ in pairs),
         scans=tuple(scans.values()),
     )
+
+
+def _search(family: Family, values: dict[str, float], scan: Scan, beside: Sequence[Beside]) -> EventSearch:
+    return EventSearch(family, values, scan.events, beside, scan.branches)
 
 
 def _axis_rows(

@@ -200,6 +200,7 @@ def _facts(event: Event, quantities: Quantities) -> Table:
                 "distances |λ − 1|, |λ + 1|",
                 f"{number(event.distance_to_fold, 4)}, {number(event.distance_to_doubling, 4)}",
             ),
+            *_law(event),
             ("residual", scientific(event.residual)),
         ]
     else:
@@ -211,6 +212,32 @@ def _facts(event: Event, quantities: Quantities) -> Table:
     rows += [("how", event.method), ("branch, direction, start", event.branch)]
     caption = f"{event.title}: reported and computed."
     return Table(f"table-event-{slug(event)}", caption, ("", ""), tuple(rows))
+
+
+def _law(event: Event) -> list[tuple[Cell, ...]]:
+    """What the touch does to the multipliers: by the field alone, and what the branch then meets."""
+    law = event.law
+    if law is None:
+        return []
+    if law.missing:
+        return [("square-root law of the touch", f"does not hold: {'; '.join(law.missing)}")]
+    change = f"{complex_number(law.multipliers[0])} + ({complex_number(law.coefficients[0])}) √d"
+    name, by_law = symbol(event.parameter), "no multiplier comes to 1 or −1"
+    if law.predicted_kind is not None:
+        by_law = (
+            f"{law.predicted_kind} at d = {number(law.predicted_depth, 3)}, "
+            f"{name} = {number(law.predicted_value, 5)}"
+        )
+    on_branch = "no fold or doubling before the next touch"
+    if law.computed_kind is not None:
+        on_branch = (
+            f"{law.computed_kind} at d = {number(law.computed_depth, 3)}, "
+            f"{name} = {number(law.computed_value, 5)}"
+        )
+    return [
+        ("largest multiplier at a small depth d beyond the touch, from the field", change),
+        ("what comes next: by that law; on the branch", [by_law, on_branch]),
+    ]
 
 
 def _conditions(event: Event) -> Table:

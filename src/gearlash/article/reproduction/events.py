@@ -10,7 +10,7 @@ from gearlash.studies.motion import Motion
 from gearlash.system import Label, Record
 
 if TYPE_CHECKING:
-    from gearlash import SpecialPoint
+    from gearlash import GrazingLaw, SpecialPoint
 
 
 @dataclass(frozen=True)
@@ -133,6 +133,9 @@ class Event(Record):
         Of a co-dimension-2 event.
     everywhere : bool
         Whether it was met in all three directions.
+    law : GrazingLaw or None
+        What the touch does to the multipliers of its branch; None where no branch has it, or where there is
+        no such law (a touch from the gap under ``no-tension``).
     """
 
     name: str
@@ -168,3 +171,4 @@ class Event(Record):
     motions: tuple[Motion, ...]
     coincidence: Coincidence | None = None
     everywhere: bool = False
+    law: GrazingLaw | None = None
