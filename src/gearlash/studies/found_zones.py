@@ -14,6 +14,7 @@ from gearlash.results.physical import physical_axis
 from gearlash.system import GearlashError, Label
 
 from .arcs import Arc
+from .assured import assured
 from .chased import chased
 from .followed import MEET, Followed
 from .intervals import union, without
@@ -139,12 +140,10 @@ class Found:
     def step(self, certain: Sequence[Interval]) -> float:
         """The widest step between neighbouring orbits inside the zones."""
         widest = 0.0
-        for arc in self.followed.stable:
-            for one in certain:
-                low, high = max(arc.lower.value, one.lower.value), min(arc.upper.value, one.upper.value)
-                if high > low:
-                    inner = arc.values[(arc.values > low) & (arc.values < high)]
-                    widest = max(widest, float(np.diff([low, *inner, high]).max()))
+        for one in certain:
+            for arc, low, high in self.inside(one):
+                inner = arc.values[(arc.values > low) & (arc.values < high)]
+                widest = max(widest, float(np.diff([low, *inner, high]).max()))
         return widest
 
     def zone(self, quiet: Quiet, one: Interval, every: bool) -> Zone:
@@ -153,7 +152,7 @@ class Found:
         physical = tuple(
             Physical(n, float(v[0]), float(v[-1]), unit) for n, v, unit in physical_axis(self.model, ends)
         )
-        motions = sorted(self.motions(quiet, one), key=lambda t: (t.lower, t.upper, str(t.label)))
+        motions = sorted(self.motions(quiet, one, every), key=lambda t: (t.lower, t.upper, str(t.label)))
         unique = every and self.unique(one)
         return Zone(one.lower, one.upper, name, quiet, every, tuple(motions), physical, unique)
 
@@ -168,17 +167,24 @@ class Found:
         except GearlashError:  # an end beyond which no system can be built
             return False
 
-    def motions(self, quiet: Quiet, one: Interval) -> Iterator[ZoneMotion]:
-        """All that were found in an interval."""
+    def inside(self, one: Interval) -> Iterator[tuple[Arc, float, float]]:
+        """Stable arcs in an interval, and between which values they lie in it."""
         for arc in self.followed.stable:
             low, high = max(arc.lower.value, one.lower.value), min(arc.upper.value, one.upper.value)
             if high - low > self.near:
-                holds = quiet.holds_signature(arc.label)
-                stable = self.told(Interval(arc.lower, arc.upper))
-                yield ZoneMotion(
-                    arc.label, self.ways(arc), arc.lower.value, arc.upper.value, holds, stable,
-                    self.exists[arc.branch], arc.branch,
-                )  # fmt: skip
+                yield arc, low, high
+
+    def motions(self, quiet: Quiet, one: Interval, every: bool) -> Iterator[ZoneMotion]:
+        """All that were found in an interval."""
+        inside = list(self.inside(one))
+        calm = [each for each in inside if quiet.holds_signature(each[0].label)]
+        sure = assured(self.followed, calm) if every else {}
+        for arc, _, _ in inside:
+            yield ZoneMotion(
+                arc.label, self.ways(arc), arc.lower.value, arc.upper.value,
+                quiet.holds_signature(arc.label), self.told(Interval(arc.lower, arc.upper)),
+                self.exists[arc.branch], arc.branch, sure.get(self.followed.arcs.index(arc)),
+            )  # fmt: skip
         for motion in self.chased:
             if min(motion.upper, one.upper.value) - max(motion.lower, one.lower.value) > self.near:
                 yield motion

@@ -16,7 +16,7 @@ from .excitation import idle_study
 from .outcome import POINTS, study_status, troubles
 from .parts import CaseUsed, case_used, physical_values
 from .sweep import START, AxisUsed, axis_used, first_failure
-from .zones_parts import EndPoint, MarginFound, Resident, Stay, ZoneEnd, ZoneFound
+from .zones_parts import Assured, EndPoint, MarginFound, Resident, Stay, ZoneEnd, ZoneFound
 from .zones_words import event, headline
 
 if TYPE_CHECKING:  # answers are described without the engine
@@ -188,6 +188,7 @@ def _resident(motion: ZoneMotion, coexisting: bool) -> Resident:
         coexisting,
         _stay(motion.stable),
         _stay(motion.exists),
+        None if motion.assured is None else Assured(*motion.assured),
     )
 
 

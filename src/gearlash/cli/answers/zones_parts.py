@@ -56,6 +56,15 @@ class Stay:
 
 
 @dataclass(frozen=True)
+class Assured:
+    """Between which values a stable orbit exists at every value, provided that between neighbouring orbits
+    the monodromy strays from the straight line by no more than twice as much as it does in the middle."""
+
+    lower: float
+    upper: float
+
+
+@dataclass(frozen=True)
 class Resident:
     """A motion that was found inside."""
 
@@ -70,6 +79,9 @@ class Resident:
     coexisting: Annotated[bool, "found beside another motion at the same values"]
     stable: Annotated[Stay | None, "where it is stable with this label; null without a branch"] = None
     exists: Annotated[Stay | None, "where its whole branch exists, stable or not, with any label"] = None
+    assured: Annotated[
+        Assured | None, "of quiet motions in zones of every attractor; null where nothing was shown"
+    ] = None
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from gearlash.cli.answers.zones_words import how_far
 from .layout import facts, headline, note
 from .numbers import Marks, at_least, known
 
+NEAR = 1e-9  # relative: what lies so near to each other is told as one interval
 TITLES = {"impact-free": "Free of impacts", "drive-side-only": "Free of impacts on the back side"}
 
 
@@ -55,8 +56,9 @@ def _examined(answer: ZonesAnswer) -> str:
     if answer.step > 0.0:
         said += (
             f" Inside the zones neighbouring orbits of a branch lie {length(answer.step)} apart at the most; "
-            "multipliers and extrema, followed one by one from each to the next, reached neither the unit "
-            "circle nor a boundary between them."
+            "multipliers and extrema were followed one by one from each to the next. Assured means: a stable "
+            "orbit exists at every value, provided that between two neighbours the monodromy strays from the "
+            "straight line by no more than twice as much as it does in the middle: that is not proved."
         )
     return said
 
@@ -79,8 +81,27 @@ def _facts(answer: ZonesAnswer, zone: ZoneFound, marks: Marks) -> Iterator[tuple
             "proved",
             "at every value of the axis inside all motions come together (contraction): there is no other",
         )
+    yield from _assured(answer, zone)
     for i, resident in enumerate(zone.residents):
         yield "" if i else "motions", _motion(answer, resident)
+
+
+def _assured(answer: ZonesAnswer, zone: ZoneFound) -> Iterator[tuple[str, str]]:
+    """Between which values a stable orbit is assured, whatever its label."""
+    found: list[tuple[float, float]] = []
+    for low, high in sorted((r.assured.lower, r.assured.upper) for r in zone.residents if r.assured):
+        if found and low <= found[-1][1] + NEAR * abs(low):
+            found[-1] = found[-1][0], max(high, found[-1][1])
+        else:
+            found.append((low, high))
+    if found:
+        yield (
+            "assured",
+            "a stable orbit at every value, "
+            + ", ".join(
+                answer.asked.between(*(f"{answer.asked.value(end):.6g}" for end in part)) for part in found
+            ),
+        )
 
 
 def _motion(answer: ZonesAnswer, r: Resident) -> str:
