@@ -60,14 +60,13 @@ def numbers_of(system: System, count: int) -> Array:
 def of_numbers(like: System, numbers: Array, count: int) -> SystemChange:
     """Such numbers, of a system with as many states and clearances."""
     n, width = like.size, 2 * count + 1
-    matrix, forcing, *rest = np.split(numbers[1:], [n * n, n * n + n * width])
-    each = rest[0].reshape(len(like.clearances), 2 * n + 3 * width + 4)
+    matrix, forcing = numbers[1 : 1 + n * n], numbers[1 + n * n : 1 + n * (n + width)]
     clearances = []
-    for row in each:
-        h, g, stiffness, offset, gaps, dampings = np.split(
-            row, [n, 2 * n, 2 * n + 2 * width, 2 * n + 3 * width, 2 * n + 3 * width + 2]
+    for row in numbers[1 + n * (n + width) :].reshape(len(like.clearances), 2 * n + 3 * width + 4):
+        series = row[2 * n : -4].reshape(3, width)
+        clearances.append(
+            ClearanceChange(row[:n], row[n : 2 * n], series[:2], series[2], row[-4:-2], row[-2:])
         )
-        clearances.append(ClearanceChange(h, g, stiffness.reshape(2, width), offset, gaps, dampings))
     return SystemChange(float(numbers[0]), matrix.reshape(n, n), forcing.reshape(n, width), tuple(clearances))
 
 
@@ -77,7 +76,7 @@ def sensitivity(trace: Trace, change: SystemChange, parts: int = 1) -> Array:
     speed, both periods end with the period."""
     props = trace.propagators
     system, cell = props.system, 2.0 * pi / props.cells
-    sides, regions = np.unique(_sides(trace.modes), axis=0, return_inverse=True)
+    sides, regions = _regions(trace.modes)
     width = max(2 * most_harmonics(system) + 1, change.forcing.shape[1])
     matrices, changes, forcings = _of_regions(system, change, sides, width)
     vectors, series, edges = _of_clearances(system, change, width)
@@ -90,7 +89,7 @@ def sensitivity(trace: Trace, change: SystemChange, parts: int = 1) -> Array:
     carry_change(
         trace.polynomials,
         np.stack([trace.positions % props.cells * cell, trace.lengths * cell], axis=1),
-        regions.ravel(),
+        regions,
         sides,
         _jumps(trace),
         part,
@@ -107,9 +106,13 @@ def sensitivity(trace: Trace, change: SystemChange, parts: int = 1) -> Array:
     return ends
 
 
-def _sides(modes: Array) -> Array:
-    """(pieces, clearances) int: the side in contact."""
-    return np.where(modes > MINUS, FREE, modes)
+def _regions(modes: Array) -> tuple[Array, Array]:
+    """The sides (regions, clearances) in contact, of every region that is met, and the region (pieces) of
+    each piece."""
+    sides = np.where(modes > MINUS, FREE, modes)
+    numbers = sides @ 3 ** np.arange(sides.shape[1])
+    _, first, regions = np.unique(numbers, return_index=True, return_inverse=True)
+    return sides[first], regions
 
 
 def _of_regions(system: System, change: SystemChange, sides: Array, width: int) -> tuple[Array, Array, Array]:

@@ -232,7 +232,7 @@ def _of_gap(trace: Trace, j: int) -> Iterator[GrazingCheck]:
     does not end at them."""
     c, extrema = trace.propagators.system.clearances[j], gap_extrema(trace, j)
     velocity = gap_velocity(trace.propagators.system, extrema.phase, extrema.state, j)
-    tension = c.contact is not ContactRule.NO_TENSION
+    tension, gradient = c.contact is not ContactRule.NO_TENSION, float(np.linalg.norm(c.h))
     for boundary, gap in ((1, c.gap_plus), (-1, -c.gap_minus)):
         if not c.stops(boundary):
             continue
@@ -243,7 +243,7 @@ def _of_gap(trace: Trace, j: int) -> Iterator[GrazingCheck]:
                     boundary=boundary,
                     displacement=float(extrema.displacement[i]),
                     distance=float(extrema.displacement[i] - gap),
-                    gradient=float(np.linalg.norm(c.h)),
+                    gradient=gradient,
                     velocity=float(velocity[i]),
                     a0=float(extrema.curvature[i]),
                     index=i,

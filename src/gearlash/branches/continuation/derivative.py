@@ -66,7 +66,7 @@ class Polynomial:
         powers = np.arange(1, len(self.coefficients))
         return powers * part ** (powers - 1) @ self.coefficients[1:]
 
-    @property
+    @cached_property
     def error(self) -> float:
         """Of the derivatives, relative: rounding against how far the numbers of a kind move."""
         moved = np.abs(self.coefficients[1:]).sum(axis=0)
