@@ -21,7 +21,8 @@ from .status import GearlashError, Status, UnknownNameError
 
 Check = Callable[[Any], Any]
 ARRAYS = "Array", "Vector", "Fourier", "Complex"  # names that the rooms give to arrays
-_checks: dict[type, tuple[tuple[str, str, str, Check], ...]] = {}
+_checks: dict[type, tuple[tuple[str, str, str, Check, type | None], ...]] = {}
+_EXACT: dict[str, type] = {"float": float, "int": int, "complex": complex, "bool": bool, "str": str}
 
 
 MEANING = {  # names that stand for several kinds
@@ -41,10 +42,19 @@ def hold(record: Any) -> None:
     kind = type(record)
     if kind not in _checks:
         _checks[kind] = tuple(
-            (f.name, f"{f.name} of {kind.__name__}", str(f.type), _check(str(f.type))) for f in fields(kind)
+            (
+                f.name,
+                f"{f.name} of {kind.__name__}",
+                str(f.type),
+                _check(str(f.type)),
+                _EXACT.get(str(f.type)),
+            )
+            for f in fields(kind)
         )
-    for name, told, annotation, check in _checks[kind]:
+    for name, told, annotation, check, exact in _checks[kind]:
         value = getattr(record, name)
+        if type(value) is exact:
+            continue
         try:
             found = check(value)
         except (_WrongError, UnknownNameError, TypeError, ValueError, OverflowError):
