@@ -213,6 +213,15 @@ def test_the_point_of_the_article():
     assert doubled.ends[1].values[0] == pytest.approx(0.3523, abs=5e-4)
 
 
+def test_the_point_of_the_article_over_speed():
+    """The same in (D, ω)."""
+    doubling = lowest(six(), SpecialKind.DOUBLING)
+    values, names = {"omega": 0.78, "D": doubling.value}, ("D", "omega")
+    curve = followed(bundled(), values, names, doubling, (0.33, 0.775), (0.36, 0.8), steps=COARSE)
+    found = only(curve, CodimTwoKind.GRAZING_DOUBLING)
+    assert found.values == pytest.approx((0.3372309544876, 0.7919290494845), abs=1e-12)
+
+
 def test_the_same_point_from_every_curve_that_leaves_it():
     found = only(article(), CodimTwoKind.GRAZING_DOUBLING)
     values = named(("omega", "D", "bearing_damping"), (0.78, *found.values))
@@ -223,10 +232,21 @@ def test_the_same_point_from_every_curve_that_leaves_it():
         assert met.values == pytest.approx(found.values, abs=1e-12)
 
 
-def test_a_torus_curve():
+def test_a_torus_curve_meets_the_back_side():
+    """An orbit on the drive side alone does not depend on the backlash: where its minimum lies on −D is told
+    by its distance from +D."""
     torus = lowest(window(), SpecialKind.TORUS)
-    values, names = {"omega": torus.value}, ("omega", "load")
-    curve = followed(bundled(), values, names, torus, (0.9, 0.085), (0.93, 0.1), steps=COARSE)
+    (least,) = [e for e in torus.point.extrema if e.boundary == 1 and e.a0 > 0.0]
+    values, names, steps = (
+        {"omega": torus.value},
+        ("omega", "D"),
+        ContinuationSettings(longest=0.5, certify=False),
+    )
+    curve = followed(bundled(), values, names, torus, (0.915, 0.01), (0.925, 1.1), steps=steps)
+    found = only(curve, CodimTwoKind.GRAZING_TORUS)
+    assert found.values == pytest.approx((torus.value, -0.5 * least.distance), abs=1e-11)
+    assert {found.label_before, found.label_after} == {"1-1-0", "1-1-1"}
+    assert {str(point.signature) for point in curve.points} == {"1-1-0", "1-1-1"}
     for point in curve.points:
         pairs = point.multipliers[point.multipliers.imag > 0.0]
         assert np.abs(np.abs(pairs) - 1.0).min() < 1e-9
