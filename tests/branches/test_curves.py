@@ -213,6 +213,24 @@ def test_the_point_of_the_article():
     assert doubled.ends[1].values[0] == pytest.approx(0.3523, abs=5e-4)
 
 
+def test_the_point_of_the_article_by_an_evaluation_that_shares_no_code():
+    pytest.importorskip("heyoka", reason="heyoka has wheels for Linux only")
+    from oracles import region_oracle
+    from oracles.clearances import gap, gap_velocity
+
+    found = only(article(), CodimTwoKind.GRAZING_DOUBLING)
+    system = bundled().system({"omega": 0.78, **named(("D", "bearing_damping"), found.values)})
+    (touch,) = found.point.touches
+    walk = region_oracle.run(system, found.point.state, 6.0, variational=True)
+    assert np.abs(walk.state - found.point.state).max() < 1e-12
+    assert walk.jacobian is not None
+    matrix = np.asarray(walk.jacobian, dtype=np.float64) + np.eye(system.size)
+    assert np.linalg.svd(matrix)[1][-1] < 1e-11
+    at = region_oracle.run(system, found.point.state, touch.phase).state
+    assert abs(float(gap(system, system.clearances[0], at, touch.phase) + found.values[0])) < 1e-12
+    assert abs(float(gap_velocity(system, system.clearances[0], at, touch.phase))) < 1e-12
+
+
 def test_the_point_of_the_article_over_speed():
     """The same in (D, ω)."""
     doubling = lowest(six(), SpecialKind.DOUBLING)

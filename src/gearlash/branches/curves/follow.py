@@ -63,7 +63,8 @@ class Follower:
                 yield step
                 return
             after, happened, length, end = step
-            yield from happened.met
+            closing = count > 2 and happened.touch is None and self.closes(node, after)
+            yield from self.not_again(happened.met, node, after) if closing else happened.met
             if happened.touch is not None:
                 restarted = beyond(happened.touch)
                 yield from self.over(happened.touch, restarted)
@@ -79,7 +80,7 @@ class Follower:
             if any(abs(TURNS[m.kind]) == 1.0 for m in resonance):
                 yield EndOfCurve(CurveEndKind.RESONANCE, _values(resonance[-1].place))
                 return
-            if count > 2 and self.closes(node, after):
+            if closing:
                 yield after
                 yield EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place))
                 return
@@ -89,6 +90,13 @@ class Follower:
                 return
             before, node = node, after
         yield EndOfCurve(CurveEndKind.POINTS, _values(node.place), f"{self.settings.most_points} points")
+
+    def not_again(self, met: tuple[Met, ...], left: Node, right: Node) -> Iterator[Met]:
+        """Of what is met on the step that closes a loop, what lies before the first orbit."""
+        unit = left.problem.plane.unit
+        chord = (right.place - left.place) / unit
+        end = float(chord @ ((self.start.place - left.place) / unit))
+        yield from (each for each in met if float(chord @ ((each.place - left.place) / unit)) <= end)
 
     def over(self, touch: Met, after: Node | None) -> Iterator[Item]:
         yield touch
