@@ -173,7 +173,7 @@ class Follower:
 
     def away(self, node: Node) -> float:
         """How far the states are from those of the first orbit."""
-        return float(np.linalg.norm((node.u - self.start.u)[:-1]))
+        return float(np.linalg.norm(node.way_from(self.start)[:-1]))
 
     def ended(self, node: Node, refused: str) -> EndOfBranch:
         note = f"steps down to {self.settings.shortest:.0e} are refused: {refused}"

@@ -50,6 +50,17 @@ class Node:
     def value(self) -> float:
         return self.equations.value(self.u)
 
+    def way_from(self, other: Node) -> Array:
+        """Difference of the scaled unknowns from those of another orbit of the branch, its periods begun at
+        the phase at which those of this one are."""
+        if other.equations.phase == self.equations.phase:
+            return self.u - other.u
+        return self.u - self.equations.unknowns(other.orbit, other.value)
+
+    def apart(self, other: Node) -> float:
+        """Arclength of the straight way from another orbit of the branch."""
+        return float(np.linalg.norm(self.way_from(other)))
+
     @property
     def label(self) -> Signature:
         return self.orbit.signature

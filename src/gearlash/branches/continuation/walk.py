@@ -219,7 +219,7 @@ class _Way:
     touch: SpecialPoint | None = None
 
     def moved(self, node: Node) -> None:
-        self.arclength += float(np.linalg.norm(node.u - self.last.u))
+        self.arclength += node.apart(self.last)
         self.last, self.label = node, node.orbit.signature
 
     def special(self, passed: Passed, settings: ContinuationSettings) -> SpecialPoint | None:

@@ -132,7 +132,7 @@ class _Way:
             elif isinstance(item, Unexplained):
                 way.unexplained.append(f"{item.left.value:.12g} to {item.right.value:.12g}: {item.note}")
             else:
-                arclength += float(np.linalg.norm(item.u - last.u))
+                arclength += item.apart(last)
                 way.points.append(point_of(item, arclength, follower.settings))
                 last = item
                 listen.tell(item.value)
@@ -173,11 +173,11 @@ def special_of(passed: Passed, last: Node, arclength: float, settings: Continuat
     located, left, right = passed.located, passed.left, passed.right
     assert located.kind is not None
     node, change = located.node, located.change
-    here = arclength + float(np.linalg.norm(node.u - last.u))
+    here = arclength + node.apart(last)
     point = point_of(node, here, replace(settings, certify=False))
     extremum = node.extrema.by_number[change.number] if located.kind is SpecialKind.GRAZING else None
     linear = not any(map(any, point.signature.counts))
-    away = [float(np.linalg.norm(side.u - node.u)) for side in (left, right)]
+    away = [side.apart(node) for side in (left, right)]
     interval = left.value, right.value
     if located.kind is SpecialKind.EXISTENCE and located.value is not None:
         interval = node.value, located.value
