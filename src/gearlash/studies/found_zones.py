@@ -131,7 +131,7 @@ class Found:
         """How the motion of an arc was found."""
         found = self.followed.ways.get(id(arc), set())
         sweeps = [way for sweep in self.sweeps if (way := str(sweep.direction)) in found]
-        return (*sweeps, *sorted(found - set(sweeps))) or (FOLLOWED,)
+        return tuple(sweeps or sorted(found)) or (FOLLOWED,)
 
     def same(self, one: Interval, other: Interval) -> bool:
         pairs = ((one.lower, other.lower), (one.upper, other.upper))
