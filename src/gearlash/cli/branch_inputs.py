@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from gearlash.case import Case, CaseError, Problem
 from gearlash.system import Family, GearlashError
 
-from .inputs import Between, read_between, read_case, read_start
+from .inputs import TypedLimits, read_between, read_case, read_start
 
 if TYPE_CHECKING:
     from gearlash.branches.continuation import Branch, BranchPoint, ContinuationSettings
@@ -24,7 +24,7 @@ SAME_VALUE = 1e-9  # relative: a parameter of the file that differs by more is a
 
 
 @dataclass(frozen=True, eq=False)
-class Beginning:
+class FirstMotion:
     """What is begun with: a periodic motion, or a branch as it was kept; or neither, where the motion is not
     periodic. ``told``: what is said of it; ``parameters``: all values there."""
 
@@ -42,7 +42,7 @@ class BranchInputs:
 
     case: Case
     family: Family
-    between: Between
+    between: TypedLimits
     parameters: dict[str, float]
     state: list[float] = field(default_factory=list)
     kept: Branch | None = None
@@ -82,7 +82,7 @@ class BranchInputs:
         each = self.between
         return limits_used(self.case, each.short, each.named, each.unit, each.lower, each.upper)
 
-    def begin(self, search: Settings) -> Beginning:
+    def begin(self, search: Settings) -> FirstMotion:
         """Looks for the motion, or takes it from the branch that was kept."""
         from gearlash.studies import point
 
@@ -95,9 +95,9 @@ class BranchInputs:
         label = "" if found.label is None else str(found.label)
         told = BranchStart(self.parameters[short], label, str(found.status), found.message)
         asked = found.periodic and self.family.system(self.parameters).excited
-        return Beginning(told, self.parameters, found if asked else None)
+        return FirstMotion(told, self.parameters, found if asked else None)
 
-    def _from_kept(self, kept: Branch) -> Beginning:
+    def _from_kept(self, kept: Branch) -> FirstMotion:
         from gearlash import flow
         from gearlash.orbits import orbit_at
 
@@ -107,14 +107,14 @@ class BranchInputs:
         if point is None:
             first = min(kept.points, key=lambda each: abs(each.arclength))
             told = BranchStart(first.value, str(first.label), "ok", "taken from the file")
-            return Beginning(told, {**self.parameters, short: first.value}, branch=kept)
+            return FirstMotion(told, {**self.parameters, short: first.value}, branch=kept)
         props = flow.propagators(self.family.system(self.parameters))
         orbit = orbit_at(props, point.state, len(point.strobes))
         if orbit is None:
             raise GearlashError("--resume: the orbit of the file is none of this case")
         message = f"an orbit of the file, at {kept.name} = {point.value:.10g}"
         told = BranchStart(self.parameters[short], str(orbit.label), str(orbit.status), message)
-        return Beginning(told, self.parameters, orbit)
+        return FirstMotion(told, self.parameters, orbit)
 
 
 def read_switches(texts: Sequence[str] | None) -> list[int] | None:
@@ -162,7 +162,7 @@ def _together(
     return found
 
 
-def _read(problems: list[Problem], case: Case, over: str) -> Between | None:
+def _read(problems: list[Problem], case: Case, over: str) -> TypedLimits | None:
     """What is wrong with it joins the other problems."""
     try:
         return read_between(case, over)
@@ -171,14 +171,14 @@ def _read(problems: list[Problem], case: Case, over: str) -> Between | None:
         return None
 
 
-def _near(case: Case, between: Between, near: str) -> dict[str, float]:
+def _near(case: Case, between: TypedLimits, near: str) -> dict[str, float]:
     short, number = case.resolve(between.named, near)
     if short != between.short:
         raise CaseError("--near", [Problem("--near", repr(near), f"a value of {between.named}")])
     return {short: number}
 
 
-def _check_inside(case: Case, between: Between, value: float) -> None:
+def _check_inside(case: Case, between: TypedLimits, value: float) -> None:
     from .answers.asked import Asked
 
     if between.lower <= value <= between.upper:
@@ -189,7 +189,9 @@ def _check_inside(case: Case, between: Between, value: float) -> None:
     raise CaseError("--over", [Problem(f"--over {between.named}", ends, expected)])
 
 
-def _resumed(case: Case, family: Family, between: Between | None, path: Path, at: int | None) -> BranchInputs:
+def _resumed(
+    case: Case, family: Family, between: TypedLimits | None, path: Path, at: int | None
+) -> BranchInputs:
     """From a branch that was kept: as it is, or from one of its orbits."""
     from gearlash.results.branch_file import load_branch
 
@@ -206,7 +208,7 @@ def _resumed(case: Case, family: Family, between: Between | None, path: Path, at
     parameters = {**kept.values, kept.name: value}
     _check_same(case, family.complete(), parameters, kept.name)
     if between is None:
-        between = Between(kept.name, kept.name, kept.lower, kept.upper)
+        between = TypedLimits(kept.name, kept.name, kept.lower, kept.upper)
     if point is not None:
         _check_inside(case, between, parameters[between.short])
     return BranchInputs(case, family, between, parameters, kept=kept, point=point)

@@ -115,7 +115,7 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
 
 
 @dataclass(frozen=True)
-class Between:
+class TypedLimits:
     """A parameter and two limits of it: as it was named, its short name, dimensionless limits, and the unit
     that they were typed in (empty: none)."""
 
@@ -126,7 +126,7 @@ class Between:
     unit: str = ""
 
 
-def read_between(case: Case, text: str) -> Between:
+def read_between(case: Case, text: str) -> TypedLimits:
     """``NAME=FROM:TO``, ends as they would stand in the case; a unit behind TO holds for FROM too."""
     example = "NAME=FROM:TO, such as omega=0.5:1.4 or pinion_speed=3000:4500rpm, without a number of points"
     name, parts = _span(text, 2, example)
@@ -134,7 +134,7 @@ def read_between(case: Case, text: str) -> Between:
     if not first < last:
         expected = "a rising interval FROM < TO (it is followed both ways)"
         raise CaseError("--over", [Problem(f"--over {name}", repr(f"{parts[0]}:{parts[1]}"), expected)])
-    return Between(case.named(name, parts[1]), short, first, last, behind_number(parts[1]))
+    return TypedLimits(case.named(name, parts[1]), short, first, last, behind_number(parts[1]))
 
 
 def _span(text: str, count: int, example: str) -> tuple[str, list[str]]:

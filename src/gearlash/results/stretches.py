@@ -31,7 +31,7 @@ class Stretch:
 
 
 @dataclass(frozen=True)
-class Coexisting:
+class StableBeside:
     """Values at which stable orbits of several stretches lie, with their labels."""
 
     low: float
@@ -86,19 +86,19 @@ def _stretch(run: Sequence[_Step]) -> Stretch:
     return Stretch(low, high, label, stable, rising)
 
 
-def beside_each_other(every: Sequence[Stretch], unit: float) -> tuple[Coexisting, ...]:
+def beside_each_other(every: Sequence[Stretch], unit: float) -> tuple[StableBeside, ...]:
     """Intervals in which two or more of the stretches hold a stable orbit. ``unit``: width of the interval of
     the parameter."""
     stable = [each for each in every if each.stable]
     ends = sorted({end for each in stable for end in (each.low, each.high)})
-    found: list[Coexisting] = []
+    found: list[StableBeside] = []
     for low, high in pairwise(ends):
         here = [each for each in stable if each.low <= low and high <= each.high]
         if len(here) < 2 or high - low < TOUCHING * unit:
             continue
         labels = tuple(each.label for each in here)
         if found and found[-1].high == low and found[-1].labels == labels:
-            found[-1] = Coexisting(found[-1].low, high, labels)
+            found[-1] = StableBeside(found[-1].low, high, labels)
         else:
-            found.append(Coexisting(low, high, labels))
+            found.append(StableBeside(low, high, labels))
     return tuple(found)
