@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 import gearlash as gl
-from gearlash.branches import Outcome, Passage, PathEnd, follow
 
 CASE = gl.load_case("article")
 FAMILY, _ = CASE.family()
@@ -28,18 +27,6 @@ def test_a_touch_is_the_same_of_a_case_in_rpm_and_of_its_family(orbit: gl.Orbit)
     assert named.status is gl.Status.OK
 
 
-def test_an_orbit_of_a_case_is_followed_to_a_speed_in_rpm(orbit: gl.Orbit):
-    """Down to 3600 rpm it loses contact on the way, at the speed that is solved for from where it was."""
-    *met, end = follow(CASE, "pinion_speed", orbit, "3600 rpm", values=RPM)
-    assert isinstance(end, PathEnd)
-    assert end.outcome is Outcome.ARRIVED
-    assert end.last.value == CASE.resolve("pinion_speed", "3600 rpm")[1]
-    (touch,) = [one.point for one in met if isinstance(one, Passage)]
-    nearest = gl.locate_grazing(FAMILY, "omega", orbit, gl.grazing_checks(orbit)[0], values={"omega": OMEGA})
-    assert isinstance(touch, gl.GrazingPoint)
-    assert touch.value == pytest.approx(nearest.value, rel=1e-12)
-
-
 def test_transitions_of_a_case_are_those_of_its_family():
     up = gl.sweep(CASE, gl.Axis.even("pinion_speed", "3700 rpm", "3740 rpm", 3), direction="up")
     _, backlash, unit = CASE.physical("D", FAMILY.defaults["D"])[0]
@@ -53,5 +40,6 @@ def test_transitions_of_a_case_are_those_of_its_family():
 
 @pytest.mark.parametrize("name", ["omgea", "pinion_sped", 3, {}])
 def test_a_name_of_no_parameter_is_refused(orbit: gl.Orbit, name: object):
+    check = gl.grazing_checks(orbit)[0]
     with pytest.raises(gl.GearlashError):
-        follow(CASE, name, orbit, 1.0)  # pyright: ignore[reportArgumentType]
+        gl.locate_grazing(CASE, name, orbit, check, values=RPM)  # pyright: ignore[reportArgumentType]

@@ -1,6 +1,6 @@
 """Where exactly a motion stops being quiet, between two neighbouring points of a sweep.
 
-An orbit is followed (`branches.follow`) from the side that the sweep comes from, to where it begins or ceases
+A motion is followed (`walk`) from the side that the sweep comes from, to where it begins or ceases
 to be quiet: a grazing, a fold, or what else ends it. What is no followed orbit is sought by halving instead:
 motion that is not periodic, and what is found from cold starts. There the orbits on both sides are followed
 through the narrow bracket that is left, to say what happens in it."""
@@ -14,22 +14,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches import Outcome, Passage, PathEnd, SolvedPoint, follow
+from gearlash.branches.continuation import EndKind, EndOfBranch, Node, SpecialPoint, walk
 from gearlash.jobs import Part
 from gearlash.orbits import Orbit, Settings, orbit_at
 from gearlash.results import Direction, Point
-from gearlash.system import Family, GearlashError, Label
+from gearlash.system import Family, GearlashError, Label, Signature
 
 from .model import Source
 from .point import summary
 from .row import Neighbour, continued, neighbour_after
-from .transition import kind_of_end, unlocated
+from .transition import kind_of, unlocated
 from .zone_end import BASIN, Quiet, ZoneEnd
 
 END_WIDTH = 1e-6  # of the value: width at which halving ends
 ROUGH = 1e-4  # the same where one side is not periodic: no label is sharp there, and each costs much
 END_HALVINGS = 40
 ORBITS = 4  # that are followed one after the other, where one ends and the next one is as quiet
+ENDS = EndKind.FOLD, EndKind.TOUCH, EndKind.DOUBLING, EndKind.PERIOD, EndKind.UNSTABLE, EndKind.CORNER
+"""Why a motion is not followed on that are ends of it."""
 EXPLAINED_WITHIN = 3.0  # bracket widths: an orbit that ends so near to a bracket is what happens in it
 
 
@@ -70,20 +72,21 @@ def find_end(bracket: Bracket, carry: object) -> Part:
 
 @dataclass(frozen=True, eq=False)
 class _Change:
-    """Where a followed orbit begins or ceases to be quiet, or ends: within ± ``error`` of ``value``; the
-    labels before it and after it (where the orbit goes on), the point solved for."""
+    """Where a followed orbit begins or ceases to be quiet, or ends: within ± ``error`` of ``value``; the last
+    orbit before it and its label there, the label after it (where the motion goes on), the point solved
+    for."""
 
     value: float
     error: float
     before: Point
+    label: Label
     after: Label | None
-    point: SolvedPoint | None
-    outcome: Outcome | None
+    point: SpecialPoint | None
 
     @property
     def kind(self) -> str:
         """What it is called; "" where nothing is known but that the orbit does not go on."""
-        return kind_of_end(self.point, self.outcome)
+        return "" if self.point is None else kind_of(self.point)
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,27 +118,29 @@ class _Search:
         orbit = self.orbit(point)
         if orbit is None or not orbit.stable:
             return None
-        most = self.bracket.settings.max_period
-        for met in follow(
-            self.family, self.bracket.name, orbit, last, values=self.at(point.value), longest=most
-        ):
-            if isinstance(met, PathEnd):
-                return self.ended(met)
-            if met.after is None or self.holds(met.after.orbit) != self.holds(met.before.orbit):
-                return self.passed(met)
-        raise AssertionError("what is followed ends with a PathEnd")
+        most, last_orbit, met = self.bracket.settings.max_period, orbit, None
+        value = point.value
+        way = walk(self.family, self.at(value), self.bracket.name, orbit, last, longest=most)
+        for item in way:
+            if isinstance(item, EndOfBranch):
+                return self.ended(item, met, summary(last_orbit, value))
+            label = item.label if isinstance(item, Node) else item.label_before
+            if met is not None and self.holds(met.label_before) != self.holds(label):
+                return _Change(met.value, met.error, summary(last_orbit, value), met.label_before, label, met)
+            met = None if isinstance(item, Node) else item
+            if isinstance(item, Node):
+                last_orbit, value = item.orbit, item.value
+        raise AssertionError("what is followed has an end")
 
-    def ended(self, end: PathEnd) -> _Change | None:
-        """The end of an orbit that no point was solved for, if it is one."""
-        if end.outcome not in (Outcome.FOLD, Outcome.UNSTABLE):
+    def ended(self, end: EndOfBranch, met: SpecialPoint | None, before: Point) -> _Change | None:
+        """The end of a motion, if it is one: in the point that was met last, or with none."""
+        if end.kind not in ENDS:
             return None
-        value, error = 0.5 * (end.last.value + end.beyond), 0.5 * abs(end.beyond - end.last.value)
-        return _Change(value, error, summary(end.last.orbit, end.last.value), None, None, end.outcome)
-
-    def passed(self, met: Passage) -> _Change:
-        """A point at which the orbit changes, or ends."""
-        before, after = summary(met.before.orbit, met.before.value), met.after.label if met.after else None
-        return _Change(met.value, met.point.error, before, after, met.point, None)
+        if met is not None:
+            return _Change(met.value, met.error, before, met.label_before, None, met)
+        assert before.label is not None
+        error = abs(end.value - before.value)
+        return _Change(end.value, error, before, before.label, None, None)
 
     def beyond(self, change: _Change, last: float) -> Point:
         """What the sweep comes to beyond the end of an orbit: just beyond a fold motion is slow, and seems
@@ -148,8 +153,8 @@ class _Search:
 
     def zone_end(self, change: _Change, after: Label | None, beyond: Point | None = None) -> ZoneEnd:
         """The end at a change of the orbit that the sweep follows; ``after``: the label beyond."""
-        before, way = change.before.label, str(self.bracket.direction)
-        labels = (before, after) if self.quiet(change.before) else (after, before)
+        before, way = change.label, str(self.bracket.direction)
+        labels = (before, after) if self.holds(before) else (after, before)
         kind = change.kind or (unlocated(change.before, beyond) if beyond else "")
         reason = _reason(beyond) if beyond else ""
         return ZoneEnd(change.value, kind, change.error, *labels, way, change.point, reason)
@@ -163,9 +168,9 @@ class _Search:
         way = str(self.bracket.direction)
         change = self.explanation(below, above, nearest)
         if change is not None:
-            if change.after is None and not self.quiet(change.before):
+            if change.after is None and not self.holds(change.label):
                 # The orbit that ends: what is seen beyond is its slow ghost.
-                labels, reason = (inside.label, change.before.label), ""
+                labels, reason = (inside.label, change.label), ""
             kind = change.kind or unlocated(inside, outside)
             return ZoneEnd(change.value, kind, change.error, *labels, way, change.point, reason)
         middle, half = 0.5 * (below.value + above.value), 0.5 * (above.value - below.value)
@@ -240,8 +245,8 @@ class _Search:
     def quiet(self, point: Point) -> bool:
         return self.bracket.quiet.holds(point)
 
-    def holds(self, orbit: Orbit) -> bool:
-        return self.bracket.quiet.holds_signature(orbit.signature)
+    def holds(self, label: Label) -> bool:
+        return isinstance(label, Signature) and self.bracket.quiet.holds_signature(label)
 
 
 def _reason(outside: Point) -> str:

@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.branches import GrazingPoint
 from gearlash.jobs import Chain, Execution, run
 from gearlash.jobs.chains import Work
 from gearlash.orbits import Settings
@@ -200,7 +199,8 @@ class Search:
         for end in ends.values():
             at = int(np.searchsorted(values, end.value)) - 1
             if (
-                not isinstance(end.point, GrazingPoint)
+                end.point is None
+                or not end.point.is_grazing
                 or end.value in row.probed
                 or not 0 <= at < len(values) - 1
             ):

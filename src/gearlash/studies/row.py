@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.branches.stepping import is_near
 from gearlash.flow import Propagators
 from gearlash.jobs import Part, handing_on, stopping
 from gearlash.orbits import Settings
@@ -17,6 +16,8 @@ from gearlash.system import Family
 
 from .model import Source
 from .point import evaluate
+
+GRID_STEP = 0.1  # of the motion's size: longest step on a coarse grid that needs no transient
 
 
 @dataclass(frozen=True)
@@ -83,6 +84,13 @@ def continued(
     if point.periodic and not is_near(last.state, point.state, size):
         return _at(family, values, name, neighbour.state, None, settings)
     return point
+
+
+def is_near(before: NDArray[np.float64], after: NDArray[np.float64], size: float) -> bool:
+    """Whether an orbit that Newton's method found from that of a neighbour on a coarse grid is taken for what
+    the neighbour's motion comes to, without a transient that confirms it. ``before`` and ``after`` (n,) are
+    their states, ``size`` that of the motion."""
+    return bool(np.abs(after - before).max() <= GRID_STEP * size)
 
 
 def neighbour_after(neighbour: Neighbour, point: Point) -> Neighbour:

@@ -8,7 +8,6 @@ from typing import ClassVar, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.branches import GrazingPoint, Outcome, SolvedPoint
 from gearlash.branches.continuation import SpecialKind, SpecialPoint
 from gearlash.system import Label, MotionKind, Record
 
@@ -104,20 +103,8 @@ def unlocated(one: Sampled, two: Sampled) -> str:
     return APERIODIC if (one.period or two.period) and other.label == MotionKind.APERIODIC else UNPROVED
 
 
-def kind_of_end(point: SolvedPoint | None, outcome: Outcome | None) -> str:
-    """What the end of a followed orbit is called: by the point that it ends at, or a fold that was not solved
-    for; "" where nothing is known of it but that the orbit does not go on."""
-    if point is not None:
-        return kind_of(point)
-    return FOLD if outcome is Outcome.FOLD else ""
-
-
-def kind_of(point: SolvedPoint | SpecialPoint) -> str:
+def kind_of(point: SpecialPoint) -> str:
     """What a point is called as a change of the motion: where an orbit joins that of half its period, this
     one doubles; where it joins a symmetric one, that is a branch point of this one."""
-    if isinstance(point, SpecialPoint):
-        joins = {SpecialKind.JOINS: SpecialKind.DOUBLING, SpecialKind.SYMMETRIC: SpecialKind.BRANCH_POINT}
-        return str(joins.get(point.kind, point.kind))
-    if isinstance(point, GrazingPoint):
-        return GRAZING
-    return FOLD if point.multiplier > 0 else DOUBLING
+    joins = {SpecialKind.JOINS: SpecialKind.DOUBLING, SpecialKind.SYMMETRIC: SpecialKind.BRANCH_POINT}
+    return str(joins.get(point.kind, point.kind))

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gearlash.branches import BifurcationPoint, GrazingPoint
-from gearlash.branches.continuation import SpecialKind, SpecialPoint
+from gearlash.branches.continuation import SpecialPoint
 from gearlash.results import Point
 from gearlash.system import Label, Named, Record, Signature
 
@@ -74,7 +73,7 @@ class ZoneEnd(Record):
         Labels of the motion on both sides.
     direction : str
         How the motion that changes here was found: by which sweeps, or by what led to its branch.
-    point : SpecialPoint, GrazingPoint or BifurcationPoint, optional
+    point : SpecialPoint, optional
         What was solved for, where it was: of a branch that was followed the first.
     reason : str
         Why there is no label outside, where there is none.
@@ -92,7 +91,7 @@ class ZoneEnd(Record):
     inside: Label | None = None
     outside: Label | None = None
     direction: str = ""
-    point: SpecialPoint | GrazingPoint | BifurcationPoint | None = None
+    point: SpecialPoint | None = None
     reason: str = ""
 
     @property
@@ -110,8 +109,8 @@ class ZoneEnd(Record):
             return "not bounded within the range"
         if self.kind == UNKNOWN:
             return f"{self.kind}: {self.reason}"
-        what = f"grazing, {self.point.kind}" if isinstance(self.point, GrazingPoint) else self.kind
-        if isinstance(self.point, SpecialPoint) and self.point.kind is SpecialKind.GRAZING:
+        what = self.kind
+        if self.point is not None and self.point.is_grazing:
             what = f"grazing, {self.point.note}"
         return f"{what}; {self.inside} inside, {self.beyond} outside ({self.direction})"
 
