@@ -8,7 +8,7 @@ import pytest
 
 from article.study import small
 from gearlash.article import Reproduction
-from gearlash.article.report import branches, document
+from gearlash.article.report import branches, document, zones
 from gearlash.article.report.coexistence import chains, counted, sentences
 from gearlash.article.reproduction import Scan
 from gearlash.report.blocks import Page
@@ -88,3 +88,20 @@ def test_what_is_not_matched_or_not_followed_is_said():
 def test_a_study_without_scans_has_no_such_part():
     page, _ = document(replace(small(), scans=()))
     assert "branches" not in [section.id for section in page.sections]
+
+
+def test_ends_of_zones_name_the_special_point_that_they_are():
+    section, pictures = zones.section(small())
+    seen = Reading(html(Page("", "", (section,)), {picture.stem: DRAWING for picture in pictures}))
+    assert seen.problems == []
+    assert "fold of 3-3-1 (branch" in seen.text
+    assert "grazing of 1-1, 1-0 (branch" in seen.text
+
+
+def test_a_value_between_special_points_is_none_of_them():
+    special = backlash().events[0].special
+    assert special is not None
+    found = backlash().special_at(special.value * (1.0 + 1e-12))
+    assert found is not None
+    assert found[1].value == pytest.approx(special.value, rel=1e-9)
+    assert backlash().special_at(special.value * (1.0 + 1e-6)) is None

@@ -119,6 +119,14 @@ def test_a_closed_loop_is_counted_once_round():
     assert (round(stretch.lower, 6), round(stretch.upper, 6)) == (0.144104, 0.186753)
 
 
+def test_a_branch_is_begun_in_the_middle_of_what_was_seen():
+    """At D = 0.145, beside its fold, 3-3-2 is hard to tell from three times a motion of period one."""
+    seen = tuple(attractor(value) for value in (0.145, 0.165, 0.18))
+    followed = follow_all(CASE.to_json(), "D", AT, (0.14, 0.19), seen)
+    assert [branch.values["D"] for branch in followed.branches] == [0.165]
+    assert followed.on_branches == 3
+
+
 @pytest.mark.parametrize("spans", [[(0.0, 1.0)], [(0.0, 1.0), (1.0, 2.0)], []])
 def test_nothing_is_side_by_side_where_one_ends_as_the_next_begins(spans: list[tuple[float, float]]):
     whole = scan().stretches[0]

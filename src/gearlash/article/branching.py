@@ -130,7 +130,7 @@ def follow_all(
     known = _Known(family, {**family.complete(), **fixed}, name)
     left: dict[str, None] = {}
     count = 0
-    for point in points:
+    for point in _middle_first(points):
         if known.has(point):
             count += 1
             continue
@@ -147,6 +147,15 @@ def follow_all(
         known.add(branch)
         count += known.has(point)
     return Followed(tuple(known.branches), count, tuple(left))
+
+
+def _middle_first(points: Sequence[Point]) -> list[Point]:
+    """Of each label first what lies in the middle of where it was seen: far from what ends it."""
+    middle = {
+        label: float(np.median([point.value for point in points if point.label == label]))
+        for label in {point.label for point in points}
+    }
+    return sorted(points, key=lambda point: abs(point.value - middle[point.label]))
 
 
 def switch(case_json: str, branch: Branch, special: SpecialPoint) -> Followed:

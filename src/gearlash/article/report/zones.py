@@ -6,7 +6,7 @@ from math import isfinite
 
 from gearlash import plots
 from gearlash.article import ReportedZone, Reproduction
-from gearlash.article.reproduction import BearingMode, Coexisting, End, Reading
+from gearlash.article.reproduction import BearingMode, Coexisting, End, Reading, Scan
 from gearlash.article.zoning import EVERY, SOME
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Cell, Figure, Inline, Note, Ref, Section, Strong, Table, Text
@@ -42,7 +42,8 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
             )
         )
     for zone in done.zones:
-        blocks += [_table(zone, quantities), *_inside(zone, quantities)]
+        scan = next((scan for scan in done.scans if scan.parameter == zone.parameter), None)
+        blocks += [_table(zone, quantities, scan), *_inside(zone, quantities)]
     inner: tuple[Section, ...] = ()
     if done.window:
         made, picture = _window(done, quantities)
@@ -106,7 +107,7 @@ def _end(end: End) -> str:
     return f"{number(end.value, 5)}  {end.how}"
 
 
-def _table(zone: ReportedZone, quantities: Quantities) -> Table:
+def _table(zone: ReportedZone, quantities: Quantities, scan: Scan | None) -> Table:
     """A reading a row."""
     name = symbol(zone.parameter)
     reported: tuple[Cell, ...] = ("the article", interval(*zone.reported), "", "", "", "", "")
@@ -120,13 +121,13 @@ def _table(zone: ReportedZone, quantities: Quantities) -> Table:
         "verdict",
     )
     caption = f"{zone.name} at {fixed_words(zone.fixed)}, reported and in each reading."
-    rows = tuple(_row(zone, reading, quantities) for reading in zone.readings)
+    rows = tuple(_row(zone, reading, quantities, scan) for reading in zone.readings)
     return Table(
         f"table-zone-{zone.parameter}", caption, head, (reported, *rows), widths=(19, 17, 15, 15, 9, 11, 14)
     )
 
 
-def _row(zone: ReportedZone, reading: Reading, quantities: Quantities) -> tuple[Cell, ...]:
+def _row(zone: ReportedZone, reading: Reading, quantities: Quantities, scan: Scan | None) -> tuple[Cell, ...]:
     name: Inline = Strong(reading.name) if reading.way == zone.nearest else reading.name
     if not reading.found:
         return name, "not found", NOTHING, NOTHING, NOTHING, NOTHING, verdict(reading.verdict)
@@ -138,18 +139,27 @@ def _row(zone: ReportedZone, reading: Reading, quantities: Quantities) -> tuple[
     return (
         name,
         where,
-        _edge(reading.lower),
-        _edge(reading.upper),
+        _edge(reading.lower, scan),
+        _edge(reading.upper, scan),
         ", ".join(short(label) for label in reading.labels) or NOTHING,
         [percent(d) for d in reading.deviations] if compared else NOTHING,
         verdict(reading.verdict) if compared else NOTHING,
     )
 
 
-def _edge(end: End) -> Cell:
+def _edge(end: End, scan: Scan | None) -> Cell:
+    """What the zone ends at, and which special point of a branch that is."""
     if not end.next_label:
         return end.how
-    return [end.how, f"beyond: {short(end.next_label)}", uncertainty(end.uncertainty)]
+    said: list[Inline | tuple[Inline, ...]] = [
+        end.how, f"beyond: {short(end.next_label)}", uncertainty(end.uncertainty)
+    ]  # fmt: skip
+    found = None if scan is None else scan.special_at(end.value)
+    if found is not None:
+        number, special = found
+        labels = dict.fromkeys((short(special.label_before), short(special.label_after)))
+        said.append(f"{special.kind} of {', '.join(labels)} (branch {number + 1})")
+    return said
 
 
 def _inside(zone: ReportedZone, quantities: Quantities) -> list[Block]:

@@ -11,6 +11,8 @@ from gearlash.system import Label, Record, Signature
 if TYPE_CHECKING:
     from gearlash import Branch, EndOfBranch, SpecialPoint
 
+SAME = 1e-9  # relative distance of two values that are one point
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Stretch(Record):
@@ -139,3 +141,14 @@ class Scan(Record):
     attractors: int
     on_branches: int
     left: tuple[str, ...] = ()
+
+    def special_at(self, value: float) -> tuple[int, SpecialPoint] | None:
+        """The number of a branch and its special point at a value, within a relative 1e-9; None where none of
+        them has one."""
+        near = [
+            (abs(special.value - value), number, special)
+            for number, branch in enumerate(self.branches)
+            for special in branch.special
+            if abs(special.value - value) <= SAME * abs(value)
+        ]
+        return min(near, key=lambda each: each[:2])[1:] if near else None
