@@ -131,6 +131,19 @@ def test_the_contact_only_corner():
     assert not any(map(any, found.point.signature.counts))
 
 
+def test_two_grazing_curves_cross_at_the_corner():
+    """The other one, of an orbit that touches elsewhere in the cycle, passes through the same point."""
+    found = only(corner(), CodimTwoKind.CORNER)
+    names, family = ("omega", "error"), one_dof(error=0.09, ripple=0.95)
+    values = named(names, found.values)
+    other = followed(family, values, names, found, (1.0, 0.08), (1.05, 0.1), steps=COARSE, touch=1)
+    again = only(other, CodimTwoKind.CORNER)
+    assert again.values == pytest.approx(found.values, abs=1e-12)
+    assert abs(again.point.touches[0].phase - found.point.touches[0].phase) > 0.1
+    ends = [end.values for end in other.ends]
+    assert all(np.abs(np.subtract(end, found.values)).max() > 1e-3 for end in ends)
+
+
 E1, PSI1, E2, PSI2 = 0.0768295371441074, 0.218668945873942, 0.0204190581082424, 3.03938593548254
 
 

@@ -74,7 +74,8 @@ def continue_curve(
         Which curve, where several meet in a point of a curve: grazing where nothing is said and something
         touches there.
     touch : int, default 0
-        Which of the extrema that touch there stays in touch, where there are two.
+        Which of the extrema that touch there stays in touch, where there are two. At the corner of a
+        contact-only orbit 1 is the other grazing curve that crosses there.
     doubled : bool, default False
         Where an orbit grazes with a multiplier -1: the curve on which the orbit of twice its period grazes.
     steps : ContinuationSettings, optional

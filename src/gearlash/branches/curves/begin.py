@@ -13,6 +13,7 @@ from gearlash.branches.continuation.points import SpecialKind, SpecialPoint
 from gearlash.system import GearlashError
 
 from .conditions import At, Condition
+from .corner import at_other_end
 from .locate import Met
 from .motion import CurveOrbit, apart, is_clear
 from .newton import correct, tangent
@@ -187,6 +188,11 @@ def _at_two(
         met = point_of_two(plane, start, place, period)
         return Beginning(doubled_node(met), None, met)
     if kind is SpecialKind.GRAZING or (kind is None and extrema):
+        if start.kind is CodimTwoKind.CORNER and touch == 1:
+            node = grazing_node(plane, place, start.point.state, period, extrema[0])
+            state, other = at_other_end(node)
+            node = grazing_node(plane, place, state, period, other)
+            return Beginning(node, node.turned)
         if not 0 <= touch < len(extrema):
             raise GearlashError(f"touch = {touch}: {len(extrema)} extrema touch there")
         node = grazing_node(plane, place, start.point.state, period, extrema[touch])
