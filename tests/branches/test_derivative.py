@@ -89,9 +89,9 @@ def bent(at: float, width: float) -> Family:
 
 
 def test_what_only_looks_affine_is_found_out_by_the_systems_that_are_built():
-    one = along(bent(0.66, 0.02), "D", 0.4, 1.0)
+    one = along(bent(0.7, 0.02), "D", 0.4, 1.0)
     assert one.kind is EXACT
-    for value, kind in ((0.5, EXACT), (0.66, DIFFERENCE), (0.5, DIFFERENCE)):
+    for value, kind in ((0.5, EXACT), (0.7, DIFFERENCE), (0.5, DIFFERENCE)):
         one.hold(value, one.build(value))
         assert one.kind is kind
 
@@ -145,6 +145,15 @@ def test_a_physical_name_is_as_affine_as_its_own():
         case, "backlash", lower="98 um", upper="102 um", values={"omega": 1.05}, steps=QUICK
     )
     assert branch.derivative is EXACT
+
+
+@pytest.mark.parametrize("width", [0.0, 1e-12, 1e-6])
+def test_a_narrow_interval_costs_no_digits(width):
+    one = along(one_dof(error=0.1), "D", 0.9, 0.9 + width)
+    assert one.kind is EXACT
+    assert one.at(0.9, one.build(0.9)).clearances[0].gaps == pytest.approx([1.0, 1.0], rel=1e-13)
+    at_end = along(one_dof(), "D", 0.0, width)
+    assert at_end.at(0.0, at_end.build(0.0)).clearances[0].gaps == pytest.approx([1.0, 1.0], rel=1e-9)
 
 
 def test_beside_a_value_at_which_the_family_ends():

@@ -21,7 +21,8 @@ from gearlash.system import GearlashError, Named, System
 Array = NDArray[np.float64]
 DEGREE = 3  # of polynomials that are tried
 FITTED = (0.0, 0.25, 0.75, 1.0)  # parts of the interval through which they go
-CHECKED = (0.1276, 0.5, 0.6180, 0.8724)  # where they must be right, too
+CHECKED = (0.1276, 0.6180)  # where they must be right, too
+LEAST_WIDTH = 1e-2  # of the parameter: what is fitted over less is rounding
 ROUNDINGS = 64.0 * 2.0**-53  # of a number that a family computes from its parameter
 STEP = 1e-5  # of the parameter: of the central difference
 LEAST_SCALE = 1e-3  # of the interval: for the step beside the value zero
@@ -76,8 +77,8 @@ class Polynomial:
 
 @dataclass(eq=False)
 class Along:
-    """The systems that ``build`` makes of values of a parameter from ``lower`` to ``upper``; the largest
-    estimate of the relative ``error`` of the differences that were taken."""
+    """The systems that ``build`` makes of values of a parameter from ``lower`` to ``upper``; the
+    largest estimate of the relative ``error`` of the differences that were taken."""
 
     build: Callable[[float], System]
     lower: float
@@ -85,6 +86,16 @@ class Along:
     error: float = 0.0
     _refuted: bool = False
     _estimated: list[float] = field(default_factory=list)
+
+    @staticmethod
+    def over(
+        build: Callable[[float], System], limits: tuple[float, float], range_: tuple[float, float]
+    ) -> Along:
+        """Over an interval that is widened, within the range of the parameter, where it is narrow."""
+        lower, upper = limits
+        least = LEAST_WIDTH * (max(abs(lower), abs(upper)) or 1.0)
+        beyond = max(0.0, 0.5 * (least - (upper - lower)))
+        return Along(build, max(range_[0], lower - beyond), min(range_[1], upper + beyond))
 
     @property
     def kind(self) -> DerivativeKind:
@@ -103,7 +114,7 @@ class Along:
         if known is not None:
             self.error = max(self.error, 0.0 if known.affine else known.error)
             return of_numbers(known.like, known.slope(self._part(value)) / width, known.count)
-        step = STEP * max(abs(value), LEAST_SCALE * width)
+        step = STEP * (max(abs(value), LEAST_SCALE * width) or 1.0)
         below, above = self._built(value - step), self._built(value + step)
         if below is None or above is None:
             return self._one_sided(value, system, step)
@@ -140,6 +151,8 @@ class Along:
     @cached_property
     def _found(self) -> Polynomial | None:
         """What the systems across the interval have in common, if they have."""
+        if not self.upper > self.lower:
+            return None
         values = {part: self.lower + part * (self.upper - self.lower) for part in (*FITTED, *CHECKED)}
         values[1.0] = self.upper
         systems = {part: self._built(value) for part, value in values.items()}

@@ -49,7 +49,8 @@ class Line:
     @cached_property
     def along(self) -> Along:
         """How systems change along the parameter."""
-        return Along(self.build, self.lower, self.upper)
+        own = next(each for each in self.family.parameters if each.name == self.name)
+        return Along.over(self.build, (self.lower, self.upper), (own.lower, own.upper))
 
     def build(self, value: float) -> System:
         return self.family.system({**self.values, self.name: value})
