@@ -53,7 +53,8 @@ class Between:
         target = float(self.row @ self.left.u) + place
         for guess, slope in (between, *straight):
             found = node_near(left.equations, guess, self.row, target, left, slope, exact=False)
-            if found.node is not None:
+            # A longer orbit has itself, begun at another base period, for a neighbour too.
+            if found.node is not None and float(np.linalg.norm(found.node.u - guess)) <= self.length:
                 self._known[place] = found.node.linked(self.left)
                 return self._known[place]
         return None

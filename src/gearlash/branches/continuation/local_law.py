@@ -32,6 +32,7 @@ from .points import SpecialKind, SpecialPoint
 Complex = NDArray[np.complex128]
 HELD = 1e-3  # mesh cycles on either side of the touch in which the boundary is not crossed
 BESIDE = 1e-5  # of the parameter's interval: where the rate of the extremum is read, on the clear side
+SHALLOW = 0.25  # of what the coordinate travels: depth up to which the law is taken at its word
 SMALL = 1e-6  # what counts as zero in the conditions of the law
 
 
@@ -55,7 +56,8 @@ class GrazingLaw(Record):
         Conditions of the law that do not hold within 1e-6, in words: it then says nothing.
     predicted_depth, predicted_value : float
         Where a multiplier comes to 1 or -1 first by the law, and the value of the parameter there; NaN where
-        none does.
+        none does between the limits of the branch, or not so near that the law could say it: deeper than a
+        quarter of what the extremum's coordinate travels in the orbit.
     predicted_kind : SpecialKind or None
         Fold or doubling.
     computed_depth, computed_value : float
@@ -122,7 +124,11 @@ def law_at(family: Family, branch: Branch, special: SpecialPoint) -> GrazingLaw:
     touched = _touched(props, special, extremum)
     multipliers, coefficients = touched.multipliers
     rate = _rate(line, special, extremum)
-    depth, kind = _first(touched)
+    missing = _missing(multipliers, coefficients, extremum, rate * line.unit)
+    depth, kind = (np.nan, None) if missing else _first(touched)
+    there = special.value + touched.way_to(depth, -np.sign(extremum.a0) * rate)
+    if not (depth <= SHALLOW * _travel(special, extremum) and branch.lower <= there <= branch.upper):
+        depth, there, kind = np.nan, np.nan, None
     beyond = _next(branch, special)
     return GrazingLaw(
         value=special.value,
@@ -130,9 +136,9 @@ def law_at(family: Family, branch: Branch, special: SpecialPoint) -> GrazingLaw:
         coefficients=coefficients,
         a0=extremum.a0,
         rate=rate,
-        missing=_missing(multipliers, coefficients, extremum, rate * line.unit),
+        missing=missing,
         predicted_depth=depth,
-        predicted_value=special.value + touched.way_to(depth, -np.sign(extremum.a0) * rate),
+        predicted_value=there,
         predicted_kind=kind,
         computed_depth=np.nan if beyond is None else _depth(beyond, extremum),
         computed_value=np.nan if beyond is None else beyond.value,
@@ -247,6 +253,13 @@ def _first(touched: _Touched) -> tuple[float, SpecialKind | None]:
         if gain < 0.0:
             found.append((1.0 / gain**2, kind))
     return min(found, default=(float("nan"), None), key=lambda pair: pair[0])
+
+
+def _travel(special: SpecialPoint, extremum: Extremum) -> float:
+    """From the least to the largest extremum of the coordinate that touches, along the orbit."""
+    mine = (extremum.clearance, extremum.surface, extremum.boundary)
+    known = [e.distance for e in special.point.extrema if (e.clearance, e.surface, e.boundary) == mine]
+    return max(known) - min(known) if len(known) > 1 else np.inf
 
 
 def _next(branch: Branch, special: SpecialPoint) -> SpecialPoint | None:
