@@ -101,6 +101,17 @@ def test_a_doubling_right_behind_a_touch():
     assert branch.points[-1].unstable == 1
 
 
+def test_a_branch_does_not_turn_round_where_its_states_do():
+    """The contact begins just where periods are begun: within a step states turn by more than a right angle,
+    the parameter goes on."""
+    family, values = shaken(), {"omega": 0.5, "a": 0.7 / 1.26}
+    branch = continue_orbit(family, values, "omega", orbit(family, **values), 0.5, 1.0, PLAIN)
+    assert [end.kind for end in branch.ends] == [EndKind.LOWER, EndKind.UPPER]
+    kinds = [special.kind for special in branch.special]
+    assert kinds == [SpecialKind.GRAZING, SpecialKind.DOUBLING, SpecialKind.DOUBLING]
+    assert not branch.unexplained
+
+
 def test_a_branch_restarts_at_its_own_ends():
     family = one_dof(error=0.05)
     lower, upper = 0.1 + 1.0 / 3.0, np.pi / 2.0

@@ -17,6 +17,8 @@ from .extrema import Extrema
 from .newton import Corrected, correct, tangent
 from .testfunctions import Spectrum
 
+FLAT_TURN = 1e-6  # what is no change of the parameter along a branch
+
 
 @dataclass(frozen=True, eq=False)
 class Node:
@@ -34,8 +36,18 @@ class Node:
 
     def linked(self, before: Node) -> Node:
         """The same as what comes after ``before``: its extrema numbered and its direction turned so."""
-        turned = self.direction if self.direction @ before.direction >= 0.0 else -self.direction
-        return replace(self, extrema=self.extrema.after(before.extrema), direction=turned)
+        return replace(self.oriented(before), extrema=self.extrema.after(before.extrema))
+
+    def oriented(self, before: Node) -> Node:
+        """The same, with the direction in which the branch comes from ``before``. Where a contact comes or
+        goes just where periods are begun states may turn by more than a right angle; the parameter turns
+        round only where the product of all μ - 1 changes sign, too."""
+        onwards = self.direction @ before.direction >= 0.0
+        if not np.array_equal(self.modes, before.modes):
+            one, other = self.spectrum, before.spectrum
+            if min(abs(one.turn), abs(other.turn)) > FLAT_TURN:
+                onwards = (one.turn * other.turn > 0.0) == (one.at_one * other.at_one > 0.0)
+        return self if onwards else self.turned
 
     @property
     def turned(self) -> Node:
@@ -120,4 +132,5 @@ def node_near(
         return Found(None, corrected, f"there is no system that could be built: {error}")
     extrema = Extrema.of(orbit)
     extrema = extrema if before is None else extrema.after(before.extrema)
-    return Found(Node(equations, here, slope, direction, orbit, extrema), corrected)
+    node = Node(equations, here, slope, direction, orbit, extrema)
+    return Found(node if before is None else node.oriented(before), corrected)
