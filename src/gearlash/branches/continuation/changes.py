@@ -78,11 +78,22 @@ def _at_fold(left: Node, right: Node) -> bool:
     return min(abs(left.spectrum.turn), abs(right.spectrum.turn)) <= TURN_ROUNDING
 
 
-def halves(node: Node) -> Array:
-    """(P·n,): from every base period to the one half an orbit later, in units of the scale of the states."""
+def parts(node: Node, count: int) -> Array:
+    """(P·n,): from every base period to the one so great a part of the orbit later, scaled."""
     strobes = node.orbit.strobes
-    apart: Array = (np.roll(strobes, -(len(strobes) // 2), axis=0) - strobes) / node.equations.size
+    apart: Array = (np.roll(strobes, -(len(strobes) // count), axis=0) - strobes) / node.equations.size
     return apart.ravel()
+
+
+def halves(node: Node) -> Array:
+    """The same for two parts."""
+    return parts(node, 2)
+
+
+def primes(node: Node) -> list[int]:
+    """Of which the period of an orbit is a multiple."""
+    period = node.equations.period
+    return [p for p in range(2, period + 1) if period % p == 0 and all(p % q for q in range(2, p))]
 
 
 def changes_places(left: Node, right: Node) -> bool:

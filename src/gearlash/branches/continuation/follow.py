@@ -12,7 +12,7 @@ from math import acos
 import numpy as np
 
 from .between import WELL
-from .changes import halves
+from .changes import parts, primes
 from .corner import HALVES, Corner, corner
 from .equations import Array
 from .infinity import GROWN, runs_away
@@ -29,7 +29,7 @@ GOOD_CONTRACTION, MOST_CONTRACTION = 0.05, 0.4
 OUTGROWN = 2.0  # times the longest step, for each scale that the states are away from the first orbit
 OFF = 0.5  # of a step: how far beside its end the next orbit may lie
 FAR = 1e6  # times the size of the first orbit: it runs away
-SINGLE = 1e-4  # of a step: halves of an orbit so near to each other are the same
+SINGLE = 1e-4  # of a step: parts of an orbit so near to each other are the same
 FLAT = 1e-6  # what is no change of the parameter along a branch, and no distance of a multiplier from 1
 STEADY = 0.02  # change of the parameter along a branch that is far from a fold
 LONGER = 2.5  # times the last step: how far ahead that is looked at
@@ -152,8 +152,8 @@ class Follower:
             return f"Newton's method contracts by {found.corrected.contraction:.2f} only"
         if np.linalg.norm(after.u - node.u) > (1.0 + OFF) * length:
             return "Newton's method finds an orbit somewhere else"
-        if node.equations.period % 2 == 0 and float(np.linalg.norm(halves(after))) < SINGLE * length:
-            return "the orbit closes after half of its period"
+        if any(float(np.linalg.norm(parts(after, p))) < SINGLE * length for p in primes(node)):
+            return "the orbit closes after a part of its period"
         allowed = self.settings.angle if np.array_equal(node.modes, after.modes) else KINK
         if angle(node, after) > allowed:
             return f"the branch turns by {angle(node, after):.2f} rad within a step"
