@@ -17,7 +17,8 @@ from gearlash.system import derivative, evaluate
 Array = NDArray[np.float64]
 
 NODES = np.linspace(0.0, 1.0, 9)  # of a piece, which is shorter than a fifth of the fastest oscillation
-ROOT_HALVINGS = 54
+ROOT_STEPS = 60
+ROUNDING = 2e-16  # of a piece
 SIDE_OF_MODE = {0: 1, 2: -1, 3: 1, 4: -1}  # mode of a trace's piece → the boundary whose force acts, or would
 
 
@@ -71,12 +72,7 @@ def force_extrema(trace: Trace, clearance: int) -> ForceExtrema:
     slope = force_series(trace, clearance, index.ravel(), at.ravel(), sides.ravel())[1].reshape(at.shape)
     row, left = np.nonzero((slope[:, :-1] < 0.0) != (slope[:, 1:] < 0.0))
     piece, side = piece[row], side[row]
-    low, high, falling = NODES[left], NODES[left + 1], slope[row, left] < 0.0
-    for _ in range(ROOT_HALVINGS):
-        middle = 0.5 * (low + high)
-        same = (force_series(trace, clearance, piece, middle, side)[1] < 0.0) == falling
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    local = 0.5 * (low + high)
+    local = _stationary(trace, clearance, piece, side, (NODES[left], NODES[left + 1]))
     force, _, curvature = force_series(trace, clearance, piece, local, side)
     per_cycle = trace.propagators.cells_per_cycle
     phase = trace.base + (trace.positions[piece] + trace.lengths[piece] * local) / per_cycle
@@ -85,6 +81,35 @@ def force_extrema(trace: Trace, clearance: int) -> ForceExtrema:
     gap = np.einsum("mj,mj->m", powers, trace.gap_of(clearance)[piece])
     in_contact = trace.modes[piece, clearance] <= 2
     return ForceExtrema(phase, force, curvature, state, gap, side, in_contact)
+
+
+def _stationary(
+    trace: Trace,
+    clearance: int,
+    piece: NDArray[np.int64],
+    side: NDArray[np.int64],
+    between: tuple[Array, Array],
+) -> Array:
+    """Zeros of Φ' at local times between two at which its signs differ: Newton's steps, and halves of what
+    is left where one leads out of it."""
+    low, high = between
+    if not len(piece):
+        return low
+    duration = trace.lengths[piece] * trace.propagators.cell_duration
+    falling = force_series(trace, clearance, piece, low, side)[1] < 0.0
+    local = 0.5 * (low + high)
+    for _ in range(ROOT_STEPS):
+        _, slope, curvature = force_series(trace, clearance, piece, local, side)
+        same = (slope < 0.0) == falling
+        low, high = np.where(same, local, low), np.where(same, high, local)
+        bend = curvature * duration
+        step = np.divide(slope, bend, out=np.full_like(slope, np.inf), where=bend != 0.0)
+        inside = (local - step >= low) & (local - step <= high)
+        after = np.where(inside, local - step, 0.5 * (low + high))
+        moved, local = np.abs(after - local).max(), after
+        if moved <= ROUNDING:
+            break
+    return local
 
 
 def least_force(trace: Trace, clearance: int) -> float:
