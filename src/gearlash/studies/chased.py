@@ -1,4 +1,4 @@
-"""Aperiodic motion beyond the end of a stable arc, followed back across it: does it coexist with the arc?
+"""Aperiodic motion beyond the end of a stable arc, followed both ways: does it live beside stable arcs?
 
 So a motion that coexists with a quiet one is found however coarse the axis is."""
 
@@ -61,18 +61,22 @@ def _next(question: Question, step: float, last: Point | None, other: Point | No
 
 
 def chased(followed: Followed, seen: Iterable[Stretch]) -> list[ZoneMotion]:
-    """Aperiodic motions that go on inside stable arcs, and that no sweep saw just there."""
-    seen, tasks, chains = list(seen), {}, []
+    """Aperiodic motions that were found beyond the ends of stable arcs and live beside other stable arcs, or
+    beside the same one, and that no sweep saw just there."""
+    seen, ends, chains = list(seen), {}, []
     for (i, up), point in followed.beyond.items():
         arc = followed.arcs[i]
-        end, sign = (arc.upper, -1) if up else (arc.lower, 1)
-        near = end.value + sign * FIRST * max(abs(end.value), 1e-3)
-        if point.label is not MotionKind.APERIODIC or any(s.lower <= near <= s.upper for s in seen):
-            continue
-        tasks[i, up] = end
-        chains.append(Chain((i, up), (Chase(followed.question, point, end.value, sign),), (1,)))
+        end = arc.upper if up else arc.lower
+        for sign in (-1, 1):
+            near = end.value + sign * FIRST * max(abs(end.value), 1e-3)
+            beside = any(each.contains(near) for each in followed.stable)
+            if point.label is not MotionKind.APERIODIC or not beside:
+                continue
+            if not any(s.lower <= near <= s.upper for s in seen):
+                ends[i, up, sign] = end
+                chains.append(Chain((i, up, sign), (Chase(followed.question, point, end.value, sign),), (1,)))
     done = followed.done(chase, chains)
-    found = [(tasks[name], *parts) for name, parts in done.items() if isinstance(name, tuple)]
+    found = [(ends[name], *parts) for name, parts in done.items() if isinstance(name, tuple)]
     return [_motion(end, last, other) for end, last, other in found if last is not None]
 
 

@@ -43,6 +43,7 @@ BETWEEN = (
 )
 MEET = 1e-6  # of the axis: where two branches end so near to each other, they meet
 NARROW = 2e-3  # of the axis: from arcs that are no wider no further branches are looked for
+NARROWEST = 1e-4  # of the axis: beyond the ends of narrower arcs nothing is looked for
 MOST_SWITCHED = 12  # branches to which is switched
 ROUNDS = 40  # of following
 PASSES = 3  # of looking beyond ends
@@ -293,7 +294,7 @@ class Followed:
             for i, arc in enumerate(self.arcs)
             for end, up in ((arc.lower, False), (arc.upper, True))
             if arc.stable
-            and arc.width > NARROW * self.question.width
+            and arc.width > NARROWEST * self.question.width
             and (i, up) not in self.beyond
             and self._open(arc, end, up)
         }

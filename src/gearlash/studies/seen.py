@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from gearlash.jobs import Chain, Part
 from gearlash.results import Direction, Point, Sweep
-from gearlash.system import Label, MotionKind, Status
+from gearlash.system import Label, MotionKind, Signature, Status
 
 from .arcs import Arc
 from .followed import MEET, Followed, Question
@@ -89,17 +89,25 @@ def _kind(point: Point, lost: set[int]) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Halve:
-    """A task: between a ``periodic`` point of a sweep and its neighbour, which is none."""
+    """A task: between a ``periodic`` point of a sweep and its neighbour, which is none. ``known``: labels of
+    stable arcs, and where these lie; periodic motion that is on none of them is not told from aperiodic."""
 
     question: Question
     direction: Direction
     start: NDArray[np.float64] | None
     periodic: Point
     other: Point
+    known: tuple[tuple[Signature, float, float], ...]
+
+    def on_an_arc(self, point: Point) -> bool:
+        """Whether a motion is one of those that have branches, as far as its label tells."""
+        return point.periodic and any(
+            label == point.label and low <= point.value <= high for label, low, high in self.known
+        )
 
 
 def halve(task: Halve, carry: object) -> Part:
-    """The nearest two values at which, by the way of the sweep, one motion is periodic and the other not."""
+    """The nearest two values, by the way of the sweep, one with a motion on an arc, one without."""
     q = task.question
     family, periodic, other = q.source.family(), task.periodic, task.other
     for _ in range(MOST_HALVINGS):
@@ -111,7 +119,7 @@ def halve(task: Halve, carry: object) -> Part:
             neighbour = neighbour_after(neighbour, first(periodic, other, key=lambda point: point.value))
         middle = 0.5 * (periodic.value + other.value)
         point = continued(family, q.values(family, middle), q.name, neighbour, q.settings)
-        periodic, other = (point, other) if point.periodic else (periodic, point)
+        periodic, other = (point, other) if task.on_an_arc(point) else (periodic, point)
     return Part(((periodic, other),))
 
 
@@ -145,7 +153,10 @@ class Onsets:
                 continue
             outside, own = stretch.beside(side)
             assert outside is not None
-            tasks[key] = Halve(self.followed.question, stretch.sweep.direction, self.start, outside, own)
+            known = tuple((arc.label, arc.lower.value, arc.upper.value) for arc in self.followed.stable)
+            tasks[key] = Halve(
+                self.followed.question, stretch.sweep.direction, self.start, outside, own, known
+            )
         done = self.followed.done(halve, [Chain(key, (task,), (1,)) for key, task in tasks.items()])
         for key, task in tasks.items():
             periodic, other = done.get(key, (task.periodic, task.other))
