@@ -60,10 +60,10 @@ def zones(
 ) -> ExitCode:
     """Which intervals are free of impacts, or of impacts on the back side?
 
-    Cold, up and down sweeps, then every end located: solved for where it is a grazing or fold, else halved.
-    Between quiet points motion is followed in small steps. Says where the present value lies, where every
-    attractor found is quiet, where at least one is, and what coexists. --out writes zones.json, the
-    sweeps as zones.nc, and the zones over them as SVG and PDF.
+    Cold, up and down sweeps; every motion found is followed once along its whole branch, and zones end at
+    its grazings, folds, doublings and losses of stability. Says where the present value lies and how far its
+    ends are, where every attractor found is quiet, where at least one is, and what coexists. --out writes
+    zones.json, the sweeps as zones.nc, and the zones over them as SVG and PDF.
     """
     from gearlash.cli.frame import StudyInputs, deliver
     from gearlash.cli.inputs import read_over
