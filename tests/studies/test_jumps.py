@@ -144,7 +144,7 @@ def test_what_cannot_be_followed_is_not_decided():
 
 
 def test_only_points_on_the_branch_are_taken_as_they_are():
-    """One of them a thousandth of a step beside it is solved for, and told where it is another motion."""
+    """One of them a tenth of a step beside it, or of another label, is solved for: it is on the branch."""
     points = sweep(pair(), Axis.even("omega", 0.9, 0.98, 9)).points
     rows = [Bare(p.value, p.label, p.period, p.state) for p in points]
     assert transitions(pair(), "omega", rows) == ()

@@ -1,6 +1,6 @@
-"""Special points of families of orbits, and the way of a stable orbit from one to the next.
+"""A grazing, doubling or fold, solved for from an orbit near it.
 
-Whole branches, stable or not, are followed in `branches.continuation`."""
+Orbits are followed in `branches.continuation`."""
 
 from .bifurcation import BifurcationPoint, locate_multiplier
 from .grazing import locate_grazing
