@@ -30,8 +30,11 @@ OFF = 0.5  # of a step: how far beside its end the next orbit may lie
 SOON = 3.0  # steps: an extremum that would touch within so many is kept from crossing
 AHEAD = 2.0  # steps: a depth that would vanish within so many is looked for
 NEAR = 4.0  # times as far as foretold may a touch lie
-LOOP_CLOSES = 0.05  # of a step: how near the first parameters are passed where a loop closes
-SAME = 0.2  # the same of its states
+LOOP_CLOSES = 0.15  # of a step: how near the first parameters are passed where a loop closes
+SAME = 0.4  # the same of its states
+AHEAD_AGAIN = (
+    0.5  # least cosine of the angle at which it is passed: an arm of a cusp comes back the other way
+)
 Item = Node | Met | EndOfCurve
 
 
@@ -243,7 +246,9 @@ class Follower:
         length = float(np.linalg.norm(chord))
         if length == 0.0:  # at a limit of the parameters
             return False
-        along = float(chord @ away) / length
+        along, first = float(chord @ away) / length, self.start.direction[-2:]
+        if float(chord @ first) < AHEAD_AGAIN * length * float(np.linalg.norm(first)):
+            return False
         if not 0.0 < along <= length or np.linalg.norm(away - along * chord / length) > LOOP_CLOSES * length:
             return False
         size, part = left.problem.size, along / length
