@@ -98,6 +98,12 @@ def test_ends_of_zones_name_the_special_point_that_they_are():
     assert "grazing of 1-1, 1-0 (branch" in seen.text
 
 
+def test_events_tell_the_law_of_their_touch():
+    found = [event for event in small().events if event.found]
+    assert found
+    assert all(event.law is not None for event in found)
+
+
 def test_a_value_between_special_points_is_none_of_them():
     special = backlash().events[0].special
     assert special is not None

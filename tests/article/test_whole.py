@@ -115,6 +115,14 @@ def test_every_change_along_the_sweeps_is_a_special_point_of_a_branch(done: Repr
         assert [event.value for event in scan.events if event.special is None] == []
 
 
+def test_every_event_of_the_article_has_the_law_of_its_touch(done: Reproduction):
+    assert [event.law is not None and event.law.generic for event in done.events] == [True] * 5
+    for event in done.events:
+        touch = event.coincidence.grazing.value if event.coincidence is not None else event.value
+        assert event.law is not None
+        assert event.law.value == pytest.approx(touch, rel=1e-12)
+
+
 def test_coexistence_stands_in_the_page_on_theory(done: Reproduction):
     theory = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
     told = {

@@ -24,6 +24,7 @@ from .rows import STUDY_SETTINGS
 
 PICTURED = 0.008  # relative distance of the motions before and after; halved until the labels agree
 NOT_ON_A_BRANCH = "Solved for along the sweeps; none of the followed branches has it."
+SAME = 1e-12  # relative distance of the values of one touch
 ZERO = 1e-3  # |λ ± 1|, |X ∓ D| and |X'| below which a condition counts as met
 
 
@@ -173,9 +174,16 @@ class EventSearch:
 
     def law(self, special: SpecialPoint) -> GrazingLaw | None:
         """Of a touch that one of the branches has; none for one from the gap under `no-tension`."""
-        branch = next((branch for branch in self.branches if special in branch.special), None)
+        found = (
+            (branch, each)
+            for branch in self.branches
+            for each in branch.special
+            if each.kind is special.kind and each.period == special.period
+            if abs(each.value - special.value) <= SAME * abs(special.value)
+        )
+        branch, touch = next(found, (None, special))
         try:
-            return None if branch is None else grazing_law(self.family, branch, special)
+            return None if branch is None else grazing_law(self.family, branch, touch)
         except GearlashError:
             return None
 

@@ -103,7 +103,7 @@ def _zoom(chain: Chain, stem: str, quantities: Quantities) -> Figure:
 def _events(scan: Scan, stem: str) -> Table:
     head = (
         f"{symbol(scan.parameter)}, as swept", "kind", "labels below → above", "sweeps", "on the branch of",
-        "values apart", "multipliers outside the unit circle", "leading multiplier there",
+        "multipliers outside the unit circle", "leading multiplier there", "values apart",
     )  # fmt: skip
     caption = "Changes that were located along the sweeps, and the special point of a branch that each is."
     return Table(
@@ -111,8 +111,8 @@ def _events(scan: Scan, stem: str) -> Table:
         caption,
         head,
         tuple(_event(scan, event) for event in scan.events),
-        frozenset({0, 5}),
-        widths=(13, 10, 17, 11, 14, 10, 11, 14),
+        frozenset({0, 7}),
+        widths=(12, 11, 16, 10, 15, 12, 14, 10),
     )
 
 
@@ -130,9 +130,9 @@ def _event(scan: Scan, event: Explained) -> tuple[Cell, ...]:
     return (
         *start,
         f"{', '.join(labels)} (branch {event.branch + 1})",
-        scientific(event.apart),
         f"{special.unstable_before} → {special.unstable_after}",
         complex_number(complex(special.point.multipliers[0])),
+        scientific(event.apart),
     )
 
 
