@@ -8,7 +8,7 @@ import pytest
 
 from article.study import small
 from gearlash.article import Reproduction
-from gearlash.article.report import branches, document, zones
+from gearlash.article.report import branches, document
 from gearlash.article.report.coexistence import chains, counted, sentences
 from gearlash.article.reproduction import Scan
 from gearlash.report.blocks import Page
@@ -91,8 +91,8 @@ def test_a_study_without_scans_has_no_such_part():
 
 
 def test_ends_of_zones_name_the_special_point_that_they_are():
-    section, pictures = zones.section(small())
-    seen = Reading(html(Page("", "", (section,)), {picture.stem: DRAWING for picture in pictures}))
+    whole, pictures = document(small())
+    seen = Reading(html(whole, {picture.stem: DRAWING for picture in pictures}))
     assert seen.problems == []
     assert "fold of 3-3-1 (branch" in seen.text
     assert "grazing of 1-1, 1-0 (branch" in seen.text
