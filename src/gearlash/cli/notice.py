@@ -20,7 +20,7 @@ def load_engine(data: bool = False) -> None:
     from gearlash._kernel import compile_all, load_all, not_collecting
 
     with not_collecting():
-        from gearlash import flow  # noqa: F401  (declares the kernels)
+        from gearlash.flow import sensitivity  # noqa: F401  (declares all kernels)
 
         missing = load_all()
     gc.freeze()  # what numba consists of stays as long as this process: no garbage is looked for in it

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
+from math import prod
 
 import numpy as np
 import xarray as xr
@@ -39,7 +40,8 @@ def read(dataset: xr.Dataset, measure: str, of: str = "") -> Array:
     if f"{of}{names[0]}" not in dataset:
         raise GearlashError(f"the dataset has no {names[0]}: make it with extremes=True")
     columns = [dataset[f"{of}{name}"].values for name in names]
-    table = np.concatenate([c.reshape(len(c), -1) for c in columns], axis=1).astype(np.float64)
+    flat = [c.reshape(len(c), prod(c.shape[1:])) for c in columns]  # a branch may have no special point
+    table = np.concatenate(flat, axis=1).astype(np.float64)
     return 0.5 * (table[:, 1:] - table[:, :1]) if measure == "amplitude" else table
 
 

@@ -26,7 +26,7 @@ from gearlash.system import Family, GearlashError, Status, given
 from gearlash.system.short_text import cut
 
 from .provenance import provenance
-from .store import write_whole
+from .store import new_file, write_whole
 
 FORMAT, VERSION = "gearlash-branch", 1
 LARGEST_FILE = 1_000_000_000
@@ -67,8 +67,7 @@ def save_branch(branch: Branch, path: str | Path, model: Case | Family) -> Path:
     """
     given.instance("branch", branch, Branch, "a Branch, as from gearlash.continue_branch")
     given.instance("model", model, (Case, Family), "a case, as from gearlash.load_case, or a Family")
-    path = given.path("path", path)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    path = new_file(path)
     write_whole(path, branch_text(branch, model))
     return path
 

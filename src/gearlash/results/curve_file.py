@@ -24,7 +24,7 @@ from gearlash.system import Family, GearlashError, Signature, Status, given
 from gearlash.system.short_text import cut
 
 from .provenance import provenance
-from .store import write_whole
+from .store import new_file, write_whole
 
 FORMAT, VERSION = "gearlash-curve", 1
 LARGEST_FILE = 1_000_000_000
@@ -67,8 +67,7 @@ def save_curve(curve: Curve, path: str | Path, model: Case | Family) -> Path:
     """
     given.instance("curve", curve, Curve, "a Curve, as from gearlash.continue_curve")
     given.instance("model", model, (Case, Family), "a case, as from gearlash.load_case, or a Family")
-    path = given.path("path", path)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    path = new_file(path)
     content = {
         "format": FORMAT,
         "version": VERSION,

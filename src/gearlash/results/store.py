@@ -70,8 +70,7 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
     ('sweep.nc', True)
     """
     content = netcdf(dataset)
-    path = given.path("path", path)
-    _make_folder(path)
+    path = new_file(path)
     write_whole(path, content)
     return path
 
@@ -89,6 +88,13 @@ def netcdf(dataset: xr.Dataset) -> memoryview:
     )
     assert isinstance(content, memoryview)
     return content
+
+
+def new_file(path: object) -> Path:
+    """A path at which a file can be made, its folder made. Raises `GearlashError` for one that names none."""
+    found = given.path("path", path)
+    _make_folder(found)
+    return found
 
 
 def _make_folder(path: Path) -> None:
