@@ -11,6 +11,7 @@ from math import acos
 
 import numpy as np
 
+from .beside import Item, Passed
 from .between import WELL
 from .changes import parts, primes
 from .corner import HALVES, Corner, corner
@@ -19,7 +20,7 @@ from .infinity import GROWN, runs_away
 from .loop import closing
 from .node import Found, Node, node_near
 from .points import EndKind, EndOfBranch, SpecialKind
-from .resolve import Item, Passed, Resolver
+from .resolve import Resolver
 from .section import begun_elsewhere
 from .settings import ContinuationSettings
 

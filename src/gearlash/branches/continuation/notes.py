@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from .beside import Passed
 from .corner import PASSES, TURNS, abrupt
 from .infinity import at_infinity
 from .node import Node
 from .points import SpecialKind, grazing_kind
-from .resolve import Passed
 
 BACK = {
     1: "return to contact on the drive side, beyond the boundary or through the gap (minimum of X at +D)",

@@ -158,7 +158,7 @@ class SpecialPoint(Record):
         The orbit there: all that a restart needs. At a branch point it is the nearest that is known well, at
         an end of existence the last one that was followed, each at a value of its own.
     label_before, label_after : Signature
-        Contacts of the two orbits.
+        Contacts of the orbits just beside it, in the order of the branch.
     unstable_before, unstable_after : int
         Their multipliers outside the unit circle.
     extremum : Extremum or None

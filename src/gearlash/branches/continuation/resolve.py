@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from .beside import Item, Passed, Unexplained, told_apart
 from .between import Between
 from .changes import Test, changes, doubt, explained
 from .corner import HALVES, abrupt, at_half
@@ -20,27 +21,6 @@ ENDWARDS = 0.2  # of the way from an end: where a step is cut that cannot be cut
 CUTS = 80  # of one step, at most
 
 
-@dataclass(frozen=True, eq=False)
-class Unexplained:
-    """A step on which something changed that no special point was found for."""
-
-    left: Node
-    right: Node
-    note: str
-
-
-@dataclass(frozen=True, eq=False)
-class Passed:
-    """A special point between two orbits."""
-
-    left: Node
-    right: Node
-    located: Located
-
-
-Item = Node | Passed | Unexplained
-
-
 @dataclass
 class Resolver:
     """``cuts``: how often a step may still be cut; ``touches``: whether touches alone are asked for."""
@@ -49,8 +29,13 @@ class Resolver:
     touches: bool = False
 
     def resolve(self, before: Node | None, left: Node, right: Node) -> Iterator[Item]:
-        """All special points between two neighbouring orbits, and the orbits that were needed to tell them
-        apart, in order; ``right``, numbered after them, is the last. ``before``: the one before ``left``."""
+        """All special points between two neighbouring orbits, each with what lies just beside it, and the
+        orbits that were needed to tell them apart, in order; ``right``, numbered after them, is the last.
+        ``before``: the one before ``left``."""
+        yield from told_apart(left, self.cut(before, left, right))
+
+    def cut(self, before: Node | None, left: Node, right: Node) -> Iterator[Item]:
+        """The same, without what lies beside."""
         found, piece = changes(left, right), Between(left, right)
         if self.touches:
             found = [change for change in found if change.test is Test.GRAZING]
@@ -89,11 +74,11 @@ class Resolver:
     def both(self, before: Node | None, left: Node, middle: Node, right: Node) -> Iterator[Item]:
         """The two parts of a step, one after the other; the second is numbered as the first has ended."""
         last, earlier = left, before
-        for item in self.resolve(before, left, middle):
+        for item in self.cut(before, left, middle):
             if isinstance(item, Node):
                 earlier, last = last, item
             yield item
-        yield from self.resolve(earlier, last, right.linked(last))
+        yield from self.cut(earlier, last, right.linked(last))
 
     def passed(self, before: Node | None, piece: Between, located: list[Located]) -> Iterator[Item]:
         """A step on which one thing happens, or several at one place. At a graze what comes before and after
@@ -108,7 +93,7 @@ class Resolver:
             yield from self.over_corner(before, piece, passed, here.place)
             return
         touch = replace(here.node, touching=touching)
-        *inner, _ = self.resolve(before, piece.left, touch)
+        *inner, _ = self.cut(before, piece.left, touch)
         nodes = [item for item in inner if isinstance(item, Node)]
         later = list(self.behind(touch.linked(nodes[-1]) if nodes else touch, piece, here.place))
         told = {item.located.change.test for item in (*inner, *later) if isinstance(item, Passed)}
@@ -124,7 +109,7 @@ class Resolver:
             node = piece.right if part == 1.0 else piece.node(at)
             if node is None:
                 continue
-            for item in self.resolve(earlier, last, node.linked(last)):
+            for item in self.cut(earlier, last, node.linked(last)):
                 if isinstance(item, Node):
                     earlier, last = last, item
                 yield item
@@ -137,7 +122,7 @@ class Resolver:
         aside = min(BESIDE_CORNER, 0.5 * place, 0.5 * (piece.length - place))
         short, beyond = piece.node(place - aside), piece.node(place + aside)
         last = piece.left
-        for item in () if short is None else self.resolve(before, piece.left, short):
+        for item in () if short is None else self.cut(before, piece.left, short):
             if isinstance(item, Node):
                 last = item
             yield item
@@ -149,7 +134,7 @@ class Resolver:
         yield from (Passed(last, first, touch) for touch in touches)
         yield first
         if beyond is not None:
-            yield from self.resolve(None, first, piece.right.linked(first))
+            yield from self.cut(None, first, piece.right.linked(first))
 
 
 def _has_corner(node: Node, touching: frozenset[int]) -> bool:

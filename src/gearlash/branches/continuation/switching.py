@@ -11,6 +11,7 @@ every amplitude exist, up to the one that touches a boundary. The branch that ca
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -28,7 +29,20 @@ from .linear import stays_in
 from .node import Node, node_near
 from .points import SpecialKind, SpecialPoint
 
-SIZES = (1e-2, 3e-3, 1e-3, 1e-4)  # of the scale: first distances along the null vector
+SIZES = (
+    1e-2,
+    3e-3,
+    1e-3,
+    3e-4,
+    1e-4,
+    3e-5,
+    1e-5,
+    1e-6,
+)  # of the scale: first distances along the null vector
+HALVED = (1.0, 0.5, 0.25, 0.125)  # of such a distance: orbits that show whether it leads to the special point
+STEADY = 0.1  # most by which the direction from the special point may change when the distance is halved
+STEADIER = 0.75  # how much less than before, at most, when it is halved again; not asked where it is
+STRAIGHT = 0.02  # so little already
 BEYOND = (1e-2, 1e-3, 1e-4)  # of the amplitude that touches: how far above it an orbit is solved for
 ON_OLD_BRANCH = 0.2  # of that distance: an orbit that lies nearer to the old branch is on it
 AMPLITUDE_HALVINGS = 60
@@ -81,16 +95,20 @@ def doubled_beside(line: Line, special: SpecialPoint, size: float) -> Node | Non
     if special.linear:
         return _doubled_linear(start)
     node = _at(start, size)
-    return node if node is not None and _is_other(start, node, size) else None
+    if node is None or not _is_other(start, node, size) or not _leads_back(start, node, size):
+        return None
+    return node
 
 
 @dataclass(frozen=True, eq=False)
 class _Start:
     """The orbit of the special point run through for the period of the other branch, with the null vector
-    (m·n+1,) of the equations and the old branch's direction."""
+    (m·n+1,) of the equations and the old branch's direction; ``base``: unknowns of the special point itself,
+    which at a branch point lies a little aside of the orbit."""
 
     node: Node
     null: Array
+    base: Array
 
     @property
     def doubled(self) -> bool:
@@ -114,7 +132,8 @@ def _start(line: Line, special: SpecialPoint, period: int) -> _Start:
     along = np.linalg.lstsq(matrix[:, :-1], -slope, rcond=1e-7)[0]  # the old branch, orthogonal to it
     direction = np.append(along, 1.0)
     node = Node(equations, here, slope, direction / np.linalg.norm(direction), orbit, Extrema.of(orbit))
-    return _Start(node, null)
+    base = here.u + direction * (special.value - special.point.value) / line.unit
+    return _Start(node, null, base)
 
 
 def _beside(start: _Start, sign: float) -> Node | None:
@@ -124,21 +143,35 @@ def _beside(start: _Start, sign: float) -> Node | None:
         node = _at(start, sign * size)
         if node is None or not line.lower <= node.value <= line.upper:
             continue
-        if _is_other(start, node, size):
+        if _is_other(start, node, size) and _leads_back(start, node, sign * size):
             return node
     return None
 
 
+def _leads_back(start: _Start, node: Node, amplitude: float) -> bool:
+    """Whether an orbit belongs to a branch through the special point: nearer and nearer to it, orbits lie in
+    a direction from it that settles. Of a branch that only passes by they do not come nearer."""
+    ways = [(node.u - start.base) / amplitude]
+    for part in HALVED[1:]:
+        nearer = _at(start, part * amplitude)
+        if nearer is None or not _is_other(start, nearer, abs(part * amplitude)):
+            return False
+        ways.append((nearer.u - start.base) / (part * amplitude))
+    turns = [float(np.linalg.norm(two - one)) for one, two in pairwise(ways)]
+    return max(turns) <= STEADY and all(two <= max(STEADIER * one, STRAIGHT) for one, two in pairwise(turns))
+
+
 def _at(start: _Start, amplitude: float) -> Node | None:
-    u, null = start.node.u, start.null
-    found = node_near(start.node.equations, u + amplitude * null, null, float(null @ u) + amplitude, None)
+    base, null = start.base, start.null
+    target = float(null @ base) + amplitude
+    found = node_near(start.node.equations, base + amplitude * null, null, target, None)
     return found.node
 
 
 def _is_other(start: _Start, node: Node, size: float) -> bool:
     if start.doubled:
         return float(np.linalg.norm(halves(node))) > ON_OLD_BRANCH * size
-    return float(np.linalg.norm(node.u - start.node.u)) < 10.0 * size
+    return float(np.linalg.norm(node.u - start.base)) < 10.0 * size
 
 
 def _linear(start: _Start, sign: float) -> Node | None:
@@ -147,8 +180,11 @@ def _linear(start: _Start, sign: float) -> Node | None:
     if amplitude is None:
         return None
     for beyond in BEYOND:
-        node = _at(start, (1.0 + beyond) * amplitude)
-        if node is not None and any(map(any, node.orbit.signature.counts)):
+        size = (1.0 + beyond) * amplitude
+        node = _at(start, size)
+        if node is None or not any(map(any, node.orbit.signature.counts)):
+            continue
+        if float(np.linalg.norm(node.u - start.base - size * start.null)) <= STEADY * abs(size):
             return node
     return None
 

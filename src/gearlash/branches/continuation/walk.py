@@ -13,12 +13,12 @@ import numpy as np
 from gearlash.orbits import Orbit, Signature, orbit_at
 from gearlash.system import Family, GearlashError
 
+from .beside import Passed, Unexplained
 from .corner import HALVES
 from .equations import UNBUILT, Array, Line
 from .follow import Follower
 from .node import Node
 from .points import EndKind, EndOfBranch, SpecialKind, SpecialPoint
-from .resolve import Passed, Unexplained
 from .settings import ContinuationSettings
 from .switching import doubled_beside
 from .whole import LONGEST_PERIOD, first_node, point_of, special_of
@@ -30,6 +30,7 @@ BEYOND = (1e-9, 1e-8, 1e-7, 1e-6)  # relative distances beyond a point at which 
 SIZES = (
     1e-4,
     1e-5,
+    1e-6,
     1e-3,
     1e-2,
 )  # of the scale: how far beside the single orbit the doubled one is solved for

@@ -10,6 +10,7 @@ import numpy as np
 from gearlash.orbits import Certificate, Orbit, Verdict, orbit_at
 from gearlash.system import Family, GearlashError, Status, given
 
+from .beside import Passed, Unexplained
 from .branch import Branch
 from .derivative import DerivativeKind
 from .equations import UNBUILT, Equations, Line
@@ -18,7 +19,6 @@ from .locate import MEETING
 from .node import Node, node_near
 from .notes import note_of
 from .points import BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
-from .resolve import Passed, Unexplained
 from .settings import ContinuationSettings
 from .testfunctions import neutral
 
@@ -177,6 +177,7 @@ def special_of(passed: Passed, last: Node, arclength: float, settings: Continuat
     point = point_of(node, here, replace(settings, certify=False))
     extremum = node.extrema.by_number[change.number] if located.kind is SpecialKind.GRAZING else None
     linear = not any(map(any, point.signature.counts))
+    before, after = passed.sides
     away = [side.apart(node) for side in (left, right)]
     interval = left.value, right.value
     if located.kind is SpecialKind.EXISTENCE and located.value is not None:
@@ -188,10 +189,10 @@ def special_of(passed: Passed, last: Node, arclength: float, settings: Continuat
         interval=interval,
         arclengths=(here - away[0], here + away[1]),
         point=point,
-        label_before=left.orbit.signature,
-        label_after=right.orbit.signature,
-        unstable_before=left.spectrum.unstable.total,
-        unstable_after=right.spectrum.unstable.total,
+        label_before=before.label,
+        label_after=after.label,
+        unstable_before=before.unstable,
+        unstable_after=after.unstable,
         extremum=extremum,
         linear=linear,
         note=note_of(passed),
