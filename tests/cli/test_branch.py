@@ -95,19 +95,64 @@ def test_switched_and_resumed(gearlash: Gearlash, tmp_path: Path):
     assert labels == [["6-6-2", "3-3-1"], ["6-6-2", "3-3-0"], ["3-3-1", "3-3-0"]]
     file = str(tmp_path / "out" / "branch-1.json")
     here = ("--set", "omega=0.78", "--resume", file)
-    again = gearlash("branch", "article", *here, "--switch", "1", "--switch", "2", "--switch", "9", "--json")
+    again = gearlash("branch", "article", *here, "--switch", "1", "--switch", "2", "--json")
     first, twelve = again.answer["branches"]
     assert first == answer["branches"][0]
     assert [each["value"] for each in twelve["special"]] == pytest.approx(
         [each["value"] for each in answer["branches"][1]["special"]], rel=1e-12
     )
     assert [each["why"] for each in again.answer["not_switched"]] == [
-        "at a grazing no other branch of periodic orbits begins", "the branch has 3 special points",
+        "at a grazing no other branch of periodic orbits begins",
     ]  # fmt: skip
     other = gearlash("branch", "article", *here, "--at", "2", "--over", "omega=0.77:0.79", "--json")
     touch = min(other.answer["branches"][0]["special"], key=lambda each: abs(each["value"] - 0.78))
     assert touch["value"] == pytest.approx(0.78, abs=1e-9)
     assert other.answer["parameters"]["D"] == answer["branches"][0]["special"][1]["value"]
+
+
+def test_a_point_to_switch_at_that_there_is_not(gearlash: Gearlash, tmp_path: Path):
+    """Refused before anything is followed from a file, else after the first branch."""
+    narrow, out = (*SIX[:-1], "D=0.352:0.38"), tmp_path / "out"
+    ran = gearlash(*narrow, "--switch", "33", "--out", str(out))
+    assert ran.code == 2
+    assert "--switch = 33: expected a special point of branch 1, which has 1 special point: " in ran.complaint
+    assert "other branches begin at 1" in ran.complaint
+    assert not (out / "branch-1.json").exists()
+    case = gl.load_case("kahraman-singh")
+    branch = gl.continue_branch(case, "omega", lower=1.45, upper=1.5, values={"omega": 1.5})
+    file = str(gl.save_branch(branch, tmp_path / "branch.json", case))
+    ran = gearlash("branch", "kahraman-singh", "--resume", file, "--switch", "1")
+    assert (ran.code, "--switch = 1: expected nothing: branch 1 has no special point" in ran.complaint) == (
+        2,
+        True,
+    )
+
+
+def test_a_resumed_branch_replaces_no_other(gearlash: Gearlash, tmp_path: Path):
+    """It is number 1 of its own answer, and its folder has others."""
+    narrow, out = (*SIX[:-1], "D=0.352:0.38"), tmp_path / "out"
+    gearlash(*narrow, "--switch", "all", "--out", str(out))
+    before = {path.name: path.read_bytes() for path in out.iterdir()}
+    resumed = ("branch", "article", "--set", "omega=0.78", "--resume")
+    for number, more in ((2, ()), (1, ()), (1, ("--at", "1"))):
+        ran = gearlash(*resumed, str(out / f"branch-{number}.json"), *more, "--out", str(out))
+        assert ran.code == 2
+        lost = "branch-2" if number == 1 and not more else "branch-1, branch-2"
+        assert f"another folder: in this one {lost} (.json, .nc, .csv) would be replaced" in ran.complaint
+    assert {path.name: path.read_bytes() for path in out.iterdir()} == before
+    for name in ("branch-2.json", "branch-2.nc", "branch-2.csv"):
+        (out / name).unlink()
+    assert gearlash(*resumed, str(out / "branch-1.json"), "--switch", "1", "--out", str(out)).code == 0
+    assert len(gl.load_branch(out / "branch-2.json").points) > 1
+
+
+def test_the_first_sentence_is_short(gearlash: Gearlash):
+    """However many branches there are: the tables have the rest."""
+    ran = gearlash(*SIX, "--switch", "all", "--depth", "2")
+    first = ran.out.partition("\n\n")[0]
+    assert len(first.splitlines()) <= 3
+    assert "3 branches, " in " ".join(first.split())
+    assert "stable on branch 1: 6-6-1" in " ".join(first.split())
 
 
 def test_a_file_of_other_values_or_points_is_refused(gearlash: Gearlash, tmp_path: Path):
@@ -160,6 +205,12 @@ def test_the_law_at_a_touch(gearlash: Gearlash):
     text = gearlash(*SPUR, "--law").out
     assert "conditions  all hold" in text
     assert "predicted   fold at depth" in text
+    assert "computed    no fold or doubling before" not in text
+    assert low["law"]["until"] == ""
+    short = gearlash(*SPUR[:-1], "omega=1.3:1.6", "--law").out
+    assert (
+        "computed    no fold or doubling before the end of the branch (lower limit of the parameter)" in short
+    )
     corner = ("branch", "kahraman-singh", "--set", "contact=no-tension", "--set", "omega=1.5")
     tried = gearlash(*corner, "--over", "omega=0.7:1.6", "--law", "--json").answer["branches"][0]["special"]
     touches = [each for each in tried if each["kind"] == "grazing"]

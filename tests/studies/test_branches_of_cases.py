@@ -159,3 +159,22 @@ def test_what_cannot_be_followed_is_refused_in_words():
     family, _ = case.family()
     with pytest.raises(gl.GearlashError, match="omega"):
         gl.continue_branch(family, "omega", lower=-1.0, upper=1.3)
+
+
+def test_a_point_of_a_branch_begins_one_in_another_parameter():
+    """A special point brings all parameters; another point has them given, the new one included."""
+    case, branch = gl.load_case("article"), window()
+    touch, point = branch.special[-1], branch.points[2]
+    limits = {"lower": 0.08, "upper": 0.12, "steps": COARSE}
+    again = gl.continue_branch(case, "load", touch, **limits)
+    assert again.values == touch.values
+    assert min(abs(each.value - touch.values["load"]) for each in again.of_kind("grazing")) < 1e-9
+    values = {**branch.values, "omega": point.value}
+    again = gl.continue_branch(case, "load", point, values=values, **limits)
+    assert again.values == values
+    begun = min(again.points, key=lambda each: abs(each.arclength))
+    np.testing.assert_allclose(begun.state, point.state, atol=1e-12)
+    with pytest.raises(gl.GearlashError, match="a branch in another parameter give all values, load and"):
+        gl.continue_branch(case, "load", point, **limits)
+    with pytest.raises(gl.GearlashError, match="no periodic motion at"):
+        gl.continue_branch(case, "load", touch, values={"omega": 0.9}, **limits)

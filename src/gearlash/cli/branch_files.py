@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from gearlash.case import Case
+from gearlash.case import Case, CaseError, Problem
 from gearlash.case.units import pretty
 from gearlash.results import table
 from gearlash.results.branch_dataset import branch_dataset
@@ -22,6 +24,31 @@ if TYPE_CHECKING:
     from gearlash.studies.switches import SwitchedBranch
 
     from .answers.branch import BranchAnswer
+
+NUMBERED = re.compile(r"branch-\d+\.(json|nc|csv)")
+FIRST = ("branch-1.json", "branch-1.nc", "branch-1.csv")
+
+
+def check_nothing_is_lost(out: Path | None, resume: Path | None, whole: bool) -> None:
+    """Raises `CaseError` where branches in the folder of --resume would be replaced by others.
+
+    A resumed branch is number 1 of its own answer. So its folder may take that answer only where it has no
+    other branch, and the resumed one is taken as a ``whole``."""
+    if out is None or resume is None or not out.is_dir() or not resume.exists():
+        return
+    source = resume.resolve()
+    if not source.parent.samefile(out):
+        return
+    kept = FIRST if whole and source.name == FIRST[0] else ()
+    lost = sorted(
+        {path.stem for path in out.iterdir() if NUMBERED.fullmatch(path.name) and path.name not in kept}
+    )
+    if lost:
+        expected = (
+            f"another folder: in this one {', '.join(lost)} (.json, .nc, .csv) would be replaced or removed, "
+            "as a resumed branch is number 1 of its own answer"
+        )
+        raise CaseError("--out", [Problem("--out", repr(str(out)), expected)])
 
 
 def write_branches(

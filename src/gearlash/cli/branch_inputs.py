@@ -133,6 +133,26 @@ def read_switches(texts: Sequence[str] | None) -> list[int] | None:
     return list(dict.fromkeys(found))
 
 
+def check_switches(branch: Branch, points: Sequence[int] | None) -> None:
+    """Raises `CaseError` for numbers (from 0) of special points that a whole branch does not have."""
+    from gearlash.branches.continuation import EndKind
+    from gearlash.studies.switches import born_at
+
+    count, cancelled = len(branch.special), any(end.kind is EndKind.CANCELLED for end in branch.ends)
+    beyond = [i + 1 for i in points or () if i >= count]
+    if not beyond or cancelled:
+        return
+    born = [str(i) for i, special in enumerate(branch.special, 1) if born_at(special)]
+    many = f"{count} special point{'' if count == 1 else 's'}"
+    where = f"other branches begin at {', '.join(born)}" if born else "no other branch begins at one of them"
+    expected = (
+        f"a special point of branch 1, which has {many}: {where}"
+        if count
+        else ("nothing: branch 1 has no special point")
+    )
+    raise CaseError("--switch", [Problem("--switch", str(i), expected) for i in beyond])
+
+
 def steps_of(longest: float | None) -> ContinuationSettings:
     """The usual steps, or shorter or longer ones."""
     from gearlash.branches.continuation import ContinuationSettings

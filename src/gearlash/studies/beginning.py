@@ -28,6 +28,25 @@ def value_of(start: Point | BranchPoint | SpecialPoint, name: str) -> float:
     return value
 
 
+def member_of(
+    family: Family, given: Mapping[str, float], name: str, start: Point | BranchPoint | SpecialPoint
+) -> dict[str, float]:
+    """The values of the member that a start is an orbit of, as far as it and those that are ``given`` tell.
+
+    A special point brings all of them. Any other point brings one, of a parameter that it does not name: it
+    is taken for ``name``, unless that is given, too, and the orbit is one of the member that is given."""
+    own = getattr(start, "values", None)
+    if own is not None:
+        given = {**own, **given}
+        return {**given, name: value_of(start, name)} if getattr(start, "name", name) == name else given
+    taken = {**given, name: value_of(start, name)}
+    if name in given and given[name] != taken[name]:
+        point = _point_of(start)
+        if not _is_one(family, taken, point) and _is_one(family, given, point):
+            return dict(given)
+    return taken
+
+
 def orbit_of(
     family: Family, values: Mapping[str, float], name: str, start: Orbit | Point | BranchPoint | SpecialPoint
 ) -> Orbit:
@@ -36,23 +55,39 @@ def orbit_of(
     A start tells one parameter at most. So whether it is an orbit at these values is looked at: one that was
     found at other values is refused."""
     point = start if isinstance(start, Orbit) else _point_of(start)
-    props = flow.propagators(family.system(values))
-    if isinstance(point, Orbit):
-        periods = point.shot.period
-    elif point.period < 1:
+    if not isinstance(point, Orbit) and point.period < 1:
         raise GearlashError(
             f"start: it is {point.label or point.status}, not periodic: expected a periodic motion"
         )
-    else:
-        periods = point.period // props.system.cycles
-    found = orbit_at(props, point.state, periods)
-    if found is None or _apart(found.state, point.state) > SAME_STATE:
+    found = _orbit_at(family, values, point)
+    if found is None:
         at = ", ".join(f"{each} = {values[each]:.10g}" for each in values)
         raise GearlashError(
             f"start: it is no periodic motion at {at}. Expected one that was found there: give as values "
-            f"all other parameters that it was found at; the value that a point brings is taken for {name}"
+            f"all other parameters that it was found at; the value that a point brings is taken for {name}. "
+            f"For a point of a branch in another parameter give all values, {name} and that one included; "
+            "a special point of a branch brings them itself"
         )
     return found
+
+
+def _is_one(family: Family, values: Mapping[str, float], point: Point | BranchPoint) -> bool:
+    """Whether it is a periodic motion at these values."""
+    try:
+        complete = family.complete(values)
+    except GearlashError:  # a value that another parameter may have, this one may not
+        return False
+    return point.period >= 1 and _orbit_at(family, complete, point) is not None
+
+
+def _orbit_at(
+    family: Family, values: Mapping[str, float], point: Orbit | Point | BranchPoint
+) -> Orbit | None:
+    """The orbit at these values, if the state of the point lies on it."""
+    props = flow.propagators(family.system(values))
+    periods = point.shot.period if isinstance(point, Orbit) else point.period // props.system.cycles
+    found = orbit_at(props, point.state, periods)
+    return None if found is None or _apart(found.state, point.state) > SAME_STATE else found
 
 
 def _point_of(start: Point | BranchPoint | SpecialPoint) -> Point | BranchPoint:

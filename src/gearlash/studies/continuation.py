@@ -22,7 +22,7 @@ from gearlash.results import Point
 from gearlash.system import Family, GearlashError, given, plain_values
 
 from .arguments import checked_execution, checked_settings
-from .beginning import orbit_of, value_of
+from .beginning import member_of, orbit_of
 from .following import Following, checked_steps
 from .limits import Limits
 from .model import Model, Source
@@ -53,8 +53,10 @@ def continue_branch(
     name : str
         The parameter, such as ``omega``; of a case also as in its file, such as ``pinion_speed``.
     start : Orbit, Point, BranchPoint or SpecialPoint, optional
-        The orbit to begin with. A `Point` or a point of a branch brings the value of the parameter with it,
-        an `Orbit` is one at ``values``. Without it, the motion from the cold start at ``values``.
+        The orbit to begin with; without it, the motion from the cold start at ``values``. A `SpecialPoint`
+        brings all parameters with it, so it may be one of a branch in another parameter. A `Point` or a
+        `BranchPoint` brings the value of one parameter; it is taken for this one, unless the orbit is one at
+        ``values``, which then need this one, too. An `Orbit` is one at ``values``.
     lower, upper : float or str
         Limits of the parameter; of a case also with a unit, such as ``"3000 rpm"``. The start lies between.
     values : mapping of str to float or str, optional
@@ -98,7 +100,7 @@ def continue_branch(
     short = limits.short
     if start is not None and not isinstance(start, Orbit):
         given.instance("start", start, STARTS, "an Orbit, a Point of a study, or a point of a branch")
-        numbers[short] = value_of(start, short)
+        numbers = member_of(family, numbers, short, start)
     complete = family.complete(numbers)
     listener = Following(checked_execution(source, execution))
     orbit = None if start is None else orbit_of(family, complete, short, start)

@@ -38,8 +38,10 @@ class LawFound:
     missing: Annotated[tuple[str, ...], "conditions of the law that do not hold; it then says nothing"]
     predicted: Annotated[NextPoint | None, "the next fold or doubling by the law; null: it predicts none"]
     computed: Annotated[
-        NextPoint | None, "the next one of this branch before any other touch; null: there is none"
+        NextPoint | None,
+        "the next special point of this branch beyond the touch, if it is a fold or doubling; else null",
     ]
+    until: Annotated[str, "where none was computed: what ended the search; empty where one was"]
 
 
 @dataclass(frozen=True)
@@ -196,7 +198,7 @@ def special_found(
         multipliers=multiplier_rows(special.point.multipliers),
         linear=special.linear,
         born=born_at(special),
-        law=None if isinstance(law, str) else _law(law),
+        law=None if isinstance(law, str) else _law(law, branch, special),
         law_missing=law if isinstance(law, str) else "",
     )
 
@@ -207,7 +209,7 @@ def _meets_back(special: SpecialPoint) -> bool:
     return any(one.back_impacts > 0 for one in sides) or (touch is not None and touch.boundary < 0)
 
 
-def _law(law: GrazingLaw) -> LawFound:
+def _law(law: GrazingLaw, branch: Branch, special: SpecialPoint) -> LawFound:
     return LawFound(
         multipliers=multiplier_rows(law.multipliers),
         coefficients=multiplier_rows(law.coefficients),
@@ -216,7 +218,30 @@ def _law(law: GrazingLaw) -> LawFound:
         missing=law.missing,
         predicted=_next(law.predicted_kind, law.predicted_depth, law.predicted_value),
         computed=_next(law.computed_kind, law.computed_depth, law.computed_value),
+        until="" if law.computed_kind is not None else _until(branch, special),
     )
+
+
+def _until(branch: Branch, special: SpecialPoint) -> str:
+    """What comes next beyond a touch: another special point, or the end of the branch."""
+    touch = special.touch
+    for way in (1.0, -1.0):
+        points = [p for p in branch.points if way * (p.arclength - special.arclength) > 0.0]
+        nearest = min(points, key=lambda p: abs(p.arclength - special.arclength), default=None)
+        mine = [] if nearest is None else [e for e in nearest.extrema if e.number == touch.number]
+        if not mine or mine[0].distance * touch.a0 > 0.0:
+            continue  # not on this side: there the extremum does not lie beyond its boundary
+        beyond = [
+            (abs(other.arclength - special.arclength), i, other)
+            for i, other in enumerate(branch.special, 1)
+            if way * (other.arclength - special.arclength) > 0.0
+        ]
+        if beyond:
+            _, number, other = min(beyond)
+            return f"the {other.kind} {number}"
+        end = branch.ends[-1 if way > 0.0 else 0]
+        return f"the end of the branch ({end.kind})"
+    return "another change of the branch"
 
 
 def _next(kind: SpecialKind | None, depth: float, value: float) -> NextPoint | None:

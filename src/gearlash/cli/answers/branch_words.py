@@ -11,7 +11,8 @@ from .asked import Asked
 if TYPE_CHECKING:
     from .branch_parts import BesideFound, BranchFound, BranchStart, LimitsUsed, StretchFound
 
-MOST_NAMED = 4  # intervals in the sentence
+MOST_NAMED = 2  # intervals in the sentence, and labels in each: the tables have all
+LONGEST_MESSAGE = 60  # characters of it in the sentence
 NOT_LOOKED_FOR = (
     "motions on branches that no special point here leads to",
     "quasi-periodic and chaotic motions",
@@ -37,15 +38,21 @@ def sentence(
     if not branches:
         return f"{here}: no branch was followed, {message}"
     many = f"{len(branches)} branches, " if len(branches) > 1 else ""
-    text = f"{here}: {many}{_counted(branches)}; {_stable(asked, branches)}"
+    text = f"{here}: {many}{_counted(branches)}; {_stable(asked, start, branches)}"
     if beside:
         shown = [f"{' beside '.join(each.labels)} {_interval(asked, each.low, each.high)}" for each in beside]
-        text += f"; stable motions coexist: {_several(shown)}"
-    return f"{text}; {status}, {message}" if message else text
+        text += f"; stable motions coexist: {_several(shown, 1)}"
+    if not message:
+        return text
+    return f"{text}; {status}, {message if len(message) <= LONGEST_MESSAGE else 'see the message'}"
 
 
 def _counted(branches: Sequence[BranchFound]) -> str:
-    kinds = Counter(special.kind for branch in branches for special in branch.special)
+    kinds = Counter(
+        "joins" if special.kind.startswith("joins") else special.kind
+        for branch in branches
+        for special in branch.special
+    )
     if not kinds:
         return "no special point found"
     return f"{_listed([_many(kind, count) for kind, count in kinds.items()])} found"
@@ -53,31 +60,42 @@ def _counted(branches: Sequence[BranchFound]) -> str:
 
 def _many(kind: str, count: int) -> str:
     if kind.startswith("joins"):
-        return f"{count} point{'s' if count > 1 else ''} where one {kind}"
+        return f"{count} point{'s' if count > 1 else ''} of joining"
     if kind == "Neimark-Sacker":
         return f"{count} Neimark-Sacker point{'s' if count > 1 else ''}"
     return f"{count} {kind if count == 1 else PLURALS.get(kind, kind + 's')}"
 
 
-def _stable(asked: Asked, branches: Sequence[BranchFound]) -> str:
-    """Where the orbits found are stable: stretches that follow each other on one branch are one."""
+def _stable(asked: Asked, start: BranchStart, branches: Sequence[BranchFound]) -> str:
+    """Where the orbits of the first branch are stable, the interval of the start first. Stretches that follow
+    each other are one interval."""
     runs: list[list[StretchFound]] = []
-    for branch in branches:
-        before = None
-        for each in branch.stretches:
-            if each.stable and before is not None and before.stable and _meet(before, each):
-                runs[-1].append(each)
-            elif each.stable:
-                runs.append([each])
-            before = each
+    before = None
+    for each in branches[0].stretches:
+        if each.stable and before is not None and before.stable and _meet(before, each):
+            runs[-1].append(each)
+        elif each.stable:
+            runs.append([each])
+        before = each
+    one = "branch 1" if len(branches) > 1 else "it"
     if not runs:
-        return "no stable orbit on it"
+        return f"no stable orbit on {one}"
+    runs.sort(key=lambda run: not any(_holds(each, start) for each in run))
     shown = [
-        f"{_listed([*dict.fromkeys(each.label for each in run)])} "
+        f"{_few([*dict.fromkeys(each.label for each in run)])} "
         f"{_interval(asked, min(each.low for each in run), max(each.high for each in run))}"
         for run in runs
     ]
-    return f"stable: {_several(shown)}"
+    return f"stable{' on branch 1' if len(branches) > 1 else ''}: {_several(shown)}"
+
+
+def _holds(stretch: StretchFound, start: BranchStart) -> bool:
+    return stretch.label == start.label and stretch.low <= start.value <= stretch.high
+
+
+def _few(labels: Sequence[str]) -> str:
+    left = len(labels) - MOST_NAMED
+    return f"{', '.join(labels[:MOST_NAMED])} and {left} more labels" if left > 1 else _listed(labels)
 
 
 def _meet(one: StretchFound, other: StretchFound) -> bool:
@@ -91,9 +109,9 @@ def _interval(asked: Asked, low: float, high: float) -> str:
     return f"from {asked.between(*ends) if asked.unit else f'{ends[0]} to {ends[1]}'}"
 
 
-def _several(shown: Sequence[str]) -> str:
-    left = len(shown) - MOST_NAMED
-    return ", ".join(shown[:MOST_NAMED]) + (f" and {left} more" if left > 0 else "")
+def _several(shown: Sequence[str], most: int = MOST_NAMED) -> str:
+    left = len(shown) - most
+    return ", ".join(shown[:most]) + (f" and {left} more" if left > 0 else "")
 
 
 def _listed(words: Sequence[str]) -> str:

@@ -102,7 +102,8 @@ def branch(
     --resume takes), .nc and .csv, special.csv, and the figure as SVG and PDF. Ctrl-C keeps what was found,
     marked incomplete.
     """
-    from gearlash.cli.branch_inputs import BranchInputs, read_switches, steps_of
+    from gearlash.cli.branch_files import check_nothing_is_lost, write_branches
+    from gearlash.cli.branch_inputs import BranchInputs, check_switches, read_switches, steps_of
     from gearlash.cli.folder import claim_if
     from gearlash.cli.frame import deliver
     from gearlash.cli.notice import load_engine
@@ -111,7 +112,10 @@ def branch(
 
     asked = BranchInputs.read(case, settings, over, near, initial, resume, at)
     points, steps = read_switches(switch), steps_of(step)
+    if asked.kept is not None and asked.point is None:
+        check_switches(asked.kept, points)
     search = search_settings(asked.family, periods, max_period, case)
+    check_nothing_is_lost(out, resume, whole=asked.point is None)
     folder = claim_if(out, _file_names(MOST_FILES if switch else 1))
     load_engine(data=folder is not None)
     tell_if_slow(asked.family, asked.parameters)
@@ -121,8 +125,6 @@ def branch(
 
     def keep() -> None:
         if folder:
-            from gearlash.cli.branch_files import write_branches
-
             write_branches(folder, asked.case, found, datasets, answer, str(measure))
 
     return deliver(answer, as_json, keep)
@@ -143,6 +145,7 @@ def _followed(
 ) -> tuple[BranchAnswer, Sequence[SwitchedBranch]]:
     """The branch through the motion to begin with, those that were to be switched to, and what is told."""
     from gearlash.cli.answers.branch import branch_answer
+    from gearlash.cli.branch_inputs import check_switches
     from gearlash.cli.interrupt import expect_results
     from gearlash.cli.progress import progress_bar
     from gearlash.jobs import Execution
@@ -163,6 +166,7 @@ def _followed(
             first = continue_branch(
                 asked.family, over.short, begin.start, **limits, steps=steps, execution=execution
             )
+            check_switches(first, points)
         found, missed = with_switches(asked.family, first, points, depth, steps, execution)
     laws = _laws(asked.family, found) if law else {}
     return branch_answer(*said, found, missed, laws), found

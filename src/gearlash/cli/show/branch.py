@@ -107,13 +107,13 @@ def _terms(answer: BranchAnswer, law: LawFound) -> Iterator[tuple[str, str]]:
         "; ".join(law.missing) or HOLD,
     )
     yield "predicted", _next(answer, law.predicted, "no fold or doubling")
-    yield "computed", _next(answer, law.computed, "no fold or doubling before another touch")
+    yield "computed", _next(answer, law.computed, f"no fold or doubling before {law.until or 'its end'}")
 
 
 def _coefficient(real: float, imag: float) -> str:
     if imag == 0.0:
         return number(real, 4)
-    return f"{number(real, 4)} {'+' if imag > 0.0 else '−'} {number(abs(imag), 4)}i"
+    return f"{number(real, 4)} {'+' if imag > 0.0 else '-'} {number(abs(imag), 4)}i"
 
 
 def _next(answer: BranchAnswer, point: NextPoint | None, none: str) -> str:

@@ -48,7 +48,7 @@ def quantity(value: float | None, unit: str, digits: int = 4) -> str:
 def polar(real: float, imag: float, modulus: float) -> str:
     """A multiplier: real ones with sign, complex ones by modulus and angle."""
     if imag == 0.0:
-        return f"{real:.4f}"
+        return f"{round(real, 4) + 0.0:.4f}"  # no -0.0000
     return f"{modulus:.4f} ∠{degrees(atan2(imag, real)):+.1f}°"
 
 
