@@ -60,12 +60,16 @@ def test_every_command_prints_what_the_page_shows(gearlash: Gearlash, folder: Pa
 
 
 def test_its_python_runs(folder: Path):
-    (script,) = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+    script = "\n".join(re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL))
     names: dict[str, Any] = {}
     exec(compile(script, "branches.md", "exec"), names)  # the point of this test
     assert len(names["branch"].special) == 16
     assert names["doubled"].points[0].period == 2
     assert (folder / "branches.svg").exists()
+    assert (folder / "over-a-sweep.svg").exists()
+    assert names["over_omega"].values == names["fold"].values
+    assert names["from_point"].values == names["values"]
+    assert len(names["rows"]) == len(names["again"].points) == len(names["branch"].points)
     assert set(re.findall(r"`gl\.(\w+)", PAGE)) <= set(gl.__all__)
 
 
