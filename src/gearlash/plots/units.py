@@ -44,8 +44,10 @@ def name(parameter: str) -> str:
 
 
 def literal(text: str) -> str:
-    """Somebody's own words as matplotlib is to draw them: a dollar sign begins no formula."""
-    return text.replace("$", r"\$")
+    """Somebody's own words as matplotlib is to draw them: a dollar sign begins no formula, and what cannot be
+    printed is shown as such."""
+    shown = "".join(each if each.isprintable() or each == "\n" else "\ufffd" for each in text)
+    return shown.replace("$", r"\$")
 
 
 @dataclass(frozen=True)
