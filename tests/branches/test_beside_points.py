@@ -43,6 +43,30 @@ def stop() -> Family:
     return Family((Parameter("omega", 0.8),), ("x", "v"), build, cold_start=lambda _: np.zeros(2))
 
 
+def pair(apart: float) -> Family:
+    """Two equal oscillators side by side, each with a stop; these differ by ``apart``."""
+
+    def build(p):
+        one = np.array([[0.0, 1.0], [-1.0, -0.2]])
+        matrix = np.block([[one, np.zeros((2, 2))], [np.zeros((2, 2)), one]])
+        forcing = np.zeros((4, 3))
+        forcing[[1, 3], 1] = p["force"]
+        clearances = []
+        for i in (0, 2):
+            h, g = np.zeros(4), np.zeros(4)
+            h[i], g[i + 1] = 1.0, -1.0
+            stiffness, name = np.array([0.5]), f"stop {i}"
+            gap = 1.0 if i == 0 else 1.0 + apart
+            stops = Clearance(
+                h, g, gap, 9.0, stiffness, 0.0 * stiffness, contact=ContactRule.IN_CONTACT, name=name
+            )
+            clearances.append(stops)
+        return System(1.5, matrix, forcing, tuple(clearances))
+
+    names = ("x", "v", "y", "w")
+    return Family((Parameter("force", 1.0),), names, build, cold_start=lambda _: np.zeros(4))
+
+
 def followed(family: Family, name: str, value: float, lower: float, upper: float) -> Branch:
     props = built(family, **{name: value})
     found = attractor(props, family.start())
@@ -75,35 +99,24 @@ def test_a_touch_and_a_fold_in_one_step():
 
 
 def test_two_touches_at_one_place():
-    """Two equal oscillators side by side touch their stops at one value: each has a label of its own."""
+    """Two equal oscillators side by side touch their stops at one value: no orbit lies between."""
 
-    def build(p):
-        one = np.array([[0.0, 1.0], [-1.0, -0.2]])
-        matrix = np.block([[one, np.zeros((2, 2))], [np.zeros((2, 2)), one]])
-        forcing = np.zeros((4, 3))
-        forcing[[1, 3], 1] = p["force"]
-        clearances = []
-        for i in (0, 2):
-            h, g = np.zeros(4), np.zeros(4)
-            h[i], g[i + 1] = 1.0, -1.0
-            stiffness, name = np.array([0.5]), f"stop {i}"
-            stops = Clearance(
-                h, g, 1.0, 9.0, stiffness, 0.0 * stiffness, contact=ContactRule.IN_CONTACT, name=name
-            )
-            clearances.append(stops)
-        return System(1.5, matrix, forcing, tuple(clearances))
-
-    names = ("x", "v", "y", "w")
-    family = Family((Parameter("force", 1.0),), names, build, cold_start=lambda _: np.zeros(4))
-    branch = followed(family, "force", 1.0, 0.9, 1.5)
+    branch = followed(pair(0.0), "force", 1.0, 0.9, 1.5)
     one, two = branch.special
     assert one.is_grazing
     assert two.is_grazing
     assert one.value == pytest.approx(np.hypot(1.25, 0.3), rel=1e-10)
-    assert one.label_before == "1-0-0/0-0"
-    assert {str(one.label_after), str(two.label_before)} <= {"1-1-0/0-0", "1-0-0/1-0"}
-    assert two.label_after == "1-1-0/1-0"
-    chained(branch)
+    assert two.value == pytest.approx(one.value, rel=1e-13)
+    for touch in (one, two):
+        assert (touch.label_before, touch.label_after) == ("1-0-0/0-0", "1-1-0/1-0")
+
+
+def test_two_touches_near_each_other():
+    """Of two oscillators whose stops differ by 1e-7: between the touches only one of them is in contact."""
+    one, two = followed(pair(1e-7), "force", 1.0, 0.9, 1.5).special
+    assert two.value - one.value == pytest.approx(1e-7 * one.value, rel=1e-5)
+    assert [one.label_before, one.label_after] == ["1-0-0/0-0", "1-1-0/0-0"]
+    assert [two.label_before, two.label_after] == ["1-1-0/0-0", "1-1-0/1-0"]
 
 
 def test_no_branch_that_only_passes_by_is_switched_to():

@@ -26,6 +26,8 @@ CHANGED = {
     SpecialKind.TORUS: 2,
 }  # how many multipliers cross the unit circle
 
+TOGETHER = 1e-10  # arclength: points so near to each other cannot be told apart
+
 
 @dataclass(frozen=True)
 class Beside:
@@ -92,10 +94,24 @@ def _run(left: Node, passed: Sequence[Passed], right: Node) -> Iterator[Passed]:
     for i, one in enumerate(passed):
         before, after = one.sides
         if labels is not None:
-            before, after = replace(before, label=labels[i]), replace(after, label=labels[i + 1])
+            first, last = _at_one_place(passed, i)
+            before, after = replace(before, label=labels[first]), replace(after, label=labels[last + 1])
         if counts is not None:
             before, after = replace(before, unstable=counts[i]), replace(after, unstable=counts[i + 1])
         yield replace(one, before=before, after=after)
+
+
+def _at_one_place(passed: Sequence[Passed], which: int) -> tuple[int, int]:
+    """The first and the last of the points that cannot be told apart from one of them, as where a symmetric
+    orbit touches both sides at once: there is no orbit between them that had a label of its own."""
+    here = passed[which].located.node
+    near = [one.located.node.apart(here) <= TOGETHER for one in passed]
+    first, last = which, which
+    while first > 0 and near[first - 1]:
+        first -= 1
+    while last + 1 < len(passed) and near[last + 1]:
+        last += 1
+    return first, last
 
 
 def _labels(left: Node, passed: Sequence[Passed], right: Node) -> list[Signature] | None:
