@@ -15,6 +15,7 @@ BORN_NEAR = 3.0  # times what the extrema moved: born so near to a boundary, it 
 CURVED = 0.25  # of what the curvature makes of a step: a function that comes so near zero may have been there
 TURN_ROUNDING = 1e-7  # what a derivative along the parameter that is not exact makes of a turn
 SLACK = 0.25  # of a step: beyond its ends, for where a function is least (a multiplier may well only touch 1)
+SMALL_PAIR = 0.1  # modulus: what lies far within the circle does not leave it and come back within a step
 Function = Callable[[Node], float]
 
 
@@ -106,11 +107,27 @@ def explained(left: Node, right: Node, found: list[Change]) -> bool:
     difference = right.spectrum.unstable.total - left.spectrum.unstable.total
     ones = sum(change.test in (Test.TURN, Test.AT_ONE, Test.DOUBLING) for change in found)
     twos = sum(change.test is Test.TORUS for change in found)
+    if ones and not twos and _pair_may_have_left(left, right):
+        return False
     if found and all(change.test is Test.GRAZING for change in found):
         return difference == 0
     if len(found) == 1 and found[0].test is Test.TURN:
         return abs(difference) <= 1
     return abs(difference) <= ones + 2 * twos and (difference - ones) % 2 == 0
+
+
+def _pair_may_have_left(left: Node, right: Node) -> bool:
+    """Whether a pair may have left the circle and become two real multipliers of which one came back. Beside
+    another change of multipliers it looks the same as a pair that becomes real within the circle, so only a
+    shorter step tells: one on which pairs stay pairs, and products of two stay on one side of 1."""
+    product = OF_SPECTRUM[Test.TORUS](left) * OF_SPECTRUM[Test.TORUS](right)
+    return product < 0.0 or _pairs(left) != _pairs(right)
+
+
+def _pairs(node: Node) -> int:
+    """How many pairs are complex, of those that are not small."""
+    multipliers = node.spectrum.multipliers
+    return int(((multipliers.imag > 0.0) & (np.abs(multipliers) > SMALL_PAIR)).sum())
 
 
 def doubt(before: Node | None, left: Node, right: Node, found: list[Change]) -> str:
