@@ -13,7 +13,7 @@ from gearlash.system import MotionKind
 
 from .followed import BEYOND_END, Followed, Question
 from .point import evaluate
-from .seen import HALVED_TO, Stretch, halved
+from .seen import HALVED_TO, KnownArcs, Stretch, halved
 from .zone import ZoneMotion
 from .zone_end import RANGE, Interval, ZoneEnd
 
@@ -24,23 +24,25 @@ FIRST = (
 
 @dataclass(frozen=True, eq=False)
 class Chase:
-    """A task: aperiodic motion found at ``point``, followed from ``value`` upwards (+1) or downwards (-1)."""
+    """A task: aperiodic motion found at ``point``, followed from ``value`` upwards (+1) or downwards (-1),
+    through windows of periodic motion, until it becomes one of the ``known`` stable motions."""
 
     question: Question
     point: Point
     value: float
     sign: int
+    known: KnownArcs
 
 
 def chase(task: Chase, carry: object) -> Part:
-    """The last point at which the motion was aperiodic, None where that is none, and the next one at which it
-    was not, None where the range ends first."""
+    """The last point to which the motion went on, None where that is none, and the next one at which it was
+    lost, None where the range ends first."""
     q, last, other, state = task.question, None, None, task.point.state
     family, step = q.source.family(), FIRST * max(abs(task.value), 1e-3)
     value: float | None = task.value + task.sign * step
     while value is not None and q.lower <= value <= q.upper:
         point = evaluate(family, q.values(family, value), q.name, state, None, q.settings, None)[0]
-        if point.label is MotionKind.APERIODIC:
+        if point.computed and not task.known.hold(point):
             last, state = point, point.state
         else:
             other = point
@@ -63,7 +65,7 @@ def _next(question: Question, step: float, last: Point | None, other: Point | No
 def chased(followed: Followed, seen: Iterable[Stretch]) -> list[ZoneMotion]:
     """Aperiodic motions that were found beyond the ends of stable arcs and live beside other stable arcs, or
     beside the same one, and that no sweep saw just there."""
-    seen, ends, chains = list(seen), {}, []
+    seen, known, ends, chains = list(seen), KnownArcs.of(followed), {}, []
     for (i, up), point in followed.beyond.items():
         arc = followed.arcs[i]
         end = arc.upper if up else arc.lower
@@ -74,7 +76,8 @@ def chased(followed: Followed, seen: Iterable[Stretch]) -> list[ZoneMotion]:
                 continue
             if not any(s.lower <= near <= s.upper for s in seen):
                 ends[i, up, sign] = end
-                chains.append(Chain((i, up, sign), (Chase(followed.question, point, end.value, sign),), (1,)))
+                task = Chase(followed.question, point, end.value, sign, known)
+                chains.append(Chain((i, up, sign), (task,), (1,)))
     done = followed.done(chase, chains)
     found = [(ends[name], *parts) for name, parts in done.items() if isinstance(name, tuple)]
     return [_motion(end, last, other) for end, last, other in found if last is not None]

@@ -87,23 +87,34 @@ def _kind(point: Point, lost: set[int]) -> str:
     return str(point.status) if point.status in (Status.FAILED, Status.NOT_COMPUTED) else "seen"
 
 
+@dataclass(frozen=True)
+class KnownArcs:
+    """Labels of stable arcs, and where these lie. Periodic motion that is on none of them, as in a window
+    within chaos, is not told from aperiodic motion."""
+
+    arcs: tuple[tuple[Signature, float, float], ...]
+
+    @staticmethod
+    def of(followed: Followed) -> KnownArcs:
+        return KnownArcs(tuple((arc.label, arc.lower.value, arc.upper.value) for arc in followed.stable))
+
+    def hold(self, point: Point) -> bool:
+        """Whether a motion is one of theirs, as far as its label tells."""
+        return point.periodic and any(
+            label == point.label and low <= point.value <= high for label, low, high in self.arcs
+        )
+
+
 @dataclass(frozen=True, eq=False)
 class Halve:
-    """A task: between a ``periodic`` point of a sweep and its neighbour, which is none. ``known``: labels of
-    stable arcs, and where these lie; periodic motion that is on none of them is not told from aperiodic."""
+    """A task: between a ``periodic`` point of a sweep and its neighbour, which is none."""
 
     question: Question
     direction: Direction
     start: NDArray[np.float64] | None
     periodic: Point
     other: Point
-    known: tuple[tuple[Signature, float, float], ...]
-
-    def on_an_arc(self, point: Point) -> bool:
-        """Whether a motion is one of those that have branches, as far as its label tells."""
-        return point.periodic and any(
-            label == point.label and low <= point.value <= high for label, low, high in self.known
-        )
+    known: KnownArcs
 
 
 def halve(task: Halve, carry: object) -> Part:
@@ -119,7 +130,7 @@ def halve(task: Halve, carry: object) -> Part:
             neighbour = neighbour_after(neighbour, first(periodic, other, key=lambda point: point.value))
         middle = 0.5 * (periodic.value + other.value)
         point = continued(family, q.values(family, middle), q.name, neighbour, q.settings)
-        periodic, other = (point, other) if task.on_an_arc(point) else (periodic, point)
+        periodic, other = (point, other) if task.known.hold(point) else (periodic, point)
     return Part(((periodic, other),))
 
 
@@ -153,7 +164,7 @@ class Onsets:
                 continue
             outside, own = stretch.beside(side)
             assert outside is not None
-            known = tuple((arc.label, arc.lower.value, arc.upper.value) for arc in self.followed.stable)
+            known = KnownArcs.of(self.followed)
             tasks[key] = Halve(
                 self.followed.question, stretch.sweep.direction, self.start, outside, own, known
             )
