@@ -8,10 +8,19 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from branches.followed import PLAIN
 from branches.shaken import DEFAULTS, linear, response, shaken, touches
 from branches.test_out_of_range import unbuildable
-from gearlash.branches.continuation import EndKind, EndOfBranch, Node, SpecialKind, SpecialPoint, walk
-from gearlash.orbits import Orbit, attractor, shoot
+from gearlash.branches.continuation import (
+    EndKind,
+    EndOfBranch,
+    Node,
+    SpecialKind,
+    SpecialPoint,
+    continue_orbit,
+    walk,
+)
+from gearlash.orbits import Orbit, attractor, orbit_at, shoot
 from gearlash.system import ContactRule, Family, GearlashError
 from oracles import closed_forms
 from orbits.contacts import one_dof_under, two_gaps
@@ -219,3 +228,17 @@ def test_no_way_at_all():
     assert isinstance(start, Node)
     assert isinstance(end, EndOfBranch)
     assert end.kind is EndKind.ARRIVED
+
+
+@pytest.mark.parametrize("state", [(0.0, 0.0), (0.1, 0.0), (-1.5, 0.0)])
+def test_what_is_not_isolated_is_refused(state):
+    """Without load and excitation a pair rests anywhere in its gap."""
+    family = one_dof(load=0.0, error=0.0, ripple=0.0, D=2.0)
+    rest = orbit_at(built(family, omega=1.0), state, 1)
+    assert rest is not None
+    for go in (
+        lambda: list(walk(family, {"omega": 1.0}, "omega", rest, 1.2)),
+        lambda: continue_orbit(family, {"omega": 1.0}, "omega", rest, 0.8, 1.2, PLAIN),
+    ):
+        with pytest.raises(GearlashError, match="is not isolated"):
+            go()

@@ -15,6 +15,7 @@ from .branch import Branch
 from .derivative import DerivativeKind
 from .equations import UNBUILT, Equations, Line
 from .follow import Follower
+from .isolated import isolated
 from .locate import MEETING
 from .node import Node, node_near
 from .notes import note_of
@@ -94,6 +95,11 @@ def first_node(line: Line, orbit: Orbit, value: float) -> Node:
         raise GearlashError(f"there is no periodic orbit of this family near the start, at {value:.10g}")
     given.whole("period of the orbit, in base periods", found.shot.period, 1, LONGEST_PERIOD)
     equations = Equations.of(line, found)
+    if not isolated(found, equations.size):
+        raise GearlashError(
+            f"the orbit at {line.name} = {value:.10g} is not isolated: a multiplier is 1, "
+            "and other periodic orbits lie beside it at the same value, so that it is on no single branch"
+        )
     u = equations.unknowns(found, value)
     row = np.zeros(len(u))
     row[-1] = 1.0
