@@ -120,6 +120,8 @@ def _pair_may_have_left(left: Node, right: Node) -> bool:
     """Whether a pair may have left the circle and become two real multipliers of which one came back. Beside
     another change of multipliers it looks the same as a pair that becomes real within the circle, so only a
     shorter step tells: one on which pairs stay pairs, and products of two stay on one side of 1."""
+    if len(left.spectrum.multipliers) == 2:
+        return False  # the modulus of the one pair is the root of the determinant, which only damping moves
     product = OF_SPECTRUM[Test.TORUS](left) * OF_SPECTRUM[Test.TORUS](right)
     return product < 0.0 or _pairs(left) != _pairs(right)
 
