@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from math import inf, isfinite, nan
 from pathlib import Path
 from typing import Any
@@ -20,18 +19,13 @@ from gearlash.branches.continuation import (
     SpecialPoint,
 )
 from gearlash.case import Case
-from gearlash.case.files import UnreadableError, read_file
 from gearlash.orbits import Certificate, Signature, Verdict
-from gearlash.system import Family, GearlashError, Status, given
-from gearlash.system.short_text import cut
+from gearlash.system import Family, Status, given
 
-from .provenance import provenance
 from .store import new_file, write_whole
+from .versioned_file import VersionedFile
 
-FORMAT, VERSION = "gearlash-branch", 1
-LARGEST_FILE = 1_000_000_000
-"""Bytes of a file that is read."""
-WRONG = (KeyError, TypeError, ValueError, AttributeError, IndexError, GearlashError, RecursionError)
+FILE = VersionedFile("branch", version=1)
 
 
 def save_branch(branch: Branch, path: str | Path, model: Case | Family) -> Path:
@@ -74,13 +68,7 @@ def save_branch(branch: Branch, path: str | Path, model: Case | Family) -> Path:
 
 def branch_text(branch: Branch, model: Case | Family) -> bytes:
     """The content of the file of a branch."""
-    content = {
-        "format": FORMAT,
-        "version": VERSION,
-        "provenance": provenance(model),
-        "branch": _branch(branch),
-    }
-    return json.dumps(content, allow_nan=False, ensure_ascii=False).encode()
+    return FILE.text(_branch(branch), model)
 
 
 def load_branch(path: str | Path) -> Branch:
@@ -109,26 +97,7 @@ def load_branch(path: str | Path) -> Branch:
     >>> print(again.points[0].label)
     1-1-0
     """
-    path = given.path("path", path)
-    name = cut(str(path), 200)
-    try:
-        content = json.loads(read_file(path, LARGEST_FILE))
-    except UnreadableError as error:
-        raise GearlashError(f"{name}: {error}") from None
-    except (ValueError, RecursionError) as error:
-        raise GearlashError(f"{name}: not a file of a branch ({cut(str(error), 200)})") from None
-    if not isinstance(content, dict) or content.get("format") != FORMAT:
-        raise GearlashError(f"{name}: not a file of a branch")
-    if content.get("version") != VERSION:
-        raise GearlashError(
-            f"{name}: version {content.get('version')} of its format, this gearlash reads version {VERSION}"
-        )
-    try:
-        return _as_branch(content["branch"])
-    except WRONG as error:
-        raise GearlashError(
-            f"{name}: not a whole branch ({cut(f'{type(error).__name__}: {error}', 200)})"
-        ) from None
+    return FILE.read(path, _as_branch)
 
 
 def _branch(branch: Branch) -> dict[str, Any]:

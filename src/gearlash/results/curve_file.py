@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from math import inf, isfinite
 from pathlib import Path
 from typing import Any
@@ -19,17 +18,12 @@ from gearlash.branches.curves import (
     EndOfCurve,
 )
 from gearlash.case import Case
-from gearlash.case.files import UnreadableError, read_file
-from gearlash.system import Family, GearlashError, Signature, Status, given
-from gearlash.system.short_text import cut
+from gearlash.system import Family, Signature, Status, given
 
-from .provenance import provenance
 from .store import new_file, write_whole
+from .versioned_file import VersionedFile
 
-FORMAT, VERSION = "gearlash-curve", 1
-LARGEST_FILE = 1_000_000_000
-"""Bytes of a file that is read."""
-WRONG = (KeyError, TypeError, ValueError, AttributeError, IndexError, GearlashError, RecursionError)
+FILE = VersionedFile("curve", version=1)
 
 
 def save_curve(curve: Curve, path: str | Path, model: Case | Family) -> Path:
@@ -68,13 +62,7 @@ def save_curve(curve: Curve, path: str | Path, model: Case | Family) -> Path:
     given.instance("curve", curve, Curve, "a Curve, as from gearlash.continue_curve")
     given.instance("model", model, (Case, Family), "a case, as from gearlash.load_case, or a Family")
     path = new_file(path)
-    content = {
-        "format": FORMAT,
-        "version": VERSION,
-        "provenance": provenance(model),
-        "curve": _curve(curve),
-    }
-    write_whole(path, json.dumps(content, allow_nan=False, ensure_ascii=False).encode())
+    write_whole(path, FILE.text(_curve(curve), model))
     return path
 
 
@@ -106,26 +94,7 @@ def load_curve(path: str | Path) -> Curve:
     >>> print(again.points[0].signature)
     1-1-0
     """
-    path = given.path("path", path)
-    name = cut(str(path), 200)
-    try:
-        content = json.loads(read_file(path, LARGEST_FILE))
-    except UnreadableError as error:
-        raise GearlashError(f"{name}: {error}") from None
-    except (ValueError, RecursionError) as error:
-        raise GearlashError(f"{name}: not a file of a curve ({cut(str(error), 200)})") from None
-    if not isinstance(content, dict) or content.get("format") != FORMAT:
-        raise GearlashError(f"{name}: not a file of a curve")
-    if content.get("version") != VERSION:
-        raise GearlashError(
-            f"{name}: version {content.get('version')} of its format, this gearlash reads version {VERSION}"
-        )
-    try:
-        return _as_curve(content["curve"])
-    except WRONG as error:
-        raise GearlashError(
-            f"{name}: not a whole curve ({cut(f'{type(error).__name__}: {error}', 200)})"
-        ) from None
+    return FILE.read(path, _as_curve)
 
 
 def _curve(curve: Curve) -> dict[str, Any]:
