@@ -156,6 +156,7 @@ class _Way:
 
 
 def point_of(node: Node, arclength: float, settings: ContinuationSettings) -> BranchPoint:
+    """What is told of an orbit that was stepped to."""
     orbit = node.orbit
     return BranchPoint(
         value=node.value,
@@ -176,6 +177,7 @@ def point_of(node: Node, arclength: float, settings: ContinuationSettings) -> Br
 
 
 def special_of(passed: Passed, last: Node, arclength: float, settings: ContinuationSettings) -> SpecialPoint:
+    """What is told of something that was passed, behind the orbit ``last`` at ``arclength``."""
     located, left, right = passed.located, passed.left, passed.right
     assert located.kind is not None
     node, change = located.node, located.change

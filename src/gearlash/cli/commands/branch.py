@@ -37,58 +37,67 @@ class Measure(StrEnum):
     FORCE_RMS = "force_rms"
 
 
+Over = Annotated[
+    str | None,
+    typer.Option(
+        metavar="NAME=FROM:TO",
+        help="Parameter to follow in, and its limits: omega=0.5:1.4, pinion_speed=3000:4500rpm. With "
+        "--resume it may be left out: that of the file.",
+    ),
+]
+Near = Annotated[
+    str | None,
+    typer.Option(metavar="VALUE", help="Value of that parameter to begin at. [default: the case's]"),
+]
+Switch = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="NUMBER",
+        help="Also follows the branches that begin at this special point, by its number in the table, or "
+        "at 'all'. May be given several times.",
+    ),
+]
+Depth = Annotated[
+    int, typer.Option(min=1, max=8, metavar="N", help="How many switches deep: 2 goes on to 1 → 2 → 4.")
+]
+Law = Annotated[
+    bool,
+    typer.Option("--law", help="How the multipliers move at every touch, predicted from the field."),
+]
+Resume = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="Begins with a branch that --out has kept (branch-1.json …)."),
+]
+At = Annotated[
+    int | None,
+    typer.Option(min=1, metavar="NUMBER", help="With --resume: begins at this special point of it."),
+]
+Step = Annotated[
+    float | None,
+    typer.Option(
+        min=1e-6,
+        max=1.0,
+        metavar="SHARE",
+        help="Longest step, as a share of the interval or of the motion's size. [default: 0.05]",
+    ),
+]
+Shown = Annotated[Measure, typer.Option(metavar="NAME", help=f"What the figure shows: {', '.join(Measure)}.")]
+
+
 @command
 def branch(
     case: CaseArgument,
-    over: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME=FROM:TO",
-            help="Parameter to follow in, and its limits: omega=0.5:1.4, pinion_speed=3000:4500rpm. With "
-            "--resume it may be left out: that of the file.",
-        ),
-    ] = None,
+    over: Over = None,
     settings: Settings = None,
-    near: Annotated[
-        str | None,
-        typer.Option(metavar="VALUE", help="Value of that parameter to begin at. [default: the case's]"),
-    ] = None,
+    near: Near = None,
     initial: Initial = None,
-    switch: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="NUMBER",
-            help="Also follows the branches that begin at this special point, by its number in the table, or "
-            "at 'all'. May be given several times.",
-        ),
-    ] = None,
-    depth: Annotated[
-        int, typer.Option(min=1, max=8, metavar="N", help="How many switches deep: 2 goes on to 1 → 2 → 4.")
-    ] = 1,
-    law: Annotated[
-        bool,
-        typer.Option("--law", help="How the multipliers move at every touch, predicted from the field."),
-    ] = False,
-    resume: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Begins with a branch that --out has kept (branch-1.json …)."),
-    ] = None,
-    at: Annotated[
-        int | None,
-        typer.Option(min=1, metavar="NUMBER", help="With --resume: begins at this special point of it."),
-    ] = None,
-    step: Annotated[
-        float | None,
-        typer.Option(
-            min=1e-6,
-            max=1.0,
-            metavar="SHARE",
-            help="Longest step, as a share of the interval or of the motion's size. [default: 0.05]",
-        ),
-    ] = None,
-    measure: Annotated[
-        Measure, typer.Option(metavar="NAME", help=f"What the figure shows: {', '.join(Measure)}.")
-    ] = Measure.EXTREMES,
+    switch: Switch = None,
+    depth: Depth = 1,
+    law: Law = False,
+    resume: Resume = None,
+    at: At = None,
+    step: Step = None,
+    measure: Shown = Measure.EXTREMES,
     periods: Periods = None,
     max_period: MaxPeriod = None,
     as_json: AsJson = False,
