@@ -178,3 +178,28 @@ def test_a_point_of_a_branch_begins_one_in_another_parameter():
         gl.continue_branch(case, "load", point, **limits)
     with pytest.raises(gl.GearlashError, match="no periodic motion at"):
         gl.continue_branch(case, "load", touch, values={"omega": 0.9}, **limits)
+
+
+@pytest.mark.parametrize(
+    ("case", "name", "values", "limits", "kind"),
+    [
+        ("kahraman-singh", "omega", {"omega": 1.5}, (0.6, 1.6), "fold"),
+        ("article", "D", {"omega": 0.78, "D": 0.365}, (0.35, 0.37), "doubling"),
+    ],
+)
+def test_a_branch_begun_at_a_special_point_tells_it_as_the_one_on_which_it_was_found(
+    case, name, values, limits, kind
+):
+    """In the point itself a multiplier is on the unit circle within rounding, and neither way knows on
+    which side of it it begins."""
+    model = gl.load_case(case)
+    ends = {"lower": limits[0], "upper": limits[1]}
+    first = gl.continue_branch(model, name, values=values, **ends)
+    for special in first.of_kind(kind):
+        again = gl.continue_branch(model, name, special, **ends)
+        assert not again.unexplained
+        assert {str(point.certificate.verdict) for point in again.points} == {"certified"}
+        same = min(again.of_kind(kind), key=lambda each: abs(each.value - special.value))
+        assert same.value == pytest.approx(special.value, rel=1e-12)
+        sides = [{s.unstable_before, s.unstable_after} for s in (special, same)]
+        assert sides[0] == sides[1] == {0, 1}

@@ -25,6 +25,8 @@ from .testfunctions import neutral
 
 FEW_NEUTRAL = 3  # orbits with a multiplier on the unit circle: so many may lie at special points by chance
 LONGEST_PERIOD = 64  # base periods
+ASIDE = 1e-5  # of scaled unknowns: from a special point to the orbit that a branch begins with
+ON_CIRCLE = 1e-9  # distance of a multiplier from the unit circle at a special point, as it is solved for
 NOT_ASKED = Certificate(Verdict.UNCERTAIN, ("it was not asked for",))
 
 
@@ -42,7 +44,7 @@ def continue_orbit(
     """The branch through ``orbit``, found at ``values``, between two limits of the parameter ``name``."""
     settings = ContinuationSettings() if settings is None else settings
     line = Line(family, family.complete(values), name, lower, upper)
-    start = first_node(line, orbit, float(line.values[name]))
+    start = clear_of_special(first_node(line, orbit, float(line.values[name])), settings)
     listen = Listener(tell or (lambda _: None), cancelled or (lambda: False))
     ahead = _Way.taken(Follower(start, settings), listen)
     if ahead.end.kind is EndKind.CLOSED:
@@ -107,6 +109,24 @@ def first_node(line: Line, orbit: Orbit, value: float) -> Node:
     if node.node is None:
         raise GearlashError(f"the orbit cannot be followed from its start: {node.failure}")
     return node.node
+
+
+def clear_of_special(start: Node, settings: ContinuationSettings) -> Node:
+    """The orbit to begin with; where a multiplier is on the unit circle, as at a special point of another
+    branch, one a little farther on. Beside it the point is met on the way, where within rounding of it
+    neither way would know on which side it begins."""
+    if not _on_circle(start):
+        return start
+    length = max(ASIDE, settings.shortest)
+    for node in (start, start.turned):
+        step = Follower(node, settings).step(None, node, length)
+        if not isinstance(step, EndOfBranch) and not _on_circle(step[0]):
+            return step[0] if node is start else step[0].turned
+    return start
+
+
+def _on_circle(node: Node) -> bool:
+    return bool((np.abs(np.abs(node.spectrum.multipliers) - 1.0) <= ON_CIRCLE).any())
 
 
 @dataclass(frozen=True)
