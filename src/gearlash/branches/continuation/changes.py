@@ -12,9 +12,9 @@ from .equations import Array
 from .node import Node
 
 BORN_NEAR = 3.0  # times what the extrema moved: born so near to a boundary, it may have crossed it
-CURVED = 0.25  # of what the curvature makes of a step: a function that comes so near zero may have been there
+CURVED = 1.0  # of what the curvature makes of a step: a function that comes so near zero may have been there
 TURN_ROUNDING = 1e-7  # what a derivative along the parameter that is not exact makes of a turn
-SLACK = 0.25  # of a step: beyond its ends, for where a function is least (a multiplier may well only touch 1)
+SLACK = 0.5  # of a step: beyond its ends, for where a function is least (a multiplier may well only touch 1)
 SMALL_PAIR = 0.1  # modulus: what lies far within the circle does not leave it and come back within a step
 Function = Callable[[Node], float]
 
