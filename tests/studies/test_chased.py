@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-import numpy as np
-
 import gearlash as gl
 from gearlash.system import MotionKind
 
@@ -14,7 +12,7 @@ def test_a_window_within_chaos_is_no_end_of_what_coexists():
     """At 0.727 the chaos has a window of 6-4-0; a way down in finer steps leads through it."""
     case = gl.load_case(SOFT_STOP)
     found = gl.zones(case, gl.Axis.even("omega", 0.6, 1.0, 9))
-    way = gl.Axis("omega", tuple(np.linspace(0.719, 0.79, 72)))
+    way = gl.Axis.even("omega", 0.719, 0.79, 72)
     sweep = gl.sweep(case, way, direction="down")
     labels = {str(point.label) for point in sweep.points if point.value < 0.73}
     assert {"6-4-0", str(MotionKind.APERIODIC)} <= labels
