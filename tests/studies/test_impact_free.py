@@ -4,33 +4,70 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
-from gearlash.branches import locate_grazing
+from gearlash import continue_branch, flow
+from gearlash.branches.continuation import SpecialKind
 from gearlash.case import load
 from gearlash.gears import spur
-from gearlash.orbits import Orbit, attractor, grazing_checks
+from gearlash.orbits import Orbit, attractor, orbit_at
 from gearlash.orbits.sign_change import first_sign_change
-from gearlash.studies.impact_free import SPEED_REACH, closed_margin, ending, impact_free_speeds
+from gearlash.studies.impact_free import SPEED_REACH, closed_margin, ending, impact_free_speeds, linear_states
+from gearlash.system import ContactRule, System
+from recorded.record import CASES
 
 FAMILY = load("article-first-harmonic").family()[0]
 
 
-def end_of_window(omega: float) -> float:
-    """ω of the grazing next to the impact-free motion at this speed, solved for."""
-    values = FAMILY.complete({"omega": omega})
-    orbit = attractor(FAMILY.system(values), FAMILY.start(values))
-    assert isinstance(orbit, Orbit)
-    assert not len(orbit.events)
-    return locate_grazing(FAMILY, "omega", orbit, grazing_checks(orbit)[0], values=values).value
+def unhit(system: System, state: NDArray[np.float64]) -> Orbit | None:
+    """The orbit of the pair itself at this state, if it is one and meets no boundary."""
+    orbit = orbit_at(flow.propagators(system), state, 1)
+    return None if orbit is None or len(orbit.events) else orbit
 
 
-def test_ends_are_the_grazing_points():
-    found = impact_free_speeds(FAMILY, FAMILY.complete({"omega": 1.03}))
+PAIR = {"D": 1.0, "load": 0.1, "error": 0.08, "mesh_damping": 0.05, "ripple": 0.2, "omega": 0.55}
+LINES = {
+    "article": (FAMILY, {"omega": 1.03}),
+    "drive": (load(CASES / "drive.toml").family()[0], {}),
+    "other side": (
+        spur.family({**PAIR, "back_stiffness": 0.4, "back_gap": 2.0}),
+        {"load": -0.1, "omega": 0.4},
+    ),
+    "one-sided": (spur.family({**PAIR, "back_stiffness": 0.0}), {}),
+    "no-tension": (spur.family(PAIR, ContactRule.NO_TENSION), {}),
+    "in-contact": (spur.family(PAIR, ContactRule.IN_CONTACT), {}),
+}
+
+
+@pytest.mark.parametrize("name", LINES)
+def test_ends_are_the_grazings_of_the_branch(name: str):
+    """Two ways to one number: zeros of the margin of a linear motion, and special points of the branch."""
+    family, values = LINES[name]
+    values = family.complete(values)
+    found = impact_free_speeds(family, values)
     assert found is not None
     assert found.here
     assert found.nearest is None
-    assert found.lower == pytest.approx(end_of_window(0.98), rel=2e-9)
-    assert found.upper == pytest.approx(end_of_window(1.085), rel=2e-9)
+    ends = (
+        (found.lower, found.lower_error, found.lower_ending, 1.001),
+        (found.upper, found.upper_error, found.upper_ending, 0.999),
+    )
+    assert found.lower or found.upper
+    for end, error, why, inwards in ends:
+        if end is None:
+            continue
+        assert why == "contact"
+        assert error is not None
+        assert error < 1e-12
+        inside = values | {"omega": inwards * end}
+        system = family.system(inside)
+        quiet = next(orbit for state in linear_states(system) if (orbit := unhit(system, state)))
+        branch = continue_branch(
+            family, "omega", quiet, lower=0.998 * end, upper=1.002 * end, values=inside
+        )  # fmt: skip
+        grazings = [special for special in branch.special if special.kind is SpecialKind.GRAZING]
+        apart = min(abs(special.value - end) for special in grazings)
+        assert apart <= 3.0 * (error + min(special.error for special in grazings))
 
 
 @pytest.mark.parametrize(("omega", "end"), [(0.942, "lower"), (1.15, "upper")])
@@ -40,7 +77,9 @@ def test_nearest_from_outside_is_the_near_end_and_lies_inside(omega: float, end:
     assert found is not None
     assert not found.here
     assert found.nearest is not None
-    assert found.nearest == pytest.approx(getattr(inside, end), rel=2e-9)
+    assert found.nearest == pytest.approx(getattr(inside, end), rel=1e-13)
+    assert found.nearest_error is not None
+    assert found.nearest_error < 1e-12
     assert closed_margin(FAMILY.system({"omega": found.nearest}), 1) > 0.0
 
 
@@ -56,8 +95,8 @@ def test_load_reversed_and_error_shifted_mirrors_the_window():
     found, plain = (impact_free_speeds(FAMILY, v) for v in (mirrored, FAMILY.complete({"omega": 1.03})))
     assert found is not None
     assert plain is not None
-    assert found.lower == pytest.approx(plain.lower, rel=1e-8)
-    assert found.upper == pytest.approx(plain.upper, rel=1e-8)
+    assert found.lower == pytest.approx(plain.lower, rel=1e-13)
+    assert found.upper == pytest.approx(plain.upper, rel=1e-13)
 
 
 def test_closed_form_of_the_constant_stiffness():
@@ -84,7 +123,7 @@ def test_a_loss_of_contact_between_two_steps_is_found(centre: float, factor: flo
     found, _ = first_sign_change(margin, (start, margin(start)), factor, last)
     assert found is not None
     edge = 5e-3 * np.sqrt(0.5)
-    assert found.value == pytest.approx(centre - edge if factor > 1.0 else centre + edge, rel=1e-8)
+    assert found.value == pytest.approx(centre - edge if factor > 1.0 else centre + edge, rel=1e-14)
     assert ending(found) == "contact"
 
 
@@ -99,7 +138,12 @@ def test_an_end_of_stability_is_not_called_a_loss_of_contact():
     assert found.here
     assert found.upper_ending == "stability"
     assert found.upper is not None
+    assert found.upper_error is not None
     assert 1.8 < found.upper < 1.9
+    doubling = continue_branch(family, "omega", lower=1.7, upper=1.95, values={"omega": 1.7}).special[0]
+    assert doubling.kind is SpecialKind.DOUBLING
+    assert abs(found.upper - doubling.value) <= found.upper_error + doubling.error
+    assert found.upper_error < 1e-11
 
 
 def test_the_interval_says_how_finely_it_was_looked_at():
@@ -115,7 +159,7 @@ def test_where_the_motion_cannot_be_solved_for_it_is_not_called_unstable():
 
     found, reached = first_sign_change(margin, (1.0, 1.0), 1.01, 2.0)
     assert found is not None
-    assert found.value == pytest.approx(1.25, rel=1e-8)
+    assert found.value == pytest.approx(1.25, rel=1e-14)
     assert ending(found) == "unsolved"
     assert 1.25 <= reached < 1.27
 

@@ -11,16 +11,18 @@ from typing import NamedTuple
 
 from .minimum import Sample, bracketed_minimum
 
-TOLERANCE = 1e-9  # relative, of the place
+TOLERANCE = 1e-15  # relative, of the place: as near as two numbers can be told apart
 NEAREST = 1e-3  # of a bracket: no step comes nearer to its ends, so that both close in
+MOST_LOOKS = 100  # into one bracket
 
 
 class SignChange(NamedTuple):
-    """A value on the positive side, next to the change, and the function on the other side: -inf or NaN
-    where it has no number there."""
+    """A value on the positive side, next to the change; the function on the other side: -inf or NaN where it
+    has no number there; the value there, so that the change lies between the two."""
 
     value: float
     beyond: float
+    other: float
 
 
 def first_sign_change(
@@ -56,15 +58,21 @@ def _refined(function: Callable[[float], float], here: Sample, there: Sample) ->
     """Illinois method between two samples of different sign, halving where one is no number: M. Dowell and
     P. Jarratt, BIT 11 (1971) 168-174, doi:10.1007/BF01934364."""
     inside, outside = (here, there) if here[1] > 0.0 else (there, here)
+    weights = [1.0, 1.0]  # of the values inside and outside, halved at an end that stays
     last = 0
-    while abs(inside[0] - outside[0]) > TOLERANCE * abs(inside[0]):
-        share = inside[1] / (inside[1] - outside[1]) if outside[1] > -inf else 0.5
-        at = inside[0] + min(max(share, NEAREST), 1.0 - NEAREST) * (outside[0] - inside[0])
+    for _ in range(MOST_LOOKS):
+        if abs(inside[0] - outside[0]) <= TOLERANCE * abs(inside[0]):
+            break
+        one, two = weights[0] * inside[1], weights[1] * outside[1]
+        share = min(max(one / (one - two), NEAREST), 1.0 - NEAREST) if outside[1] > -inf else 0.5
+        at = inside[0] + share * (outside[0] - inside[0])
+        if at in (inside[0], outside[0]):
+            break
         found = function(at)
         if found > 0.0:
-            inside, outside = (at, found), (outside[0], outside[1] / 2.0 if last > 0 else outside[1])
+            inside, weights = (at, found), [1.0, 0.5 * weights[1] if last > 0 else 1.0]
             last = 1
         else:
-            outside, inside = (at, found), (inside[0], inside[1] / 2.0 if last < 0 else inside[1])
+            outside, weights = (at, found), [0.5 * weights[0] if last < 0 else 1.0, 1.0]
             last = -1
-    return SignChange(inside[0], outside[1])
+    return SignChange(inside[0], outside[1], outside[0])

@@ -26,6 +26,8 @@ class ImpactFree:
     here: Annotated[bool, "this motion exists at this speed (perhaps beside the one that was found)"]
     lower: Annotated[float | None, "lower end of the interval around this speed in which it exists"]
     upper: Annotated[float | None, "its upper end"]
+    lower_error: Annotated[float | None, "estimate of the error of the lower end"]
+    upper_error: Annotated[float | None, "the same of the upper end"]
     lower_ending: Annotated[
         Ending | None,
         "what ends there: contact (a grazing), stability (it is unstable beyond), or unsolved (it could "
@@ -33,6 +35,7 @@ class ImpactFree:
     ]
     upper_ending: Annotated[Ending | None, "the same of the upper end"]
     nearest: Annotated[float | None, "nearest speed found at which it exists, where it does not exist here"]
+    nearest_error: Annotated[float | None, "estimate of its error"]
     searched_from: Annotated[float, "the least speed that was looked at"]
     searched_to: Annotated[float, "the largest speed that was looked at"]
     step: Annotated[

@@ -8,9 +8,9 @@ mesh, a continuous function of speed, says where impact-free motion exists, what
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import count
-from math import ceil, inf, isnan, log, nan
+from math import ceil, copysign, inf, isnan, log, nan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,12 +21,14 @@ from gearlash.orbits import Orbit, orbit_at
 from gearlash.orbits.contact_force import force_extrema
 from gearlash.orbits.sign_change import SignChange, first_sign_change
 from gearlash.results.impact_free import Ending, ImpactFree
-from gearlash.system import ContactRule, GearlashError, Parameter, System, given, plain_values
+from gearlash.system import ContactRule, Family, GearlashError, Parameter, System, given, plain_values
 
 from .model import Model, Source
 
 SPEED_STEP = 1.01  # factor from one speed of the search to the next
 SPEED_REACH = 2.0  # factor to which it goes, up and down
+SLOPE_STEP = 1e-6  # of the speed: over which slopes are taken, for errors
+MULTIPLIER_ERROR = 1e-13  # of a multiplier of a linear motion
 SPEEDS = 2 * ceil(log(SPEED_REACH) / log(SPEED_STEP))  # that it tries, about, where nothing changes
 
 
@@ -79,15 +81,12 @@ def impact_free_speeds(
         return None
     omega, tried, side = parameters["omega"], count(1), 1 if parameters["load"] > 0.0 else -1
     lowest, highest = _reach(next(p for p in family.parameters if p.name == "omega"), omega)
-    beside: list[NDArray[np.float64] | None] = [None]
+    closed = _ClosedMesh(family, parameters, side)
 
     def margin(at: float) -> float:
         if tell is not None:
             tell(min(next(tried), SPEEDS), SPEEDS)
-        system = family.system({**parameters, "omega": at})
-        orbit = _orbit(_closed(system, side), beside[0])
-        beside[0] = None if orbit is None else orbit.state
-        return _margin(system, side, orbit)
+        return closed.margin(at)
 
     known = margin(omega)
     here = known > 0.0
@@ -95,18 +94,62 @@ def impact_free_speeds(
     if not here and up is not None:  # what lies farther off than this one is not the nearest
         lowest = max(lowest, 2.0 * omega - up.value)
     down, searched_from = first_sign_change(margin, (omega, known), 1.0 / SPEED_STEP, lowest)
-    ends = [end.value for end in (down, up) if end is not None]
+    ends = [end for end in (down, up) if end is not None]
+    nearest = None if here else min(ends, key=lambda end: abs(end.value - omega), default=None)
+    down, up = (down, up) if here else (None, None)
     return ImpactFree(
         here=here,
-        lower=down.value if here and down else None,
-        upper=up.value if here and up else None,
-        lower_ending=ending(down) if here and down else None,
-        upper_ending=ending(up) if here and up else None,
-        nearest=None if here else min(ends, key=lambda end: abs(end - omega), default=None),
+        lower=down.value if down else None,
+        upper=up.value if up else None,
+        lower_error=closed.error(down) if down else None,
+        upper_error=closed.error(up) if up else None,
+        lower_ending=ending(down) if down else None,
+        upper_ending=ending(up) if up else None,
+        nearest=nearest.value if nearest else None,
+        nearest_error=closed.error(nearest) if nearest else None,
         searched_from=searched_from,
         searched_to=searched_to,
         step=SPEED_STEP - 1.0,
     )
+
+
+@dataclass
+class _ClosedMesh:
+    """The pair whose mesh never opens, at any speed; ``beside``: state of the last motion that was found."""
+
+    family: Family
+    parameters: Mapping[str, float]
+    side: int
+    beside: NDArray[np.float64] | None = None
+
+    def system(self, omega: float) -> System:
+        return self.family.system({**self.parameters, "omega": omega})
+
+    def orbit(self, omega: float) -> Orbit | None:
+        found = _orbit(_closed(self.system(omega), self.side), self.beside)
+        self.beside = None if found is None else found.state
+        return found
+
+    def margin(self, omega: float) -> float:
+        orbit = self.orbit(omega)
+        return _margin(self.system(omega), self.side, orbit)
+
+    def error(self, change: SignChange) -> float:
+        """Of the speed at a change: what lies between its two sides, and how far an error of the margin, or
+        of the largest multiplier where stability ends, moves it."""
+        between = abs(change.other - change.value)
+        within = change.value + copysign(SLOPE_STEP * change.value, change.value - change.other)
+        orbit, inner = self.orbit(change.value), self.orbit(within)
+        if orbit is None or inner is None or isnan(change.beyond):
+            return between
+        if change.beyond == -inf:
+            rise, error = abs(orbit.leading) - abs(inner.leading), MULTIPLIER_ERROR
+        else:
+            here, there = (_margin(self.system(w), self.side, o) for w, o in
+                           ((change.value, orbit), (within, inner)))  # fmt: skip
+            rise, error = here - there, orbit.shot.error
+        slope = abs(rise) / abs(within - change.value)
+        return between + (error / slope if slope > 0.0 else abs(within - change.value))
 
 
 def _reach(parameter: Parameter, omega: float) -> tuple[float, float]:
