@@ -191,7 +191,7 @@ NAMES = [
         "pinion.mass"),
     Bad("a unit for a name", OP, f'{OP}\nrpm = "4200"', "operation.rpm", "4200", "exists",
         "operation.pinion_speed"),
-    Bad("a quantity that has no place", OP, f'{OP}\npower = "20 kW"', "operation.power", "20 kW", "exists"),
+    Bad("a quantity that has no place", OP, f'{OP}\nlosses = "2 kW"', "operation.losses", "2 kW", "exists"),
     Bad("a name with a terminal sequence", "[pinion]", '[pinion]\n"\\u001b[31m" = 1', "pinion.\x1b[31m",
         "1", "exists"),
     Bad("a table in a table", OP, "[operation.x]", "operation.x", "{", "a name that exists"),

@@ -24,6 +24,8 @@ class Entry:
     provenance : Provenance
     reason : str
         Why this value; empty where nothing was stated.
+    least, greatest : float, optional
+        In SI, the range that an estimated value may lie in; None where none is told.
 
     Examples
     --------
@@ -39,6 +41,8 @@ class Entry:
     text: str
     provenance: Provenance
     reason: str
+    least: float | None = None
+    greatest: float | None = None
 
     @property
     def number(self) -> float:

@@ -34,6 +34,7 @@ FREQUENCY = Dimension(time=-1)
 SPEED = Dimension(time=-1, angle=1)
 FORCE = Dimension(1, 1, -2)
 TORQUE = Dimension(2, 1, -2)
+POWER = Dimension(2, 1, -3)
 STIFFNESS = Dimension(0, 1, -2)
 INERTIA = Dimension(2, 1)
 
@@ -46,6 +47,7 @@ DIMENSION_NAMES = {
     SPEED: "a rotational speed",
     FORCE: "a force",
     TORQUE: "a torque",
+    POWER: "a power",
     STIFFNESS: "a stiffness",
     INERTIA: "a moment of inertia",
 }
@@ -101,6 +103,9 @@ UNIT_WORDS: dict[str, Unit] = {
     "kN": _unit(1000, FORCE),
     "MN": _unit(1_000_000, FORCE),
     "mN": _unit("1/1000", FORCE),
+    "W": _unit(1, POWER),
+    "kW": _unit(1000, POWER),
+    "MW": _unit(1_000_000, POWER),
 }
 """Unit words that need no library; a test holds every one against pint."""
 

@@ -32,7 +32,9 @@ class Value:
     rests_on : tuple of str
         The assumed values that a derived number was computed from, by path.
     text : str
-        What was written.
+        What was written; empty where nothing was.
+    least, greatest : float, optional
+        In ``unit``, the range that an estimated value may lie in.
 
     Examples
     --------
@@ -51,6 +53,8 @@ class Value:
     description: str = ""
     rests_on: tuple[str, ...] = ()
     text: str = ""
+    least: float | None = None
+    greatest: float | None = None
 
     @property
     def uncertain(self) -> bool:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:  # the same names for type checkers; a test keeps the lists equal
     from . import backlash as backlash
+    from . import bearings as bearings
     from . import contact_lines as contact_lines
     from . import dynamic_factor as dynamic_factor
     from . import estimates as estimates
@@ -71,6 +72,7 @@ __all__ = [
     "ToothGeometry",
     "YAxis",
     "backlash",
+    "bearings",
     "contact_lines",
     "disc_face_width",
     "dynamic_factor",

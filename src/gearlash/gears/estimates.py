@@ -6,12 +6,13 @@ so.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
-from math import pi
+from math import cos, pi
 
 import numpy as np
 
-from . import backlash, gear_fits, mesh_stiffness, unloaded_error
+from . import backlash, bearings, gear_fits, mesh_stiffness, unloaded_error
 from .cylindrical_pair import CylindricalPair
 from .gear_body import GearBody, mean_tooth_diameter
 from .materials import Material, named
@@ -23,8 +24,6 @@ USUAL_FIT, TIGHT_FIT, LOOSE_FIT = "25cd", "24e", "27b"
 """Of DIN 3967: what general mechanical engineering often has, and about the least and the most of it."""
 USUAL_LINE_LOAD = 100e3
 """N/m: where none is stated; the stiffness of teeth depends on it little."""
-MESH_DAMPING = 0.07, 0.03, 0.17
-"""ζ of the mesh: a value of practice, least and greatest."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +42,17 @@ class Estimate:
     least: float
     greatest: float
     source: str
+
+
+MESH_DAMPING = Estimate(
+    0.07, 0.03, 0.17, "practice: 0.03 to 0.17 (R. Kasuba, J. W. Evans, J. Mech. Des. 103 (1981) 398)"
+)
+BEARING_DAMPING = Estimate(0.02, 0.01, 0.05, "practice: 0.01 to 0.05 for rolling bearings, an estimate")
+ERROR_PHASE = Estimate(
+    0.5 * pi, -pi, pi, "not known; a quarter of a cycle after the stiffness, so that neither hides the other"
+)
+USUAL_BORE = 0.6
+"""Of the root diameter: of a shaft that is not known."""
 
 
 @dataclass(frozen=True)
@@ -100,32 +110,53 @@ class Drawing:
         return 2.0 * abs(self.torque) / self.pair.pinion.reference_diameter / self.pair.face_width
 
 
-def estimates(drawing: Drawing, harmonics: int = 8) -> dict[str, Estimate]:
-    """All that a model of the pair needs and the drawing does not say.
+NAMES = (
+    "mean_stiffness", "ripple", "error", "error_phase", "backlash", "mesh_damping", "bodies", "bearings",
+    "bearing_damping",
+)  # fmt: skip
+"""What can be estimated."""
+
+
+def estimates(drawing: Drawing, harmonics: int = 8, names: Collection[str] = NAMES) -> dict[str, Estimate]:
+    """What a model of the pair needs and the drawing does not say.
 
     Parameters
     ----------
     drawing : Drawing
     harmonics : int
         How many of the stiffness.
+    names : collection of str
+        Of `NAMES`: what is wanted.
 
     Returns
     -------
     dict of str to Estimate
         ``mean_stiffness`` (N/m, along the normal), ``ripple_1`` … (over the mean, signed, phase 0 in the
-        middle of a pair's path), ``error`` (amplitude at the mesh frequency along the normal, m; its phase is
-        not known), ``backlash`` (normal, m), ``mesh_damping``, ``pinion_mass``, ``gear_mass`` (kg),
-        ``pinion_inertia``, ``gear_inertia`` (kg·m²).
+        middle of a pair's path), ``error`` (amplitude at the mesh frequency along the normal, m),
+        ``error_phase`` (rad, not known), ``backlash`` (normal, m), ``mesh_damping``, ``pinion_mass``,
+        ``gear_mass`` (kg), ``pinion_inertia``, ``gear_inertia`` (kg·m²), ``pinion_bearing_y`` …
+        ``gear_bearing_z`` (N/m, radial and axial), ``bearing_damping``.
     """
-    found = {"mean_stiffness": _stiffness(drawing)}
-    for order, ripple in enumerate(_ripples(drawing, harmonics), start=1):
-        found[f"ripple_{order}"] = ripple
-    found["error"] = _error(drawing)
-    found["backlash"] = _backlash(drawing)
-    found["mesh_damping"] = Estimate(
-        *MESH_DAMPING, "practice: 0.03 to 0.17 (R. Kasuba, J. W. Evans, J. Mech. Des. 103 (1981) 398)"
-    )
-    found |= _masses(drawing)
+    found: dict[str, Estimate] = {}
+    if "mean_stiffness" in names:
+        found["mean_stiffness"] = _stiffness(drawing)
+    if "ripple" in names:
+        for order, ripple in enumerate(_ripples(drawing, harmonics), start=1):
+            found[f"ripple_{order}"] = ripple
+    if "error" in names:
+        found["error"] = _error(drawing)
+    if "error_phase" in names:
+        found["error_phase"] = ERROR_PHASE
+    if "backlash" in names:
+        found["backlash"] = _backlash(drawing)
+    if "mesh_damping" in names:
+        found["mesh_damping"] = MESH_DAMPING
+    if "bodies" in names:
+        found |= _masses(drawing)
+    if "bearings" in names:
+        found |= _bearings(drawing)
+    if "bearing_damping" in names:
+        found["bearing_damping"] = BEARING_DAMPING
     return found
 
 
@@ -197,6 +228,26 @@ def _fitted(pair: CylindricalPair, fits: tuple[str, str], deviation: float) -> t
     )
     least, greatest = backlash.limits(pair, (first, second), (-deviation, deviation))
     return least.normal, greatest.normal
+
+
+def _bearings(drawing: Drawing) -> dict[str, Estimate]:
+    """Of two ball bearings on the shaft, under the load of the teeth where a torque is known."""
+    pair, found = drawing.pair, {}
+    force = 0.0
+    if drawing.torque is not None:
+        force = 2.0 * abs(drawing.torque) / pair.pinion.base_diameter / cos(pair.pinion.base_helix_angle)
+    for name, body in zip(("pinion", "gear"), drawing.bodies, strict=True):
+        stated = body is not None and body.bore > 0.0
+        shaft = body.bore if body is not None and stated else USUAL_BORE * pair.pinion.root_diameter
+        whose = "the stated bore" if stated else f"{USUAL_BORE} of the pinion's root diameter"
+        source = (
+            f"two deep groove ball bearings on a shaft of {shaft * 1e3:.3g} mm ({whose}), A. Palmgren; "
+            f"range: a factor of {bearings.SPREAD:g} either way for rollers, shaft and housing, an estimate"
+        )
+        for axis, value in zip("yz", bearings.shaft_bearings(shaft, force), strict=True):
+            ends = value / bearings.SPREAD, value * bearings.SPREAD
+            found[f"{name}_bearing_{axis}"] = Estimate(value, *ends, source)
+    return found
 
 
 def _masses(drawing: Drawing) -> dict[str, Estimate]:

@@ -23,6 +23,8 @@ class CheckValue:
     reason: Annotated[str, "why it has this value; the formula of a derived one"]
     rests_on: Annotated[tuple[str, ...], "paths of the assumed values that a derived one was computed from"]
     description: str
+    least: Annotated[float | None, "of an estimate the least value it may have, in the same unit"] = None
+    greatest: Annotated[float | None, "of an estimate the greatest value"] = None
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,17 @@ def check_answer(case: Case) -> CheckAnswer:
         states=family.states,
         values=tuple(
             CheckValue(
-                v.path, v.short, v.value, v.unit, v.text, v.provenance, v.reason, v.rests_on, v.description
+                v.path,
+                v.short,
+                v.value,
+                v.unit,
+                v.text,
+                v.provenance,
+                v.reason,
+                v.rests_on,
+                v.description,
+                v.least,
+                v.greatest,
             )
             for v in case.values()
         ),

@@ -50,10 +50,18 @@ def _row(value: CheckValue, marks: Marks) -> tuple[str, str, str, str]:
         shown = marks.of(shown, value.rests_on)
         what = f"{what} ({value.reason})" if what else value.reason
     elif value.provenance != "given":
-        what = f"{value.provenance}: {value.reason}"
+        what = f"{value.provenance}{_range(value)}: {value.reason}"
     elif value.reason:
         what = f"{what}; {value.reason}"
     return value.path, value.short or "", shown, what
+
+
+def _range(value: CheckValue) -> str:
+    """The range of an estimate."""
+    if value.least is None or value.greatest is None:
+        return ""
+    least, greatest = number(value.least, 3), number(value.greatest, 3)
+    return f", {least} to {greatest}{'' if value.unit in ('', 'deg') else ' '}{pretty(value.unit)}"
 
 
 def _shown(value: CheckValue) -> str:

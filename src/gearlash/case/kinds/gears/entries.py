@@ -11,6 +11,7 @@ from gearlash.case.stated import Stated, ValueRefusedError, read_stated
 from gearlash.case.units import ANGLE, NUMBER, Unit, UnitError, read, takes
 from gearlash.case.words import nearest_name
 
+from .drawn import contradicted, rivals
 from .keys import REFERENCE
 from .places import Places
 
@@ -27,7 +28,13 @@ def collect(places: Places, stated: Mapping[str, Stated]) -> tuple[Entries, list
                 clashes[other.path, path] = Problem(
                     path, repr(entry.text), f"one of two that name the same quantity: {both}"
                 )
-    return entries, list(clashes.values())
+    both = [*clashes.values()]
+    for one, other in contradicted(entries):
+        first, second = entries[one], entries[other]
+        named = f"{first.path} = {first.text!r} and {second.path} = {second.text!r}"
+        expected = f"one of two that name the same quantity: {named}"
+        both.append(Problem(second.path, repr(second.text), expected))
+    return entries, both
 
 
 def entries_of(places: Places, path: str, stated: Stated) -> list[Entry]:
@@ -38,13 +45,14 @@ def entries_of(places: Places, path: str, stated: Stated) -> list[Entry]:
     return [Entry(k, path, stated.value, stated.text, stated.provenance, stated.reason) for k in keys]
 
 
-def freeze_reference(entries: Entries) -> Entries:
-    """With D_c settled: the stated one, else half the backlash of the file. Overrides come after this."""
-    gap = entries.get("D")
+def freeze_reference(entries: Entries, completed: Mapping[str, Entry]) -> Entries:
+    """With D_c settled: the stated one, else half the backlash of the file, which may be an estimate in
+    ``completed``. Overrides come after this."""
+    gap = completed.get("D")
     if REFERENCE in entries or gap is None or gap.dimensionless or gap.number == 0.0:
         return entries
     half = gap.number / 2.0
-    reason = "half the backlash of the case file"
+    reason = "half the backlash of the case file" + ("" if "D" in entries else ", as estimated")
     entry = Entry(REFERENCE, REFERENCE, half, f"{half!r} m", gap.provenance, reason)
     return {**entries, REFERENCE: entry}
 
@@ -148,7 +156,8 @@ def override(
             else:
                 stated[place.path] = overridden(value)
     replaced, clashes = collect(places, stated)
-    return ordered(places, {**entries, **replaced}), problems + clashes
+    kept = {key: e for key, e in entries.items() if replaced.keys().isdisjoint(rivals(key))}
+    return ordered(places, {**kept, **replaced}), problems + clashes
 
 
 def ordered(places: Places, entries: Mapping[str, Entry]) -> Entries:

@@ -17,6 +17,7 @@ from gearlash.system import Family
 
 from .checks import contradictions, missing
 from .entries import collect, freeze_reference, override
+from .estimated import Completed, complete, is_drawn, is_estimable
 from .naming import named, resolve
 from .notes import notes
 from .pair import GearPair
@@ -31,13 +32,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class GearContent(Content):
-    """A gear pair: all of it is in the entries."""
+    """A gear pair: all of it is in the entries, which are those that were stated."""
 
     rules: PairRules
 
     @cached_property
+    def completed(self) -> Completed:
+        """With what is estimated."""
+        return complete(self.rules, self.entries)
+
+    @cached_property
     def pair(self) -> GearPair:
-        return GearPair(self.rules, self.entries)
+        return GearPair(self.rules, self.completed.entries, self.completed.drawing)
 
     def family(self) -> Family:
         return self.pair.family()
@@ -51,10 +57,13 @@ class GearContent(Content):
         return self.pair.numbers
 
     def missing(self, present: Collection[str] = ()) -> list[Problem]:
-        return missing(self.rules, self.entries, present)
+        problems = missing(self.rules, self.completed.entries, present)
+        if self.completed.problems or is_drawn({*self.entries, *present}):
+            problems = [p for p in problems if not is_estimable(p.path)]
+        return [*self.completed.problems, *problems]
 
     def contradictions(self) -> list[Problem]:
-        return contradictions(self.rules, self.entries)
+        return contradictions(self.rules, self.completed.entries)
 
     def override(self, overrides: Mapping[str, object]) -> tuple[Content, list[Problem]]:
         entries, problems = override(self.rules.places, self.entries, overrides)
@@ -93,5 +102,6 @@ class GearKind(Kind):
     def read(self, tables: Mapping[str, object]) -> Draft:
         found = self.tables.read(tables)
         entries, clashes = collect(self.rules.places, found.stated)
-        content = self.content(freeze_reference(entries), {})
+        completed = complete(self.rules, entries).entries
+        content = self.content(freeze_reference(entries, completed), {})
         return Draft(content, [*found.problems, *clashes], found.present)

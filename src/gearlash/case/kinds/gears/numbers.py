@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from dataclasses import replace
+from math import cos, sqrt
 
 from gearlash.case.scales import Scales
 from gearlash.gears import (
+    CylindricalPair,
     LineOfAction,
     Projection,
     ToothGeometry,
+    YAxis,
     equivalent_mass,
     line_of_action,
     solid_disc,
@@ -22,12 +25,12 @@ from .rules import EntriesByKey, PairRules
 from .units import to_dimensionless
 
 
-def numbers(rules: PairRules, entries: EntriesByKey) -> Numbers:
-    """The numbers of a complete case (no `missing` and no `contradictions`)."""
+def numbers(rules: PairRules, entries: EntriesByKey, teeth: CylindricalPair | None = None) -> Numbers:
+    """The numbers of a complete case (no `missing` and no `contradictions`); its ``teeth``, where known."""
     places = rules.places
     contact = ContactRule(places.chosen(entries, CONTACT))
     nothing = Body(None, None, None, None), Scales()
-    body, scales = _physical(rules, entries) if places.physical(stated_paths(entries)) else nothing
+    body, scales = _physical(rules, entries, teeth) if places.physical(stated_paths(entries)) else nothing
     parameters = {
         key: to_dimensionless(scales, entry.path, entry.number)
         for key, entry in entries.items()
@@ -40,9 +43,9 @@ def _get(entries: EntriesByKey, key: str) -> float | None:
     return entries[key].number if key in entries else None
 
 
-def _physical(rules: PairRules, entries: EntriesByKey) -> tuple[Body, Scales]:
+def _physical(rules: PairRules, entries: EntriesByKey, teeth: CylindricalPair | None) -> tuple[Body, Scales]:
     geometry = _geometry(rules, entries)
-    line = _line(rules, entries, geometry)
+    line = _at_work(_line(rules, entries, geometry), teeth, rules.y_axis(entries))
     inertias = _inertias(entries, geometry)
     mass = _get(entries, EQUIVALENT_MASS)
     if mass is None:
@@ -61,7 +64,7 @@ def _physical(rules: PairRules, entries: EntriesByKey) -> tuple[Body, Scales]:
         teeth=(int(entries["pinion.teeth"].number), None if gear_teeth is None else int(gear_teeth)),
         back_gap=entries["back_gap"].number if "back_gap" in entries else 1.0,
     )
-    return Body(geometry, line, inertias, min(widths) if len(widths) == 2 else None), scales
+    return Body(geometry, line, inertias, min(widths) if len(widths) == 2 else None, teeth), scales
 
 
 def _geometry(rules: PairRules, entries: EntriesByKey) -> ToothGeometry | None:
@@ -83,6 +86,15 @@ def _line(rules: PairRules, entries: EntriesByKey, geometry: ToothGeometry | Non
     if radii[0] is None or radii[1] is None:
         return None
     return LineOfAction((radii[0], radii[1]), c_t=1.0, c_y=1.0, c_z=0.0)
+
+
+def _at_work(line: LineOfAction | None, teeth: CylindricalPair | None, axis: YAxis) -> LineOfAction | None:
+    """With the working pressure angle of shifted teeth: how far the tangent of the pitch circles and the line
+    of action lie apart."""
+    if line is None or teeth is None or axis is YAxis.LINE_OF_ACTION:
+        return line
+    along = cos(teeth.working_pressure_angle) * cos(teeth.pinion.base_helix_angle)
+    return replace(line, c_y=along)
 
 
 def _inertias(entries: EntriesByKey, geometry: ToothGeometry | None) -> Both | None:

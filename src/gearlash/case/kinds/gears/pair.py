@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash.case.scales import Scales
 from gearlash.case.units import NUMBER, TORQUE, unit
+from gearlash.gears.estimates import Drawing
 from gearlash.system import Family
 
 from .numbers import numbers
@@ -21,15 +22,16 @@ from .units import to_physical
 
 @dataclass(frozen=True)
 class GearPair:
-    """Stated values by key, and the rules of their kind."""
+    """Values by key, stated and estimated, the rules of their kind, and the drawing where one is known."""
 
     rules: PairRules
     entries: EntriesByKey
+    drawing: Drawing | None = None
 
     @cached_property
     def numbers(self) -> Numbers:
         """Parameters, fixed numbers, scales and body."""
-        return numbers(self.rules, self.entries)
+        return numbers(self.rules, self.entries, None if self.drawing is None else self.drawing.pair)
 
     @property
     def places(self) -> Places:

@@ -32,10 +32,12 @@ class Places:
         choices: Iterable[Choice],
         ways: Mapping[str, tuple[str, ...]],
         together: Mapping[str, tuple[str, ...]] | None = None,
+        same: Mapping[str, str] | None = None,
     ) -> Places:
-        """From the lists of a kind; ``ways`` are the physical ones."""
+        """From the lists of a kind; ``ways`` are the physical ones, ``same`` has a path for which another one
+        stands as well."""
         two_way = {name: (*paths, f"dimensionless.{name}") for name, paths in ways.items()}
-        keys = {path: key for key, paths in two_way.items() for path in paths}
+        keys = {path: key for key, paths in two_way.items() for path in paths} | dict(same or {})
         return Places(
             {q.path: replace(q, key=keys.get(q.path, q.path)) for q in quantities},
             {c.path: c for c in choices},

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from gearlash.case.scales import Scales
-from gearlash.gears import HelicalPair, LineOfAction, ToothGeometry
+from gearlash.gears import CylindricalPair, HelicalPair, LineOfAction, ToothGeometry
 from gearlash.system import ContactRule
 
 Both: TypeAlias = tuple[float, float]
@@ -15,12 +15,14 @@ Both: TypeAlias = tuple[float, float]
 
 @dataclass(frozen=True)
 class Body:
-    """The physical pair behind the numbers; what a case does not know is None."""
+    """The physical pair behind the numbers; what a case does not know is None. The ``teeth`` are known where
+    something was estimated from them."""
 
     geometry: ToothGeometry | None
     line: LineOfAction | None
     inertias: Both | None
     face_width: float | None
+    teeth: CylindricalPair | None = None
 
 
 @dataclass(frozen=True)

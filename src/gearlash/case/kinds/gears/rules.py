@@ -18,12 +18,15 @@ EntriesByKey = Mapping[str, Entry]
 
 class PairRules(ABC):
     """A kind of gear pair: its name, its places, the path of its module, and which of the keys with two ways
-    are ``fixed`` numbers of the pair instead of parameters."""
+    are ``fixed`` numbers of the pair instead of parameters; the ``angles`` beside the pressure angle that its
+    teeth need, and the directions of its ``bearings``."""
 
     name: str
     places: Places
     module: str
     fixed: Collection[str] = ()
+    angles: tuple[str, ...] = ()
+    bearings: tuple[str, ...] = ()
 
     @abstractmethod
     def required(self, entries: EntriesByKey, physical: bool, known: Collection[str]) -> Iterator[str]:

@@ -61,12 +61,13 @@ def of_gear(gear: str) -> Iterator[Quantity]:
     yield number(f"{gear}.teeth", "28", f"teeth of the {gear}", 5, 2000, integer=True)
     yield positive(f"{gear}.mass", MASS, "kg", "5.98 kg", f"mass of the {gear}", 1e6)
     yield positive(f"{gear}.inertia", INERTIA, "kg*m^2", "0.01 kg·m²", f"inertia of the {gear}", 1e9)
-    yield positive(f"{gear}.face_width", LENGTH, "mm", "65 mm", f"face width of the {gear}, for notes", 5)
+    yield positive(f"{gear}.face_width", LENGTH, "mm", "65 mm", f"face width b of the {gear}", 5)
 
 
-def of_teeth(module: str) -> Iterator[Quantity]:
-    """The first of the table [mesh]."""
-    yield positive(module, LENGTH, "mm", "4 mm", "normal module m_n", 0.2)
+def of_teeth(module: str, other: str) -> Iterator[Quantity]:
+    """The first of the table [mesh]. The module has two names in either kind."""
+    for path in (other, module):
+        yield positive(path, LENGTH, "mm", "4 mm", "normal module m_n", 0.2)
     yield positive("mesh.pressure_angle", ANGLE, "deg", "20 deg", "normal pressure angle α_n", RIGHT_ANGLE)
 
 

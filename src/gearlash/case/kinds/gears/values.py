@@ -8,6 +8,7 @@ from gearlash.case.kinds.listed import displayed
 from gearlash.case.stated import Provenance
 from gearlash.case.value import DERIVED, Value
 
+from . import drawn
 from .derive import derived, disc_gears
 from .keys import BODY, CONTACT
 from .pair import GearPair
@@ -39,12 +40,30 @@ def _stated(pair: GearPair) -> Iterator[Value]:
         else:
             what, shown, unit = place.description, displayed(entry.number, place), place.unit
             short = place.key if place.key in pair.places.two_way else None
-        yield Value(entry.path, shown, unit, entry.provenance, entry.reason, short, what, text=entry.text)
+        ends = [
+            None if end is None or place is None else displayed(end, place)
+            for end in (entry.least, entry.greatest)
+        ]
+        yield Value(
+            entry.path,
+            shown,
+            unit,
+            entry.provenance,
+            entry.reason,
+            short,
+            what,
+            (),
+            entry.text,
+            ends[0],
+            ends[1],
+        )
 
 
 def _defaults(pair: GearPair) -> Iterator[Value]:
     assumed = Provenance.ASSUMED
     for path, choice in pair.places.choices.items():
+        if path in drawn.KEYS:
+            continue
         takes_effect = path != BODY or disc_gears(pair)
         if path not in pair.entries and takes_effect and (pair.scales.physical or path == CONTACT):
             yield Value(path, choice.default, "", assumed, "default", None, choice.description)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gearlash.case.kinds.gears import shared
+from gearlash.case.kinds.gears import drawn, shared
 from gearlash.case.kinds.gears.keys import GEARS, PROJECTION
 from gearlash.case.kinds.gears.places import Places
 from gearlash.case.kinds.gears.shared import RIGHT_ANGLE, number, positive, ratio
@@ -13,7 +13,7 @@ from gearlash.case.units import ANGLE, STIFFNESS
 from gearlash.gears import Projection, YAxis
 
 BEARINGS = ("yp", "zp", "yg", "zg")
-MODULE = "mesh.normal_module"
+MODULE, OTHER_MODULE = "mesh.normal_module", "mesh.module"
 Y_AXIS = "model.y_axis"
 FACTORS = ("y_factor", "z_factor", "mass_ratio_p", "mass_ratio_g")
 
@@ -21,16 +21,19 @@ FACTORS = ("y_factor", "z_factor", "mass_ratio_p", "mass_ratio_g")
 def _quantities() -> Iterator[Quantity]:
     for gear in GEARS:
         yield from shared.of_gear(gear)
+        yield from drawn.of_gear(gear)
         for axis, way in (("y", "lateral"), ("z", "axial")):
             what = f"{way} bearing stiffness of the {gear}"
             yield positive(f"{gear}.bearing_stiffness_{axis}", STIFFNESS, "N/m", "8e8 N/m", what, 1e13)
             yield ratio(f"{gear}.bearing_damping_{axis}", f"{way} bearing damping ratio ξ of the {gear}")
-    yield from shared.of_teeth(MODULE)
+    yield from shared.of_teeth(MODULE, OTHER_MODULE)
     what = "helix angle β at the pitch cylinder"
     yield Quantity("mesh.helix_angle", ANGLE, "deg", "18 deg", what, -RIGHT_ANGLE, RIGHT_ANGLE)
     yield ratio("bearings.damping_ratio", "damping ratio ξ of all four bearing directions")
     yield from shared.of_mesh()
+    yield from drawn.of_mesh()
     yield from shared.of_operation()
+    yield from drawn.of_operation()
     yield from shared.of_numbers()
     yield from _numbers("dimensionless")
 
@@ -49,6 +52,7 @@ def _numbers(table: str) -> Iterator[Quantity]:
 
 def _choices() -> Iterator[Choice]:
     yield from shared.options()
+    yield from drawn.options()
     yield Choice(PROJECTION, tuple(Projection), Projection.PITCH, shared.PROJECTED)
     yield Choice(Y_AXIS, tuple(YAxis), YAxis.PITCH_TANGENT, "direction of the lateral coordinate")
 
@@ -67,4 +71,5 @@ PLACES = Places.of(
     _choices(),
     _ways(),
     {"bearing_damping": tuple(f"bearing_damping_{bearing}" for bearing in BEARINGS)},
+    {OTHER_MODULE: MODULE},
 )

@@ -18,6 +18,8 @@ class HelicalRules(PairRules):
     name = "helical-pair"
     places = PLACES
     module = MODULE
+    angles = ("mesh.helix_angle",)
+    bearings = BEARINGS
     fixed = (*FACTORS, *(f"bearing_frequency_{bearing}" for bearing in BEARINGS))
 
     def required(self, entries: EntriesByKey, physical: bool, known: Collection[str]) -> Iterator[str]:

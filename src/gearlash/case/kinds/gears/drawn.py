@@ -1,0 +1,111 @@
+"""Places for what a drawing says of a gear pair and no model takes: values are estimated from it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from gearlash.case.quantity import Choice, Quantity
+from gearlash.case.units import LENGTH, POWER, SPEED, TORQUE
+from gearlash.gears import basic_rack, gear_fits
+from gearlash.gears.materials import MATERIALS
+
+from .keys import GEARS
+from .shared import number, positive
+
+RACKS = {
+    "ISO53-A": basic_rack.ISO53_A,
+    "ISO53-B": basic_rack.ISO53_B,
+    "ISO53-C": basic_rack.ISO53_C,
+    "ISO53-D": basic_rack.ISO53_D,
+}
+RACK = "mesh.rack"
+FITS = tuple(
+    f"{tolerance}{allowance}" for tolerance in range(21, 31) for allowance in gear_fits.ALLOWANCE_SERIES
+)
+GEAR_SPEED, GEAR_TORQUE, POWERED = "operation.gear_speed", "operation.gear_torque", "operation.power"
+PLAY = "mesh.backlash_circumferential"
+CENTRE, SHIFT_SUM = "mesh.centre_distance", "mesh.shift_sum"
+MEASURES = ("span", "over_balls", "over_pins")
+"""What is measured on a gear: it tells the profile shift, or the allowance beside a stated shift."""
+SAME: tuple[tuple[str, ...], ...] = (
+    ("omega", GEAR_SPEED),
+    ("load", GEAR_TORQUE, POWERED),
+    ("D", PLAY),
+    (CENTRE, SHIFT_SUM),
+    *(tuple(f"{gear}.{leaf}" for leaf in MEASURES) for gear in GEARS),
+)
+"""Keys of which one is stated; another one takes its place."""
+
+
+def rivals(key: str) -> tuple[str, ...]:
+    """The other keys that say the same."""
+    return next((tuple(k for k in group if k != key) for group in SAME if key in group), ())
+
+
+def contradicted(entries: Collection[str]) -> list[tuple[str, str]]:
+    """Pairs of keys that are both stated and say the same."""
+    found = []
+    for group in SAME:
+        stated = [key for key in group if key in entries]
+        found += [(stated[0], other) for other in stated[1:]]
+    return found
+
+
+def of_gear(gear: str) -> Iterator[Quantity]:
+    """What the table [pinion] or [gear] may hold."""
+    yield number(f"{gear}.profile_shift", "0.2", f"profile shift x of the {gear}, over m_n", -3.0, 3.0)
+    yield positive(f"{gear}.span", LENGTH, "mm", "32.83 mm", f"span measurement W_k of the {gear}", 50)
+    what = "teeth k that it is measured over"
+    yield number(f"{gear}.span_teeth", "4", what, 1, 2000, integer=True)
+    for leaf, name in (("over_balls", "balls M_dK"), ("over_pins", "pins M_dR")):
+        what = f"dimension over two {name} of the {gear}"
+        yield positive(f"{gear}.{leaf}", LENGTH, "mm", "58.08 mm", what, 50)
+    what = f"diameter D_M of balls or pins in the {gear}"
+    yield positive(f"{gear}.ball_diameter", LENGTH, "mm", "3.5 mm", what, 1)
+    what = f"allowance E_sn of the normal tooth thickness of the {gear}"
+    yield Quantity(f"{gear}.thickness_allowance", LENGTH, "um", "-70 um", what, -0.02, 0.001)
+    yield positive(f"{gear}.tip_diameter", LENGTH, "mm", "93 mm", f"tip diameter d_a of the {gear}", 50)
+    yield positive(f"{gear}.root_diameter", LENGTH, "mm", "80 mm", f"root diameter d_f of the {gear}", 50)
+    what = f"bore of the {gear}, or diameter of the shaft it is one piece with"
+    yield positive(f"{gear}.bore", LENGTH, "mm", "30 mm", what, 50)
+    what = f"inner diameter of the rim of the {gear}"
+    yield positive(f"{gear}.rim_diameter", LENGTH, "mm", "140 mm", what, 50)
+    yield positive(f"{gear}.web_width", LENGTH, "mm", "15 mm", f"width of the web of the {gear}", 5)
+    yield number(
+        f"{gear}.quality", "7", f"flank tolerance class of the {gear}, ISO 1328-1", 1, 12, integer=True
+    )
+
+
+def of_mesh() -> Iterator[Quantity]:
+    """What the table [mesh] may hold."""
+    yield positive(CENTRE, LENGTH, "mm", "125 mm", "centre distance a_w", 50)
+    yield number(SHIFT_SUM, "0.4", "sum of the profile shifts x_1 + x_2", -6.0, 6.0)
+    what = "tolerance grade of the centre distance: the 7 of js7"
+    yield number("mesh.distance_grade", "7", what, 5, 11, integer=True)
+    yield Quantity(PLAY, LENGTH, "um", "100 um", "whole backlash j_wt on the working circle", 0.0, 0.02)
+
+
+def of_operation() -> Iterator[Quantity]:
+    """What the table [operation] may hold."""
+    yield positive(GEAR_SPEED, SPEED, "rpm", "1200 rpm", "speed of the gear", 1e6)
+    what = "mean torque of the gear; negative loads the back side"
+    yield Quantity(GEAR_TORQUE, TORQUE, "N*m", "900 N·m", what, -1e9, 1e9)
+    what = "power at the stated speed; the torque that follows is kept where the speed varies"
+    yield Quantity(POWERED, POWER, "kW", "45 kW", what, -1e12, 1e12)
+
+
+def options() -> Iterator[Choice]:
+    """Named options; each is the default where a drawing does not say."""
+    for gear in GEARS:
+        yield Choice(f"{gear}.material", tuple(MATERIALS), "steel", f"material of the {gear}")
+        yield Choice(f"{gear}.fit", FITS, "25cd", f"fit of the {gear}'s teeth, DIN 3967")
+    yield Choice(RACK, tuple(RACKS), "ISO53-A", "standard basic rack that cuts both gears")
+
+
+KEYS = frozenset(
+    place.path
+    for place in (*(q for gear in GEARS for q in of_gear(gear)), *of_mesh(), *of_operation(), *options())
+)
+"""Words of a drawing."""
+GEOMETRY = KEYS - {GEAR_SPEED, GEAR_TORQUE, POWERED}
+"""Those that say something of the teeth or their bodies."""

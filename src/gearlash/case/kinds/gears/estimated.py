@@ -1,0 +1,282 @@
+"""What a pair needs and its file does not state, estimated from what it states, with ranges."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from math import isfinite
+
+from gearlash.case.entries import Entry
+from gearlash.case.errors import Problem
+from gearlash.case.stated import Provenance
+from gearlash.gears import CylindricalPair
+from gearlash.gears.backlash import Backlash
+from gearlash.gears.estimates import Drawing, Estimate, estimates
+from gearlash.gears.gear_body import GearBody, mean_tooth_diameter
+from gearlash.gears.materials import named
+from gearlash.gears.mesh_stiffness import SOLID, Rim
+from gearlash.system import GearlashError
+
+from . import drawn
+from .keys import EQUIVALENT_MASS, GEARS, REFERENCE
+from .rules import EntriesByKey, PairRules
+from .shared import HIGHEST_HARMONIC
+from .teeth import Teeth
+
+LEAST_HARMONIC = 1e-3
+"""Of the mean stiffness: smaller harmonics of the stiffness behind the last larger one are left out."""
+
+
+@dataclass(frozen=True)
+class Completed:
+    """Stated values and what was estimated beside them; the pair of teeth where it is known."""
+
+    entries: EntriesByKey
+    drawing: Drawing | None = None
+    problems: tuple[Problem, ...] = ()
+
+    @property
+    def follows_torque(self) -> bool:
+        """Is anything estimated that depends on the torque?"""
+        return any(
+            e.least is not None
+            and (key == "mesh.mean_stiffness" or key.startswith(("ripple", "bearing_frequency")))
+            for key, e in self.entries.items()
+        )
+
+
+def is_drawn(keys: Collection[str]) -> bool:
+    """Does the case state what only a drawing says of teeth and bodies?"""
+    return not drawn.GEOMETRY.isdisjoint(keys)
+
+
+def is_estimable(path: str) -> bool:
+    """Whether what stands at this path is estimated where a drawing is known."""
+    return path in _ESTIMABLE
+
+
+def complete(rules: PairRules, entries: EntriesByKey) -> Completed:
+    """The entries with everything that can be estimated and is not stated.
+
+    Estimates need teeth, module (helix angle) and both face widths, or any word of a drawing in place of
+    these. A ripple or an error that is not stated is none unless there is such a word.
+    """
+    geometry = ("pinion.teeth", "gear.teeth", rules.module, *rules.angles)
+    if not all(key in entries for key in geometry) or drawn.contradicted(entries):
+        return Completed(entries)
+    widths = all(f"{gear}.face_width" in entries for gear in GEARS) and "mesh.pressure_angle" in entries
+    has_drawing = is_drawn(entries)
+    known = {**entries, **{e.key: e for e in _converted(entries)}}
+    if not (has_drawing or widths):
+        return Completed(known)
+    wanted = _wanted(rules, known, has_drawing)
+    if not (has_drawing or wanted):
+        return Completed(known)
+    teeth = Teeth(rules, known)
+    try:
+        pair = teeth.pair()
+        if has_drawing:
+            known |= {e.key: e for e in teeth.found}
+            known |= {e.key: e for e in _play(known, pair)}
+            wanted = _wanted(rules, known, has_drawing)
+        drawing = _drawing(rules, known, pair)
+        found = _estimates(drawing, wanted)
+    except GearlashError as error:
+        return Completed(known, problems=(Problem("mesh", None, f"teeth that mesh ({error})"),))
+    known |= {e.key: e for e in _entries(rules, found) if not _stated(known, e.key)}
+    return Completed(known, drawing, tuple(_refused(known, entries)))
+
+
+def _converted(entries: EntriesByKey) -> Iterator[Entry]:
+    """Speed and torque of the gear, and power, as those of the pinion."""
+    ratio = entries["gear.teeth"].number / entries["pinion.teeth"].number
+    speed = entries.get("omega")
+    if drawn.GEAR_SPEED in entries:
+        value = entries[drawn.GEAR_SPEED].number * ratio
+        speed = Entry(
+            "omega", "operation.pinion_speed", value, "", Provenance.INFERRED, "speed of the gear times u"
+        )
+        yield speed
+    path, inferred = "operation.torque", Provenance.INFERRED
+    if drawn.GEAR_TORQUE in entries:
+        value = entries[drawn.GEAR_TORQUE].number / ratio
+        yield Entry("load", path, value, "", inferred, "torque of the gear over u, without losses")
+    if drawn.POWERED in entries and speed is not None and not speed.dimensionless:
+        turning = speed.number
+        if speed.path == "operation.mesh_frequency":
+            turning = 6.283185307179586 * speed.number / entries["pinion.teeth"].number
+        yield Entry(
+            "load", path, entries[drawn.POWERED].number / turning, "", inferred, "power over the stated speed"
+        )
+
+
+def _play(entries: EntriesByKey, pair: CylindricalPair) -> Iterator[Entry]:
+    """Backlash on the working circle as the normal one."""
+    if drawn.PLAY in entries:
+        play = Backlash.from_circumferential(pair, entries[drawn.PLAY].number)
+        how = "backlash on the working circle times cos α_wt cos β_b"
+        yield Entry("D", "mesh.backlash", play.normal, "", Provenance.INFERRED, how)
+
+
+def _wanted(rules: PairRules, entries: EntriesByKey, has_drawing: bool) -> frozenset[str]:
+    """Names of `gearlash.gears.estimates` that the model needs and nobody states."""
+    found = set()
+    for key, name in (
+        ("mesh.mean_stiffness", "mean_stiffness"),
+        ("D", "backlash"),
+        ("mesh_damping", "mesh_damping"),
+    ):
+        if key not in entries:
+            found.add(name)
+    if has_drawing:
+        found |= {stem for stem in ("ripple", "error") if not any(_is_harmonic(key, stem) for key in entries)}
+    if "error" in found and "error_phase" not in entries:
+        found.add("error_phase")
+    if not _bodies_known(rules, entries):
+        found.add("bodies")
+    if any(f"bearing_frequency_{b}" not in entries for b in rules.bearings):
+        found.add("bearings")
+    if rules.bearings and not any(f"bearing_damping_{b}" in entries for b in rules.bearings):
+        found.add("bearing_damping")
+    return frozenset(found)
+
+
+def _bodies_known(rules: PairRules, entries: EntriesByKey) -> bool:
+    """Does each gear have a mass, or an inertia where no bearing needs the mass?"""
+    if EQUIVALENT_MASS in entries or "pinion.base_radius" in entries:
+        return True
+    leaves = ("mass",) if rules.bearings else ("mass", "inertia")
+    return all(any(f"{gear}.{leaf}" in entries for leaf in leaves) for gear in GEARS)
+
+
+def _is_harmonic(key: str, stem: str) -> bool:
+    return key.startswith(stem) and "phase" not in key
+
+
+def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> Drawing:
+    def stated(key: str) -> float | None:
+        return entries[key].number if key in entries else None
+
+    quality = [stated(f"{gear}.quality") for gear in GEARS]
+    grades = [
+        int(q if q is not None else other or 8) for q, other in zip(quality, reversed(quality), strict=True)
+    ]
+    fits = [str(entries[f"{g}.fit"].value) if f"{g}.fit" in entries else None for g in GEARS]
+    chosen = [fits[0] or fits[1], fits[1] or fits[0]]
+    materials = [named(rules.places.chosen(entries, f"{gear}.material")) for gear in GEARS]
+    bodies, rims = zip(*(_body(entries, gear, i, pair) for i, gear in enumerate(GEARS)), strict=True)
+    load = entries.get("load")
+    return Drawing(
+        pair,
+        (materials[0], materials[1]),
+        bodies,
+        rims,
+        None if quality == [None, None] else (grades[0], grades[1]),
+        None if chosen[0] is None or chosen[1] is None else (chosen[0], chosen[1]),
+        int(stated("mesh.distance_grade") or 7),
+        None if load is None or load.dimensionless else load.number,
+    )
+
+
+def _body(
+    entries: EntriesByKey, gear: str, index: int, pair: CylindricalPair
+) -> tuple[GearBody | None, Rim | None]:
+    """Body and rim, as far as a drawing tells of them."""
+    at = {
+        leaf: entries[f"{gear}.{leaf}"].number
+        for leaf in ("bore", "rim_diameter", "web_width")
+        if f"{gear}.{leaf}" in entries
+    }
+    if not at:
+        return None, None
+    one, width = pair.gears[index], entries[f"{gear}.face_width"].number
+    rim = at.get("rim_diameter")
+    body = GearBody(mean_tooth_diameter(one), width, at.get("bore", 0.0), rim, at.get("web_width"))
+    if rim is None:
+        return body, SOLID
+    return body, Rim(0.5 * (one.root_diameter - rim), at.get("web_width", width))
+
+
+@lru_cache(maxsize=256)
+def _estimates(drawing: Drawing, wanted: frozenset[str]) -> Mapping[str, Estimate]:
+    return estimates(drawing, HIGHEST_HARMONIC, wanted)
+
+
+_ESTIMABLE = frozenset(
+    {
+        "mesh.mean_stiffness",
+        "mesh.damping_ratio",
+        "mesh.backlash",
+        "mesh.pressure_angle",
+        "bearings.damping_ratio",
+        REFERENCE,
+        *(f"{gear}.{leaf}" for gear in GEARS for leaf in ("mass", "inertia", "face_width")),
+        *(
+            f"{gear}.bearing_{what}_{axis}"
+            for gear in GEARS
+            for what in ("stiffness", "damping")
+            for axis in "yz"
+        ),
+    }
+)
+_PATHS = {
+    "mean_stiffness": "mesh.mean_stiffness",
+    "backlash": "mesh.backlash",
+    "error": "mesh.error",
+    "error_phase": "mesh.error_phase",
+    "mesh_damping": "mesh.damping_ratio",
+    "bearing_damping": "bearings.damping_ratio",
+}
+
+
+def _entries(rules: PairRules, found: Mapping[str, Estimate]) -> Iterator[Entry]:
+    """Estimates as entries of this kind of pair."""
+    orders = [
+        n for n in range(1, HIGHEST_HARMONIC + 1) if abs(_value(found, f"ripple_{n}")) >= LEAST_HARMONIC
+    ]
+    for name, one in found.items():
+        table, _, leaf = name.partition("_")
+        path = _PATHS.get(name, f"{table}.{leaf}")
+        if name.startswith("ripple_"):
+            if int(leaf) > max(orders, default=1):
+                continue
+            path = "mesh.ripple" if leaf == "1" else f"mesh.{name}"
+        elif leaf.startswith("bearing_"):
+            path = f"{table}.bearing_stiffness_{leaf[-1]}"
+        place = rules.places.quantities.get(path)
+        if place is None:
+            continue  # a value that this kind of pair has no place for
+        for key in rules.places.together.get(place.key, (place.key,)):
+            yield Entry(key, path, one.value, "", Provenance.ASSUMED, one.source, one.least, one.greatest)
+
+
+def _stated(entries: EntriesByKey, key: str) -> bool:
+    """Is it stated, or does a stated mass say it?"""
+    gear, _, leaf = key.partition(".")
+    return key in entries or (leaf == "inertia" and f"{gear}.mass" in entries)
+
+
+def _value(found: Mapping[str, Estimate], name: str) -> float:
+    return found[name].value if name in found else 0.0
+
+
+def _refused(entries: EntriesByKey, stated: EntriesByKey) -> Iterator[Problem]:
+    """Estimates that no pair can have."""
+    play = entries.get("D")
+    if play is not None and play.least is not None and not (isfinite(play.number) and play.number > 0.0):
+        words = [
+            k
+            for k in (
+                drawn.CENTRE,
+                *(f"{g}.{leaf}" for g in GEARS for leaf in ("profile_shift", *drawn.MEASURES)),
+            )
+            if k in stated
+        ]
+        path = words[0] if words else "mesh"
+        shown = repr(stated[path].text) if path in stated else None
+        yield Problem(
+            path,
+            shown,
+            f"teeth with play; these have {play.number * 1e6:.4g} um of backlash at this centre distance",
+        )

@@ -1,0 +1,172 @@
+"""From what is stated of a pair to its teeth: profile shifts, however they are stated, tips and roots."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import cos, log, pi, radians, tan
+
+from gearlash.case.entries import Entry
+from gearlash.case.stated import Provenance
+from gearlash.gears import BasicRack, CylindricalGear, CylindricalPair, inspection
+from gearlash.gears.cylindrical_pair import shift_sum
+
+from .drawn import CENTRE, RACK, RACKS, SHIFT_SUM
+from .keys import GEARS
+from .rules import EntriesByKey, PairRules
+
+PRESSURE_ANGLE = radians(20.0)
+USUAL_WIDTH = 10.0
+"""Face width over the module where none is stated."""
+
+
+class Teeth:
+    """The teeth of a pair as stated values give them, and what of them had to be inferred or assumed."""
+
+    def __init__(self, rules: PairRules, entries: EntriesByKey):
+        self.rules, self.entries = rules, entries
+        self.found: list[Entry] = []
+        self.allowances: dict[str, float] = {}
+
+    def number(self, key: str) -> float | None:
+        """A stated value, None where there is none."""
+        entry = self.entries.get(key)
+        return None if entry is None else entry.number
+
+    def pair(self) -> CylindricalPair:
+        """The pair. Raises `GearlashError` for teeth that do not mesh."""
+        gears = [self._gear(gear) for gear in GEARS]
+        centre = self.number(CENTRE)
+        pair = CylindricalPair(gears[0], gears[1], centre, self._face_width())
+        shifts = self._shifts(pair)
+        gears = [
+            self._finished(name, replace(gear, profile_shift=x))
+            for name, gear, x in zip(GEARS, gears, shifts, strict=True)
+        ]
+        return replace(pair, pinion=gears[0], gear=gears[1])
+
+    def _gear(self, gear: str) -> CylindricalGear:
+        """Without tip, root and allowance."""
+        teeth = int(self.entries[f"{gear}.teeth"].number)
+        plain = CylindricalGear(
+            teeth,
+            self.entries[self.rules.module].number,
+            self.number("mesh.helix_angle") or 0.0,
+            rack=self._rack(),
+        )
+        x = self.number(f"{gear}.profile_shift")
+        return plain if x is None else replace(plain, profile_shift=x)
+
+    def _rack(self) -> BasicRack:
+        angle = self.number("mesh.pressure_angle")
+        if angle is None:
+            angle = PRESSURE_ANGLE
+            self._assume("mesh.pressure_angle", angle, "not stated: 20° of ISO 53")
+        return replace(RACKS[self.rules.places.chosen(self.entries, RACK)], pressure_angle=angle)
+
+    def _face_width(self) -> float:
+        stated = [w for gear in GEARS if (w := self.number(f"{gear}.face_width")) is not None]
+        width = min(stated, default=USUAL_WIDTH * self.entries[self.rules.module].number)
+        for gear in GEARS:
+            if f"{gear}.face_width" not in self.entries:
+                why = "as its mate" if stated else f"not stated: {USUAL_WIDTH:g} m_n"
+                self._assume(
+                    f"{gear}.face_width", width, why, *(() if stated else (0.6 * width, 1.6 * width))
+                )
+        return width
+
+    def _shifts(self, pair: CylindricalPair) -> tuple[float, float]:
+        """Both profile shifts: stated, measured, from their sum or the centre distance, or none."""
+        known = [self._shift(name, gear) for name, gear in zip(GEARS, pair.gears, strict=True)]
+        total = self.number(SHIFT_SUM)
+        if self.number(CENTRE) is not None:
+            total = shift_sum(pair)
+        first, second = known
+        if first is not None and second is not None:
+            return first, second
+        if total is None:
+            why = "no profile shift, span, dimension over balls or centre distance stated"
+            first, second = (
+                self._shifted(g, 0.0, why) if x is None else x for g, x in zip(GEARS, known, strict=True)
+            )
+            return first, second
+        rest = f"what x_1 + x_2 = {total:.4g} leaves"
+        if first is None and second is None:
+            first = _pinion_share(total, pair)
+            why = f"pinion's share of x_1 + x_2 = {total:.4g}, BS 436"
+            self._shifted(GEARS[0], first, why)
+        if first is None:
+            assert second is not None
+            return self._inferred_shift(GEARS[0], total - second, rest), second
+        return first, self._inferred_shift(GEARS[1], total - first, rest)
+
+    def _shift(self, name: str, gear: CylindricalGear) -> float | None:
+        """Of one gear, as stated or measured. A measure beside a stated shift tells the allowance."""
+        measured = self._measured(name, gear)
+        path = f"{name}.profile_shift"
+        stated = self.number(path)
+        if measured is None:
+            return stated
+        generating, how = measured
+        unit = 2.0 * gear.normal_module * tan(gear.rack.pressure_angle)
+        if stated is not None:
+            allowance = f"{name}.thickness_allowance"
+            self.allowances[name] = unit * (generating - stated)
+            self.found.append(
+                Entry(allowance, allowance, self.allowances[name], "", Provenance.INFERRED, how)
+            )
+            return stated
+        x = generating - (self.number(f"{name}.thickness_allowance") or 0.0) / unit
+        return self._inferred_shift(name, x, how)
+
+    def _measured(self, name: str, gear: CylindricalGear) -> tuple[float, str] | None:
+        """The generating profile shift that a measure gives, and how."""
+        span, teeth = self.number(f"{name}.span"), self.number(f"{name}.span_teeth")
+        if span is not None:
+            k = inspection.span_teeth(gear) if teeth is None else int(teeth)
+            return inspection.with_span(gear, span, k).profile_shift, f"from W_{k}"
+        ball = self.number(f"{name}.ball_diameter")
+        for leaf, pins in (("over_balls", False), ("over_pins", True)):
+            dimension = self.number(f"{name}.{leaf}")
+            if dimension is not None:
+                ball = 1.75 * gear.normal_module if ball is None else ball
+                how = f"from the dimension over {'pins' if pins else 'balls'} of {ball * 1e3:.5g} mm"
+                return inspection.with_dimension_over_balls(gear, dimension, ball, pins).profile_shift, how
+        return None
+
+    def _shifted(self, gear: str, x: float, why: str) -> float:
+        self._assume(f"{gear}.profile_shift", x, why)
+        return x
+
+    def _inferred_shift(self, gear: str, x: float, how: str) -> float:
+        path = f"{gear}.profile_shift"
+        self.found.append(Entry(path, path, x, "", Provenance.INFERRED, how))
+        return x
+
+    def _assume(
+        self, path: str, value: float, why: str, least: float | None = None, most: float | None = None
+    ) -> None:
+        self.found.append(Entry(path, path, value, "", Provenance.ASSUMED, why, least, most))
+
+    def _finished(self, name: str, gear: CylindricalGear) -> CylindricalGear:
+        """With the stated tip, root and allowance."""
+        allowance = self.number(f"{name}.thickness_allowance") or self.allowances.get(name, 0.0)
+        tip, root = self.number(f"{name}.tip_diameter"), self.number(f"{name}.root_diameter")
+        gear = replace(gear, thickness_allowance=allowance, stated_tip_diameter=tip)
+        return gear if root is None else replace(gear, rack=_with_root(gear, root))
+
+
+def _pinion_share(total: float, pair: CylindricalPair) -> float:
+    """x_1 of a sum: x_1 = Σx/2 + (1/2 − Σx/2) ln u / ln(z_n1 z_n2/100), BS 436."""
+    product = pair.pinion.virtual_teeth * pair.gear.virtual_teeth / 100.0
+    if product <= 1.5 or pair.ratio <= 0.0:
+        return 0.5 * total
+    return 0.5 * total + (0.5 - 0.5 * total) * log(pair.ratio) / log(product)
+
+
+def _with_root(gear: CylindricalGear, root: float) -> BasicRack:
+    """The rack whose tip cuts this root diameter; its rounding as large as it has room."""
+    rack, module = gear.rack, gear.normal_module
+    dedendum = gear.generating_profile_shift + (gear.reference_diameter - root) / (2.0 * module)
+    angle = rack.pressure_angle
+    room = (pi / 4 - dedendum * tan(angle)) / (1.0 / cos(angle) - tan(angle))
+    return replace(rack, dedendum=dedendum, root_radius=max(0.0, min(rack.root_radius, room)))

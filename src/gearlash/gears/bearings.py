@@ -1,0 +1,78 @@
+"""Stiffness of the bearings of a shaft whose bearings are not known: two deep groove ball bearings.
+
+Elastic approach of a ball bearing's rings under a radial load F (Palmgren), with the load of the ball that is
+loaded most, Q = 5 F/Z:
+
+    δ_r = 4.36·10⁻⁴ mm (Q²/D)^⅓,   k_r = dF/dδ = 3F/(2 δ_r)   (Q in N, D in mm).
+
+The bearing is taken from the shaft: outer diameter 1.6 d + 14 mm, balls of 0.3 (outer diameter − d), nine of
+them, as of series 62.
+"""
+
+from __future__ import annotations
+
+BALLS = 9
+PER_SHAFT = 2
+AXIAL = 0.4
+"""Axial over radial stiffness: one bearing is fixed, its contact angle small; an estimate."""
+SPREAD = 4.0
+"""Rollers instead of balls make it stiffer, shafts and housings softer: an estimate."""
+LEAST_LOAD = 0.01
+"""N for each mm² of d²: the preload that a bearing has at least; an estimate."""
+
+
+def ball_bearing_stiffness(shaft_diameter: float, radial_load: float) -> float:
+    """Radial stiffness of one deep groove ball bearing.
+
+    Parameters
+    ----------
+    shaft_diameter : float
+        d, m; above 0.
+    radial_load : float
+        F on it, N; at least the preload `LEAST_LOAD`.
+
+    Returns
+    -------
+    float
+        N/m.
+
+    References
+    ----------
+    A. Palmgren, Grundlagen der Wälzlagertechnik, 3rd ed., Franckh, Stuttgart 1964, elastic deformation.
+
+    Examples
+    --------
+    >>> from gearlash.gears.bearings import ball_bearing_stiffness
+    >>> round(ball_bearing_stiffness(0.03, 2000.0) / 1e6)  # like a 6206
+    136
+    """
+    d = shaft_diameter * 1e3
+    ball = 0.3 * (0.6 * d + 14.0)
+    force = max(abs(radial_load), LEAST_LOAD * d**2)
+    approach = 4.36e-4 * ((5.0 * force / BALLS) ** 2 / ball) ** (1.0 / 3.0)
+    return 1.5 * force / approach * 1e3
+
+
+def shaft_bearings(shaft_diameter: float, radial_load: float) -> tuple[float, float]:
+    """Radial and axial stiffness of the two bearings of a shaft with its gear in the middle.
+
+    Parameters
+    ----------
+    shaft_diameter : float
+        m; above 0.
+    radial_load : float
+        On the gear, N.
+
+    Returns
+    -------
+    (float, float)
+        N/m.
+
+    Examples
+    --------
+    >>> from gearlash.gears.bearings import shaft_bearings
+    >>> [round(k / 1e6) for k in shaft_bearings(0.03, 4000.0)]
+    [273, 109]
+    """
+    radial = PER_SHAFT * ball_bearing_stiffness(shaft_diameter, radial_load / PER_SHAFT)
+    return radial, AXIAL * radial

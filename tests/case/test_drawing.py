@@ -1,0 +1,148 @@
+"""Cases from drawings: what is missing is estimated, marked and ranged; what is stated is kept."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gearlash.case import Case, CaseError, load, loads
+from gearlash.gears import CylindricalGear, CylindricalPair, inspection
+
+TEXT = (Path(__file__).parents[1] / "cases" / "drawing.toml").read_text(encoding="utf-8")
+
+
+def values(case: Case) -> dict[str, Any]:
+    return {v.path: v for v in case.values()}
+
+
+def test_a_drawing_is_a_case_and_its_estimates_are_marked_with_range_and_source():
+    found = values(loads(TEXT))
+    for path in ("mesh.mean_stiffness", "mesh.ripple", "mesh.error", "mesh.damping_ratio", "pinion.mass",
+                 "pinion.inertia", "gear.bearing_stiffness_z", "bearings.damping_ratio"):  # fmt: skip
+        value = found[path]
+        assert value.provenance == "assumed"
+        assert value.least < value.value < value.greatest, path
+        assert value.reason
+        assert value.text == ""
+    assert found["mesh.backlash"].provenance == "given"
+    assert found["mesh.mean_stiffness"].value == pytest.approx(8.1356e8, rel=1e-4)
+
+
+def test_what_is_stated_is_not_estimated():
+    case = loads(TEXT, {"mesh.mean_stiffness": "4e8 N/m", "pinion.mass": "2.6 kg", "ripple": 0.12})
+    found = values(case)
+    assert found["mesh.mean_stiffness"].value == 4e8
+    assert found["pinion.mass"].least is None
+    assert "pinion.inertia" not in found  # the disc of the stated mass
+    assert "mesh.ripple_2" not in found
+    assert found["gear.inertia"].least is not None
+
+
+def test_estimates_follow_an_override_and_the_unit_of_length_does_not():
+    text = TEXT.replace('backlash = "80 um"\n', "")
+    case = loads(text)
+    play = values(case)["mesh.backlash"]
+    assert play.least < play.value < play.greatest
+    assert case.family()[0].defaults["D"] == pytest.approx(1.0)
+    fitted = case.with_overrides({"pinion.fit": "27b", "gear.fit": "27b"})
+    assert fitted.scales.length == case.scales.length
+    assert fitted.family()[0].defaults["D"] > 1.5
+    wide = case.with_overrides({"pinion.face_width": "60 mm", "gear.face_width": "60 mm"})
+    assert values(wide)["mesh.mean_stiffness"].value > 1.3 * values(case)["mesh.mean_stiffness"].value
+
+
+def test_a_case_travels_with_its_drawing():
+    case = loads(TEXT)
+    again = Case.from_json(case.to_json())
+    assert again == case
+    assert again.family()[0].defaults == case.family()[0].defaults
+
+
+def test_speed_torque_and_power_of_either_side_are_one():
+    base = loads(TEXT).family()[0].defaults
+    ratio = 57 / 25
+    by_gear = TEXT.replace('pinion_speed = "4200 rpm"', f'gear_speed = "{4200 / ratio!r} rpm"').replace(
+        'torque = "150 N m"', f'gear_torque = "{150 * ratio!r} N m"'
+    )
+    assert loads(by_gear).family()[0].defaults["omega"] == pytest.approx(base["omega"], rel=1e-12)
+    assert loads(by_gear).family()[0].defaults["load"] == pytest.approx(base["load"], rel=1e-12)
+    power = 150 * 4200 * 3.141592653589793 / 30
+    by_power = TEXT.replace('torque = "150 N m"', f'power = "{power!r} W"')
+    assert loads(by_power).family()[0].defaults["load"] == pytest.approx(base["load"], rel=1e-12)
+    with pytest.raises(CaseError, match="one of two that name the same quantity"):
+        loads(TEXT.replace("[operation]", '[operation]\npower = "20 kW"'))
+    replaced = loads(by_power, {"torque": "100 N m"})
+    assert replaced.scales.torque(replaced.family()[0].defaults["load"]) == pytest.approx(100)
+
+
+def test_a_circumferential_backlash_is_turned_into_the_normal_one():
+    text = TEXT.replace('backlash = "80 um"', 'backlash_circumferential = "80 um"')
+    play = values(loads(text))["mesh.backlash"]
+    assert play.provenance == "inferred"
+    assert play.value == pytest.approx(80 * 0.9076734, rel=1e-6)  # cos α_n cos β: no profile shift
+
+
+def test_profile_shift_by_span_balls_or_centre_distance():
+    gears = [CylindricalGear(z, 3e-3, profile_shift=x) for z, x in ((25, 0.3), (57, 0.1))]
+    pair = CylindricalPair(gears[0], gears[1])
+    span = inspection.span_measurement(gears[0], 4)
+    balls = inspection.dimension_over_balls(gears[1], 5e-3)
+    text = (
+        TEXT.replace('helix_angle = "15 deg"', f'centre_distance = "{pair.centre_distance * 1e3!r} mm"')
+        .replace('"helical-pair"', '"spur-1dof"')
+        .replace("quality = 7", f'span = "{span * 1e3!r} mm"\nspan_teeth = 4')
+    )
+    found = values(loads(text))
+    assert found["pinion.profile_shift"].value == pytest.approx(0.3, abs=1e-9)
+    assert found["gear.profile_shift"].value == pytest.approx(0.1, abs=1e-9)
+    measured = text.replace("bore", f'over_balls = "{balls * 1e3!r} mm"\nball_diameter = "5 mm"\nbore')
+    assert values(loads(measured))["gear.profile_shift"].value == pytest.approx(0.1, abs=1e-9)
+
+
+def test_a_measure_beside_a_stated_shift_is_the_allowance():
+    gear = CylindricalGear(25, 3e-3, profile_shift=0.2, thickness_allowance=-70e-6)
+    span = inspection.span_measurement(gear, 4)
+    text = (
+        TEXT.replace('helix_angle = "15 deg"\n', "")
+        .replace('"helical-pair"', '"spur-1dof"')
+        .replace('backlash = "80 um"\n', "")
+        .replace("quality = 7", f'profile_shift = 0.2\nspan = "{span * 1e3!r} mm"\nspan_teeth = 4')
+    )
+    found = values(loads(text))
+    assert found["pinion.thickness_allowance"].value == pytest.approx(-70, abs=1e-6)
+    assert "stated tooth thickness" in found["mesh.backlash"].reason
+
+
+@pytest.mark.parametrize("name", ["module", "normal_module"])
+@pytest.mark.parametrize("kind", ["helical-pair", "spur-1dof"])
+def test_both_names_of_the_module_are_understood(kind, name):
+    text = TEXT.replace('"helical-pair"', f'"{kind}"').replace("normal_module", name)
+    text = text if kind == "helical-pair" else text.replace('helix_angle = "15 deg"\n', "")
+    assert loads(text).numbers.body.geometry.normal_module == 3e-3
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "path", "word"),
+    [
+        ('material = "steel"', 'material = "stel"', "pinion.material", "steel"),
+        ("quality = 7", "quality = 17", "pinion.quality", "from 1 to 12"),
+        ('bore = "50 mm"', 'bore = "500 mm"', "mesh", "inner diameter"),
+        ('backlash = "80 um"', 'backlash = "80 um"\ncentre_distance = "100 mm"', "mesh", "base circles"),
+        ('backlash = "80 um"', 'shift_sum = 2\ncentre_distance = "130 mm"', "mesh.shift_sum", "one of two"),
+    ],
+)
+def test_what_no_drawing_can_say_is_told(old, new, path, word):
+    assert old in TEXT
+    with pytest.raises(CaseError) as told:
+        loads(TEXT.replace(old, new))
+    (problem,) = told.value.problems
+    assert problem.path == path
+    assert word in f"{problem.expected} {problem.nearest}"
+
+
+def test_files_without_words_of_a_drawing_mean_what_they_meant():
+    case = load(Path(__file__).parents[1] / "cases" / "drive.toml")
+    assert not [v.path for v in case.values() if v.least is not None]
+    assert case.numbers.body.teeth is None
