@@ -46,6 +46,18 @@ def units() -> plots.Units:
 
 
 FIGURES: dict[str, Callable[[], Figure]] = {
+    "around-point": lambda: plots.around_point(
+        [
+            plots.PlaneLine([(0.01 * (5 - y) ** n + 0.3, 0.01 * y) for y in (5, 4, 3, 2, 1)], kind, text)
+            for n, kind, text in ((1, "doubling", "doubling of 1-1"), (2, "grazing", "1-1 | 1-1-1"))
+        ],
+        (0.3, 0.05),
+        0.02,
+        [(0.33, "0.33")],
+        ("D", "bearing_damping"),
+        "as it is",
+        units(),
+    ),
     "branches": lambda: plots.branch_diagram(
         [branch()], cloud=dataset(), multipliers=True, title="The window of article", units=units()
     ),

@@ -17,6 +17,9 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .judge import SHIFTED as SHIFTED
     from .kinds import table2_type as table2_type
     from .reproduction import BearingMode as BearingMode
+    from .reproduction import Centre as Centre
+    from .reproduction import CentreLine as CentreLine
+    from .reproduction import CentrePlace as CentrePlace
     from .reproduction import Check as Check
     from .reproduction import ClaimRow as ClaimRow
     from .reproduction import Coexisting as Coexisting
@@ -49,6 +52,9 @@ _WHERE = {
     "kinds": ("table2_type",),
     "reproduction": (
         "BearingMode",
+        "Centre",
+        "CentreLine",
+        "CentrePlace",
         "Check",
         "ClaimRow",
         "Coexisting",
@@ -81,6 +87,9 @@ __all__ = [
     "SHIFTED",
     "STAGES",
     "BearingMode",
+    "Centre",
+    "CentreLine",
+    "CentrePlace",
     "Check",
     "Claim",
     "ClaimRow",

@@ -23,6 +23,7 @@ from gearlash.system import Family, GearlashError, Label, MotionKind, given
 
 from .bearing import bearing_modes
 from .branching import Following
+from .centre import centres
 from .claims import Claim, load
 from .events import EventSearch
 from .opening import Beside, coincidences
@@ -175,6 +176,11 @@ def reproduce(
         tell(STAGES[6], None)
         scans = {each.name: each.scan(found[each.name], executor) for each in followed}
         beside = {name: coincidences(case, scan, executor) for name, scan in scans.items()}
+        points = tuple(
+            point
+            for name, scan in scans.items()
+            for point in centres(case, claims, scan, beside[name], executor)
+        )
         clock.lap(STAGES[6])
     tell(STAGES[3], None)
     family, _ = case.family()
@@ -198,7 +204,7 @@ def reproduce(
         _motions(case, claims, {"omega": frequency, "D": backlash}),
     )
     judged = judge(claims, evidence)
-    table = fill(tuple(scans.values()), events)
+    table = fill(tuple(scans.values()), events, points)
     clock.lap(STAGES[4])
     all_rows = (*frequency, *backlash)
     return Reproduction(
@@ -216,6 +222,7 @@ def reproduce(
         bearings=_bearings(case, frequency, zones, {"D": scope.fixed_backlash}),
         coincidences=tuple(both for pairs in beside.values() for both, _ in pairs),
         scans=tuple(scans.values()),
+        centres=points,
     )
 
 

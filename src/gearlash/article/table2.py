@@ -9,22 +9,25 @@ from dataclasses import replace
 import numpy as np
 
 from gearlash import SpecialKind, SpecialPoint
+from gearlash.plots.units import SYMBOLS
 from gearlash.system import Label, Signature, label_text
 
 from .judge import NOT_FOUND, REPRODUCED, coincides
 from .kinds import CODIMENSION_TWO, STANDARD, table2_type
-from .reproduction import Event, Explained, Scan, Table2Row
+from .reproduction import Centre, Event, Explained, Scan, Table2Row
 from .stretches import special_points
 
 SMOOTH_KINDS = (SpecialKind.FOLD, SpecialKind.DOUBLING, SpecialKind.TORUS)
 EXAMPLES = 6
 
 
-def fill(scans: Sequence[Scan], events: Sequence[Event]) -> tuple[Table2Row, ...]:
+def fill(
+    scans: Sequence[Scan], events: Sequence[Event], points: Sequence[Centre] = ()
+) -> tuple[Table2Row, ...]:
     """The three rows: what the article says of each type, and what the branches of this run have of it.
 
     Counted are special points that a stable orbit comes to; shown first are those that the article has, then
-    others that the sweeps met."""
+    others that the sweeps met. A row of its own has the points of two parameters behind the second type."""
     met = [special for scan in scans for special in met_by_stable(scan)]
     grazes = [special for special in met if special.is_grazing]
     standard = [special for special in grazes if table2_type(special) == STANDARD]
@@ -51,6 +54,7 @@ def fill(scans: Sequence[Scan], events: Sequence[Event]) -> tuple[Table2Row, ...
             "is sudden, that of the motion is not: the map is C¹ there.",
         ),
         _codimension_two(double, grazes, events),
+        *map(_in_two_parameters, points),
         _row(
             "Smooth Bifurcation (e.g., Period-doubling, Saddle-node)",
             "LLE ≈ 0 or specific multiplier condition",
@@ -150,8 +154,32 @@ def _codimension_two(
     )
 
 
+def _in_two_parameters(point: Centre) -> Table2Row:
+    """Where both conditions hold at once, in every plane in which that was met."""
+    periods, labels = (dict.fromkeys(row) for row in (map(_period, point.labels), map(str, point.labels)))
+    return Table2Row(
+        type="Co-dimension-2 Grazing Bifurcation: the point itself, in two parameters",
+        condition="a multiplier −1 and a grazing of one orbit",
+        reported_effect_p="",
+        reported_effect_qr="",
+        reported_region="not told: of two parameters one was varied",
+        events=tuple(
+            f"({', '.join(map(_symbol, place.parameters))}) = "
+            f"({place.values[0]:.10g}, {place.values[1]:.10g})"
+            for place in point.places
+        ),
+        exponent=tuple(place.exponent for place in point.places),
+        periods=tuple(" → ".join(periods) for _ in point.places),
+        patterns=tuple(" → ".join(labels) for _ in point.places),
+        verdict="",
+        note="Solved for; the largest estimate of an error is "
+        f"{max(max(place.errors) for place in point.places):.0e}. The doubling and the grazings that are "
+        "found over one parameter are cuts of the curves that leave it.",
+    )
+
+
 def _symbol(name: str) -> str:
-    return {"omega": "ω"}.get(name, name)
+    return SYMBOLS.get(name, name)
 
 
 def _period(label: Label | None) -> str:

@@ -4,6 +4,7 @@ Each function returns a matplotlib `Figure`, and `save` writes it as SVG and PDF
 bytes.
 """
 
+from .around_point import around_point
 from .bifurcation import diagram
 from .branch_diagram import branch_diagram
 from .draw import draw
@@ -12,6 +13,7 @@ from .histories import triple as history_triple
 from .intervals import Bar, Panel, zones
 from .marks import Mark
 from .plane import plane
+from .plane_lines import PlaneLine
 from .poincare import sections
 from .portraits import gallery, portrait
 from .portraits import triple as portrait_triple
@@ -24,8 +26,10 @@ __all__ = [
     "ForceAxis",
     "Mark",
     "Panel",
+    "PlaneLine",
     "Twin",
     "Units",
+    "around_point",
     "branch_diagram",
     "diagram",
     "draw",

@@ -33,9 +33,10 @@ AXIS_NAMES = {
     "error": r"transmission error  $E_1$",
     "error_phase": r"error phase  $\psi_1$  [rad]",
     "mesh_damping": r"mesh damping  $\xi_m$",
-    "bearing_damping": r"bearing damping  $\xi_i$",
+    "bearing_damping": r"bearing damping  $\xi_b$",
 }
 SYMBOLS = {"omega": "ω", "D": "D", "load": "f_m", "ripple": "ε₁", "error": "E₁", "error_phase": "ψ₁"}
+SYMBOLS |= {"ripple_2": "ε₂", "bearing_damping": "ξ_b", "mesh_damping": "ξ_m"}
 
 
 def name(parameter: str) -> str:

@@ -13,6 +13,7 @@ from gearlash.report.blocks import Block, Cell, Figure, Note, Section, Strong, T
 from gearlash.report.numbers import complex_number, number, percent, scientific
 from gearlash.report.pictures import Picture
 
+from . import centre
 from .quantities import Quantities, fixed_words, symbol
 from .words import verdict, yes_or_no
 
@@ -23,15 +24,15 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
     """One part an event, in the order of the article."""
     quantities = Quantities.of(done.case)
     pictures = [picture for event in done.events for picture in _pictures(event, quantities)]
+    drawn = [centre.picture(each, done.events, quantities) for each in done.centres]
+    pictures += [each for each in drawn if each is not None]
     intro = Text.of(
         "At a grazing the motion touches a boundary of the gap without speed. Each event is shown before, "
         "at and after it; the lower row of a portrait enlarges the place of the touch. Where an event was "
         "not found, the motions at and beside the reported value are shown instead."
     )
     notes = {row.id: row.parts for row in done.claims}
-    parts = tuple(
-        _part(event, quantities, notes.get(event.claim, ()), done.coincidences) for event in done.events
-    )
+    parts = tuple(_part(event, quantities, notes.get(event.claim, ()), done) for event in done.events)
     return Section("events", "The article’s events", (intro,), parts), pictures
 
 
@@ -61,16 +62,16 @@ def _has_sections(event: Event) -> bool:
     return any(m.period > 1 or not m.periodic for m in event.motions)
 
 
-def _part(
-    event: Event, quantities: Quantities, said: tuple[Part, ...], all_pairs: tuple[Coincidence, ...]
-) -> Section:
+def _part(event: Event, quantities: Quantities, said: tuple[Part, ...], done: Reproduction) -> Section:
     blocks: list[Block] = [_opening(event, quantities)]
     if event.note:
         blocks.append(Note(Text.of(event.note), "Note" if event.found else "What was found instead"))
     blocks.append(_facts(event, quantities))
     if event.coincidence is not None:
         blocks += [*(_judged(part) for part in said), _opening_table(event, event.coincidence)]
-        blocks.append(_others(all_pairs))
+        blocks.append(_others(done.coincidences))
+        for each in done.centres:
+            blocks += centre.blocks(each, quantities) if each.claim == event.claim else []
     blocks += _figures(event, quantities)
     if event.conditions:
         blocks.append(_conditions(event))

@@ -1,6 +1,7 @@
 """What the article's study came to: plain data, ready to be shown. All numbers are dimensionless."""
 
 from .branches import Explained, Scan, Stretch, Together
+from .centre import Centre, CentreLine, CentrePlace
 from .claims import ClaimRow, Part, Table2Row
 from .events import Coincidence, Event, Opening
 from .rules import BearingMode, RuleEffect, RuleGrazing, RuleLabel
@@ -12,6 +13,9 @@ NAN = float("nan")
 __all__ = [
     "NAN",
     "BearingMode",
+    "Centre",
+    "CentreLine",
+    "CentrePlace",
     "Check",
     "ClaimRow",
     "Coexisting",

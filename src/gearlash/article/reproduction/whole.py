@@ -11,6 +11,7 @@ from gearlash.studies.motion import Motion
 from gearlash.system import Label, Record, Status
 
 from .branches import Scan
+from .centre import Centre
 from .claims import ClaimRow, Table2Row
 from .events import Coincidence, Event
 from .rules import BearingMode, RuleEffect
@@ -138,6 +139,8 @@ class Reproduction(Record):
         Of every doubling that has a grazing within 2 % of the parameter.
     scans : tuple of Scan
         The two sweeps as branches of periodic orbits: over ω, over D.
+    centres : tuple of Centre
+        Of every claim of a coincidence: the point of two parameters beside it.
     """
 
     case: Case
@@ -154,3 +157,4 @@ class Reproduction(Record):
     bearings: tuple[BearingMode, ...] = ()
     coincidences: tuple[Coincidence, ...] = ()
     scans: tuple[Scan, ...] = ()
+    centres: tuple[Centre, ...] = ()
