@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gearlash.case.edges import rounded_edge, shown_distance, shown_edge
+from gearlash.case.edges import rounded_edge, shown_distance, shown_edge, shown_interval
 
 VALUES = st.floats(min_value=1e-6, max_value=1e6)
 
@@ -44,3 +44,14 @@ def test_rounding_never_claims_more(value: float, beside: float, inwards: int):
     assert float(shown_edge(value, inwards, beside)) == pytest.approx(shown, rel=1e-12)
     if abs(value - beside) > 1e-6 * value:
         assert (beside > value) == (beside > shown) or beside == shown
+
+
+@given(VALUES, st.floats(min_value=1e-9, max_value=1.0), st.sampled_from((-1.0, 1.0)))
+def test_an_interval_is_shown_within_itself_and_stays_one(value: float, width: float, sign: float):
+    low, high = sorted((sign * value, sign * value * (1.0 + width)))
+    shown = [float(text) for text in shown_interval(low, high, 6)]
+    slack = 2e-9 * abs(value) + 1e-15
+    assert low - slack <= shown[0] <= shown[1] + slack <= high + 2.0 * slack
+    assert shown[0] - low <= max(1e-5 * abs(high), 1e-5 * abs(low), 1e-15)
+    assert shown_interval(0.6, 0.681311956, 6) == ("0.6", "0.681311")
+    assert shown_interval(0.6813531204, 0.6813679304, 6) == ("0.6813532", "0.6813679")

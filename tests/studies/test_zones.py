@@ -1,44 +1,22 @@
-"""Stable zones: ends against closed forms, hysteresis, ranges that end first, and interval algebra."""
+"""Stable zones: ends against closed forms and the article's windows, hysteresis, ranges that end first."""
 
 from __future__ import annotations
 
-import math
-import threading
 from concurrent.futures import ThreadPoolExecutor
-from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from gearlash import case, flow, orbits, studies
-from gearlash.branches import locate_multiplier
 from gearlash.branches.continuation import SpecialKind, SpecialPoint
-from gearlash.jobs import Execution, Progress
-from gearlash.studies import Axis, Direction, Interval, Quiet, ZoneEnd
-from gearlash.studies.intervals import intersection, union
-from gearlash.studies.model import Source
-from gearlash.studies.quiet import Row, Search
-from gearlash.studies.scanned import scanned_zones
-from gearlash.studies.zone import Zone, ZoneMotion
-from gearlash.studies.zone_end import BASIN, RANGE, UNKNOWN
-from gearlash.studies.zone_end import Interval as Plain
+from gearlash.jobs import Execution
+from gearlash.studies import Axis, Quiet
+from gearlash.studies.zone_end import RANGE
 from gearlash.studies.zones import zones_of_kinds
-from gearlash.system import GearlashError, Signature, UnknownNameError
+from gearlash.system import GearlashError, UnknownNameError
+from studies.classical import CLASSICAL, SPEEDS, loss_of_contact
 
 ARTICLE = case.load("article-first-harmonic")
-CLASSICAL = case.load("kahraman-singh")
-SPEEDS = Axis.even("omega", 0.3, 1.6, 53)
-
-
-def loss_of_contact() -> tuple[float, float]:
-    """Frequencies at which x'' + 0.1 x' + x = 0.1 + 0.05 ω² cos ωτ just reaches x = 0: amplitude 0.1, that is
-    (1 − w)² + 0.01 w = w²/4 in w = ω²."""
-    a, b, c = 0.75, -1.99, 1.0
-    root = math.sqrt(b * b - 4.0 * a * c)
-    return math.sqrt((-b - root) / (2.0 * a)), math.sqrt((-b + root) / (2.0 * a))
 
 
 @pytest.fixture(scope="module")
@@ -128,40 +106,6 @@ def test_sweeps_of_another_question_are_refused(classical):
         studies.zones(CLASSICAL, Axis("omega", np.array([0.5])))
 
 
-def test_a_basin_that_ends_is_no_bifurcation():
-    """From far outside, the cold start falls into the impacting motion long before the quiet one ends."""
-    axis = Axis.even("omega", 0.65, 0.8, 7)
-    cold = studies.sweep(CLASSICAL, axis, start=[2.0, 0.0])
-    found = scanned_zones(CLASSICAL, axis, "impact-free", [cold], start=[2.0, 0.0])
-    (zone,) = found.zones
-    assert zone.upper.kind == BASIN
-    assert 0.0 < zone.upper.uncertainty <= 1e-6
-    assert zone.upper.value < loss_of_contact()[0]
-
-
-def test_what_cannot_be_computed_ends_a_zone_without_a_bound():
-    axis = Axis("D", np.array([-1.0, -0.5, 0.5, 1.0]))
-    found = studies.zones(CLASSICAL, axis, values={"omega": 0.5})
-    (zone,) = found.zones
-    assert (zone.lower.kind, zone.upper.kind) == (UNKNOWN, RANGE)
-    assert zone.lower.value == pytest.approx(0.0, abs=1e-6)
-    assert zone.lower.outside is None
-    assert "no system" in zone.lower.reason
-    assert found.wider == ()
-
-
-def test_a_cancelled_search_knows_that_it_is_incomplete():
-    cancel = threading.Event()
-    count = 3 * len(SPEEDS)
-    found = studies.zones(
-        CLASSICAL,
-        SPEEDS,
-        execution=Execution(progress=lambda p: p.done == count and cancel.set(), cancel=cancel),
-    )
-    assert (found.complete, found.message) == (False, "cancelled")
-    assert found.zones == found.wider == found.branches == ()
-
-
 def test_the_windows_of_the_article():
     """Both reported ends of the impact-free window, and what the article does not mention: a 2-1-0 motion
     inside it.
@@ -193,22 +137,6 @@ def test_backlash_without_back_side_impacts():
     assert [p.unit for p in zone.physical] == ["um"]
 
 
-def test_an_orbit_that_ends_in_a_fold_beside_chaos():
-    """The 2-1-0 motion of the article's pair ends at a fold; what is seen beyond is aperiodic."""
-    settings = studies.Settings(patience=600, budget=1_500, exponent_periods=600)
-    axis = Axis.even("omega", 1.14, 1.18, 3)
-    up = studies.sweep(ARTICLE, axis, direction="up", settings=settings)
-    assert up.points[-1].label == "aperiodic"
-    (zone,) = scanned_zones(ARTICLE, axis, "drive-side-only", [up], settings=settings).zones
-    assert zone.upper.kind == "fold"
-    assert zone.upper.inside == "2-1-0"
-    beside = Axis("omega", zone.upper.value + np.array([-1e-3, -1e-5, 1e-4]))
-    seen = studies.sweep(ARTICLE, beside, direction="up", settings=settings, start=up.points[0].state)
-    assert [p.label for p in seen.points[:2]] == ["2-1-0", "2-1-0"]
-    assert not seen.points[2].periodic
-    assert seen.points[1].leading.real == pytest.approx(1.0, abs=0.1)
-
-
 def test_an_orbit_that_turns_unstable_ends_the_zone_there():
     """Not at a periodic window that lies behind it between the same two points of the sweep: the 2-1-0 motion
     of the article's pair gives way to a torus, where a pair of multipliers has the modulus 1."""
@@ -228,181 +156,8 @@ def test_an_orbit_that_turns_unstable_ends_the_zone_there():
     assert abs(found.leading) == pytest.approx(1.0, abs=1e-6)
 
 
-def ends(pair: tuple[int, int]) -> Interval:
-    low, high = sorted(pair)
-    return Interval(ZoneEnd(float(low), "x"), ZoneEnd(float(high + 1), "x"))
-
-
-ROWS = st.lists(
-    st.lists(st.tuples(st.integers(0, 20), st.integers(0, 20)).map(ends), max_size=4), min_size=1, max_size=3
-)
-
-
-@given(ROWS)
-def test_interval_algebra_is_that_of_sets(rows):
-    rows = [union([row]) for row in rows]  # intervals of one row do not overlap
-    every, some = intersection(rows), union(rows)
-    for value in np.arange(0.5, 21.0):
-        inside = [any(i.contains(value) for i in row) for row in rows]
-        assert any(i.contains(value) for i in every) == all(inside)
-        assert any(i.contains(value) for i in some) == any(inside)
-    assert all(a.upper.value < b.lower.value for a, b in pairwise(some))
-
-
-def test_margins():
-    zone = Zone(ZoneEnd(1.0, "fold", 0.1), ZoneEnd(2.0, RANGE), "D", Quiet.IMPACT_FREE, True)
-    assert zone.margin(1.5) == pytest.approx(0.4)
-    assert zone.margin(0.7) == pytest.approx(-0.3)
-    assert zone.margin(2.5) == pytest.approx(-0.5)
-    assert (
-        Zone(ZoneEnd(1.0, RANGE), ZoneEnd(2.0, RANGE), "D", Quiet.IMPACT_FREE, True).margin(1.2) == math.inf
-    )
-
-
-def test_motions_coexist_only_where_they_overlap():
-    motions = (
-        ZoneMotion(Signature(1, 0), ("up",), 1.0, 1.4, True),
-        ZoneMotion(Signature(2, 1), ("down",), 1.3, 1.6, False),
-    )
-    apart = (motions[0], ZoneMotion(Signature(2, 1), ("up",), 1.5, 1.6, False))
-    span = Plain(ZoneEnd(1.0, RANGE), ZoneEnd(2.0, RANGE))
-    meeting = tuple(
-        ZoneMotion(Signature(period, 0), ("up",), low, high, True, span, span, 0)
-        for period, low, high in ((1, 1.0, 1.4), (2, 1.4, 1.6))
-    )
-
-    def make(motions):
-        return Zone(ZoneEnd(1.0, RANGE), ZoneEnd(2.0, RANGE), "D", Quiet.IMPACT_FREE, False, motions)
-
-    assert make(motions).coexisting == motions
-    assert make(apart).coexisting == ()
-    assert make(meeting).coexisting == ()
-
-
-def sharp_loss_of_contact(damping: float, load: float, error: float) -> tuple[float, float]:
-    """Frequencies at which the amplitude ω²E/|1 − ω² + 2iζω| is the load: a quadratic in w = ω²."""
-    a, b, c = 1.0 - (error / load) ** 2, 4.0 * damping**2 - 2.0, 1.0
-    root = math.sqrt(b * b - 4.0 * a * c)
-    return math.sqrt((-b - root) / (2.0 * a)), math.sqrt((-b + root) / (2.0 * a))
-
-
-@pytest.mark.parametrize("count", [2, 3, 5, 15])
-def test_impacts_between_two_quiet_points_end_the_zones(count: int):
-    """However few points: motion is quiet at both ends of the range, and has impacts around the resonance."""
-    low, high = loss_of_contact()
-    found = studies.zones(CLASSICAL, Axis.even("omega", 0.3, 1.6, count))
-    intervals = [*found.zones, *found.wider]
-    assert not any(z.lower.value < 0.5 * (low + high) < z.upper.value for z in intervals)
-    solved = [end for z in intervals for end in (z.lower, z.upper) if end.kind == "grazing"]
-    assert any(abs(end.value - low) < 1e-9 for end in solved)
-    assert any(abs(end.value - high) < 1e-9 for end in solved)
-
-
-def test_an_end_does_not_depend_on_the_step_of_the_sweep():
-    """The impacting motion of this pair is lost in a step of a 128th of the axis, but goes on to a fold."""
-    drive = case.load(str(Path(__file__).parents[1] / "cases" / "drive.toml"))
-    family, scales = drive.family()
-    values = scales.omega_from_rpm(np.array([1000.0, 3500.0, 6000.0]))
-    down = studies.sweep(family, Axis("omega", np.linspace(0.503, 0.517, 15)), direction="down")
-    assert down.points[0].label == "1-1-0"
-    orbit = orbits.attractor(family.system({"omega": 0.503}), down.points[0].state)
-    assert isinstance(orbit, orbits.Orbit)
-    fold = locate_multiplier(family, "omega", orbit, 1, values={"omega": 0.503})
-    end = studies.zones(drive, Axis("omega", values)).zones[0].upper
-    assert (end.kind, end.inside, end.outside) == ("fold", "1-0-0", "1-1-0")
-    assert end.value == pytest.approx(fold.value, rel=1e-9)
-
-
-@pytest.mark.parametrize("range_", [(0.5, 1.5), (0.4, 1.31), (0.73, 1.9)])
-def test_a_loss_of_contact_narrower_than_a_step_is_found_by_its_flanks(range_: tuple[float, float]):
-    """A resonance with ζ = 0.001, in which contact is lost over 1.3e-3 in ω only."""
-    values = {"mesh_damping": 1e-3, "load": 0.1, "error": 2.4e-4}
-    low, high = sharp_loss_of_contact(1e-3, 0.1, 2.4e-4)
-    assert 1e-3 < high - low < 2e-3
-    found = studies.zones(CLASSICAL, Axis.even("omega", *range_, 5), values=values)
-    assert found.resolution > 3.0 * (high - low)
-    intervals = [*found.zones, *found.wider]
-    assert not any(z.contains(0.5 * (low + high)) for z in intervals)
-    ends = {round(e.value, 9) for z in intervals for e in (z.lower, z.upper) if e.kind == "grazing"}
-    assert {round(low, 9), round(high, 9)} <= ends
-
-
-def test_a_load_that_changes_sides_is_no_quiet_interval_through_zero():
-    """Contact on the drive side and contact on the back side have the gap between them."""
-    values = {"omega": 0.5, "mesh_damping": 0.3}
-    found = studies.zones(CLASSICAL, Axis.even("load", -0.2, 0.2, 2), values=values)
-    intervals = [*found.zones, *found.wider]
-    amplitude = 0.05 * 0.25 / abs(0.75 + 0.3j)
-    assert not any(z.lower.value < 0.0 < z.upper.value for z in intervals)
-    ends = [e.value for z in intervals for e in (z.lower, z.upper) if e.kind == "grazing"]
-    assert min(abs(e - amplitude) for e in ends) < 1e-9
-    assert min(abs(e + amplitude) for e in ends) < 1e-9
-
-
-def test_the_step_that_is_told_is_that_between_orbits_of_a_branch():
-    found = studies.zones(CLASSICAL, Axis.even("omega", 0.3, 0.6, 4))
-    assert found.resolution == pytest.approx(0.1)
-    (branch,) = found.branches
-    assert found.step == pytest.approx(float(np.diff(branch.parameter).max()), rel=1e-9)
-
-
 def test_several_kinds_at_once_are_those_of_one():
     both = zones_of_kinds(CLASSICAL, SPEEDS, ["impact-free", "drive-side-only"])
     for kind, found in zip(("impact-free", "drive-side-only"), both, strict=True):
         alone = studies.zones(CLASSICAL, SPEEDS, kind, known=found.sweeps)
         assert [str(z) for z in alone.zones + alone.wider] == [str(z) for z in found.zones + found.wider]
-
-
-def test_an_end_of_one_row_is_looked_at_in_the_others():
-    """A grazing that ends another sweep's interval between two quiet points of this one is probed there."""
-    axis = Axis.even("omega", 0.4, 0.6, 2)
-    (up,) = studies.sweeps(CLASSICAL, axis, ["up"])
-    search = Search(Source.of(CLASSICAL), (), studies.Settings(), Quiet.IMPACT_FREE, None, Execution())
-    row = Row(up.direction, up.points, frozenset(p.value for p in up.points))
-    known = studies.sweeps(CLASSICAL, SPEEDS, ["up"])
-    point = scanned_zones(CLASSICAL, SPEEDS, "impact-free", known).zones[0].upper.point
-    assert point is not None
-    assert point.is_grazing
-    end = ZoneEnd(0.5, "grazing", 1e-12, point=point)
-    ((at, found),) = search.probes(row, {(Direction.COLD, 0.4, 0.6): end})
-    assert (at, found) == (0, end)
-    (probed,) = search.probed([row], [[(at, found)]], "omega", 0.1)
-    values = [p.value for p in probed.points]
-    assert values == pytest.approx([0.4, 0.5, 0.5, 0.6], abs=1e-6)
-    assert values[1] < 0.5 < values[2]
-    assert search.probes(probed, {(Direction.COLD, 0.4, 0.6): end}) == []
-
-
-def test_one_quiet_point_is_enough_to_follow_its_motion():
-    axis = Axis("D", np.array([-1.0, 0.5]))
-    found = studies.zones(CLASSICAL, axis, values={"omega": 0.5})
-    (zone,) = found.zones
-    assert (zone.lower.kind, zone.upper.value) == (UNKNOWN, 0.5)
-    assert found.complete
-
-
-def test_a_search_that_was_stopped_before_any_end_says_so():
-    """Nothing is known beside a single quiet point: no interval, and no error."""
-    axis = Axis.even("omega", 0.79, 1.3, 3)  # quiet, with impacts, quiet
-    cancel = threading.Event()
-    found = studies.zones(
-        CLASSICAL, axis, execution=Execution(progress=lambda p: p.done == 9 and cancel.set(), cancel=cancel)
-    )
-    assert not found.complete
-    assert found.message == "cancelled"
-    assert all(zone.width > 0.0 for zone in (*found.zones, *found.wider))
-
-
-def test_ctrl_c_while_zones_are_swept_begins_nothing_more():
-    told = []
-
-    def interrupt(progress: Progress) -> None:
-        told.append(progress.total)
-        if progress.done == 40:
-            raise KeyboardInterrupt
-
-    found = studies.zones(CLASSICAL, SPEEDS, execution=Execution(progress=interrupt))
-    assert set(told) == {3 * len(SPEEDS)}  # no end was looked for
-    assert (found.complete, found.message) == (False, "interrupted")
-    assert sum(sweep.computed for sweep in found.sweeps) == 40
-    assert found.zones == found.wider == ()

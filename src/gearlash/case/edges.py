@@ -22,6 +22,15 @@ def rounded_edge(value: float, inwards: int, beside: float | None = None) -> flo
     return _rounded(value, inwards, decimals(value, beside))
 
 
+def shown_interval(low: float, high: float, digits: int = DIGITS) -> tuple[str, str]:
+    """Both ends of an interval as text, rounded into it to so many significant digits, finer where it is
+    narrow."""
+    finest = max(abs(low), abs(high))
+    more = digits - 1 - floor(log10(finest)) if isfinite(finest) and finest > 0.0 else 0
+    places = min(max(decimals(low, high), decimals(high, low), more), MOST_DECIMALS)
+    return _text(_rounded(low, 1, places), places), _text(_rounded(high, -1, places), places)
+
+
 def shown_distance(value: float, edge: float, inwards: int) -> str:
     """How far a value lies from an end, as both are shown: never more than it is."""
     places = decimals(edge, value)

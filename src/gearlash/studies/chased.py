@@ -92,4 +92,5 @@ def _motion(end: ZoneEnd, last: Point, other: Point | None) -> ZoneMotion:
         lost = halved(other, last, BEYOND_END)
     here = replace(end, inside=label, outside=end.inside)
     low, high = sorted((here, lost), key=lambda one: one.value)
-    return ZoneMotion(label, (BEYOND_END,), low.value, high.value, False, Interval(low, high))
+    seen = low.value + low.uncertainty, high.value - high.uncertainty
+    return ZoneMotion(label, (BEYOND_END,), *seen, False, Interval(low, high))

@@ -51,6 +51,7 @@ LONGEST_PERIOD = 64
 SWITCHED = (SpecialKind.DOUBLING, SpecialKind.JOINS, SpecialKind.BRANCH_POINT, SpecialKind.SYMMETRIC)
 DOUBLED, BROKEN, SINGLE = "doubling", "symmetry breaking", "orbit of half its period"
 BEYOND_END = "beyond an end"
+STOPPED = "stopped"
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,7 +152,8 @@ class Followed:
     """``branches`` and all their ``arcs``; ``ways``: how the motion of an arc was found, by its identity;
     ``unfollowed``: points that are periodic, but whose branch could not be followed, and why; ``beyond``:
     what motion goes on as beyond the end of an arc, by its number and whether it is the upper end;
-    ``reason``: why something is missing."""
+    ``reason``: why something is missing, and then ``not_followed``: how many periodic points lie on no branch
+    that was followed."""
 
     question: Question
     execution: Execution
@@ -162,6 +164,7 @@ class Followed:
     beyond: dict[tuple[int, bool], Point] = field(default_factory=dict)
     reason: str = ""
     switched_to: int = 0
+    not_followed: int = 0
 
     @property
     def wide(self) -> list[Arc]:
@@ -179,16 +182,20 @@ class Followed:
         for _ in range(ROUNDS):
             open_ = [(way, point) for way, point in open_ if not self._known(family, point, way)]
             if not open_ or self.reason:
+                self.not_followed += len(open_)
                 return
             chosen: dict[int, tuple[str, Point]] = {}
             for way, point in sorted(open_, key=lambda one: one[1].minimum - one[1].maximum):
                 chosen.setdefault(point.period, (way, point))  # steps are in units of the first motion's size
             seeds = [Seed(p.value, p.state, len(p.strobes), way) for way, p in chosen.values()]
             for (way, point), failure in zip(chosen.values(), self.followed(seeds), strict=True):
+                if failure == STOPPED:
+                    continue
                 if failure or not self._known(family, point, way):
                     self.unfollowed.append((point, failure or "its branch does not lead back to it"))
             lost = {id(point) for point, _ in self.unfollowed}
             open_ = [(way, point) for way, point in open_ if id(point) not in lost]
+        self.unfollowed += [(point, f"{ROUNDS} rounds of following were not enough") for _, point in open_]
 
     def _known(self, family: Family, point: Point, way: str) -> bool:
         arc = self.arc_of(family, point)
@@ -201,7 +208,7 @@ class Followed:
         chains = [Chain(i, (Follow(self.question, seed),), (1,)) for i, seed in enumerate(seeds)]
         done, failures = self.done(follow_branch, chains), []
         for i in range(len(seeds)):
-            found = done.get(i, "stopped")
+            found = done.get(i, STOPPED)
             failures.append(found if isinstance(found, str) else "")
             if not isinstance(found, str):
                 self.take(found)

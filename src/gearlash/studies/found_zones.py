@@ -73,7 +73,7 @@ class Found:
         for arc in noisy:
             taken = self.told(Interval(arc.lower, arc.upper))
             certain = without(certain, taken, self.from_outside(arc.label, calm), self.near)
-        certain = self.without_seen(certain, calm)
+        certain = self.without_seen(certain, calm) if self.all_followed else []
         every = [self.zone(quiet, one, True) for one in certain]
         some = [
             self.zone(quiet, one, False) for one in wide if not any(self.same(one, sure) for sure in certain)
@@ -81,8 +81,13 @@ class Found:
         reason = self.followed.reason
         return Zones(
             quiet, self.axis, tuple(every), tuple(some), self.sweeps, not reason, reason, self.axis.step,
-            self.step(certain), tuple(self.followed.branches), self.starts,
+            self.step(certain), tuple(self.followed.branches), self.starts, self.followed.not_followed,
         )  # fmt: skip
+
+    @property
+    def all_followed(self) -> bool:
+        """Whether every motion that was found was followed: where that was stopped nothing holds for all."""
+        return not self.followed.reason
 
     def without_seen(self, certain: list[Interval], calm: Sequence[Arc]) -> list[Interval]:
         """What is left where motion without a branch was seen. Its ends are asked for where they matter."""

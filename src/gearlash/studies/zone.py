@@ -222,6 +222,9 @@ class Zones(Record):
         Of all motions that were found, each followed once.
     starts : int
         Starts from which motions were looked for.
+    not_followed : int
+        Periodic motions of these starts whose branches were not followed, as the work was stopped. Where it
+        was stopped, no zones are told in which every attractor found is quiet.
 
     Examples
     --------
@@ -244,6 +247,7 @@ class Zones(Record):
     step: float = field(default=0.0)
     branches: tuple[Branch, ...] = ()
     starts: int = 0
+    not_followed: int = 0
 
     def at(self, value: float) -> Zone | None:
         """The zone that holds a value, in which every attractor found is quiet.

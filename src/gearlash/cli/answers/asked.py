@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearlash.case import Case
-from gearlash.case.edges import shown_distance, shown_edge
+from gearlash.case.edges import shown_distance, shown_edge, shown_interval
 from gearlash.case.units import UnitError, pretty, read
+
+INTERVAL_DIGITS = 6  # significant ones of the ends of an interval that is told beside others
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,13 @@ class Asked:
         """The end of an interval, rounded into it; only the number."""
         inwards = inwards if self.factor > 0.0 else -inwards
         return shown_edge(self.value(value), inwards, self.value(beside))
+
+    def inner(self, low: float, high: float) -> tuple[str, str]:
+        """Both ends of an interval in their order, rounded into it; only the numbers."""
+        if self.factor > 0.0:
+            return shown_interval(self.value(low), self.value(high), INTERVAL_DIGITS)
+        least, most = shown_interval(self.value(high), self.value(low), INTERVAL_DIGITS)
+        return most, least
 
     def distance(self, here: float, edge: float, inwards: int) -> str:
         """Between a value and an end, as both are shown: ``86 rpm``."""

@@ -17,7 +17,7 @@ from .outcome import POINTS, study_status, troubles
 from .parts import CaseUsed, case_used, physical_values
 from .sweep import START, AxisUsed, axis_used, first_failure
 from .zones_parts import Assured, EndPoint, MarginFound, Resident, Stay, ZoneEnd, ZoneFound
-from .zones_words import event, headline
+from .zones_words import Done, event, headline, until_stop
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.studies.zone import Zone, ZoneMotion, Zones
@@ -54,6 +54,11 @@ class ZonesAnswer:
     ]
     starts: Annotated[int, "starts from which motions were looked for; what none leads to may exist"]
     branches: Annotated[int, "branches that were followed"]
+    not_followed: Annotated[
+        int,
+        "periodic motions of these starts whose branches were not followed, as the work was stopped; then no "
+        "zone of every attractor is told",
+    ]
     zones: Annotated[
         tuple[ZoneFound, ...], "where every attractor found is quiet, then where at least one is"
     ]
@@ -77,10 +82,14 @@ def zones_answer(
     statuses = dict(Counter(point.status for sweep in found[0].sweeps for point in sweep.points))
     ends = float(axis.values[0]), float(axis.values[-1])
     idle = idle_study(case, parameters, [axis])
-    said = (headline(asked, ends, here, listed), troubles(statuses, first_failure(asked, found[0].sweeps)))
+    complete = all(zones.complete for zones in found)
+    first = (
+        headline(asked, ends, here, listed) if complete else until_stop(asked, here, listed, done(found[0]))
+    )
+    said = (first, troubles(statuses, first_failure(asked, found[0].sweeps)))
     return ZonesAnswer(
         sentence="; ".join(filter(None, said)) if idle is None else f"{idle.cause}; {idle.advice}",
-        status=study_status(all(zones.complete for zones in found), statuses, idle),
+        status=study_status(complete, statuses, idle),
         message=message,
         case=case_used(case),
         parameters=dict(parameters),
@@ -93,8 +102,16 @@ def zones_answer(
         step=max(zones.step for zones in found),
         starts=found[0].starts,
         branches=len(found[0].branches),
+        not_followed=found[0].not_followed,
         zones=listed,
     )
+
+
+def done(found: Zones) -> Done:
+    """How far a search came that was stopped."""
+    points = [point for sweep in found.sweeps for point in sweep.points]
+    computed = sum(point.computed for point in points)
+    return Done(found.message, computed, len(points), len(found.branches), found.not_followed)
 
 
 def _zone(case: Case, zone: Zone, here: float, asked: Asked) -> ZoneFound:

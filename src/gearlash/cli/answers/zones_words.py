@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from math import floor, log10
 
 from .asked import Asked
@@ -45,6 +46,39 @@ def headline(asked: Asked, ends: tuple[float, float], here: float, zones: Sequen
     if own is not None and own.every and not others:
         return "; ".join(first)
     return "; ".join([*first, _further(asked, others, kind, here, own)])
+
+
+@dataclass(frozen=True)
+class Done:
+    """How far a search came that was stopped: points computed of all, branches followed, and periodic motions
+    whose branches were not."""
+
+    reason: str
+    computed: int
+    points: int
+    branches: int
+    left: int
+
+
+def until_stop(asked: Asked, here: float, zones: Sequence[ZoneFound], done: Done) -> str:
+    """The sentence of a search that was stopped: where some motion is quiet, of those that were followed.
+    Where every motion found is quiet is not known."""
+    holding = [zone for zone in zones if zone.lower.inner(1) <= here <= zone.upper.inner(-1)]
+    own = min(holding, key=_rank, default=None)
+    if own is None:
+        first = (
+            f"{asked.text(here)} lies in no zone of a motion that was followed before the search was stopped"
+        )
+    else:
+        first = (
+            f"{asked.text(here)} lies in a zone {QUIET[own.kind]} for at least one attractor found before "
+            f"the search was stopped: {_span(asked, own, here)}"
+        )
+    computed = f"{done.computed} of {done.points} points were computed"
+    followed = f"{done.branches} {'branch was' if done.branches == 1 else 'branches were'} followed"
+    left = f", {done.left} periodic motions were not" if done.left else ""
+    told = f"{done.reason}: {computed}, {followed}{left}; where every attractor is quiet is not known"
+    return f"{first}; {told}"
 
 
 def _rank(zone: ZoneFound) -> tuple[bool, bool]:

@@ -8,8 +8,9 @@ from rich.text import Text
 
 from gearlash.case.edges import shown_edge
 from gearlash.case.units import pretty
+from gearlash.cli.answers.outcome import INCOMPLETE
 from gearlash.cli.answers.zones import ZonesAnswer
-from gearlash.cli.answers.zones_parts import Resident, ZoneEnd, ZoneFound
+from gearlash.cli.answers.zones_parts import Resident, Stay, ZoneEnd, ZoneFound
 from gearlash.cli.answers.zones_words import how_far
 
 from .layout import facts, headline, note
@@ -48,8 +49,8 @@ def _examined(answer: ZonesAnswer) -> str:
     cold = "cold" if answer.start is None else "the state that was given at every value"
     said = (
         f"From {cold}, up and down sweeps of {answer.axis.count} values, {reach}, and from beyond the "
-        f"ends of the motions found: {answer.starts} starts. Every periodic motion was followed along its "
-        f"whole branch ({answer.branches} in all). That no other motion exists is not claimed: one to which "
+        f"ends of the motions found: {answer.starts} starts. {_followed(answer)} "
+        f"That no other motion exists is not claimed: one to which "
         f"none of these starts leads, such as one that lives within {length(answer.resolution)} between two "
         "of the values, may have been missed."
     )
@@ -61,6 +62,12 @@ def _examined(answer: ZonesAnswer) -> str:
             "straight line by no more than twice as much as it does in the middle: that is not proved."
         )
     return said
+
+
+def _followed(answer: ZonesAnswer) -> str:
+    if answer.status != INCOMPLETE:
+        return f"Every periodic motion was followed along its whole branch ({answer.branches} in all)."
+    return f"Before the search was stopped {answer.branches} branches were followed, not all of them."
 
 
 def _edges(answer: ZonesAnswer, zone: ZoneFound) -> tuple[str, str]:
@@ -98,9 +105,7 @@ def _assured(answer: ZonesAnswer, zone: ZoneFound) -> Iterator[tuple[str, str]]:
         yield (
             "assured",
             "a stable orbit at every value, "
-            + ", ".join(
-                answer.asked.between(*(f"{answer.asked.value(end):.6g}" for end in part)) for part in found
-            ),
+            + ", ".join(answer.asked.between(*answer.asked.inner(*part)) for part in found),
         )
 
 
@@ -112,25 +117,29 @@ def _motion(answer: ZonesAnswer, r: Resident) -> str:
         where = _reach(answer, r.lower, r.upper)
         return f"{r.label} seen at {where} {found}; it has no branch that could be followed"
     stable, exists = r.stable, r.exists
-    told = f"{r.label} stable from {_place(answer, stable.lower, stable.lower_kind)} to "
-    told += f"{_place(answer, stable.upper, stable.upper_kind)} {found}"
+    told = f"{r.label} stable {_stay(answer, stable)} {found}"
     if (stable.lower, stable.upper) == (exists.lower, exists.upper):
         return f"{told}; so far its branch exists"
-    told += f"; its branch exists from {_place(answer, exists.lower, exists.lower_kind)} to "
-    return told + _place(answer, exists.upper, exists.upper_kind)
+    return f"{told}; its branch exists {_stay(answer, exists)}"
 
 
-def _place(answer: ZonesAnswer, value: float, kind: str) -> str:
-    """A value and what happens there."""
-    asked = answer.asked
-    told = f"{asked.value(value):.6g}" + (f" {pretty(asked.unit)}" if asked.unit else "")
-    return f"{told} ({'limit of the scan' if kind == 'end of the range' else kind})"
+def _stay(answer: ZonesAnswer, stay: Stay) -> str:
+    """From where to where, rounded into it, and what happens at both ends."""
+    unit = f" {pretty(answer.asked.unit)}" if answer.asked.unit else ""
+    kinds = (
+        "limit of the scan" if kind == "end of the range" else kind
+        for kind in (stay.lower_kind, stay.upper_kind)
+    )
+    ends = zip(answer.asked.inner(stay.lower, stay.upper), kinds, strict=True)
+    low, high = (f"{shown}{unit} ({kind})" for shown, kind in ends)
+    return f"from {low} to {high}"
 
 
 def _reach(answer: ZonesAnswer, lower: float, upper: float) -> str:
-    low, high = (answer.asked.value(value) for value in (lower, upper))
-    unit = f" {pretty(answer.asked.unit)}" if answer.asked.unit else ""
-    return (f"{low:.5g}" if lower == upper else f"{low:.5g} to {high:.5g}") + unit
+    asked, unit = answer.asked, f" {pretty(answer.asked.unit)}" if answer.asked.unit else ""
+    if lower == upper:
+        return f"{asked.value(lower):.6g}{unit}"
+    return " to ".join(asked.inner(lower, upper)) + unit
 
 
 def _end(answer: ZonesAnswer, end: ZoneEnd, inwards: int, marks: Marks) -> str:
