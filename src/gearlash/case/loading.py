@@ -9,6 +9,7 @@ from typing import Any
 from gearlash.system import given
 
 from .case import Case, checked
+from .curve_files import with_files
 from .errors import CaseError
 from .kinds import Content, Draft, Kind, kind_of
 from .read import parse, source_text
@@ -46,8 +47,8 @@ def load(path_or_name: str | Path, overrides: Mapping[str, object] | None = None
     gearlash.case.errors.CaseError: wind-turbine: 1 problem
       backlash = '100': expected a length with its unit, such as "100 um"
     """
-    label, text = source_text(path_or_name)
-    return loads(text, overrides, label=label)
+    label, text, folder = source_text(path_or_name)
+    return from_tables(with_files(label, parse(label, text), folder), overrides, label)
 
 
 def loads(text: str, overrides: Mapping[str, object] | None = None, label: str = "case") -> Case:

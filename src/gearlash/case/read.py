@@ -44,13 +44,15 @@ def bundled() -> list[str]:
     return sorted(name.removesuffix(".toml") for name in names if name.endswith(".toml"))
 
 
-def source_text(path_or_name: str | Path) -> tuple[str, str]:
-    """(label, text) of a bundled case or of a file. A bare bundled name wins over a file of that name."""
+def source_text(path_or_name: str | Path) -> tuple[str, str, Path | None]:
+    """Label, text and folder of a file; a bundled case, which wins over a file of that name, has no
+    folder."""
     label = str(path_or_name) if isinstance(path_or_name, (str, PathLike)) else shown(path_or_name)
     if isinstance(path_or_name, str) and path_or_name in bundled():
         data = resources.files("gearlash.case").joinpath("data", f"{path_or_name}.toml").read_bytes()
-        return label, _decoded(label, data)
-    return label, _decoded(label, _file(label, _path(label, path_or_name)))
+        return label, _decoded(label, data), None
+    path = _path(label, path_or_name)
+    return label, _decoded(label, _file(label, path)), path.parent
 
 
 def parse(label: str, text: str) -> dict[str, object]:

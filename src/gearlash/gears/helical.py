@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from gearlash.system import ContactRule, Family, GearlashError, Parameter, System
 
+from .excitation import NOTHING, Excitation
 from .mesh import (
     acceleration_forcing,
     harmonic_count,
@@ -80,7 +81,7 @@ class HelicalPair:
         return np.array([self.y_factor, self.z_factor, -self.y_factor, -self.z_factor])
 
 
-def family(pair: HelicalPair, defaults: Mapping[str, float]) -> Family:
+def family(pair: HelicalPair, defaults: Mapping[str, float], excitation: Excitation = NOTHING) -> Family:
     """The helical pair as a family of systems with ten states, `STATES`.
 
     Parameters
@@ -90,6 +91,8 @@ def family(pair: HelicalPair, defaults: Mapping[str, float]) -> Family:
         Parameter values by short name: those of `gears.spur.family`, and ``bearing_damping`` (all four ratios
         ξ) or ``bearing_damping_yp``, ``_zp``, ``_yg``, ``_zg``. Where the four differ there is no common
         ``bearing_damping`` to vary. ``rotation_factor`` is the pair's where nothing is given.
+    excitation : Excitation
+        Curves of stiffness and error and run-out of the shafts, beside the named harmonics.
 
     Returns
     -------
@@ -111,6 +114,7 @@ def family(pair: HelicalPair, defaults: Mapping[str, float]) -> Family:
     damping = _damping_parameters(defaults)
     parameters = (
         *mesh_parameters(defaults),
+        *excitation.parameters(defaults),
         *damping,
         rotation_parameter(defaults.get("rotation_factor", pair.rotation_factor)),
     )
@@ -121,13 +125,14 @@ def family(pair: HelicalPair, defaults: Mapping[str, float]) -> Family:
     undamped = _undamped(pair)
 
     def build(values: Mapping[str, float]) -> System:
-        forcing = np.zeros((10, 2 * orders[1] + 1))
-        forcing[9] = acceleration_forcing(values, orders[1])
+        driven = acceleration_forcing(values, orders[1], excitation)
+        forcing = np.zeros((10, len(driven)))
+        forcing[9] = driven
         g = _force_direction(pair, values["rotation_factor"])
-        clearance = mesh_clearance(values, h, g, orders[0], pair.contact)
+        clearance = mesh_clearance(values, h, g, orders[0], pair.contact, excitation)
         rates = -2.0 * _bearing_damping(values, damping) * pair.bearing_frequencies
         matrix = _with_bearings(undamped, pair, SPEEDS, rates)
-        return System(values["omega"], matrix, forcing, (clearance,))
+        return System(values["omega"], matrix, forcing, (clearance,), excitation.cycles)
 
     def cold_start(values: Mapping[str, float]) -> NDArray[np.float64]:
         start = np.zeros(10)

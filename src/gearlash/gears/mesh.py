@@ -3,6 +3,7 @@
     Φ = η(θ) f(X; D) + ζ X′,   η = 1 + Σ ε_n cos(nθ + φ_n),   ζ = 2ξ_m,   E = Σ E_n cos(nθ + ψ_n)
 
 X already contains −E, so the error drives the equation of X through −E″ = Σ n²ω² E_n cos(nθ + ψ_n) only.
+Curves and run-out (`gears.excitation`) add to both sums.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.system import Clearance, ContactRule, Fourier, GearlashError, Parameter, cosines
+from gearlash.system import Clearance, ContactRule, Fourier, GearlashError, Parameter, cosines, derivative
+
+from .excitation import NOTHING, Excitation
 
 SMALLEST_OMEGA = 1e-9
 """Least mesh frequency: its period is finite."""
@@ -76,11 +79,12 @@ def series(values: Mapping[str, float], stem: str, mean: float, count: int) -> F
     )
 
 
-def acceleration_forcing(values: Mapping[str, float], count: int) -> Fourier:
-    """f_m − E″ as a Fourier series of the mesh phase: what drives X″, shape (2·count + 1,)."""
-    forcing = series(values, "error", 0.0, count)
-    orders = np.repeat(np.arange(1, count + 1), 2)
-    forcing[1:] *= (orders * values["omega"]) ** 2
+def acceleration_forcing(
+    values: Mapping[str, float], count: int, excitation: Excitation = NOTHING
+) -> Fourier:
+    """f_m − E″ as a Fourier series over the base period: what drives X″."""
+    error = excitation.error_series(values, series(values, "error", 0.0, count))
+    forcing = -((values["omega"] / excitation.cycles) ** 2) * derivative(derivative(error))
     forcing[0] = values["load"]
     return forcing
 
@@ -91,9 +95,10 @@ def mesh_clearance(
     g: NDArray[np.float64],
     count: int,
     contact: ContactRule,
+    excitation: Excitation = NOTHING,
 ) -> Clearance:
     """The backlash as a clearance on X = h·z; the back side is the drive side scaled by the two ratios."""
-    stiffness = series(values, "ripple", 1.0, count)
+    stiffness = excitation.stiffness_series(values, series(values, "ripple", 1.0, count))
     return Clearance(
         h=h,
         g=g,

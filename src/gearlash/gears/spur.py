@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from gearlash.system import ContactRule, Family, GearlashError, Parameter, System
 
+from .excitation import NOTHING, Excitation
 from .mesh import (
     acceleration_forcing,
     harmonic_count,
@@ -31,6 +32,7 @@ H = np.array([1.0, 0.0])
 def family(
     defaults: Mapping[str, float],
     contact: ContactRule = ContactRule.ALWAYS,
+    excitation: Excitation = NOTHING,
 ) -> Family:
     """The spur pair as a family of systems with the states X and X′.
 
@@ -42,6 +44,8 @@ def family(
         ``back_stiffness``, ``back_gap`` and ``rotation_factor`` (c_t²) are 1 where nothing is given.
     contact : ContactRule
         When the damping of the mesh acts.
+    excitation : Excitation
+        Curves of stiffness and error and run-out of the shafts, beside the named harmonics.
 
     Returns
     -------
@@ -66,17 +70,19 @@ def family(
     """
     parameters = (
         *mesh_parameters(defaults),
+        *excitation.parameters(defaults),
         rotation_parameter(defaults.get("rotation_factor", 1.0)),
     )
     reject_unknown(defaults, parameters)
     orders = harmonic_count(defaults, "ripple"), harmonic_count(defaults, "error")
 
     def build(values: Mapping[str, float]) -> System:
-        forcing = np.zeros((2, 2 * orders[1] + 1))
-        forcing[1] = acceleration_forcing(values, orders[1])
+        driven = acceleration_forcing(values, orders[1], excitation)
+        forcing = np.vstack([np.zeros_like(driven), driven])
         g = np.array([0.0, -values["rotation_factor"]])
-        clearance = mesh_clearance(values, H, g, orders[0], contact)
-        return System(values["omega"], np.array([[0.0, 1.0], [0.0, 0.0]]), forcing, (clearance,))
+        clearance = mesh_clearance(values, H, g, orders[0], contact, excitation)
+        matrix = np.array([[0.0, 1.0], [0.0, 0.0]])
+        return System(values["omega"], matrix, forcing, (clearance,), excitation.cycles)
 
     def cold_start(values: Mapping[str, float]) -> NDArray[np.float64]:
         return np.array([resting_displacement(values, values["rotation_factor"]), 0.0])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator
 from math import pi
 
@@ -11,6 +12,8 @@ from gearlash.case.errors import Problem
 from gearlash.gears.mesh import harmonic_count, series
 from gearlash.system import evaluate
 
+from .curve_checks import about_curves
+from .excitation import Curves
 from .keys import REFERENCE
 from .places import stated_paths
 from .rules import EntriesByKey, PairRules
@@ -44,15 +47,18 @@ def _required(entries: EntriesByKey, physical: bool) -> Iterator[str]:
             yield REFERENCE
 
 
-def contradictions(rules: PairRules, entries: EntriesByKey) -> list[Problem]:
+def contradictions(rules: PairRules, entries: EntriesByKey, curves: Curves) -> list[Problem]:
     """Quantities stated although others determine them, and values that no gear pair can have together."""
     problems = []
     if rules.places.physical(stated_paths(entries)):
         for key, because in rules.redundant(entries):
             entry = entries[key]
             problems.append(Problem(entry.path, repr(entry.text), f"nothing here: {because}"))
+    problems += about_curves(rules, entries, curves)
     ripples = {
-        k: e.number for k, e in entries.items() if k.startswith("ripple") and isinstance(e.value, float)
+        k: e.number
+        for k, e in entries.items()
+        if re.fullmatch(r"ripple(_phase)?(_\d)?", k) and isinstance(e.value, float)
     }
     if _least_stiffness(ripples) < 0.0:
         entry = entries[next(k for k in sorted(ripples) if "phase" not in k)]

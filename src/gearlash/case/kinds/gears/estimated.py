@@ -19,6 +19,7 @@ from gearlash.gears.mesh_stiffness import SOLID, Rim
 from gearlash.system import GearlashError
 
 from . import drawn
+from .curves import STEMS
 from .keys import EQUIVALENT_MASS, GEARS, REFERENCE
 from .rules import EntriesByKey, PairRules
 from .shared import HIGHEST_HARMONIC
@@ -56,8 +57,9 @@ def is_estimable(path: str) -> bool:
     return path in _ESTIMABLE
 
 
-def complete(rules: PairRules, entries: EntriesByKey) -> Completed:
-    """The entries with everything that can be estimated and is not stated.
+def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = ()) -> Completed:
+    """The entries with everything that can be estimated and is not stated; ``curves`` are the names of those
+    that are.
 
     Estimates need teeth, module (helix angle) and both face widths, or any word of a drawing in place of
     these. A ripple or an error that is not stated is none unless there is such a word.
@@ -70,7 +72,7 @@ def complete(rules: PairRules, entries: EntriesByKey) -> Completed:
     known = {**entries, **{e.key: e for e in _converted(entries)}}
     if not (has_drawing or widths):
         return Completed(known)
-    wanted = _wanted(rules, known, has_drawing)
+    wanted = _wanted(rules, known, has_drawing, curves)
     if not (has_drawing or wanted):
         return Completed(known)
     teeth = Teeth(rules, known)
@@ -79,7 +81,7 @@ def complete(rules: PairRules, entries: EntriesByKey) -> Completed:
         if has_drawing:
             known |= {e.key: e for e in teeth.found}
             known |= {e.key: e for e in _play(known, pair)}
-            wanted = _wanted(rules, known, has_drawing)
+            wanted = _wanted(rules, known, has_drawing, curves)
         drawing = _drawing(rules, known, pair)
         found = _estimates(drawing, wanted)
     except GearlashError as error:
@@ -119,7 +121,9 @@ def _play(entries: EntriesByKey, pair: CylindricalPair) -> Iterator[Entry]:
         yield Entry("D", "mesh.backlash", play.normal, "", Provenance.INFERRED, how)
 
 
-def _wanted(rules: PairRules, entries: EntriesByKey, has_drawing: bool) -> frozenset[str]:
+def _wanted(
+    rules: PairRules, entries: EntriesByKey, has_drawing: bool, curves: Collection[str]
+) -> frozenset[str]:
     """Names of `gearlash.gears.estimates` that the model needs and nobody states."""
     found = set()
     for key, name in (
@@ -130,7 +134,10 @@ def _wanted(rules: PairRules, entries: EntriesByKey, has_drawing: bool) -> froze
         if key not in entries:
             found.add(name)
     if has_drawing:
-        found |= {stem for stem in ("ripple", "error") if not any(_is_harmonic(key, stem) for key in entries)}
+        named = {stem for stem in ("ripple", "error") if any(_is_harmonic(key, stem) for key in entries)} | {
+            STEMS[name] for name in curves
+        }
+        found |= {"ripple", "error"} - named
     if "error" in found and "error_phase" not in entries:
         found.add("error_phase")
     if not _bodies_known(rules, entries):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from gearlash.case.entries import Entry
 from gearlash.case.errors import Problem
@@ -16,8 +16,13 @@ from gearlash.case.value import Value
 from gearlash.system import Family
 
 from .checks import contradictions, missing
+from .curves import TABLE, read_curves
+from .curves_schema import curves_schema
 from .entries import collect, freeze_reference, override
 from .estimated import Completed, complete, is_drawn, is_estimable
+from .excitation import Curves, teeth_of
+from .mean_stiffness import KEY as MEAN_STIFFNESS
+from .mean_stiffness import with_mean_stiffness
 from .naming import named, resolve
 from .notes import notes
 from .pair import GearPair
@@ -36,14 +41,19 @@ class GearContent(Content):
 
     rules: PairRules
 
+    @property
+    def curves(self) -> Curves:
+        """Stated curves by name."""
+        return self.structure.get(TABLE, {})
+
     @cached_property
     def completed(self) -> Completed:
         """With what is estimated."""
-        return complete(self.rules, self.entries)
+        return complete(self.rules, self.entries, self.curves)
 
     @cached_property
     def pair(self) -> GearPair:
-        return GearPair(self.rules, self.completed.entries, self.completed.drawing)
+        return GearPair(self.rules, self.completed.entries, self.completed.drawing, self.curves)
 
     def family(self) -> Family:
         return self.pair.family()
@@ -63,7 +73,7 @@ class GearContent(Content):
         return [*self.completed.problems, *problems]
 
     def contradictions(self) -> list[Problem]:
-        return contradictions(self.rules, self.completed.entries)
+        return contradictions(self.rules, self.completed.entries, self.curves)
 
     def override(self, overrides: Mapping[str, object]) -> tuple[Content, list[Problem]]:
         entries, problems = override(self.rules.places, self.entries, overrides)
@@ -97,11 +107,19 @@ class GearKind(Kind):
         self.rules, self.name, self.places = rules, rules.name, rules.places.all
 
     def content(self, entries: Mapping[str, Entry], structure: Structure) -> GearContent:
-        return GearContent(self, entries, {}, self.rules)
+        return GearContent(self, entries, structure, self.rules)
 
     def read(self, tables: Mapping[str, object]) -> Draft:
-        found = self.tables.read(tables)
+        found = self.tables.read({key: value for key, value in tables.items() if key != TABLE})
         entries, clashes = collect(self.rules.places, found.stated)
-        completed = complete(self.rules, entries).entries
-        content = self.content(freeze_reference(entries, completed), {})
-        return Draft(content, [*found.problems, *clashes], found.present)
+        curves, wrong = read_curves(tables.get(TABLE, {}), teeth_of(entries))
+        entries, twice = with_mean_stiffness(self.rules.places, entries, curves)
+        completed = complete(self.rules, entries, curves).entries
+        content = self.content(freeze_reference(entries, completed), {TABLE: curves} if curves else {})
+        lost = {MEAN_STIFFNESS} if any(p.path.startswith(f"{TABLE}.stiffness") for p in wrong) else set()
+        return Draft(content, [*found.problems, *clashes, *twice, *wrong], found.present | lost)
+
+    def schema(self, source: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+        found = self.tables.schema(source)
+        found[self.name]["properties"][TABLE] = curves_schema()
+        return found

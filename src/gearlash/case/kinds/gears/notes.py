@@ -8,6 +8,7 @@ from gearlash.case.kinds.sides import notes_on_sides
 from gearlash.case.note import Note
 from gearlash.gears import iso6336
 
+from .curves import TABLE
 from .pair import GearPair
 
 TOLERATED = 1.5  # times what the standard gives
@@ -16,8 +17,24 @@ TOLERATED = 1.5  # times what the standard gives
 def notes(pair: GearPair) -> Iterator[Note]:
     """Every remark on a pair."""
     yield from _stiffness(pair)
+    yield from _cycles(pair)
     for clearance in pair.family().system().clearances:
         yield from notes_on_sides(clearance, "mesh.back_stiffness")
+
+
+def _cycles(pair: GearPair) -> Iterator[Note]:
+    """What a base period of many mesh cycles costs."""
+    cycles = pair.numbers.excitation.cycles
+    if cycles == 1:
+        return
+    excitation = pair.numbers.excitation
+    turns = [f"{shaft}.runout" for shaft in excitation.runout or {}]
+    turns += [f"{TABLE}.{name}" for name, curve in pair.reconstructed.items() if curve.cycles > 1]
+    yield Note(
+        turns[0],
+        f"all repeats after {cycles} mesh cycles only ({', '.join(turns)}): tables, memory and time of "
+        f"one motion are about {cycles} times those of one mesh cycle, and P counts {cycles}, {2 * cycles} …",
+    )
 
 
 def _stiffness(pair: GearPair) -> Iterator[Note]:

@@ -18,6 +18,7 @@ from gearlash.gears import (
 )
 from gearlash.system import ContactRule
 
+from .excitation import Curves, excitation
 from .keys import CONTACT, EQUIVALENT_MASS, GEARS, PROJECTION, REFERENCE
 from .places import stated_paths
 from .records import Body, Both, Numbers
@@ -25,8 +26,14 @@ from .rules import EntriesByKey, PairRules
 from .units import to_dimensionless
 
 
-def numbers(rules: PairRules, entries: EntriesByKey, teeth: CylindricalPair | None = None) -> Numbers:
-    """The numbers of a complete case (no `missing` and no `contradictions`); its ``teeth``, where known."""
+def numbers(
+    rules: PairRules,
+    entries: EntriesByKey,
+    teeth: CylindricalPair | None = None,
+    curves: Curves | None = None,
+) -> Numbers:
+    """The numbers of a complete case (no `missing` and no `contradictions`); its ``teeth``, where known, and
+    its curves."""
     places = rules.places
     contact = ContactRule(places.chosen(entries, CONTACT))
     nothing = Body(None, None, None, None), Scales()
@@ -36,7 +43,14 @@ def numbers(rules: PairRules, entries: EntriesByKey, teeth: CylindricalPair | No
         for key, entry in entries.items()
         if key in places.two_way and key not in rules.fixed
     }
-    return Numbers(parameters, rules.pair(entries, body, scales, contact), contact, scales, body)
+    pair = rules.pair(entries, body, scales, contact)
+    excited = excitation(curves or {}, entries, scales, _runout_factor(body.geometry))
+    return Numbers(parameters, pair, contact, scales, body, excited)
+
+
+def _runout_factor(geometry: ToothGeometry | None) -> float:
+    """Amplitude of the error along the normal to the teeth over radial run-out."""
+    return 0.5 if geometry is None else 0.5 * cos(geometry.base_helix_angle)
 
 
 def _get(entries: EntriesByKey, key: str) -> float | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -13,6 +13,7 @@ from gearlash.case.units import NUMBER, TORQUE, unit
 from gearlash.gears.estimates import Drawing
 from gearlash.system import Family
 
+from .excitation import Curves, Reconstructed, reconstructed
 from .numbers import numbers
 from .places import Places
 from .records import Numbers
@@ -22,16 +23,19 @@ from .units import to_physical
 
 @dataclass(frozen=True)
 class GearPair:
-    """Values by key, stated and estimated, the rules of their kind, and the drawing where one is known."""
+    """Values by key, stated and estimated, the rules of their kind, the drawing where one is known, and
+    curves by name."""
 
     rules: PairRules
     entries: EntriesByKey
     drawing: Drawing | None = None
+    curves: Curves = field(default_factory=dict)
 
     @cached_property
     def numbers(self) -> Numbers:
         """Parameters, fixed numbers, scales and body."""
-        return numbers(self.rules, self.entries, None if self.drawing is None else self.drawing.pair)
+        teeth = None if self.drawing is None else self.drawing.pair
+        return numbers(self.rules, self.entries, teeth, self.curves)
 
     @property
     def places(self) -> Places:
@@ -40,6 +44,11 @@ class GearPair:
     @property
     def scales(self) -> Scales:
         return self.numbers.scales
+
+    @property
+    def reconstructed(self) -> dict[str, Reconstructed]:
+        """Stated curves with the series that stand for them."""
+        return reconstructed(self.curves, self.entries, self.scales)
 
     def family(self) -> Family:
         return self.rules.family(self.numbers)

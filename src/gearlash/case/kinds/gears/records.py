@@ -7,6 +7,7 @@ from typing import TypeAlias
 
 from gearlash.case.scales import Scales
 from gearlash.gears import CylindricalPair, HelicalPair, LineOfAction, ToothGeometry
+from gearlash.gears.excitation import Excitation
 from gearlash.system import ContactRule
 
 Both: TypeAlias = tuple[float, float]
@@ -27,13 +28,15 @@ class Body:
 
 @dataclass(frozen=True)
 class Numbers:
-    """Family parameters by short name, the fixed numbers of a helical pair, contact rule, scales, body."""
+    """Family parameters by short name, the fixed numbers of a helical pair, contact rule, scales, body, and
+    the curves and run-out that excite the mesh."""
 
     parameters: dict[str, float]
     pair: HelicalPair | None
     contact: ContactRule
     scales: Scales
     body: Body
+    excitation: Excitation
 
 
 @dataclass(frozen=True)

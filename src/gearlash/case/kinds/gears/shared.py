@@ -21,7 +21,7 @@ from gearlash.case.units import (
 )
 from gearlash.system import ContactRule
 
-from .keys import BODY, CONTACT, REFERENCE
+from .keys import BODY, CONTACT, GEARS, REFERENCE
 
 HIGHEST_HARMONIC = 8
 RIGHT_ANGLE = 0.999 * pi / 2.0
@@ -45,6 +45,9 @@ def ways() -> dict[str, tuple[str, ...]]:
         "back_stiffness": ("mesh.back_stiffness",),
         "back_gap": ("mesh.back_gap",),
         "rotation_factor": (),
+        **{f"{gear}_{name}": (f"{gear}.{name}",) for gear in GEARS for name in ("runout", "runout_phase")},
+        "ripple_scale": (),
+        "error_scale": (),
     }
     return found | {name: (f"mesh.{name}",) for name in harmonic_names()}
 
@@ -62,6 +65,10 @@ def of_gear(gear: str) -> Iterator[Quantity]:
     yield positive(f"{gear}.mass", MASS, "kg", "5.98 kg", f"mass of the {gear}", 1e6)
     yield positive(f"{gear}.inertia", INERTIA, "kg*m^2", "0.01 kg·m²", f"inertia of the {gear}", 1e9)
     yield positive(f"{gear}.face_width", LENGTH, "mm", "65 mm", f"face width b of the {gear}", 5)
+    what = f"radial run-out F_r of the {gear}, twice its eccentricity: an error once a turn"
+    yield Quantity(f"{gear}.runout", LENGTH, "um", "20 um", what, 0.0, 0.01)
+    what = f"phase of the cosine of the run-out of the {gear}, of its own turn"
+    yield Quantity(f"{gear}.runout_phase", ANGLE, "deg", "90 deg", what, -100.0, 100.0)
 
 
 def of_teeth(module: str, other: str) -> Iterator[Quantity]:
@@ -107,6 +114,14 @@ def of_numbers() -> Iterator[Quantity]:
     yield ratio(f"{table}.mesh_damping", "mesh damping ratio ξ_m")
     yield number(f"{table}.rotation_factor", "0.8", "c_t², how the mesh force acts on rotation", 1e-6, 4.0)
     yield from _shared(table)
+    for gear in GEARS:
+        yield number(f"{table}.{gear}_runout", "0.2", f"radial run-out of the {gear} over D_c", 0.0)
+        what = f"phase of the run-out of the {gear}"
+        yield Quantity(f"{table}.{gear}_runout_phase", ANGLE, "rad", "1.57", what, -100.0, 100.0, bare=True)
+    for name in ("ripple", "error"):
+        curve = "stiffness" if name == "ripple" else name
+        what = f"factor of what varies of curves.{curve}"
+        yield number(f"{table}.{name}_scale", "1.0", what, -100.0, 100.0)
     for name in harmonic_names():
         what = _harmonic(name)
         if "phase" in name:

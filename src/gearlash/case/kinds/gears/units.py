@@ -19,7 +19,7 @@ def to_dimensionless(scales: Scales, path: str, value: float) -> float:
         return float(scales.half_backlash_from_m(value))
     if leaf == "torque":
         return float(scales.load_from_torque(value))
-    if table == "mesh" and leaf.startswith("error") and "phase" not in leaf:
+    if _is_length(table, leaf):
         return float(scales.displacement_from_m(value))
     return value
 
@@ -35,6 +35,11 @@ def to_physical(scales: Scales, path: str, value: ArrayLike) -> NDArray[np.float
         return scales.backlash_m(value)
     if leaf == "torque":
         return scales.torque(value)
-    if table == "mesh" and leaf.startswith("error") and "phase" not in leaf:
+    if _is_length(table, leaf):
         return scales.length_m(value)
     return np.asarray(value, float)
+
+
+def _is_length(table: str, leaf: str) -> bool:
+    """Errors and run-out, which count in D_c; their phases do not."""
+    return (table == "mesh" and leaf.startswith("error") and "phase" not in leaf) or leaf == "runout"

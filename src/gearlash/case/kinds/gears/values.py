@@ -9,6 +9,7 @@ from gearlash.case.stated import Provenance
 from gearlash.case.value import DERIVED, Value
 
 from . import drawn
+from .curves import STEMS, TABLE
 from .derive import derived, disc_gears
 from .keys import BODY, CONTACT
 from .pair import GearPair
@@ -16,7 +17,7 @@ from .pair import GearPair
 
 def values(pair: GearPair) -> list[Value]:
     """Stated values, defaults that took effect, then derived numbers."""
-    stated = [*_stated(pair), *_defaults(pair)]
+    stated = [*_stated(pair), *_curves(pair), *_defaults(pair)]
     assumed = {v.path for v in stated if v.provenance == Provenance.ASSUMED}
     roots: dict[str, tuple[str, ...]] = {v.path: (v.path,) for v in stated if v.path in assumed}
     roots |= {e.key: (e.path,) for e in pair.entries.values() if e.path in assumed}
@@ -59,6 +60,19 @@ def _stated(pair: GearPair) -> Iterator[Value]:
         )
 
 
+def _curves(pair: GearPair) -> Iterator[Value]:
+    """What stands for each stated curve, and how far it is from it."""
+    for name, curve in pair.reconstructed.items():
+        stated = pair.curves[name]
+        text = f"{name} over a {curve.over}"
+        if len(curve.phases):
+            part = 100.0 * curve.rms_error / curve.peak_to_peak if curve.peak_to_peak else 0.0
+            text += f", of {len(curve.phases)} points; what is left: {part:.2g} % of peak to peak, rms"
+        what = f"{curve.harmonics} harmonics"
+        provenance = Provenance(stated["provenance"])
+        yield Value(f"{TABLE}.{name}", what, "", provenance, stated["reason"], f"{STEMS[name]}_scale", text)
+
+
 def _defaults(pair: GearPair) -> Iterator[Value]:
     assumed = Provenance.ASSUMED
     for path, choice in pair.places.choices.items():
@@ -67,7 +81,8 @@ def _defaults(pair: GearPair) -> Iterator[Value]:
         takes_effect = path != BODY or disc_gears(pair)
         if path not in pair.entries and takes_effect and (pair.scales.physical or path == CONTACT):
             yield Value(path, choice.default, "", assumed, "default", None, choice.description)
+    in_curves = {STEMS[name] for name in pair.curves}
     for short, value in (("ripple", 0.0), ("error", 0.0), ("back_stiffness", 1.0), ("back_gap", 1.0)):
-        if short not in pair.entries:
+        if short not in pair.entries and short not in in_curves:
             place = pair.places.quantities[f"dimensionless.{short}"]
             yield Value(place.path, value, "", assumed, "default: not stated", short, place.description)

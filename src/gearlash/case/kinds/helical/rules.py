@@ -59,7 +59,7 @@ class HelicalRules(PairRules):
 
     def family(self, numbers: Numbers) -> Family:
         assert numbers.pair is not None  # `pair` made it
-        return helical.family(numbers.pair, numbers.parameters)
+        return helical.family(numbers.pair, numbers.parameters, numbers.excitation)
 
     def natural_frequencies(self, numbers: Numbers, rotation_factor: float) -> Iterable[float]:
         assert numbers.pair is not None

@@ -52,7 +52,7 @@ class SpurRules(PairRules):
     def family(self, numbers: Numbers) -> Family:
         line = numbers.body.line
         turned = {} if line is None else {"rotation_factor": line.c_t**2}
-        return spur.family({**turned, **numbers.parameters}, numbers.contact)
+        return spur.family({**turned, **numbers.parameters}, numbers.contact, numbers.excitation)
 
     def natural_frequencies(self, numbers: Numbers, rotation_factor: float) -> Iterable[float]:
         return spur.natural_frequencies(rotation_factor)
