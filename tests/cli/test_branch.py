@@ -16,6 +16,8 @@ import pytest
 import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
+from gearlash.cli.branch_inputs import read_zoom
+from gearlash.cli.inputs import read_between
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 
@@ -166,6 +168,21 @@ def test_a_file_of_other_values_or_points_is_refused(gearlash: Gearlash, tmp_pat
     ran = gearlash("branch", "kahraman-singh", "--resume", file, "--at", "7")
     assert "--at = 7: expected a special point of the file, which has 1" in ran.complaint
     assert "a branch of this case" in gearlash("branch", "shaw-holmes", "--resume", file).complaint
+
+
+@pytest.mark.parametrize("zoom", ["0.6", "0.7:0.6", "0.8:0.9", "omega=0.5:0.6", "a:b", "0.6:0.7um"])
+def test_a_part_to_draw_that_is_none_is_refused(gearlash: Gearlash, zoom: str):
+    ran = gearlash("branch", "kahraman-singh", "--over", "omega=0.5:0.75", "--near", "0.6", "--zoom", zoom)
+    assert ran.code == 2
+    assert "FROM:TO, a rising part of the interval of --over in the unit of omega" in ran.complaint
+
+
+def test_a_part_to_draw_has_the_unit_of_the_interval():
+    case = gl.load_case("article")
+    over = read_between(case, "pinion_speed=3500:4400rpm")
+    typed = [read_zoom(case, over, text) for text in ("3600:4000", "3600rpm:4000rpm", "3600:4000 rpm")]
+    assert len(set(typed)) == 1
+    assert case.scales.pinion_rpm(typed[0][0]) == pytest.approx(3600.0)
 
 
 def test_the_folder_has_all_of_it(gearlash: Gearlash, tmp_path: Path):

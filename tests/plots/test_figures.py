@@ -16,7 +16,7 @@ from matplotlib.text import Text
 
 import gearlash as gl
 from gearlash import plots
-from gearlash.plots.branch_diagram import MARKERS, OTHER_MARKER
+from gearlash.plots.branch_lines import MARKERS, OTHER_MARKER
 from gearlash.plots.units import ASSUMED_MARK
 from gearlash.system import Signature
 from plots.made import aperiodic, around_grazing, article, branch, dataset, moving, plane, zoned
@@ -202,9 +202,9 @@ def test_axes_of_motions_carry_symbols_and_units(name: str) -> None:
     expected = {
         "port": ("displacement  $X_n$", "velocity  $X_n'$", f"$x_n$  [µm] {ASSUMED_MARK}"),
         "gall": ("displacement  $X_n$", "velocity  $X_n'$", f"$x_n$  [µm] {ASSUMED_MARK}"),
-        "hist": (r"time  $\theta/2\pi$  [mesh cycles]", r"mesh force  $\Phi$", f"$F_n$  [N] {ASSUMED_MARK}"),
+        "hist": (r"time  $\theta/2\pi$  [cycles]", r"contact force  $\Phi$", f"$F_n$  [N] {ASSUMED_MARK}"),
         "sect": (
-            r"phase in the mesh cycle  $\theta/2\pi$",
+            r"phase in the cycle  $\theta/2\pi$",
             r"$\Phi$  on  $\sigma_d$",
             r"$\Phi$  on  $\sigma_b$",
         ),
@@ -273,7 +273,7 @@ def test_a_branch_is_solid_where_stable_with_markers_at_its_special_points() -> 
     kinds = dict(zip(made["special_value"].values, made["special_kind"].values, strict=True))
     names = {"grazing": "v", "doubling": "o", "fold": "D"}
     assert {value: names[str(kind)] for value, kind in kinds.items()} == marked
-    assert {"stable", "unstable", "grazing", "doubling", "1-0", "1-1", "swept: cold, up, down"} <= words(
+    assert {"stable", "unstable", "grazing", "doubling", "1-0-0", "1-1-0", "swept: cold, up, down"} <= words(
         figure
     )
     assert "The window of article" in words(figure)

@@ -26,7 +26,8 @@ from gearlash.plots.bifurcation import directions, scatter
 from gearlash.plots.framing import frame
 from gearlash.plots.regimes import FREE, short
 from gearlash.plots.swept import Swept, differs, swept
-from gearlash.plots.units import VELOCITY, Units, X, name, second
+from gearlash.plots.units import VELOCITY, Units, X, second
+from gearlash.plots.words import GEARS
 from gearlash.results import Axis, sweep_dataset
 from gearlash.studies.first_grazing import first_grazing
 from gearlash.studies.motion import Motion, motion, touching
@@ -105,7 +106,7 @@ def _diagram(axes: Axes, data: OverviewData, units: Units) -> None:
         scatter(axes, way.direction, *way.points("strobes", keep))
     axes.set_xlim(*SPAN)
     axes.margins(y=0.1)
-    axes.set(xlabel=name("omega"), ylabel=r"$X_n$  on  $\sigma_t$")
+    axes.set(xlabel=GEARS.name("omega"), ylabel=r"$X_n$  on  $\sigma_t$")
     second(axes, units.speed)
     for edge in data.ends:
         axes.axvline(edge, color=style.BOUNDARY, lw=0.9, zorder=0.5)

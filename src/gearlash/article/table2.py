@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from gearlash import SpecialKind, SpecialPoint
-from gearlash.plots.units import SYMBOLS
+from gearlash.plots.words import GEARS
 from gearlash.system import Label, Signature, label_text
 
 from .judge import NOT_FOUND, REPRODUCED, coincides
@@ -179,7 +179,7 @@ def _in_two_parameters(point: Centre) -> Table2Row:
 
 
 def _symbol(name: str) -> str:
-    return SYMBOLS.get(name, name)
+    return GEARS.symbols.get(name, name)
 
 
 def _period(label: Label | None) -> str:

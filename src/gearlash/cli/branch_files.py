@@ -58,9 +58,11 @@ def write_branches(
     datasets: Sequence[xr.Dataset] | None,
     answer: BranchAnswer,
     measure: str,
+    span: Sequence[float] = (),
 ) -> None:
     """The answer (JSON), every branch as a file to resume from (JSON), as data (NetCDF) and as a table (CSV),
-    all special points as a table, and the figure as SVG and PDF, unless a signal came (``datasets`` None)."""
+    all special points as a table, and the figure, of the part ``span``, as SVG and PDF, unless a signal
+    came (``datasets`` None)."""
     made = datasets
     if made is None:
         made = [branch_dataset(case, each.branch, extremes=False) for each in found]
@@ -74,11 +76,16 @@ def write_branches(
     gone = [path for path in older if path not in contents]
     write_together(contents, instead_of=[*gone, folder.file("branch.svg"), folder.file("branch.pdf")])
     if datasets:
-        draw_if(folder, "branch", True, lambda plots: _figure(plots, case, datasets, answer, measure))
+        draw_if(folder, "branch", True, lambda plots: _figure(plots, case, datasets, answer, measure, span))
 
 
 def _figure(
-    plots: Any, case: Case, datasets: Sequence[xr.Dataset], answer: BranchAnswer, measure: str
+    plots: Any,
+    case: Case,
+    datasets: Sequence[xr.Dataset],
+    answer: BranchAnswer,
+    measure: str,
+    span: Sequence[float],
 ) -> Any:
     """With the parameter in the unit that was asked for."""
     asked, along = answer.axis.asked, None
@@ -86,7 +93,8 @@ def _figure(
         rests = any(each.rests_on for each in answer.axis.physical_lower if each.name == asked.name)
         along = plots.Twin(asked.factor, asked.title, pretty(asked.unit), rests)
     title = f"{'Branches' if len(datasets) > 1 else 'Branch'} of {case.name} over {asked.title}"
-    return plots.branch_diagram(datasets, measure, title=title, units=plots.Units.of(case), along=along)
+    units = plots.Units.of(case)
+    return plots.branch_diagram(datasets, measure, title=title, span=span, units=units, along=along)
 
 
 def _special_table(datasets: Sequence[xr.Dataset]) -> str:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case, CaseError, Problem
+from gearlash.case.units import behind_number
 from gearlash.system import Family, GearlashError
 
 from .inputs import TypedLimits, read_between, read_case, read_start
@@ -151,6 +152,22 @@ def check_switches(branch: Branch, points: Sequence[int] | None) -> None:
         else ("nothing: branch 1 has no special point")
     )
     raise CaseError("--switch", [Problem("--switch", str(i), expected) for i in beyond])
+
+
+def read_zoom(case: Case, over: TypedLimits, zoom: str) -> tuple[float, float]:
+    """The part of the interval that is drawn, dimensionless; without a unit it has that of --over."""
+    expected = f"FROM:TO, a rising part of the interval of --over in the unit of {over.named}"
+    wrong = CaseError("--zoom", [Problem("--zoom", repr(zoom), expected)])
+    if zoom.count(":") != 1 or "=" in zoom:
+        raise wrong
+    unit = "" if behind_number(zoom.partition(":")[2].strip()) else over.unit
+    try:
+        found = read_between(case, f"{over.named}={zoom}{unit}")
+    except CaseError as error:
+        raise wrong from error
+    if found.short != over.short or found.lower >= over.upper or found.upper <= over.lower:
+        raise wrong
+    return found.lower, found.upper
 
 
 def steps_of(longest: float | None) -> ContinuationSettings:

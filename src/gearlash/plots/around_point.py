@@ -13,7 +13,9 @@ from scipy.interpolate import CubicSpline
 
 from . import style
 from .plane_lines import PlaneLine, draw_lines
-from .units import ASSUMED, SYMBOLS, Units, literal, name, second
+from .units import ASSUMED, Units, literal, second
+from .words import Words
+from .words import words as words_of
 
 ROOM = 0.07  # of the picture, around all that is in it
 ACROSS = (0, (6, 2))
@@ -65,6 +67,7 @@ def around_point(
     2
     """
     units = units or Units()
+    said = words_of(None, units)
     figure = style.figure(style.PAGE, 92.0)
     plane, apart = figure.subplots(1, 2, width_ratios=(1.6, 1.0))
     every = np.concatenate([np.asarray(line.values) for line in lines])
@@ -79,12 +82,12 @@ def around_point(
     plane.plot(*point, ls="none", marker="*", ms=8.0, mew=0.7, color=style.INK, mfc="white", zorder=5.0)
     for value, text in cuts:
         _cut(plane, value, across, text)
-    plane.set_xlabel(name(names[0]))
-    plane.set_ylabel(name(names[1]))
+    plane.set_xlabel(said.name(names[0]))
+    plane.set_ylabel(said.name(names[1]))
     twins = [units.of_parameter(each) for each in names]
     second(plane, twins[0])
     second(plane, twins[1], "y")
-    _apart(apart, lines[0], lines[-1], across, names)
+    _apart(apart, lines[0], lines[-1], across, names, said)
     marks = [
         Line2D([], [], ls="none", marker="*", ms=7.0, color=style.INK, mfc="white", label=_pair(point)),
         Line2D([], [], color=style.GREY, lw=0.8, ls=ACROSS, label=literal(words)),
@@ -120,7 +123,9 @@ def _cut(axes: Axes, value: float, across: float, text: str) -> None:
     )  # fmt: skip
 
 
-def _apart(axes: Axes, one: PlaneLine, other: PlaneLine, across: float, names: tuple[str, str]) -> None:
+def _apart(
+    axes: Axes, one: PlaneLine, other: PlaneLine, across: float, names: tuple[str, str], said: Words
+) -> None:
     """By how much the first parameter of one curve is larger than that of the other, over the second."""
     base = np.asarray(one.values)[::-1]
     base = base[np.argsort(base[:, 1])]
@@ -133,5 +138,5 @@ def _apart(axes: Axes, one: PlaneLine, other: PlaneLine, across: float, names: t
     axes.plot(
         [difference[0]], [there[0, 1]], ls="none", marker="*", ms=8.0, mew=0.7, color=style.INK, mfc="white"
     )
-    axes.set_xlabel(f"{SYMBOLS.get(names[0], names[0])}: first less last curve  [10⁻⁶]")
-    axes.set_ylabel(name(names[1]))
+    axes.set_xlabel(f"{said.symbol(names[0])}: first less last curve  [10⁻⁶]")
+    axes.set_ylabel(said.name(names[1]))

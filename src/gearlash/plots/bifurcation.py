@@ -15,7 +15,8 @@ from . import style
 from .marks import LINES, OTHER_LINE, OTHER_TICK, TICKS, Mark, height, lines, texts
 from .strip import key, strip
 from .swept import Swept, axis_name, differs, swept
-from .units import ASSUMED, EXPONENT, ForceAxis, Units, name, second
+from .units import ASSUMED, EXPONENT, ForceAxis, Units, second
+from .words import words
 
 # How the directions look: colour, marker, size of a point (pt²), order of drawing.
 DIRECTION_STYLES = {
@@ -88,7 +89,7 @@ def diagram(
     for panel in rest:
         panel.tick_params(which="both", top=True, right=True)
     bars.tick_params(which="both", bottom=False, top=False)
-    rest[3].set_xlabel(name(axis))
+    rest[3].set_xlabel(words(dataset, units).name(axis))
     twin = (units or Units()).of_parameter(axis)
     second(rest[3], twin, below=9.5)
     style.align_labels(rest)

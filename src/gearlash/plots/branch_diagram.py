@@ -15,37 +15,41 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from gearlash.system import GearlashError, given, read_label
 
 from . import style
-from .followed import MEASURES, Array, Followed, Piece, parameter, read
-from .marks import TICKS
-from .regimes import FREE, regime, short
+from .branch_lines import (
+    DASHED,
+    MARKER,
+    MARKERS,
+    ORDINARY,
+    OTHER_COLOUR,
+    OTHER_MARKER,
+    Shown,
+    edge_lines,
+    edges_of,
+    fit,
+    labels,
+    line,
+    pieces,
+    special,
+    special_heights,
+)
+from .followed import MEASURES, Array, Followed, parameter
+from .regimes import FREE, regime
+from .room import Room
 from .swept import axis_name, swept
-from .units import ASSUMED, Twin, Units, literal, name, second
+from .units import ASSUMED, Twin, Units, literal, second
+from .words import words
 
 COLOURS = (style.BLUE, style.VERMILION, style.GREEN, style.PURPLE, style.ORANGE, style.SKY)
-FREE_COLOUR, OTHER_COLOUR = style.INK, style.GREY
-DASHED = (0, (3.2, 1.6))
-MARKERS = TICKS | {
-    "joins the orbit of half its period": "<",
-    "joins a symmetric orbit": ">",
-    "end of existence": "*",
-}
-OTHER_MARKER = "X"
+FREE_COLOUR = style.INK
 LOST = "not followed farther"
-LIMITS = ("lower limit of the parameter", "upper limit of the parameter")
-ORDINARY = (
-    *LIMITS,
-    "closed loop: the branch comes back to where it began",
-    "joins the orbit of half its period",
-)
 MOST_NAMED = 5  # labels of one colour in the legend
-CLOUD = "#b5b5b5"
+CLOUD = "#8c8c8c"
 LEAST_MODULUS = 1e-3  # of a multiplier that is drawn
 WIDE = 4.0  # the modulus from which moduli are drawn over a logarithmic axis
 IN_CLOUD = {"extremes": ("minimum", "maximum")}
-PLACES = (0.5, 0.35, 0.65, 0.2, 0.8)  # along a stretch, where its label may stand
-SHORTEST = 0.03  # of the width: a stretch that has a label
-BESIDE = 0.012  # of the width, left and right
-MARGIN = 0.1  # of the height of what attracts, above and below
+ROOM = 0.012  # of the width, left and right
+TALL, LOW = 84.0, 34.0  # mm: heights of the panels
+INNER = 158.0  # mm: width of a panel without its words, at least
 
 
 @style.styled
@@ -62,9 +66,10 @@ def branch_diagram(
 ) -> Figure:
     """One or several branches of periodic orbits over their parameter.
 
-    Solid lines are stable, dashed ones unstable; special points have markers; every signature, that is every
-    count of impacts, has its colour. Lines go through the computed orbits and special points, smoothly in
-    between.
+    Solid lines are stable, dashed ones unstable; special points have markers under them, with their numbers
+    as in the table where there is room (of several branches with that of the branch before it: 2.1); every
+    signature, that is every count of impacts, has its colour. Lines go through the computed orbits and
+    special points, smoothly in between. Thin lines are the boundaries of the gap of the first clearance.
 
     Parameters
     ----------
@@ -84,7 +89,8 @@ def branch_diagram(
     units : Units, optional
         Second axes in physical units: `Units.of` a case.
     along : Twin, optional
-        The physical scale of the parameter; without it that of ``units``.
+        The unit in which the parameter was asked for: it stands first, the dimensionless value below it.
+        Without it that of ``units`` is the second scale.
 
     Returns
     -------
@@ -109,32 +115,55 @@ def branch_diagram(
     every, axis = list(datasets), _common(datasets, cloud)
     if span and not (len(span) == 2 and span[0] < span[1]):
         raise GearlashError(f"span = {tuple(span)}: expected a first and a larger last value")
-    left, right = span or _limits(every, cloud)
     units = units or Units()
-    heights = [78.0, 34.0] if multipliers else [78.0]
+    heights = [TALL, LOW] if multipliers else [TALL]
     figure = style.figure(style.PAGE, sum(heights) + 36.0)
     made = figure.subplots(len(heights), 1, sharex=True, height_ratios=heights, squeeze=False)
     panels: list[Axes] = list(made[:, 0])
-    panels[0].set_xlim(left, right)
-    colours, seen = _colours(every), [] if cloud is None else _behind(panels[0], cloud, measure)
-    _branches(panels[0], every, measure, colours, seen)
+    panels[0].set_xlim(*(span or _limits(every, cloud)))
+    colours, seen = _colours(every, panels[0]), [] if cloud is None else _behind(panels[0], cloud, measure)
+    shown = _branches(panels[0], every, measure, colours, seen)
     panels[0].set_ylabel(MEASURES[measure][0])
-    second(panels[0], units.length if MEASURES[measure][1] == "length" else units.force, "y")
+    up = units.length if MEASURES[measure][1] == "length" else units.force
+    second(panels[0], up, "y")
     if multipliers:
         _multipliers(panels[1], every, colours)
-    panels[-1].set_xlabel(name(axis))
     twin = along or units.of_parameter(axis)
-    second(panels[-1], twin, below=9.5)
+    _scales(panels[-1], words(every[0], units).name(axis), twin, first=along is not None)
     if title:
         panels[0].set_title(literal(title))
-    shown = (twin, units.length if MEASURES[measure][1] == "length" else units.force)
+    assumed = any(each is not None and each.assumed for each in (twin, up))
     figure.legend(
         handles=[*_styles(every), *_labels(colours), *_kinds(every), *_cloud_key(cloud)],
         loc="outside lower center", ncols=4, columnspacing=1.4,
-        title=ASSUMED if any(each is not None and each.assumed for each in shown) else None,
+        title=" ".join([_said(shown, several=len(every) > 1), *([ASSUMED] if assumed else [])]) or None,
         title_fontsize=6.5,
     )  # fmt: skip
     return figure
+
+
+def _scales(panel: Axes, text: str, twin: Twin | None, *, first: bool) -> None:
+    """The parameter below the panel: in the unit that was asked for, if any, and under it the other scale."""
+    if twin is None or not first:
+        panel.set_xlabel(text)
+        second(panel, twin, below=9.5)
+        return
+    panel.tick_params(axis="x", which="both", bottom=False, labelbottom=False)
+    second(panel, twin, below=0.0, which="below")
+    second(panel, Twin(1.0, text, ""), below=9.5)
+
+
+def _said(shown: Shown, *, several: bool) -> str:
+    """What the numbers are, and how many have no room."""
+    if not shown.inside:
+        return ""
+    row = "branch.number in its table" if several else "rows of the table"
+    said = [f"Numbers: {row}" if shown.numbered else "Numbers have no room"]
+    if shown.numbered < shown.inside:
+        said.append(f"{shown.numbered} of {shown.inside} special points shown have one")
+    if shown.marked < shown.inside:
+        said.append(f"{shown.inside - shown.marked} markers are left out where they would hide the lines")
+    return f"{'; '.join(said)}."
 
 
 def _common(every: Sequence[xr.Dataset], cloud: xr.Dataset | None) -> str:
@@ -154,7 +183,7 @@ def _limits(every: Sequence[xr.Dataset], cloud: xr.Dataset | None) -> tuple[floa
     if cloud is not None:
         values.append(cloud[axis_name(cloud)].values)
     low, high = (float(end(np.concatenate(values))) for end in (np.min, np.max))
-    room = BESIDE * (high - low)
+    room = ROOM * (high - low)
     return low - room, high + room
 
 
@@ -172,33 +201,24 @@ def _behind(panel: Axes, cloud: xr.Dataset, measure: str) -> list[tuple[Array, A
             shown = np.isfinite(table)
             x = np.broadcast_to(values[:, None], table.shape)[shown]
             drawn.append((x, table[shown]))
-            look = {"s": 0.8, "c": CLOUD, "linewidths": 0.0, "zorder": 1.0, "rasterized": True}
+            look = {"s": 1.6, "c": CLOUD, "linewidths": 0.0, "zorder": 1.0, "rasterized": True}
             panel.scatter(*drawn[-1], **look)
     return drawn
 
 
-def _fit(panel: Axes, seen: Sequence[tuple[Array, Array]], pieces: Sequence[Piece]) -> None:
-    """As high as what attracts: unstable branches may leave the picture, unless there is nothing else."""
-    stable = [piece for piece in pieces if piece.stable]
-    drawn = [*seen, *((p.values, p.y) for p in (stable if stable or seen else pieces))]
-    left, right = panel.get_xlim()
-    inside = [y[(x >= left) & (x <= right)].ravel() for x, y in drawn]
-    heights = np.concatenate(inside)
-    heights = heights[np.isfinite(heights)]
-    if len(heights):
-        room = MARGIN * max(float(np.ptp(heights)), 1e-9 * max(1.0, float(np.abs(heights).max())))
-        panel.set_ylim(float(heights.min()) - room, float(heights.max()) + room)
-
-
-def _colours(every: Sequence[xr.Dataset]) -> dict[str, str]:
-    """A colour for every label, those without impacts in black, others in the order in which they are met."""
-    labels = dict.fromkeys(str(label) for dataset in every for label in dataset["label"].values)
-    left, found = list(COLOURS), {}
-    for label in labels:
-        if regime(read_label(label)) is FREE:
-            found[label] = FREE_COLOUR
-        else:
-            found[label] = left.pop(0) if left else OTHER_COLOUR
+def _colours(every: Sequence[xr.Dataset], panel: Axes) -> dict[str, str]:
+    """A colour for every label in the picture, those without impacts in black, others in the order in which
+    they are met."""
+    limits = panel.get_xlim()
+    found, left = dict[str, str](), list(COLOURS)
+    for dataset in every:
+        values = dataset[parameter(dataset)].values
+        inside = dataset["label"].values[(values >= limits[0]) & (values <= limits[1])]
+        for label in dict.fromkeys(map(str, inside)):
+            if label not in found and regime(read_label(label)) is FREE:
+                found[label] = FREE_COLOUR
+            elif label not in found:
+                found[label] = left.pop(0) if left else OTHER_COLOUR
     return found
 
 
@@ -208,37 +228,22 @@ def _branches(
     measure: str,
     colours: dict[str, str],
     seen: Sequence[tuple[Array, Array]],
-) -> None:
+) -> Shown:
     """Lines, markers and labels, in a picture as high as these and what is ``seen`` behind them need."""
-    drawn = []
-    for dataset in every:
-        special = read(dataset, measure, "special_")
-        pieces = list(Followed.of(dataset, read(dataset, measure), special).pieces())
-        drawn += pieces
-        for piece in pieces:
-            _line(panel, piece, colours)
-        for kind, value, heights in zip(
-            dataset["special_kind"].values, dataset["special_value"].values, special, strict=True
-        ):
-            _mark(panel, MARKERS.get(str(kind), OTHER_MARKER), float(value), heights)
-        for at in (0, -1):
-            if str(dataset["end_kind"].values[at]) not in ORDINARY:
-                _mark(panel, OTHER_MARKER, float(dataset["end_value"].values[at]), read(dataset, measure)[at])
-    _fit(panel, seen, drawn)
-    _words(panel, drawn, colours)
-
-
-def _line(panel: Axes, piece: Piece, colours: dict[str, str]) -> None:
-    look = {"color": colours.get(piece.label, OTHER_COLOUR), "ls": "-" if piece.stable else DASHED}
-    panel.plot(piece.values, piece.y, lw=1.1 if piece.stable else 0.9, zorder=3.0, **look)
-
-
-def _mark(panel: Axes, marker: str, value: float, heights: Array) -> None:
-    shown = heights[np.isfinite(heights)]
-    panel.plot(
-        np.full(len(shown), value), shown, ls="none", marker=marker, ms=4.2, mew=0.7, color=style.INK,
-        mfc="white", zorder=5.0,
-    )  # fmt: skip
+    drawn, edges = pieces(every, measure), []
+    if MEASURES[measure][1] == "length" and measure != "amplitude":
+        edges = edges_of(every)
+    for piece in drawn:
+        line(panel, piece, colours)
+    fit(panel, seen, drawn, [*(table for _, table in edges), special_heights(every, measure)])
+    room = Room(panel, INNER, TALL)
+    for piece in drawn:
+        for column in piece.y.T:
+            room.fill(piece.values, column)
+    edge_lines(panel, room, edges)
+    shown = special(panel, room, every, measure)
+    labels(panel, room, drawn, colours)
+    return shown
 
 
 def _multipliers(panel: Axes, every: Sequence[xr.Dataset], colours: dict[str, str]) -> None:
@@ -255,39 +260,8 @@ def _multipliers(panel: Axes, every: Sequence[xr.Dataset], colours: dict[str, st
             np.maximum(dataset[f"{of}multiplier_modulus"].values, LEAST_MODULUS) for of in ("", "special_")
         )
         for piece in Followed.of(dataset, modulus, special).pieces():
-            _line(panel, piece, colours)
+            line(panel, piece, colours)
     panel.set_ylabel("multipliers,  modulus")
-
-
-def _words(panel: Axes, pieces: Sequence[Piece], colours: dict[str, str]) -> None:
-    """Every label once, beside its longest stretch, where there is room: colours need not be told apart."""
-    left, right = panel.get_xlim()
-    longest: dict[str, Piece] = {}
-    for piece in (each.within(left, right) for each in pieces):
-        known = longest.get(piece.label)
-        if known is None or (piece.stable, piece.length) > (known.stable, known.length):
-            longest[piece.label] = piece
-    width, (low, high) = float(np.ptp(panel.get_xlim())), panel.get_ylim()
-    placed: list[tuple[float, float]] = []
-    for label, piece in longest.items():
-        if piece.length < SHORTEST * width:
-            continue
-        for share in PLACES:
-            at = int(share * (len(piece.values) - 1))
-            x, y = float(piece.values[at]), float(np.nanmax(piece.y[at]))
-            apart = all(abs(x - u) > 0.07 * width or abs(y - v) > 0.045 * (high - low) for u, v in placed)
-            if apart and low < y < high:
-                placed.append((x, y))
-                _word(panel, label, x, y, colours)
-                break
-
-
-def _word(panel: Axes, label: str, x: float, y: float, colours: dict[str, str]) -> None:
-    panel.annotate(
-        short(label), (x, y), (0.0, 3.0), textcoords="offset points", ha="center", va="bottom",
-        fontsize=6.5, zorder=2.0, color=colours.get(label, OTHER_COLOUR),
-        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4, "alpha": 0.8},
-    )  # fmt: skip
 
 
 def _styles(every: Sequence[xr.Dataset]) -> list[Line2D]:
@@ -304,7 +278,7 @@ def _labels(colours: dict[str, str]) -> list[Line2D]:
     """Labels of one colour stand in one entry."""
     shared: dict[str, list[str]] = {}
     for label, colour in colours.items():
-        shared.setdefault(colour, []).append(short(label))
+        shared.setdefault(colour, []).append(label)
     return [Line2D([], [], color=colour, lw=2.2, label=_listed(words)) for colour, words in shared.items()]
 
 
@@ -314,11 +288,10 @@ def _listed(words: Sequence[str]) -> str:
 
 
 def _kinds(every: Sequence[xr.Dataset]) -> list[Line2D]:
-    look = {"ls": "none", "color": style.INK, "mfc": "white", "ms": 4.2, "mew": 0.7}
     kinds = dict.fromkeys(str(kind) for dataset in every for kind in dataset["special_kind"].values)
-    found = [Line2D([], [], marker=MARKERS.get(kind, OTHER_MARKER), label=kind, **look) for kind in kinds]
+    found = [Line2D([], [], marker=MARKERS.get(kind, OTHER_MARKER), label=kind, **MARKER) for kind in kinds]
     if any(str(kind) not in ORDINARY for dataset in every for kind in dataset["end_kind"].values):
-        found.append(Line2D([], [], marker=OTHER_MARKER, label=LOST, **look))
+        found.append(Line2D([], [], marker=OTHER_MARKER, label=LOST, **MARKER))
     return found
 
 

@@ -15,7 +15,8 @@ from gearlash.system import Label, MotionKind, Signature, label_text
 
 from . import style
 from .regimes import regime, short
-from .units import Units, name, second
+from .units import Units, second
+from .words import Words, words
 
 REPORTED = "reported"
 HEIGHT = 0.56  # of a bar, of the distance between two
@@ -103,12 +104,12 @@ def zones(panels: Sequence[Panel], units: Units | None = None) -> Figure:
     figure = style.figure(style.PAGE, sum(row * n + 27.0 for n in rows))
     axes = figure.subplots(len(panels), 1, squeeze=False, height_ratios=[n + 0.4 for n in rows])[:, 0]
     for panel, place in zip(panels, axes, strict=True):
-        _panel(place, panel)
+        _panel(place, panel, words(None, units))
         second(place, (units or Units()).of_parameter(panel.parameter))
     return figure
 
 
-def _panel(axes: Axes, panel: Panel) -> None:
+def _panel(axes: Axes, panel: Panel, said: Words) -> None:
     low, high = min(b.lower for b in panel.bars), max(b.upper for b in panel.bars)
     wide = high - low
     axes.set_xlim(low - 0.42 * wide, high + 0.42 * wide)
@@ -116,7 +117,7 @@ def _panel(axes: Axes, panel: Panel) -> None:
     axes.set_yticks(range(len(panel.bars)), [b.title for b in panel.bars])
     axes.tick_params(axis="y", length=0)
     axes.set_title(panel.title, pad=6.0)
-    axes.set_xlabel(name(panel.parameter))
+    axes.set_xlabel(said.name(panel.parameter))
     for row, bar in enumerate(panel.bars):
         _bar(axes, row, bar, wide)
     computed = [b for b in panel.bars if b.kind != "coexisting"]

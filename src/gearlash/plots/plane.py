@@ -20,7 +20,8 @@ from gearlash.system import Label, Signature, UnknownNameError, read_label
 from . import style
 from .fills import NONE, Fill, fills, legend_order
 from .regimes import short
-from .units import ASSUMED, SYMBOLS, Units, literal, name, second
+from .units import ASSUMED, Units, literal, second
+from .words import Words, words
 
 WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
 KEY = "P-Q-R: P cycles with Q impacts on the drive side, R on the back side; R = 0 is left out."
@@ -69,12 +70,13 @@ def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
     panel = made.subplots()
     _fill(panel, edges, codes, looks)
     _name(panel, edges, codes, names, looks)
-    panel.set_xlabel(name(x))
-    panel.set_ylabel(name(y))
+    said = words(dataset, units)
+    panel.set_xlabel(said.name(x))
+    panel.set_ylabel(said.name(y))
     twins = units.of_parameter(x), units.of_parameter(y)
     second(panel, twins[0], below=9.5)
     second(panel, twins[1], "y")
-    panel.set_title(_title(dataset, (x, y)), loc="left", fontsize=7.5)
+    panel.set_title(_title(dataset, said, (x, y)), loc="left", fontsize=7.5)
     handles = [_patch(fill) for fill in legend_order(looks)]
     marked = any(twin is not None and twin.assumed for twin in twins)
     key = KEY_OF_SEVERAL if any(isinstance(each, Signature) and each.others for each in names) else KEY
@@ -85,14 +87,12 @@ def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
     return made
 
 
-def _title(dataset: xr.Dataset, axes: tuple[str, str]) -> str:
+def _title(dataset: xr.Dataset, said: Words, axes: tuple[str, str]) -> str:
     """The case, and the parameters that were set: those that have symbols, and all that were fixed."""
     values, fixed = (json.loads(dataset.attrs.get(key, "{}")) for key in ("parameters", "fixed"))
-    shown = dict.fromkeys([*SYMBOLS, *fixed])
+    shown = dict.fromkeys([*said.symbols, *fixed])
     parts = [
-        f"{SYMBOLS.get(each, literal(each))} = {values[each]:.4g}"
-        for each in shown
-        if each in values and each not in axes
+        f"{said.symbol(each)} = {values[each]:.4g}" for each in shown if each in values and each not in axes
     ]
     return ",  ".join([literal(str(dataset.attrs.get("case_name", ""))), *parts]).removeprefix(",  ")
 

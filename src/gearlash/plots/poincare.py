@@ -25,7 +25,7 @@ POINT_STYLES = (
     (style.PURPLE, "D"),
     (style.INK, "v"),
 )
-IN_CYCLE = r"phase in the mesh cycle  $\theta/2\pi$"
+IN_CYCLE = r"phase in the cycle  $\theta/2\pi$"
 
 
 @style.styled
@@ -61,7 +61,7 @@ def sections(motions: Sequence[Motion], parameter: str = "omega", force: ForceAx
     figure = style.figure(style.PAGE if back else 132.0, 70.0)
     panels: list[Axes] = list(figure.subplots(1, 3 if back else 2, squeeze=False)[0])
     titles = (
-        "(a)  $\\sigma_t$: once a mesh cycle",
+        "(a)  $\\sigma_t$: once a cycle",
         "(b)  $\\sigma_d$: crossings of $\\Sigma_1$",
         "(c)  $\\sigma_b$: crossings of $\\Sigma_2$",
     )

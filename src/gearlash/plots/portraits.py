@@ -17,7 +17,8 @@ from gearlash.studies.motion import Motion
 from . import style
 from .framing import Box, frame, zoom_frame
 from .regimes import short
-from .units import SYMBOLS, VELOCITY, Units, X, literal, second
+from .units import VELOCITY, Units, X, second
+from .words import ANY
 
 # Colour, line style and width of a stretch: drive side, free, back side.
 STRETCHES = {
@@ -168,7 +169,7 @@ def gallery(motions: Sequence[Motion], units: Units | None = None, parameter: st
 
 def heading(motion: Motion, parameter: str) -> str:
     """Value and label: what a reader looks for first."""
-    symbol = SYMBOLS.get(parameter, literal(parameter))
+    symbol = ANY.symbol(parameter)
     text = short(motion.label)
     return text if not np.isfinite(motion.value) else f"{symbol} = {motion.value:.6g}:  {text}"
 

@@ -20,28 +20,9 @@ ASSUMED = f"{ASSUMED_MARK}: rests on an assumed value."
 
 X = r"displacement  $X_n$"
 VELOCITY = r"velocity  $X_n'$"
-FORCE = r"mesh force  $\Phi$"
-PHASE = r"time  $\theta/2\pi$  [mesh cycles]"
+FORCE = r"contact force  $\Phi$"
+PHASE = r"time  $\theta/2\pi$  [cycles]"
 EXPONENT = r"$\lambda_1$  [per $\tau$]"
-
-AXIS_NAMES = {
-    "omega": r"mesh frequency  $\omega$",
-    "D": r"half-backlash  $D$",
-    "load": r"load  $f_m$",
-    "ripple": r"stiffness ripple  $\varepsilon_1$",
-    "ripple_phase": r"ripple phase  $\varphi_1$  [rad]",
-    "error": r"transmission error  $E_1$",
-    "error_phase": r"error phase  $\psi_1$  [rad]",
-    "mesh_damping": r"mesh damping  $\xi_m$",
-    "bearing_damping": r"bearing damping  $\xi_b$",
-}
-SYMBOLS = {"omega": "ω", "D": "D", "load": "f_m", "ripple": "ε₁", "error": "E₁", "error_phase": "ψ₁"}
-SYMBOLS |= {"ripple_2": "ε₂", "bearing_damping": "ξ_b", "mesh_damping": "ξ_m"}
-
-
-def name(parameter: str) -> str:
-    """Axis label of a parameter: words and symbol; all are numbers of one unless the label says rad."""
-    return AXIS_NAMES.get(parameter, literal(parameter.replace("_", " ")))
 
 
 def literal(text: str) -> str:
@@ -104,7 +85,8 @@ class Twin:
     @property
     def label(self) -> str:
         """For an axis; carries † where the scale rests on an assumed value."""
-        return f"{self.words}  [{self.unit}]{' ' + ASSUMED_MARK if self.assumed else ''}"
+        unit = f"  [{self.unit}]" if self.unit else ""
+        return f"{self.words}{unit}{' ' + ASSUMED_MARK if self.assumed else ''}"
 
     def __call__(self, values: ArrayLike) -> Array:
         return np.asarray(values, dtype=np.float64) * self.factor
@@ -134,6 +116,8 @@ class Units:
         of the case do not reach.
     others : mapping of str to Twin
         Those of further parameters, by short name.
+    teeth : bool
+        Whether the first clearance is the one between two meshing gears: axes then speak of gears.
 
     Examples
     --------
@@ -149,6 +133,7 @@ class Units:
     force: Twin | None = None
     milliseconds: Twin | None = None  # of one unit of τ
     others: Mapping[str, Twin] = field(default_factory=dict)  # of further parameters, by short name
+    teeth: bool = False
 
     @staticmethod
     def of(case: Case) -> Units:
@@ -166,7 +151,7 @@ class Units:
         given.instance("case", case, Case, "a case, as from gearlash.load_case")
         scales = case.scales
         if not scales.physical:
-            return Units()
+            return Units(teeth=case.between_teeth)
         doubtful = {v.path for v in case.values() if v.uncertain}
         length, force = "model.reference_length" in doubtful, "derived.force_unit" in doubtful
         speed = "derived.omega_n" in doubtful
@@ -178,6 +163,7 @@ class Units:
             force=Twin(float(scales.force_N(1.0)), "$F_n$", "N", force),
             milliseconds=Twin(1e3 * float(scales.time_s(1.0)), "$t$", "ms", speed),
             others=_others(case, {"Hz": speed, "um": length, "N*m": force}),
+            teeth=case.between_teeth,
         )
 
     @property
@@ -214,12 +200,12 @@ def _others(case: Case, assumed: Mapping[str, bool]) -> dict[str, Twin]:
 
 def second(axes: Axes, twin: Twin | None, which: str = "x", below: float = 0.0) -> None:
     """Gives the axes a second scale at the top (``x``), on the right (``y``), or ``below`` (mm) their own
-    x axis.
+    x axis, or in place of that (``which``: below).
     """
     if twin is None:
         return
     pair: tuple[Callable[[ArrayLike], Array], Callable[[ArrayLike], Array]] = (twin, twin.back)
-    if which == "x" and below:
+    if which == "below" or (which == "x" and below):
         made = axes.secondary_xaxis(0.0, functions=pair)
         made.spines["bottom"].set_position(("outward", below / 25.4 * 72.0))
         made.tick_params(which="both", top=False, bottom=True)

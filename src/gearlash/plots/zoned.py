@@ -20,7 +20,8 @@ from .marks import OTHER_TICK, TICKS
 from .regimes import DRIVE, FREE
 from .strip import key, strip
 from .swept import axis_name, swept
-from .units import ASSUMED, Units, literal, name, second
+from .units import ASSUMED, Units, literal, second
+from .words import words
 
 WIDTH = 140.0  # mm of the panels: what is left beside the labels
 ROW = 6.0  # mm of a band
@@ -97,7 +98,7 @@ def zone_bands(
         scatter(lower, way.direction, *way.points("strobes", keep), larger=larger)
     lower.margins(y=0.08)
     lower.set_ylabel(r"$X_n$  on  $\sigma_t$")
-    lower.set_xlabel(name(axis))
+    lower.set_xlabel(words(dataset, units).name(axis))
     twin = (units or Units()).of_parameter(axis)
     second(lower, twin, below=9.5)
     bars.tick_params(which="both", bottom=False, top=False)

@@ -32,7 +32,7 @@ POINTWISE = (
     _same("arclength", "from the first orbit, in scaled unknowns"),
     _same("turn", "how fast the parameter changes along the branch, scaled; zero at a fold"),
     Variable("label", "signature P-Q-R (and /Q-R of every further clearance)", lambda p: str(p.label), "U"),
-    _same("period", "least period P", "i4", "mesh cycles"),
+    _same("period", "least period P", "i4", "cycles"),
     Variable("drive", "impacts Q on the drive side per period", lambda p: p.signature.drive, "i4"),
     Variable("back", "impacts R on the back side per period", lambda p: p.signature.back, "i4"),
     Variable(
@@ -48,6 +48,20 @@ POINTWISE = (
     Variable("status", "outcome of the computation", lambda p: str(p.status), "U"),
     Variable("certificate", "certified, uncertain or failed", lambda p: str(p.certificate.verdict), "U"),
     Variable("certificate_reason", "why it is not certified", lambda p: p.certificate.reason, "U"),
+)
+BOUNDARIES = (
+    Variable(
+        "boundary_plus",
+        "X at the boundary on the drive side; NaN where that side does not act",
+        float,
+        quantity="length",
+    ),
+    Variable(
+        "boundary_minus",
+        "X at the boundary on the back side; NaN where that side does not act",
+        float,
+        quantity="length",
+    ),
 )
 MEASURED = (
     Variable("minimum", "least X", float, quantity="length"),
@@ -75,7 +89,8 @@ SPECIAL = (
 )
 TAKEN = frozenset(
     [
-        *(v.name for v in (*POINTWISE, *MEASURED)), *(f"special_{v.name}" for v in (*SPECIAL, *MEASURED)),
+        *(v.name for v in (*POINTWISE, *BOUNDARIES, *MEASURED)),
+        *(f"special_{v.name}" for v in (*SPECIAL, *MEASURED)),
         "point", "special", "end", "state", "state_name", "strobe", "strobes", "multiplier",
         "multiplier_real", "multiplier_imag", "multiplier_modulus", "special_strobes", "end_kind",
         "end_value", "end_note",
@@ -129,6 +144,7 @@ def branch_dataset(model: Case | Family, branch: Branch, *, extremes: bool = Tru
     extremes = given.truth("extremes", extremes)
     along = ("point",)
     data = _table(model, POINTWISE, branch.points, along)
+    data |= _boundaries(model, family, branch)
     data |= _measured(model, family, branch, branch.points, extremes, along)
     data |= _multipliers(branch.points, along)
     about = {"long_name": "state at phase zero", "units": "1"}
@@ -159,6 +175,20 @@ def _table(
 def _array(model: Case | Family, variable: Variable, dims: tuple[str, ...], values: np.ndarray):
     about: dict[str, Any] = {"long_name": variable.long_name, "units": variable.units}
     return dims, values, about | physical_unit(model, variable)
+
+
+def _boundaries(model: Case | Family, family: Family, branch: Branch) -> dict[str, Any]:
+    """X at which the motion meets either side of the first clearance, at every point."""
+    rows = []
+    for value in branch.parameter.tolist():
+        gap = family.system({**branch.values, branch.name: value}).clearances[0]
+        edges = ((gap.gap_plus, gap.stops(1)), (-gap.gap_minus, gap.stops(-1)))
+        rows.append([edge if acts else np.nan for edge, acts in edges])
+    table = np.array(rows, dtype=np.float64).reshape(-1, 2).T
+    return {
+        each.name: _array(model, each, ("point",), column)
+        for each, column in zip(BOUNDARIES, table, strict=True)
+    }
 
 
 def _measured(

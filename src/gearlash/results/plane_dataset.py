@@ -24,7 +24,7 @@ CODES = "flag_values"  # with flag_meanings: the names of codes, as the CF conve
 VARIABLES = {
     "label": Variable("label", f"index into label_name, {NO_LABEL} without a motion", attrgetter("label")),
     "period": Variable(
-        "period", "least period P, 0 where none was proved", attrgetter("period"), units="mesh cycles"
+        "period", "least period P, 0 where none was proved", attrgetter("period"), units="cycles"
     ),
     "drive": Variable(
         "drive", "impacts Q on the drive side per period (first clearance)", attrgetter("drive")

@@ -42,7 +42,7 @@ SCALARS = (
         lambda point: label_text(point.label),
         "U",
     ),
-    _same("period", "least period P, 0 where none was proved", "i4", "mesh cycles"),
+    _same("period", "least period P, 0 where none was proved", "i4", "cycles"),
     _same("drive", "impacts Q on the drive side per period (first clearance)", "i4"),
     _same("back", "impacts R on the back side per period (first clearance)", "i4"),
     _same("other_impacts", "impacts in all further clearances per period", "i4"),
@@ -69,15 +69,15 @@ PADDED = (
     (_same("state", "state at phase zero"), "state_name"),
     (_same("strobes", "X on σ_t", quantity="length"), "strobe"),
     (_crossing_force("drive_force", "F = -Φ at impacts on the drive side, σ_d"), "drive_hit"),
-    (_same("drive_phase", "phase of these impacts", units="mesh cycles"), "drive_hit"),
+    (_same("drive_phase", "phase of these impacts", units="cycles"), "drive_hit"),
     (_crossing_force("back_force", "F = -Φ at impacts on the back side"), "back_hit"),
-    (_same("back_phase", "phase of these impacts", units="mesh cycles"), "back_hit"),
+    (_same("back_phase", "phase of these impacts", units="cycles"), "back_hit"),
     (
         _crossing_force("back_release_force", "F = -Φ where the back side is left (σ_b as printed)"),
         "back_release",
     ),
     (
-        _same("back_release_phase", "phase where the back side is left", units="mesh cycles"),
+        _same("back_release_phase", "phase where the back side is left", units="cycles"),
         "back_release",
     ),
 )

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from gearlash.case import Case
 from gearlash.case.edges import shown_edge
 from gearlash.plots import Units
-from gearlash.plots.units import SYMBOLS, Twin
+from gearlash.plots.units import Twin
+from gearlash.plots.words import GEARS
 from gearlash.report.blocks import Inline, Marked
 from gearlash.report.numbers import number
 
@@ -47,7 +48,7 @@ class Quantities:
 
 def symbol(parameter: str) -> str:
     """ω, D, ..."""
-    return SYMBOLS.get(parameter, parameter)
+    return GEARS.symbols.get(parameter, parameter)
 
 
 def fixed_words(fixed: object) -> str:

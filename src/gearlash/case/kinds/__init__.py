@@ -4,7 +4,7 @@ from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.units import Dimension
 
 from .kind import Content, Draft, Excitation, Kind
-from .registry import forget, kind_named, kind_of, kinds, register, registered
+from .registry import forget, is_between_teeth, kind_named, kind_of, kinds, register, registered
 
 __all__ = [
     "Choice",
@@ -15,6 +15,7 @@ __all__ = [
     "Kind",
     "Quantity",
     "forget",
+    "is_between_teeth",
     "kind_named",
     "kind_of",
     "kinds",

@@ -49,6 +49,12 @@ def kind_named(name: object) -> Kind:
     return found
 
 
+def is_between_teeth(name: str) -> bool:
+    """Whether cases of the kind of this name are about meshing gears; False where no such kind is known here
+    (a file may have been written elsewhere)."""
+    return name in kinds() and kind_named(name).between_teeth
+
+
 def register(kind: Kind) -> None:
     """Makes a kind of your own known to files, commands, studies and workers of this process.
 

@@ -105,7 +105,7 @@ def _meet(one: StretchFound, other: StretchFound) -> bool:
 
 def _interval(asked: Asked, low: float, high: float) -> str:
     """Rounded into it."""
-    ends = asked.edge(low, 1, high), asked.edge(high, -1, low)
+    ends = asked.inner(low, high)
     return f"from {asked.between(*ends) if asked.unit else f'{ends[0]} to {ends[1]}'}"
 
 

@@ -77,6 +77,7 @@ class MotionNumbers:
     cycles: Annotated[
         float, "mesh cycles that all of this is taken over: P of an orbit, else a stretch of the motion"
     ]
+    sides: Annotated[tuple[Side, ...], "sides of the gap that act"]
     distances: Distances
     events: Annotated[tuple[ContactEvent, ...], "every contact event in these cycles"]
     force: Annotated[ForceNumbers, "contact force Φ (over k_m D_c), positive in drive-side compression"]
@@ -92,9 +93,12 @@ def motion_numbers(attractor: Attractor) -> MotionNumbers:
     """The numbers of an orbit, or of the stretch kept of another motion."""
     from gearlash.orbits import motion_statistics
 
-    found, count = motion_statistics(attractor), len(attractor.propagators.system.clearances)
+    gaps = attractor.propagators.system.clearances
+    found, count = motion_statistics(attractor), len(gaps)
+    acting: tuple[tuple[Side, int], ...] = (("drive", 1), ("back", -1))
     return MotionNumbers(
         cycles=attractor.trace.cycles,
+        sides=tuple(side for side, boundary in acting if gaps[0].stops(boundary)),
         distances=_distances(attractor, 0, found),
         events=_events(attractor, 0),
         force=_force(found.force),

@@ -73,6 +73,7 @@ class CaseUsed:
 
     name: str
     kind: str
+    between_teeth: Annotated[bool, "whether the first gap is the one between two meshing gears"]
     hash: Annotated[str, "SHA-256 of all values that decide a result"]
     gearlash: Annotated[str, "version of the program"]
     not_given: Annotated[tuple[NotGiven, ...], "every value that is inferred, assumed or calibrated"]
@@ -80,7 +81,7 @@ class CaseUsed:
 
 def case_used(case: Case) -> CaseUsed:
     """The case as an answer names it."""
-    return CaseUsed(case.name, case.kind, case.hash, program_version(), not_given(case))
+    return CaseUsed(case.name, case.kind, case.between_teeth, case.hash, program_version(), not_given(case))
 
 
 def not_given(case: Case) -> tuple[NotGiven, ...]:

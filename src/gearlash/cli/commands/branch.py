@@ -81,6 +81,13 @@ Step = Annotated[
         help="Longest step, as a share of the interval or of the motion's size. [default: 0.05]",
     ),
 ]
+Zoom = Annotated[
+    str | None,
+    typer.Option(
+        metavar="FROM:TO",
+        help="Part of the interval that the figure shows, in the unit of --over. [default: all of it]",
+    ),
+]
 Shown = Annotated[Measure, typer.Option(metavar="NAME", help=f"What the figure shows: {', '.join(Measure)}.")]
 
 
@@ -98,6 +105,7 @@ def branch(
     at: At = None,
     step: Step = None,
     measure: Shown = Measure.EXTREMES,
+    zoom: Zoom = None,
     periods: Periods = None,
     max_period: MaxPeriod = None,
     as_json: AsJson = False,
@@ -112,7 +120,7 @@ def branch(
     marked incomplete.
     """
     from gearlash.cli.branch_files import check_nothing_is_lost, write_branches
-    from gearlash.cli.branch_inputs import BranchInputs, check_switches, read_switches, steps_of
+    from gearlash.cli.branch_inputs import BranchInputs, check_switches, read_switches, read_zoom, steps_of
     from gearlash.cli.folder import claim_if
     from gearlash.cli.frame import deliver
     from gearlash.cli.notice import load_engine
@@ -123,6 +131,7 @@ def branch(
     points, steps = read_switches(switch), steps_of(step)
     if asked.kept is not None and asked.point is None:
         check_switches(asked.kept, points)
+    span = () if zoom is None else read_zoom(asked.case, asked.between, zoom)
     search = search_settings(asked.family, periods, max_period, case)
     check_nothing_is_lost(out, resume, whole=asked.point is None)
     folder = claim_if(out, _file_names(MOST_FILES if switch else 1))
@@ -134,7 +143,7 @@ def branch(
 
     def keep() -> None:
         if folder:
-            write_branches(folder, asked.case, found, datasets, answer, str(measure))
+            write_branches(folder, asked.case, found, datasets, answer, str(measure), span)
 
     return deliver(answer, as_json, keep)
 

@@ -127,7 +127,7 @@ def _coexisting(answer: BranchAnswer, width: int) -> Iterator[Text]:
     asked = answer.axis.asked
     rows = []
     for each in answer.coexisting[:MOST_LINES]:
-        ends = asked.edge(each.low, 1, each.high), asked.edge(each.high, -1, each.low)
+        ends = asked.inner(each.low, each.high)
         rows.append([", ".join(each.labels), asked.between(*ends)])
     if rows:
         columns = [("labels", "left"), ("", "left")]

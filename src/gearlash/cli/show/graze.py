@@ -11,6 +11,7 @@ from gearlash.cli.answers.graze import GrazeAnswer, TouchFound
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
+from .words import cycles
 
 EXAMINED = (
     "This motion was followed from orbit to orbit: two touches within one step, of which the second undoes "
@@ -49,7 +50,7 @@ def _facts(answer: GrazeAnswer, touch: TouchFound, marks: Marks) -> Iterator[tup
     below, above = (label if stable is not False else f"{label} (unstable)" for label, stable in sides)
     yield "labels", f"{below} below, {above} above"
     yield "margin", _margin(answer, touch)
-    yield "touch", f"phase {touch.phase:.6f} of {touch.period} mesh cycle{'s' if touch.period > 1 else ''}"
+    yield "touch", f"phase {touch.phase:.6f} of {cycles(touch.period, answer.case.between_teeth)}"
     yield (
         "multipliers",
         ", ".join(polar(m.re, m.im, m.modulus) for m in touch.multipliers if m.im >= 0.0),

@@ -14,6 +14,7 @@ from gearlash.system import Label, MotionKind
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
+from .words import cycles, side
 
 MOST_EVENTS = 24  # lines of contact events; all of them are in --json
 BOTH = 100  # columns from which contact events are shown in both kinds of numbers
@@ -33,9 +34,9 @@ def run_view(answer: RunAnswer, width: int) -> Iterator[Text]:
     yield from headline(answer.sentence, width)
     yield from facts("", list(_facts(answer, marks)), width)
     if answer.numbers:
-        yield from _amplitudes(answer.numbers, answer.physical, marks, width)
+        yield from _amplitudes(answer, answer.numbers, marks, width)
         if answer.numbers.events:
-            yield from _events(answer.numbers, answer.physical, marks, width)
+            yield from _events(answer, answer.numbers, marks, width)
         for other in answer.numbers.others:
             yield from _other(other, width)
     footnote = marks.footnote()
@@ -43,6 +44,8 @@ def run_view(answer: RunAnswer, width: int) -> Iterator[Text]:
         yield from note(footnote, width)
 
 
+GEAR_COUNTS = "mesh cycles in a period, impacts on the drive side, on the back side"
+COUNTS = "cycles in a period, impacts on side +, on side -"
 GEAR = ("omega", "D", "load")  # what a gear pair is shown by; of other systems, every parameter is
 
 
@@ -55,9 +58,10 @@ def _facts(answer: RunAnswer, marks: Marks) -> Iterator[tuple[str, str]]:
     if answer.physical:
         yield "", _operation(answer.physical, marks)
     if answer.signature:
+        counted = GEAR_COUNTS if answer.case.between_teeth else COUNTS
         yield (
             "signature",
-            f"{answer.label} (mesh cycles in a period, impacts on the drive side, on the back side"
+            f"{answer.label} ({counted}"
             + "".join(f"; those of {other.name}" for other in answer.signature.others)
             + ")",
         )
@@ -97,16 +101,15 @@ def _operation(found: PhysicalRun, marks: Marks) -> str:
     return ", ".join(parts)
 
 
-def _amplitudes(
-    numbers: MotionNumbers, physical: PhysicalRun | None, marks: Marks, width: int
-) -> Iterator[Text]:
+def _amplitudes(answer: RunAnswer, numbers: MotionNumbers, marks: Marks, width: int) -> Iterator[Text]:
     """Forces and displacements, each saying what kind of amplitude it is."""
+    physical, teeth = answer.physical, answer.case.between_teeth
     rows = list(_force_rows(numbers.force, physical.force_N if physical else None, marks))
     rows.append(("dynamic factor (peak over mean)", number(numbers.dynamic_factor, 4), ""))
-    rows += _length_rows(numbers, physical, marks)
-    cycles = f"{numbers.cycles:g} mesh cycle{'s' if numbers.cycles != 1 else ''}"
+    rows += _length_rows(numbers, physical, marks, teeth)
+    along = "Along the line of action" if teeth else "Along X"
     columns = [("", "left"), ("dimensionless", "right"), ("physical" if physical else "", "right")]
-    yield from table(f"Along the line of action, over {cycles}", columns, rows, width)
+    yield from table(f"{along}, over {cycles(numbers.cycles, teeth)}", columns, rows, width)
 
 
 def _force_rows(
@@ -118,31 +121,31 @@ def _force_rows(
 
 
 def _length_rows(
-    numbers: MotionNumbers, physical: PhysicalRun | None, marks: Marks
+    numbers: MotionNumbers, physical: PhysicalRun | None, marks: Marks, teeth: bool
 ) -> Iterator[tuple[str, str, str]]:
     error, apart = numbers.transmission_error, numbers.distances
-    values = {
-        "transmission error, peak-to-peak": error.peak_to_peak,
-        "transmission error, rms": error.rms,
-        "least X − D": apart.drive.minimum,
-        "largest X − D": apart.drive.maximum,
-        "least X + D⁻": apart.back.minimum,
-    }
+    what = "transmission error" if teeth else "X"
+    values = {f"{what}, peak-to-peak": error.peak_to_peak, f"{what}, rms": error.rms}
+    if "drive" in numbers.sides:
+        values |= {"least X − D": apart.drive.minimum, "largest X − D": apart.drive.maximum}
+    if "back" in numbers.sides:
+        values["least X + D⁻"] = apart.back.minimum
     unit = physical.um_per_length if physical else None
     for name, value in values.items():
         shown = marks(quantity(value * unit, "µm"), "length", "model") if unit is not None else ""
         yield name, number(value), shown
 
 
-def _events(numbers: MotionNumbers, physical: PhysicalRun | None, marks: Marks, width: int) -> Iterator[Text]:
+def _events(answer: RunAnswer, numbers: MotionNumbers, marks: Marks, width: int) -> Iterator[Text]:
     """In both kinds of numbers where there is room, else in physical ones."""
+    physical, teeth = answer.physical, answer.case.between_teeth
     dimensionless = physical is None or width >= BOTH
     columns = [("phase", "right"), ("", "left")]
     columns += [("X′", "right"), ("Φ", "right")] if dimensionless else []
     columns += [("time", "right"), ("velocity", "right"), ("force", "right")] if physical else []
     rows = []
     for i, event in enumerate(numbers.events[:MOST_EVENTS]):
-        row = [f"{event.phase:.5f}", f"{event.event}, {event.side}"]
+        row = [f"{event.phase:.5f}", f"{event.event}, {side(event.side, teeth)}"]
         row += [number(event.velocity), number(event.force)] if dimensionless else []
         row += _physical_event(physical.events[i], marks) if physical else []
         rows.append(row)
@@ -156,7 +159,10 @@ def _other(other: OtherClearance, width: int) -> Iterator[Text]:
     shown = other.events[:MOST_EVENTS]
     more = f", the first {len(shown)} of {len(other.events)}" if len(other.events) > len(shown) else ""
     columns = [("phase", "right"), ("", "left"), ("X′", "right"), ("Φ", "right")]
-    rows = [(f"{e.phase:.5f}", f"{e.event}, {e.side}", number(e.velocity), number(e.force)) for e in shown]
+    rows = [
+        (f"{e.phase:.5f}", f"{e.event}, {side(e.side, False)}", number(e.velocity), number(e.force))
+        for e in shown
+    ]
     if rows:
         yield from table(f"Contact events of {other.name}{more}", columns, rows, width)
     free = f"{100.0 * other.share_without_contact:.3g} % of the time"

@@ -97,7 +97,7 @@ def _cycles(raw: Mapping[str, Any], reading: Reading) -> int:
     cycles = raw.get("cycles", 1)
     if isinstance(cycles, int) and not isinstance(cycles, bool) and 1 <= cycles <= MOST_CYCLES:
         return cycles
-    reading.wrong("cycles", cycles, f"a whole number from 1 to {MOST_CYCLES}: mesh cycles in the base period")
+    reading.wrong("cycles", cycles, f"a whole number from 1 to {MOST_CYCLES}: cycles of ω in the base period")
     return 1
 
 
@@ -124,7 +124,7 @@ def _parameters(
         else:
             entries[name] = Entry(name, path, *_parts(read_value))
     if "omega" not in found:
-        expected = "the frequency of the mesh cycle dθ/dτ, a number above 0"
+        expected = "the frequency dθ/dτ of the forcing, a number above 0"
         reading.missing("parameters.omega", expected)
         found["omega"] = {}
     return found, entries
@@ -204,7 +204,7 @@ def _clearances(raw: Mapping[str, Any], reading: Reading) -> tuple[list[Structur
 def _clearance_name(table: Mapping[str, Any], i: int, taken: list[str], reading: Reading) -> str | None:
     path = f"clearance[{i}].name"
     if "name" not in table:
-        reading.missing(path, 'the name of this clearance, such as "mesh"')
+        reading.missing(path, 'the name of this clearance, such as "stop"')
         return None
     name = reading.label(table["name"], path)
     if name in taken:

@@ -74,7 +74,7 @@ def piecewise_schema(source: dict[str, Any]) -> dict[str, Any]:
         },
         "cycles": {
             "type": "integer",
-            "description": "mesh cycles in the base period",
+            "description": "cycles of ω in the base period",
             "minimum": 1,
             "maximum": MOST_CYCLES,
             "default": 1,
