@@ -165,6 +165,39 @@ class Case(Record):
         """
         return self.content.resolve(self.name, given.a_text("name of a parameter", name), value)
 
+    def varying(self, name: str) -> Case:
+        """The case with a family in which one more stated or estimated quantity varies.
+
+        Speed, backlash, torque and whatever else the model itself knows vary anyway. Of anything else (mean
+        stiffness, face width, profile shift, whole numbers of teeth) each member of the family is a case of
+        its own with estimates of its own, in the units of this one: what is stated stays as it is stated.
+
+        Parameters
+        ----------
+        name : str
+            Path or short name.
+
+        Returns
+        -------
+        Case
+            In whose family the path is a parameter, in SI. This one, where it is a parameter already.
+
+        Raises
+        ------
+        UnknownNameError
+            For what the case does not have, or what cannot vary.
+
+        Examples
+        --------
+        >>> import gearlash as gl
+        >>> case = gl.load_case("article").varying("mesh.mean_stiffness")
+        >>> stiffer = case.family()[0].system({"mesh.mean_stiffness": 4e8})
+        >>> round(float(stiffer.clearances[0].stiffness_plus[0]), 3)  # over the 3.2e8 N/m of the case
+        1.25
+        """
+        content = self.content.varying(given.a_text("name of a quantity", name))
+        return self if content is self.content else replace(self, structure=content.structure)
+
     def named(self, name: str, value: object) -> str:
         """The quantity that a name and a value mean together.
 

@@ -60,7 +60,7 @@ class BranchInputs:
         at: int | None,
     ) -> BranchInputs:
         """Raises `CaseError` or another `GearlashError` for what cannot be used."""
-        case = read_case(name, settings)
+        case = read_case(name, settings, [] if over is None else [over])
         family, _ = case.family()
         problems = _together(over, near, initial, resume, at)
         between = None if over is None else _read(problems, case, over)

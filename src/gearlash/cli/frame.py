@@ -40,12 +40,14 @@ class StudyInputs:
         case: str,
         settings: list[str] | None,
         initial: list[str] | None,
+        over: Sequence[str],
         read_axes: Callable[[Case], tuple[Over, ...]],
     ) -> StudyInputs:
-        """Reads the case, the axes and then the start. Raises `CaseError` for what cannot be used."""
+        """Reads the case, in which what ``over`` names varies, the axes and then the start. Raises
+        `CaseError` for what cannot be used."""
         from .inputs import read_case, read_start
 
-        chosen = read_case(case, settings)
+        chosen = read_case(case, settings, over)
         axes = read_axes(chosen)
         family, _ = chosen.family()
         start = read_start(family, family.complete(), initial) if initial else None

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from math import isfinite
 from typing import TYPE_CHECKING
@@ -14,7 +15,7 @@ from gearlash.case import Case, CaseError, Problem, load
 from gearlash.case.files import UnreadableError, read_file
 from gearlash.case.units import behind_number
 from gearlash.case.words import nearest_name
-from gearlash.system import Family, GearlashError, given
+from gearlash.system import Family, GearlashError, UnknownNameError, given
 
 if TYPE_CHECKING:
     import numpy as np
@@ -35,8 +36,9 @@ class Over:
     unit: str = ""
 
 
-def read_case(name: str, settings: Iterable[str] | None = None) -> Case:
-    """The case in a file or the bundled one, with every ``NAME=VALUE`` of --set; all problems at once."""
+def read_case(name: str, settings: Iterable[str] | None = None, over: Iterable[str] = ()) -> Case:
+    """The case in a file or the bundled one, with every ``NAME=VALUE`` of --set; all problems at once. What
+    ``over`` names (``NAME=…``, or a name) varies in its family, where it can."""
     overrides, problems = assignments(settings or (), "--set")
     try:
         case = load(name, overrides)
@@ -44,6 +46,9 @@ def read_case(name: str, settings: Iterable[str] | None = None) -> Case:
         raise CaseError(name, [*problems, *error.problems]) from None
     if problems:
         raise CaseError(name, problems)
+    for text in over:
+        with suppress(UnknownNameError, CaseError):  # told, with what is valid, where its values are read
+            case = case.varying(text.partition("=")[0].strip())
     return case
 
 

@@ -22,6 +22,8 @@ from .tooth_pair import calculated_mesh
 
 USUAL_FIT, TIGHT_FIT, LOOSE_FIT = "25cd", "24e", "27b"
 """Of DIN 3967: what general mechanical engineering often has, and about the least and the most of it."""
+LEAST_LINE_LOAD = 1e3
+"""N/m: with less the formulas for the stiffness of teeth would end at none."""
 USUAL_LINE_LOAD = 100e3
 """N/m: where none is stated; the stiffness of teeth depends on it little."""
 
@@ -104,10 +106,11 @@ class Drawing:
 
     @property
     def line_load(self) -> float | None:
-        """F_t/b on the reference circle of the pinion, N/m."""
+        """F_t/b on the reference circle of the pinion, N/m; at least `LEAST_LINE_LOAD`."""
         if self.torque is None or self.pair.face_width == 0.0:
             return None
-        return 2.0 * abs(self.torque) / self.pair.pinion.reference_diameter / self.pair.face_width
+        load = 2.0 * abs(self.torque) / self.pair.pinion.reference_diameter / self.pair.face_width
+        return max(load, LEAST_LINE_LOAD)
 
 
 NAMES = (

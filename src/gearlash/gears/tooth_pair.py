@@ -27,6 +27,7 @@ from .materials import Material, named
 from .tooth_form import ToothForm, tooth_form
 
 _form = lru_cache(maxsize=64)(tooth_form)
+_gauss = lru_cache(maxsize=8)(np.polynomial.legendre.leggauss)
 
 
 @dataclass(frozen=True)
@@ -164,15 +165,25 @@ def pair_stiffness(
     1.03
     """
     bodies = (named("steel"), named("steel")) if materials is None else materials
+    loads, relative, teeth = _touch(pair, place, bodies)
+    return 1.0 / (contact_compliance(loads, relative, line_load, bodies) + teeth)
+
+
+@lru_cache(maxsize=4096)  # a mesh at another load asks for the same places
+def _touch(
+    pair: CylindricalPair, place: float, bodies: tuple[Material, Material]
+) -> tuple[tuple[ToothLoad, ToothLoad], float, float]:
+    """How both teeth are loaded at a place, the relative radius of curvature there, and their compliance."""
     oblique = cos(pair.pinion.base_helix_angle)
     curvatures = place / oblique, (pair.tangent_length - place) / oblique
     forms = [_form(gear) for gear in pair.gears]
     first, second = (tooth_load(form, rho) for form, rho in zip(forms, curvatures, strict=True))
     relative = curvatures[0] * curvatures[1] / sum(curvatures)
-    compliance = contact_compliance((first, second), relative, line_load, bodies)
-    for form, load, body in zip(forms, (first, second), bodies, strict=True):
-        compliance += tooth_compliance(form, load, body)
-    return 1.0 / compliance
+    teeth = sum(
+        tooth_compliance(form, load, body)
+        for form, load, body in zip(forms, (first, second), bodies, strict=True)
+    )
+    return (first, second), relative, teeth
 
 
 @dataclass(frozen=True)
@@ -226,7 +237,7 @@ def calculated_mesh(
     """
     start, end = pair.path_of_contact
     ratio, orders = pair.transverse_contact_ratio, np.arange(count + 1)
-    nodes, weights = np.polynomial.legendre.leggauss(48 + 8 * count)  # enough for the highest harmonic
+    nodes, weights = _gauss(48 + 8 * count)  # enough for the highest harmonic
     places = 0.5 * nodes
     values = [pair_stiffness(pair, start + (end - start) * (u + 0.5), line_load, materials) for u in places]
     turns = np.exp(-2j * pi * ratio * np.outer(orders, places))

@@ -17,7 +17,7 @@ from gearlash.case.note import Note
 from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.scales import Scales
 from gearlash.case.value import Value
-from gearlash.system import Family
+from gearlash.system import Family, UnknownNameError
 
 from . import listed
 
@@ -174,6 +174,30 @@ class Content(ABC):
             For a name that is no parameter of the family.
         """
         return listed.resolve(self.places, self.family().defaults, label, name, value)
+
+    def varying(self, name: str) -> Content:
+        """The content with one more parameter in its family; see `Case.varying`.
+
+        Parameters
+        ----------
+        name : str
+            Path or short name.
+
+        Returns
+        -------
+        Content
+            This one, where the name is that of a parameter.
+
+        Raises
+        ------
+        UnknownNameError
+            For what cannot vary.
+        """
+        known = self.family().defaults
+        place = listed.find(self.places, name)
+        if name not in known and (place is None or listed.key_of(place) not in known):
+            raise UnknownNameError("parameter to vary", name, known)
+        return self
 
     def named(self, name: str, value: object) -> str:
         """The quantity that a name and a value mean together; see `Case.named`.

@@ -53,7 +53,7 @@ def graze(
     from gearlash.cli.notice import load_engine
     from gearlash.cli.slow import tell_if_slow
 
-    chosen = read_case(case, settings)
+    chosen = read_case(case, settings, [over])
     short, changed = read_near(chosen, over, near, settings)
     named, unit = named_near(chosen, over, near)
     family, _ = chosen.family()

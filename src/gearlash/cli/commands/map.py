@@ -48,7 +48,7 @@ def map(
     from gearlash.cli.frame import StudyInputs, deliver
     from gearlash.cli.inputs import read_plane
 
-    asked = StudyInputs.read(case, settings, initial, lambda case: read_plane(case, over, settings))
+    asked = StudyInputs.read(case, settings, initial, over, lambda case: read_plane(case, over, settings))
     folder = asked.made_ready(out, ["map.nc", "map.json", "map.svg", "map.pdf"])
 
     from gearlash.cli.answers.map import map_answer

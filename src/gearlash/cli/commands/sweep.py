@@ -46,7 +46,7 @@ def sweep(
     from gearlash.cli.frame import StudyInputs, deliver
     from gearlash.cli.inputs import read_over
 
-    asked = StudyInputs.read(case, settings, initial, lambda case: (read_over(case, over, settings),))
+    asked = StudyInputs.read(case, settings, initial, [over], lambda case: (read_over(case, over, settings),))
     chosen = {"cold": cold, "up": up, "down": down}
     ways = [name for name, wanted in chosen.items() if wanted] or list(chosen)
     folder = asked.made_ready(out, ["sweep.nc", "sweep.json", "sweep.svg", "sweep.pdf"])

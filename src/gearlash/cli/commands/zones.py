@@ -68,7 +68,7 @@ def zones(
     from gearlash.cli.frame import StudyInputs, deliver
     from gearlash.cli.inputs import read_over
 
-    asked = StudyInputs.read(case, settings, initial, lambda case: (read_over(case, over, settings),))
+    asked = StudyInputs.read(case, settings, initial, [over], lambda case: (read_over(case, over, settings),))
     (along,) = asked.axes
     kinds = _kinds(kind, asked.family, along.short, along.values.tolist())
     folder = asked.made_ready(out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf"])

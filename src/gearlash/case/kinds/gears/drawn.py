@@ -24,6 +24,8 @@ FITS = tuple(
 )
 GEAR_SPEED, GEAR_TORQUE, POWERED = "operation.gear_speed", "operation.gear_torque", "operation.power"
 PLAY = "mesh.backlash_circumferential"
+WIDTH = "mesh.face_width"
+BOTH_WIDTHS = {WIDTH: ("pinion.face_width", "gear.face_width")}
 CENTRE, SHIFT_SUM = "mesh.centre_distance", "mesh.shift_sum"
 MEASURES = ("span", "over_balls", "over_pins")
 """What is measured on a gear: it tells the profile shift, or the allowance beside a stated shift."""
@@ -78,6 +80,7 @@ def of_gear(gear: str) -> Iterator[Quantity]:
 
 def of_mesh() -> Iterator[Quantity]:
     """What the table [mesh] may hold."""
+    yield positive(WIDTH, LENGTH, "mm", "40 mm", "face width b of both gears", 5)
     yield positive(CENTRE, LENGTH, "mm", "125 mm", "centre distance a_w", 50)
     yield number(SHIFT_SUM, "0.4", "sum of the profile shifts x_1 + x_2", -6.0, 6.0)
     what = "tolerance grade of the centre distance: the 7 of js7"
@@ -107,5 +110,5 @@ KEYS = frozenset(
     for place in (*(q for gear in GEARS for q in of_gear(gear)), *of_mesh(), *of_operation(), *options())
 )
 """Words of a drawing."""
-GEOMETRY = KEYS - {GEAR_SPEED, GEAR_TORQUE, POWERED}
+GEOMETRY = KEYS - {GEAR_SPEED, GEAR_TORQUE, POWERED, WIDTH}
 """Those that say something of the teeth or their bodies."""

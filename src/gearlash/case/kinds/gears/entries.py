@@ -39,9 +39,7 @@ def collect(places: Places, stated: Mapping[str, Stated]) -> tuple[Entries, list
 
 def entries_of(places: Places, path: str, stated: Stated) -> list[Entry]:
     """The entries that one stated value makes: one, or several (the damping of all bearings)."""
-    place = places.quantities.get(path)
-    key = place.key if place else path
-    keys = places.together.get(key, (key,))
+    keys = places.keys(places.all[path])
     return [Entry(k, path, stated.value, stated.text, stated.provenance, stated.reason) for k in keys]
 
 
@@ -155,9 +153,15 @@ def override(
                 problems.append(Problem(name, shown(raw), error.expected, error.nearest))
             else:
                 stated[place.path] = overridden(value)
-    replaced, clashes = collect(places, stated)
-    kept = {key: e for key, e in entries.items() if replaced.keys().isdisjoint(rivals(key))}
-    return ordered(places, {**kept, **replaced}), problems + clashes
+    _, clashes = collect(places, stated)
+    return replaced(places, entries, stated), problems + clashes
+
+
+def replaced(places: Places, entries: Mapping[str, Entry], stated: Mapping[str, Stated]) -> Entries:
+    """Entries with values stated at these paths instead of their own, and of what says the same."""
+    new, _ = collect(places, stated)
+    kept = {key: e for key, e in entries.items() if new.keys().isdisjoint(rivals(key))}
+    return ordered(places, {**kept, **new})
 
 
 def ordered(places: Places, entries: Mapping[str, Entry]) -> Entries:

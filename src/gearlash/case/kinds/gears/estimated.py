@@ -25,9 +25,6 @@ from .rules import EntriesByKey, PairRules
 from .shared import HIGHEST_HARMONIC
 from .teeth import Teeth
 
-LEAST_HARMONIC = 1e-3
-"""Of the mean stiffness: smaller harmonics of the stiffness behind the last larger one are left out."""
-
 
 @dataclass(frozen=True)
 class Completed:
@@ -239,22 +236,17 @@ _PATHS = {
 
 def _entries(rules: PairRules, found: Mapping[str, Estimate]) -> Iterator[Entry]:
     """Estimates as entries of this kind of pair."""
-    orders = [
-        n for n in range(1, HIGHEST_HARMONIC + 1) if abs(_value(found, f"ripple_{n}")) >= LEAST_HARMONIC
-    ]
     for name, one in found.items():
         table, _, leaf = name.partition("_")
         path = _PATHS.get(name, f"{table}.{leaf}")
         if name.startswith("ripple_"):
-            if int(leaf) > max(orders, default=1):
-                continue
             path = "mesh.ripple" if leaf == "1" else f"mesh.{name}"
         elif leaf.startswith("bearing_"):
             path = f"{table}.bearing_stiffness_{leaf[-1]}"
         place = rules.places.quantities.get(path)
         if place is None:
             continue  # a value that this kind of pair has no place for
-        for key in rules.places.together.get(place.key, (place.key,)):
+        for key in rules.places.keys(place):
             yield Entry(key, path, one.value, "", Provenance.ASSUMED, one.source, one.least, one.greatest)
 
 
@@ -262,10 +254,6 @@ def _stated(entries: EntriesByKey, key: str) -> bool:
     """Is it stated, or does a stated mass say it?"""
     gear, _, leaf = key.partition(".")
     return key in entries or (leaf == "inertia" and f"{gear}.mass" in entries)
-
-
-def _value(found: Mapping[str, Estimate], name: str) -> float:
-    return found[name].value if name in found else 0.0
 
 
 def _refused(entries: EntriesByKey, stated: EntriesByKey) -> Iterator[Problem]:

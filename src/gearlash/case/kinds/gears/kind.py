@@ -15,15 +15,14 @@ from gearlash.case.scales import Scales
 from gearlash.case.value import Value
 from gearlash.system import Family
 
-from .checks import contradictions, missing
 from .curves import TABLE, read_curves
 from .curves_schema import curves_schema
 from .entries import collect, freeze_reference, override
-from .estimated import Completed, complete, is_drawn, is_estimable
+from .estimated import Completed, complete
 from .excitation import Curves, teeth_of
 from .mean_stiffness import KEY as MEAN_STIFFNESS
 from .mean_stiffness import with_mean_stiffness
-from .naming import named, resolve
+from .naming import named, resolve, to_vary
 from .notes import notes
 from .pair import GearPair
 from .records import Numbers
@@ -34,10 +33,13 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
+VARIED = "varied"
+"""Where the structure of a case lists the paths of what varies beside the parameters of its model."""
+
 
 @dataclass(frozen=True)
 class GearContent(Content):
-    """A gear pair: all of it is in the entries, which are those that were stated."""
+    """A gear pair: all of it is in the entries, which are those that were stated, but for what varies."""
 
     rules: PairRules
 
@@ -47,13 +49,13 @@ class GearContent(Content):
         return self.structure.get(TABLE, {})
 
     @cached_property
-    def completed(self) -> Completed:
-        """With what is estimated."""
-        return complete(self.rules, self.entries, self.curves)
-
-    @cached_property
     def pair(self) -> GearPair:
-        return GearPair(self.rules, self.completed.entries, self.completed.drawing, self.curves)
+        return GearPair(self.rules, self.entries, self.curves, tuple(self.structure.get(VARIED, ())))
+
+    @property
+    def completed(self) -> Completed:
+        """Stated values with what is estimated."""
+        return self.pair.completed
 
     def family(self) -> Family:
         return self.pair.family()
@@ -67,13 +69,10 @@ class GearContent(Content):
         return self.pair.numbers
 
     def missing(self, present: Collection[str] = ()) -> list[Problem]:
-        problems = missing(self.rules, self.completed.entries, present)
-        if self.completed.problems or is_drawn({*self.entries, *present}):
-            problems = [p for p in problems if not is_estimable(p.path)]
-        return [*self.completed.problems, *problems]
+        return self.pair.lacks(present)
 
     def contradictions(self) -> list[Problem]:
-        return contradictions(self.rules, self.completed.entries, self.curves)
+        return self.pair.contradicted()
 
     def override(self, overrides: Mapping[str, object]) -> tuple[Content, list[Problem]]:
         entries, problems = override(self.rules.places, self.entries, overrides)
@@ -81,6 +80,13 @@ class GearContent(Content):
 
     def resolve(self, label: str, name: str, value: object) -> tuple[str, float]:
         return resolve(self.pair, label, name, value)
+
+    def varying(self, name: str) -> Content:
+        path = to_vary(self.pair, name)
+        varied = self.structure.get(VARIED, ())
+        if path is None or path in varied:
+            return self
+        return replace(self, structure={**self.structure, VARIED: [*varied, path]})
 
     def named(self, name: str, value: object) -> str:
         return named(self.pair, name, value)

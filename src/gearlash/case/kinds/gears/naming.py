@@ -9,7 +9,8 @@ from gearlash.case.quantity import Quantity
 from gearlash.case.stated import ValueRefusedError, read_stated
 from gearlash.system import UnknownNameError
 
-from .entries import place_for
+from .entries import place_for, place_of
+from .keys import REFERENCE
 from .pair import GearPair
 from .units import to_dimensionless
 
@@ -20,8 +21,8 @@ def resolve(pair: GearPair, label: str, name: str, value: object) -> tuple[str, 
     place = place_for(pair.places, name, value, pair.scales.physical)
     if isinstance(place, Problem):
         raise CaseError(label, [place])
-    short = place.key if isinstance(place, Quantity) else place.path
     known = pair.family().defaults
+    short = place.key if isinstance(place, Quantity) and place.key in known else place.path
     if short not in known or not isinstance(place, Quantity):
         raise UnknownNameError("parameter to vary", name, {*known, *_physical_names(pair, known)})
     try:
@@ -29,6 +30,23 @@ def resolve(pair: GearPair, label: str, name: str, value: object) -> tuple[str, 
     except ValueRefusedError as error:
         raise CaseError(label, [Problem(name, shown(value), error.expected, error.nearest)]) from None
     return short, to_dimensionless(pair.scales, place.path, float(stated.value))
+
+
+def to_vary(pair: GearPair, name: str) -> str | None:
+    """The path of a quantity of the case that is no parameter of its model; None for one that is. Raises
+    `UnknownNameError` for what this case does not have, and `CaseError` for a name of several."""
+    known = pair.family().defaults
+    place = place_of(pair.places, name)
+    if isinstance(place, Problem):
+        raise CaseError(name, [place])
+    if place.path in known or (isinstance(place, Quantity) and place.key in known):
+        return None
+    entry = pair.entries.get(pair.places.keys(place)[0])
+    varies = isinstance(place, Quantity) and place.path not in (REFERENCE, f"dimensionless.{place.key}")
+    if varies and entry is not None and not entry.dimensionless and pair.scales.physical:
+        return place.path
+    stated = [e.path for e in pair.entries.values() if e.path in pair.places.quantities]
+    raise UnknownNameError("quantity to vary", name, {*known, *stated})
 
 
 def named(pair: GearPair, name: str, value: object) -> str:

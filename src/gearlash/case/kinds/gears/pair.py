@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from gearlash.case.errors import Problem
 from gearlash.case.scales import Scales
 from gearlash.case.units import NUMBER, TORQUE, unit
-from gearlash.gears.estimates import Drawing
 from gearlash.system import Family
 
+from .checks import contradictions, missing
+from .estimated import Completed, complete, is_drawn, is_estimable
 from .excitation import Curves, Reconstructed, reconstructed
 from .numbers import numbers
 from .places import Places
+from .recomputed import recomputed
 from .records import Numbers
 from .rules import EntriesByKey, PairRules
 from .units import to_physical
@@ -23,18 +27,41 @@ from .units import to_physical
 
 @dataclass(frozen=True)
 class GearPair:
-    """Values by key, stated and estimated, the rules of their kind, the drawing where one is known, and
-    curves by name."""
+    """Stated values by key, the rules of their kind, curves by name, and the paths of values that vary
+    although they are no parameters of the model."""
 
     rules: PairRules
-    entries: EntriesByKey
-    drawing: Drawing | None = None
+    stated: EntriesByKey
     curves: Curves = field(default_factory=dict)
+    varied: tuple[str, ...] = ()
+
+    @cached_property
+    def completed(self) -> Completed:
+        """With what is estimated."""
+        return complete(self.rules, self.stated, self.curves)
+
+    @property
+    def entries(self) -> EntriesByKey:
+        """Stated and estimated values by key."""
+        return self.completed.entries
+
+    def lacks(self, present: Collection[str] = ()) -> list[Problem]:
+        """What is missing, and why nothing can be estimated; ``present`` are paths known to be stated, if
+        wrongly."""
+        found = missing(self.rules, self.entries, present)
+        if self.completed.problems or is_drawn({*self.stated, *present}):
+            found = [p for p in found if not is_estimable(p.path)]
+        return [*self.completed.problems, *found]
+
+    def contradicted(self) -> list[Problem]:
+        """What of a pair that lacks nothing contradicts what else it states."""
+        return contradictions(self.rules, self.entries, self.curves)
 
     @cached_property
     def numbers(self) -> Numbers:
         """Parameters, fixed numbers, scales and body."""
-        teeth = None if self.drawing is None else self.drawing.pair
+        drawing = self.completed.drawing
+        teeth = None if drawing is None else drawing.pair
         return numbers(self.rules, self.entries, teeth, self.curves)
 
     @property
@@ -51,13 +78,17 @@ class GearPair:
         return reconstructed(self.curves, self.entries, self.scales)
 
     def family(self) -> Family:
-        return self.rules.family(self.numbers)
+        """With estimates made again where a member of the family is not at the torque of the case, and where
+        what they rest on varies."""
+        own = self.rules.family(self.numbers)
+        return recomputed(self, own) if self.varied or self.completed.follows_torque else own
 
     def physical(self, short: str, value: ArrayLike) -> list[tuple[str, NDArray[np.float64], str]]:
         """(path, values, unit) for every physical way to name a parameter with these values."""
         if not self.scales.physical:
             return []
         ways = [path for path in self.places.two_way.get(short, ()) if not path.startswith("dimensionless.")]
+        ways += [path for path in self.varied if path == short]
         found = []
         for path in ways:
             place = self.places.quantities[path]

@@ -50,6 +50,11 @@ class Places:
         """Quantities, then options."""
         return {**self.quantities, **self.choices}
 
+    def keys(self, place: Quantity | Choice) -> tuple[str, ...]:
+        """The keys of the entries that a value at this place makes: one, or several."""
+        key = place.key if isinstance(place, Quantity) else place.path
+        return self.together.get(key, (key,))
+
     def chosen(self, entries: Mapping[str, Entry], path: str) -> str:
         """The name of an option: the stated one or the default."""
         return str(entries[path].value) if path in entries else self.choices[path].default

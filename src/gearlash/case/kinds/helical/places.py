@@ -70,6 +70,6 @@ PLACES = Places.of(
     _quantities(),
     _choices(),
     _ways(),
-    {"bearing_damping": tuple(f"bearing_damping_{bearing}" for bearing in BEARINGS)},
+    {"bearing_damping": tuple(f"bearing_damping_{bearing}" for bearing in BEARINGS), **drawn.BOTH_WIDTHS},
     {OTHER_MODULE: MODULE},
 )

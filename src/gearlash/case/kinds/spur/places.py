@@ -37,4 +37,4 @@ def _choices() -> Iterator[Choice]:
     yield Choice(PROJECTION, both, Projection.BASE, shared.PROJECTED)
 
 
-PLACES = Places.of(_quantities(), _choices(), shared.ways(), same={OTHER_MODULE: MODULE})
+PLACES = Places.of(_quantities(), _choices(), shared.ways(), drawn.BOTH_WIDTHS, {OTHER_MODULE: MODULE})
