@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,7 +20,7 @@ from .estimated import Completed, complete, is_drawn, is_estimable
 from .excitation import Curves, Reconstructed, reconstructed
 from .numbers import numbers
 from .places import Places
-from .recomputed import recomputed
+from .recomputed import Pair, recomputed
 from .records import Numbers
 from .rules import EntriesByKey, PairRules
 from .units import to_physical
@@ -34,6 +35,10 @@ class GearPair:
     stated: EntriesByKey
     curves: Curves = field(default_factory=dict)
     varied: tuple[str, ...] = ()
+
+    def with_stated(self, stated: EntriesByKey) -> GearPair:
+        """The pair with these stated values, of which none varies."""
+        return replace(self, stated=stated, varied=())
 
     @cached_property
     def completed(self) -> Completed:
@@ -81,7 +86,10 @@ class GearPair:
         """With estimates made again where a member of the family is not at the torque of the case, and where
         what they rest on varies."""
         own = self.rules.family(self.numbers)
-        return recomputed(self, own) if self.varied or self.completed.follows_torque else own
+        if not self.varied and not self.completed.follows_torque:
+            return own
+        # a cached property is no property to type checkers, but is one to whoever reads it
+        return recomputed(cast("Pair", self), own)
 
     def physical(self, short: str, value: ArrayLike) -> list[tuple[str, NDArray[np.float64], str]]:
         """(path, values, unit) for every physical way to name a parameter with these values."""

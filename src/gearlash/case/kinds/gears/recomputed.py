@@ -13,26 +13,61 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gearlash.case.errors import Problem
 from gearlash.case.quantity import Quantity
 from gearlash.case.scales import Scales
 from gearlash.case.stated import Stated
 from gearlash.system import Family, GearlashError, Parameter, System
 
 from .entries import replaced
+from .estimated import Completed
+from .places import Places
+from .records import Numbers
+from .rules import EntriesByKey, PairRules
 from .units import to_dimensionless, to_physical
-
-if TYPE_CHECKING:
-    from .pair import GearPair
 
 TORQUE = "operation.torque"
 
 
-def recomputed(pair: GearPair, own: Family) -> Family:
+class Pair(Protocol):
+    """A gear pair with its numbers, as `pair.GearPair` is one."""
+
+    @property
+    def rules(self) -> PairRules: ...
+    @property
+    def stated(self) -> EntriesByKey: ...
+    @property
+    def varied(self) -> tuple[str, ...]: ...
+    @property
+    def completed(self) -> Completed: ...
+    @property
+    def entries(self) -> EntriesByKey: ...
+    @property
+    def numbers(self) -> Numbers: ...
+    @property
+    def places(self) -> Places: ...
+    @property
+    def scales(self) -> Scales: ...
+
+    def with_stated(self, stated: EntriesByKey) -> Pair:
+        """The pair with these stated values, of which none varies."""
+        ...
+
+    def lacks(self) -> list[Problem]:
+        """What is missing."""
+        ...
+
+    def contradicted(self) -> list[Problem]:
+        """What contradicts itself."""
+        ...
+
+
+def recomputed(pair: Pair, own: Family) -> Family:
     """The family ``own`` of a pair with members estimated for themselves, and what varies as parameters."""
     extra = tuple(_parameter(pair, path) for path in pair.varied)
     members = _Members(pair, own, tuple(p.name for p in extra))
@@ -46,7 +81,7 @@ def recomputed(pair: GearPair, own: Family) -> Family:
     return Family((*own.parameters, *extra), own.states, build, cold_start)
 
 
-def _parameter(pair: GearPair, path: str) -> Parameter:
+def _parameter(pair: Pair, path: str) -> Parameter:
     place = pair.places.quantities[path]
     value = _number(pair, path)
     lower = np.nextafter(place.lower, 1.0) if place.above else place.lower
@@ -56,7 +91,7 @@ def _parameter(pair: GearPair, path: str) -> Parameter:
 class _Members:
     """Members of the family of a pair, each found once."""
 
-    def __init__(self, pair: GearPair, own: Family, extra: tuple[str, ...]):
+    def __init__(self, pair: Pair, own: Family, extra: tuple[str, ...]):
         self.pair, self.own, self.extra = pair, own, extra
         self._defaults = {name: _number(pair, name) for name in extra}
         self._torque = _torque(pair)
@@ -85,23 +120,23 @@ class _Members:
             moved.append((TORQUE, float(self.pair.scales.torque(own["load"]))))
         return own, tuple(moved)
 
-    def _other(self, moved: tuple[tuple[str, float], ...]) -> tuple[GearPair, Family]:
+    def _other(self, moved: tuple[tuple[str, float], ...]) -> tuple[Pair, Family]:
         """The pair with these quantities (SI), and its own family."""
         stated = {
             path: Stated(_whole(self.pair.places.quantities[path], value), f"{value!r}")
             for path, value in moved
         }
         torque = stated.pop(TORQUE, None)
-        other = replace(self.pair, stated=replaced(self.pair.places, self.pair.stated, stated), varied=())
+        other = self.pair.with_stated(replaced(self.pair.places, self.pair.stated, stated))
         _check(other)
         if torque is not None:  # as far from that of the case, whatever moved that of this one
             value = _torque(other) + float(torque.value) - self._torque
             at = {TORQUE: Stated(value, f"{value!r}")}
-            other = replace(other, stated=replaced(other.places, other.stated, at))
+            other = other.with_stated(replaced(other.places, other.stated, at))
             _check(other)
         return other, other.rules.family(other.numbers)
 
-    def _values(self, own: Mapping[str, float], other: GearPair, family: Family) -> dict[str, float]:
+    def _values(self, own: Mapping[str, float], other: Pair, family: Family) -> dict[str, float]:
         """Its parameters: those of its own, and beside them what these values are beside the case."""
         found = dict(family.defaults)
         for name, value in own.items():
@@ -119,7 +154,7 @@ class _Members:
         return found
 
 
-def _path(pair: GearPair, name: str) -> str:
+def _path(pair: Pair, name: str) -> str:
     """Where a parameter stands physically."""
     entry = pair.entries.get(name)
     if entry is not None and not entry.dimensionless:
@@ -127,11 +162,11 @@ def _path(pair: GearPair, name: str) -> str:
     return pair.places.two_way.get(name, (name,))[0] if name != "omega" else "operation.mesh_frequency"
 
 
-def _number(pair: GearPair, path: str) -> float:
+def _number(pair: Pair, path: str) -> float:
     return pair.entries[pair.places.keys(pair.places.quantities[path])[0]].number
 
 
-def _torque(pair: GearPair) -> float:
+def _torque(pair: Pair) -> float:
     """Of the pinion, N·m."""
     return float(pair.scales.torque(pair.numbers.parameters["load"]))
 
@@ -142,7 +177,7 @@ def _whole(place: Quantity, value: float) -> float:
     return value
 
 
-def _check(pair: GearPair) -> None:
+def _check(pair: Pair) -> None:
     """Raises `GearlashError` where no such pair can be."""
     problems = pair.lacks() or pair.contradicted()
     if problems:
