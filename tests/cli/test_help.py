@@ -13,7 +13,7 @@ from cli.conftest import Gearlash
 from gearlash.case import bundled
 from gearlash.cli.app import app
 
-COMMANDS = ("run", "check", "sweep", "map", "branch", "graze", "zones", "reproduce", "schema")
+COMMANDS = ("report", "run", "check", "sweep", "map", "branch", "graze", "zones", "reproduce", "schema")
 HEAVY = ("numpy", "numba", "pint", "matplotlib", "xarray", "rich")
 
 

@@ -12,10 +12,11 @@ from cli.conftest import Gearlash
 from cli.schema_check import problems
 from gearlash.cli.answers.asked import Asked
 from gearlash.cli.answers.zones_parts import EndPoint, MarginFound, ZoneEnd, ZoneFound
-from gearlash.cli.answers.zones_words import event, headline
+from gearlash.cli.answers.zones_words import headline
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 from gearlash.cli.show.numbers import at_least
+from gearlash.results.zone_words import event
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
 DRIVE = str(CASES / "drive.toml")

@@ -12,6 +12,7 @@ ANSWER_KINDS = {
     "branch": "BranchAnswer",
     "graze": "GrazeAnswer",
     "zones": "ZonesAnswer",
+    "report": "ReportAnswer",
     "reproduce": "ReproduceAnswer",
     "problem": "ProblemAnswer",
 }

@@ -17,15 +17,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.system import ContactRule, Family, GearlashError, Parameter, System
+from gearlash.system.readout import Readout
 
 from .excitation import NOTHING, Excitation
 from .mesh import (
+    ERROR_READOUT,
     acceleration_forcing,
     harmonic_count,
     mesh_clearance,
     mesh_parameters,
     resting_displacement,
     rotation_parameter,
+    series,
 )
 from .spur import reject_unknown
 
@@ -34,6 +37,8 @@ BEARINGS = ("yp", "zp", "yg", "zg")
 """The four bearing directions, in the order of the states."""
 SPEEDS = np.array([1, 3, 5, 7])
 """Indices of Y_p′, Z_p′, Y_g′, Z_g′."""
+BEARING_WORDS = ("pinion, lateral", "pinion, axial", "gear, lateral", "gear, axial")
+"""What the four bearing directions are."""
 _EACH_DAMPING = tuple(f"bearing_damping_{b}" for b in BEARINGS)
 
 
@@ -168,6 +173,56 @@ def natural_frequencies(pair: HelicalPair, rotation_factor: float | None = None)
     mesh = np.append(pair.bearing_directions, c_t) * roots
     stiffness = np.diag(np.append(np.square(pair.bearing_frequencies), 0.0)) + np.outer(mesh, mesh)
     return np.sqrt(np.maximum(np.linalg.eigvalsh(stiffness), 0.0))  # rounding may go below zero
+
+
+def readouts(
+    pair: HelicalPair,
+    defaults: Mapping[str, float],
+    values: Mapping[str, float],
+    excitation: Excitation = NOTHING,
+) -> tuple[Readout, ...]:
+    """Forces of the bearings, and the transmission error.
+
+    A bearing force is that of all bearings of a shaft together in one direction, k_i y_i + c_i ẏ_i over
+    k_m D_c; the transmission error what the rotation of both gears alone gives along the line of action,
+    c_t (R_p θ_p − R_g θ_g)/D_c = X − c_y (Y_p − Y_g) − c_z (Z_p − Z_g) + E.
+
+    Parameters
+    ----------
+    pair : HelicalPair
+    defaults : mapping of str to float
+        As `family` got them.
+    values : mapping of str to float
+        Every parameter of that family by short name.
+    excitation : Excitation
+        As `family` got it.
+
+    Returns
+    -------
+    tuple of Readout
+        ``bearing_force_yp``, ``_zp``, ``_yg``, ``_zg``, then ``transmission_error``.
+
+    Examples
+    --------
+    >>> from gearlash.gears import HelicalPair, helical
+    >>> pair = HelicalPair(1.0, 1.0, 0.0, (0.5, 0.1), (0.7, 0.6, 0.4, 0.3))
+    >>> defaults = {"omega": 0.9, "D": 1.0, "load": 0.2, "bearing_damping": 0.1}
+    >>> first, *_, last = helical.readouts(pair, defaults, helical.family(pair, defaults).complete())
+    >>> first.row[:2].round(3).tolist(), last.row.tolist()
+    ([0.98, 0.28], [-1.0, 0.0, -0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0])
+    """
+    kappa = np.asarray(pair.bearing_frequencies)
+    ratios = _bearing_damping(values, _damping_parameters(defaults))
+    masses = 1.0 / np.repeat(pair.mass_ratios, 2)  # over m_e
+    found = []
+    for i, (name, words) in enumerate(zip(BEARINGS, BEARING_WORDS, strict=True)):
+        row = np.zeros(10)
+        row[2 * i], row[2 * i + 1] = masses[i] * kappa[i] ** 2, masses[i] * 2.0 * ratios[i] * kappa[i]
+        found.append(Readout(f"bearing_force_{name}", f"bearing force, {words}", "force", row))
+    turned = np.zeros(10)
+    turned[SPEEDS - 1], turned[8] = -pair.bearing_directions, 1.0
+    error = excitation.error_series(values, series(values, "error", 0.0, harmonic_count(values, "error")))
+    return (*found, Readout(*ERROR_READOUT, turned, error))
 
 
 def _undamped(pair: HelicalPair) -> NDArray[np.float64]:

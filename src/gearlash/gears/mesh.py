@@ -21,6 +21,8 @@ from .excitation import NOTHING, Excitation
 
 SMALLEST_OMEGA = 1e-9
 """Least mesh frequency: its period is finite."""
+ERROR_READOUT = "transmission_error", "dynamic transmission error", "length"
+"""Name, words and unit of what encoders on both shafts measure, along the line of action."""
 _HARMONIC = re.compile(r"(ripple|error)(_phase)?(?:_([1-9][0-9]*))?")
 
 

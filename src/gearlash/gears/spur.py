@@ -14,15 +14,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.system import ContactRule, Family, GearlashError, Parameter, System
+from gearlash.system.readout import Readout
 
 from .excitation import NOTHING, Excitation
 from .mesh import (
+    ERROR_READOUT,
     acceleration_forcing,
     harmonic_count,
     mesh_clearance,
     mesh_parameters,
     resting_displacement,
     rotation_parameter,
+    series,
 )
 
 STATES = ("X", "X'")
@@ -110,6 +113,32 @@ def natural_frequencies(rotation_factor: float = 1.0) -> NDArray[np.float64]:
     [0.9]
     """
     return np.sqrt(np.array([rotation_factor]))
+
+
+def readouts(values: Mapping[str, float], excitation: Excitation = NOTHING) -> tuple[Readout, ...]:
+    """The transmission error, X + E over D_c: what the rotation of both gears gives along the line of action.
+
+    Parameters
+    ----------
+    values : mapping of str to float
+        Every parameter of the family by short name.
+    excitation : Excitation
+        As `family` got it.
+
+    Returns
+    -------
+    tuple of Readout
+        ``transmission_error``.
+
+    Examples
+    --------
+    >>> from gearlash.gears import spur
+    >>> family = spur.family({"omega": 0.7, "D": 1.0, "load": 0.2, "error": 0.05})
+    >>> spur.readouts(family.complete())[0].offset.round(2).tolist()
+    [0.0, 0.05, -0.0]
+    """
+    error = excitation.error_series(values, series(values, "error", 0.0, harmonic_count(values, "error")))
+    return (Readout(*ERROR_READOUT, H, error),)
 
 
 def reject_unknown(defaults: Mapping[str, float], parameters: tuple[Parameter, ...]) -> None:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
 from numpy.typing import NDArray
@@ -27,11 +29,19 @@ WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
 KEY = "P-Q-R: P cycles with Q impacts on the drive side, R on the back side; R = 0 is left out."
 KEY_OF_SEVERAL = "P-Q-R/Q-R…: P cycles; of every gap in turn Q impacts on the drive side, R on the back side."
 CHARACTER = 1.25  # mm of a character of a region's label
+PRESENT: dict[str, Any] = {
+    "ls": "none", "marker": "*", "ms": 11.0, "mfc": style.YELLOW, "mec": style.INK, "mew": 0.8,
+}  # fmt: skip
 Array = NDArray[np.float64]
 
 
 @style.styled
-def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
+def plane(
+    dataset: xr.Dataset,
+    units: Units | None = None,
+    present: tuple[float, float] | None = None,
+    title: str = "",
+) -> Figure:
     """A map of two parameters: a region for every label, named where there is room.
 
     Parameters
@@ -40,6 +50,10 @@ def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
         Of `gearlash.plane_dataset`.
     units : Units, optional
         Second axes in physical units: `Units.of` a case.
+    present : (float, float), optional
+        The point of the case itself, which gets a mark.
+    title : str
+        In place of the case and its parameters.
 
     Returns
     -------
@@ -76,8 +90,11 @@ def plane(dataset: xr.Dataset, units: Units | None = None) -> Figure:
     twins = units.of_parameter(x), units.of_parameter(y)
     second(panel, twins[0], below=9.5)
     second(panel, twins[1], "y")
-    panel.set_title(_title(dataset, said, (x, y)), loc="left", fontsize=7.5)
-    handles = [_patch(fill) for fill in legend_order(looks)]
+    panel.set_title(literal(title) if title else _title(dataset, said, (x, y)), loc="left", fontsize=7.5)
+    handles: list[Patch | Line2D] = [_patch(fill) for fill in legend_order(looks)]
+    if present is not None:
+        panel.plot(*([at] for at in present), clip_on=False, zorder=6, **PRESENT)
+        handles.append(Line2D([], [], label="present point", **PRESENT))
     marked = any(twin is not None and twin.assumed for twin in twins)
     key = KEY_OF_SEVERAL if any(isinstance(each, Signature) and each.others for each in names) else KEY
     made.legend(

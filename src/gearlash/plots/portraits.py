@@ -17,7 +17,7 @@ from gearlash.studies.motion import Motion
 from . import style
 from .framing import Box, frame, zoom_frame
 from .regimes import short
-from .units import VELOCITY, Units, X, second
+from .units import VELOCITY, Units, X, literal, second
 from .words import ANY
 
 # Colour, line style and width of a stretch: drive side, free, back side.
@@ -125,7 +125,12 @@ def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str
 
 
 @style.styled
-def gallery(motions: Sequence[Motion], units: Units | None = None, parameter: str = "omega") -> Figure:
+def gallery(
+    motions: Sequence[Motion],
+    units: Units | None = None,
+    parameter: str = "omega",
+    titles: Sequence[str] = (),
+) -> Figure:
     """Phase portraits of coexisting motions under the same scales, three in a row.
 
     Parameters
@@ -135,6 +140,8 @@ def gallery(motions: Sequence[Motion], units: Units | None = None, parameter: st
         Second axes in physical units: `Units.of` a case.
     parameter : str
         Short name of the parameter whose value stands in the heading.
+    titles : sequence of str
+        In place of these headings.
 
     Returns
     -------
@@ -160,7 +167,8 @@ def gallery(motions: Sequence[Motion], units: Units | None = None, parameter: st
             continue
         draw(panel, motions[i])
         _limits(panel, full)
-        panel.set_title(f"({chr(97 + i)})  {heading(motions[i], parameter)}")
+        own = literal(titles[i]) if titles else heading(motions[i], parameter)
+        panel.set_title(f"({chr(97 + i)})  {own}")
         panel.set(xlabel=X, ylabel=VELOCITY if i % columns == 0 else "")
         second(panel, (units or Units()).length)
     figure.legend(handles=key(motions), loc="outside lower center", ncols=4 if columns > 1 else 2)

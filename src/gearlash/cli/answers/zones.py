@@ -9,6 +9,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
+from gearlash.results.zone_words import event
 from gearlash.system import Signature, Status, label_text
 
 from .asked import Asked
@@ -17,7 +18,7 @@ from .outcome import POINTS, study_status, troubles
 from .parts import CaseUsed, case_used, physical_values
 from .sweep import START, AxisUsed, axis_used, first_failure
 from .zones_parts import Assured, EndPoint, MarginFound, Resident, Stay, ZoneEnd, ZoneFound
-from .zones_words import Done, event, headline, until_stop
+from .zones_words import Done, headline, until_stop
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.studies.zone import Zone, ZoneMotion, Zones

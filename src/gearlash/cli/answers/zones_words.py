@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import floor, log10
+
+from gearlash.results.zone_words import percent
 
 from .asked import Asked
 from .zones_parts import MarginFound, ZoneEnd, ZoneFound
@@ -13,17 +14,6 @@ QUIET = {"impact-free": "free of impacts", "drive-side-only": "free of impacts o
 WHO = {True: "every attractor found", False: "at least one attractor found, but not everywhere for all"}
 ASSUMED_MARK = "†"  # behind a physical number that rests on an assumed value
 MOST_ZONES = 4  # further zones that are named
-CHANGES = {
-    "fold": "ends (fold)",
-    "doubling": "doubles its period (doubling)",
-    "Neimark-Sacker": "loses its stability (Neimark-Sacker)",
-    "branch point": "loses its stability (branch point)",
-    "joins the orbit of half its period": "ends in the orbit of half its period (doubling)",
-    "joins a symmetric orbit": "ends in a symmetric orbit",
-    "end of existence": "grows without bound (end of existence)",
-}
-BEGINS = {"fold": "begins"}
-SEEN_ONLY = "seen on the grid only"
 NO_END = ("end of the range", "not computed beyond")
 
 
@@ -119,31 +109,6 @@ def how_far(asked: Asked, margin: MarginFound, end: ZoneEnd, here: float, inward
     side = "below" if (inwards > 0) == (asked.factor > 0.0) else "above"
     at = asked.with_unit(asked.edge(end.inner(inwards), inwards, here))
     return f"at {at}, {_apart(asked, here, end, inwards)}{share} {side}"
-
-
-def percent(value: float) -> str:
-    """Two significant digits, rounded down."""
-    places = max(0, 1 - floor(log10(value))) if value > 0.0 else 0
-    return f"{floor(value * 10**places) / 10**places:.{places}f}"
-
-
-def event(end: ZoneEnd, between_teeth: bool) -> str:
-    """What happens at an end, as a clause."""
-    if end.kind == "grazing" and end.point is not None:
-        return f"{_touch(end.point.note, between_teeth)} (grazing)"
-    if end.point is not None and end.kind in CHANGES:
-        if end.inside in (end.point.label_before, end.point.label_after):
-            return f"the motion {CHANGES[end.kind]}"
-        return f"another motion, {end.outside}, {BEGINS.get(end.kind, 'becomes stable')} ({end.kind})"
-    return f"other motion is seen ({end.outside})" if end.kind == SEEN_ONLY else f"its end lies ({end.kind})"
-
-
-def _touch(note: str, between_teeth: bool) -> str:
-    """A grazing in the words of who runs a machine."""
-    side, teeth = " on the back side" if "back side" in note else "", "teeth " if between_teeth else ""
-    if note.startswith("loss of contact"):
-        return f"{teeth}begin to separate{side}" if teeth else f"contact begins to be lost{side}"
-    return f"{teeth}begin to hit{side}" if teeth else f"impacts begin{side}"
 
 
 def _apart(asked: Asked, here: float, end: ZoneEnd, inwards: int) -> str:

@@ -1,0 +1,153 @@
+"""gearlash report"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gearlash.cli.exits import ExitCode, code_of, command, delivery
+from gearlash.cli.options import AsJson, CaseArgument, MaxPeriod, Periods, Settings, Workers, folder
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
+    from gearlash.case import Case
+    from gearlash.cli.frame import StudyInputs
+    from gearlash.cli.inputs import Over
+    from gearlash.orbits import Settings as SearchSettings
+    from gearlash.report.pair import Contents
+    from gearlash.studies.assessment import Assessment
+
+POINTS = 201  # speeds at which quantities are measured
+
+
+@command
+def report(
+    case: CaseArgument,
+    over: Annotated[
+        str | None,
+        typer.Option(
+            metavar="SPEED=FROM:TO:COUNT",
+            help="Speeds to examine, such as pinion_speed=1000:6000rpm:201. [default: from half the case's "
+            "own to half more, 201]",
+        ),
+    ] = None,
+    settings: Settings = None,
+    periods: Periods = None,
+    max_period: MaxPeriod = None,
+    workers: Workers = None,
+    as_json: AsJson = False,
+    out: Annotated[
+        Path,
+        typer.Option(
+            "--out",
+            parser=folder,
+            metavar="DIR",
+            help="Folder of the report, made if missing. Files there that gearlash did not write are never "
+            "overwritten.",
+        ),
+    ] = Path("report"),
+) -> ExitCode:
+    """May this pair run where it is meant to? A verdict first, then one page with what it rests on.
+
+    The verdict is printed as soon as it stands. report.html (one file that works offline and prints) has it
+    with forces of mesh and bearings, transmission error and impacts over speed, motions, spectra and maps;
+    figures/ has them as SVG and PDF, and curves, histories and spectra lie beside as CSV and NetCDF. Ctrl-C
+    keeps what there is by then. It is an analysis, and no approval.
+    """
+    from gearlash.cli.frame import StudyInputs
+    from gearlash.results.pair_question import check_pair
+
+    asked = StudyInputs.read(case, settings, None, [over] if over else [], lambda case: (_over(case, over),))
+    check_pair(asked.case)
+    from gearlash.cli.answers.report import FILES
+
+    place = asked.made_ready(out, FILES)
+    assert place is not None  # there is a default
+
+    from gearlash.cli.answers.report import report_answer
+    from gearlash.cli.frame import show_answer
+    from gearlash.cli.terminal import show
+    from gearlash.cli.workers import executor_for
+    from gearlash.report.pair import render
+
+    search = asked.search(periods, max_period)
+    with executor_for(asked.case, workers, len(asked.axes[0].values)) as executor:
+        found = _assessed(asked, search, executor)
+        if not as_json:
+            show_answer(report_answer(found), False)
+        contents = _measured(asked, found, search, executor)
+        with delivery():
+            page = render(contents, place.path, None if contents.missing else executor)
+            answer = report_answer(found, contents, str(page))
+            from gearlash.cli.jsonio import write_file
+
+            write_file(answer, place.file("verdict.json"))
+            if as_json:
+                show_answer(answer, True)
+            else:
+                from gearlash.cli.show.report import done_view
+
+                show(done_view, answer)
+    return code_of(answer.status)
+
+
+def _over(case: Case, over: str | None) -> Over:
+    """The speeds as typed, or those around the case's own, which may lie anywhere among them."""
+    from gearlash.cli.inputs import Over, read_over
+    from gearlash.results.pair_question import SPEED, check_pair, speeds_around
+    from gearlash.system import GearlashError
+
+    if over is None:
+        check_pair(case)
+        return Over(SPEED, SPEED, speeds_around(case, POINTS).values)
+    found = read_over(case, over)
+    if found.short != SPEED:
+        raise GearlashError(f"--over {found.named}: a report goes over speed, such as pinion_speed or omega")
+    return found
+
+
+def _assessed(asked: StudyInputs, search: SearchSettings, executor: Executor) -> Assessment:
+    """The verdict's numbers."""
+    from gearlash.cli.interrupt import end_if_nothing
+    from gearlash.cli.progress import stage_bar
+    from gearlash.jobs import Execution
+    from gearlash.results import Axis
+    from gearlash.results.pair_question import VALUES
+    from gearlash.studies.assessment import assess
+
+    values = asked.axes[0].values
+    axis = Axis.even("omega", float(values[0]), float(values[-1]), min(VALUES, len(values)))
+    with stage_bar() as tell:
+        found = assess(asked.case, axis, settings=search, execution=Execution(executor), tell=tell)
+    end_if_nothing(found.signals is not None)
+    return found
+
+
+def _measured(asked: StudyInputs, found: Assessment, search: SearchSettings, executor: Executor) -> Contents:
+    """All else, as far as no signal comes."""
+    from gearlash.cli.interrupt import signalled
+    from gearlash.cli.progress import stage_bar
+    from gearlash.jobs import Execution
+    from gearlash.report.pair import Contents
+    from gearlash.report.pair.planes import plane_over
+    from gearlash.studies.speed_run import histories, speed_run
+
+    (axis,), execution, missing, maps = asked.ranges(), Execution(executor), [], {}
+    run = None
+    with stage_bar() as tell:
+        if not signalled():
+            run = speed_run(asked.case, axis, settings=search, execution=execution, tell=tell)
+        if run is None or not run.complete:
+            missing.append("curves over speed" if run is None else "part of the curves over speed")
+        for name in ("load", "D"):
+            if not signalled():
+                done = plane_over(found, name, search, execution, tell)
+                if done is not None:
+                    maps[name] = done
+            if name not in maps:
+                missing.append(f"the map over {name}")
+        tell("report", None)
+    return Contents(found, run, histories(found, run), maps, tuple(missing))

@@ -1,0 +1,185 @@
+"""What is measured over speed: panels one below the other, with bands, the present speed and resonances."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from numpy.typing import NDArray
+
+from . import style
+from .marks import Mark, height, texts
+from .units import Twin, literal
+
+Array = NDArray[np.float64]
+
+PANEL = 40.0  # mm of a panel
+WIDTH = 150.0  # mm of the panels, beside the labels
+SEPARATING, BACK = "#f6d9c8", "#e8c9dd"
+LOOKS = (
+    (style.BLUE, "o"),
+    (style.VERMILION, "s"),
+    (style.GREEN, "^"),
+    (style.PURPLE, "D"),
+)
+NOMINAL = {"color": style.INK, "lw": 1.1, "ls": (0, (5, 2))}
+RESONANCE = {"color": style.GREY, "lw": 0.6, "ls": (0, (1, 1.5))}
+FEW = 90  # values up to which each is a dot
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """One quantity over speed, from sweeps upwards and downwards.
+
+    Parameters
+    ----------
+    words : str
+        In the legend.
+    up, down : ndarray of shape (m,)
+        NaN where there is no motion; of ``down`` only what differs from ``up`` is drawn.
+    """
+
+    words: str
+    up: Array
+    down: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Stack:
+    """One panel: curves of one unit.
+
+    Parameters
+    ----------
+    label : str
+        Of its axis.
+    curves : tuple of Curve
+    second : (float, str), optional
+        A second axis on the right: what values are divided by, and its label.
+    """
+
+    label: str
+    curves: tuple[Curve, ...]
+    second: tuple[float, str] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class SpeedAxis:
+    """What all panels share.
+
+    Parameters
+    ----------
+    values : ndarray of shape (m,)
+    label : str
+    breaks : (ndarray of bool, ndarray of bool)
+        Of shape (m,), for up and down: whether the motion is another one than at the value below.
+    separating, back : tuple of (float, float)
+        Bands in which teeth separate, and in which the back side is met.
+    present : float
+    resonances : tuple of Mark
+    """
+
+    values: Array
+    label: str
+    breaks: tuple[NDArray[np.bool_], NDArray[np.bool_]]
+    separating: tuple[tuple[float, float], ...]
+    back: tuple[tuple[float, float], ...]
+    present: float
+    resonances: tuple[Mark, ...] = ()
+
+
+@style.styled
+def over_speed(axis: SpeedAxis, stacks: Sequence[Stack], title: str = "") -> Figure:
+    """Panels of curves over speed.
+
+    Parameters
+    ----------
+    axis : SpeedAxis
+    stacks : sequence of Stack
+    title : str
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    above = height(axis.resonances)
+    figure = style.figure(style.PAGE, above + PANEL * len(stacks) + 30.0)
+    panels = list(
+        figure.subplots(len(stacks) + 1, 1, sharex=True, height_ratios=[above, *[PANEL] * len(stacks)])
+    )
+    band, *rest = panels
+    band.set_xlim(float(axis.values[0]), float(axis.values[-1]))
+    texts(band, axis.resonances, WIDTH)
+    band.set_title(literal(title), pad=6.0)
+    for panel, stack in zip(rest, stacks, strict=True):
+        _shade(panel, axis)
+        _curves(panel, axis, stack)
+    rest[-1].set_xlabel(axis.label)
+    style.align_labels(rest, 13.0)
+    figure.legend(handles=list(_key(axis)), loc="outside lower center", ncols=4, columnspacing=1.4)
+    return figure
+
+
+def _shade(panel: Axes, axis: SpeedAxis) -> None:
+    for low, high in axis.separating:
+        panel.axvspan(low, high, facecolor=SEPARATING, edgecolor="none", zorder=0.1)
+    for low, high in axis.back:
+        panel.axvspan(low, high, facecolor="none", edgecolor=style.PURPLE, hatch="////", lw=0.0, zorder=0.2)
+    for mark in axis.resonances:
+        panel.axvline(mark.value, zorder=0.4, **RESONANCE)
+    panel.axvline(axis.present, zorder=0.5, **NOMINAL)
+
+
+def _curves(panel: Axes, axis: SpeedAxis, stack: Stack) -> None:
+    handles = []
+    for curve, (colour, marker) in zip(stack.curves, LOOKS, strict=False):
+        differs = ~np.isclose(curve.up, curve.down, rtol=1e-6, atol=0.0, equal_nan=True)
+        down = np.where(differs, curve.down, np.nan)
+        dots = {"ms": 2.6, "mew": 0.6} if len(axis.values) <= FEW else {"ms": 1.5, "mew": 0.4}
+        for values, breaks, look in (
+            (curve.up, axis.breaks[0], {"lw": 1.0, "mfc": colour}),
+            (down, axis.breaks[1], {"lw": 0.8, "ls": (0, (4, 1.5)), "mfc": "white"}),
+        ):
+            x, y = _broken(axis.values, values, breaks)
+            panel.plot(x, y, color=colour, marker=marker, mec=colour, **dots, **look)
+        handles.append(Line2D([], [], color=colour, marker=marker, ms=3.0, label=curve.words))
+    panel.set_ylabel(stack.label)
+    panel.margins(y=0.08)
+    low, high = panel.get_ylim()
+    if low > 0.0 and low < 0.6 * high:
+        panel.set_ylim(0.0, high)
+    if not high > low:
+        panel.set_ylim(low - 0.5, low + 0.5)
+    if stack.second is not None:
+        unit, label = stack.second
+        twin = Twin(unit, "", "")
+        panel.tick_params(which="both", right=False)
+        right = panel.secondary_yaxis("right", functions=(twin.back, twin))
+        right.set_ylabel(label)
+    panel.legend(handles=handles, loc="upper left", ncols=len(handles), fontsize=7.0, columnspacing=1.2,
+                 facecolor="white", framealpha=0.8, frameon=True, edgecolor="none")  # fmt: skip
+
+
+def _broken(x: Array, y: Array, breaks: NDArray[np.bool_]) -> tuple[Array, Array]:
+    """Both with a gap before every value at which another motion begins."""
+    at = np.flatnonzero(breaks)
+    return np.insert(x, at, np.nan), np.insert(y, at, np.nan)
+
+
+def _key(axis: SpeedAxis) -> Iterator[Line2D | Patch]:
+    yield Line2D([], [], color=style.INK, lw=1.0, marker="o", ms=2.6, label="speed going up")
+    yield Line2D(
+        [], [], color=style.INK, lw=0.8, ls=(0, (4, 1.5)), marker="o", ms=2.6, mfc="white",
+        label="going down, where another motion",
+    )  # fmt: skip
+    yield Line2D([], [], label="present speed", **NOMINAL)
+    if axis.separating:
+        yield Patch(facecolor=SEPARATING, label="teeth separate")
+    if axis.back:
+        yield Patch(facecolor="white", edgecolor=style.PURPLE, hatch="////", lw=0.0, label="back side met")
+    if axis.resonances:
+        yield Line2D([], [], label="mesh order meets a natural frequency", **RESONANCE)

@@ -1,0 +1,87 @@
+"""Order spectra: levels of single lines over multiples of the mesh frequency."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from . import style
+from .units import literal
+
+Array = NDArray[np.float64]
+
+HIGHEST = 10.0  # order that is drawn
+FLOOR = 100.0  # dB below the highest line
+MOST_STEMS = 60  # lines; more are drawn as a curve
+
+
+@dataclass(frozen=True, eq=False)
+class Levels:
+    """The lines of one quantity.
+
+    Parameters
+    ----------
+    words : str
+        Title of its panel.
+    label : str
+        Of the axis, with the reference.
+    order, level : ndarray of shape (n,)
+        Order of mesh frequency and level in dB; without the mean.
+    """
+
+    words: str
+    label: str
+    order: Array
+    level: Array
+
+
+@style.styled
+def order_spectra(rows: Sequence[Sequence[Levels]], titles: Sequence[str]) -> Figure:
+    """Spectra side by side: a column for every motion, a row for every quantity.
+
+    Parameters
+    ----------
+    rows : sequence of sequences of Levels
+        Rows of one quantity, with one entry for every motion.
+    titles : sequence of str
+        Of the columns.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    figure = style.figure(style.PAGE, 42.0 * len(rows) + 14.0)
+    panels = figure.subplots(len(rows), len(titles), squeeze=False, sharex=True, sharey="row")
+    for row, line in zip(rows, panels, strict=True):
+        top = max(float(levels.level.max(initial=-np.inf)) for levels in row)
+        for i, (levels, panel) in enumerate(zip(row, line, strict=True)):
+            _draw(panel, levels, top - FLOOR)
+            panel.set_ylim(top - FLOOR, top + 8.0)
+            panel.set_ylabel(levels.label if i == 0 else "")
+            panel.text(
+                0.98, 0.95, levels.words, transform=panel.transAxes, ha="right", va="top", fontsize=7.5,
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.8},
+            )  # fmt: skip
+    for title, panel in zip(titles, panels[0], strict=True):
+        panel.set_title(literal(title))
+    for panel in panels[-1]:
+        panel.set_xlabel("order of mesh frequency")
+        panel.set_xlim(0.0, HIGHEST + 0.3)
+    return figure
+
+
+def _draw(panel: Axes, levels: Levels, floor: float) -> None:
+    shown = (levels.order > 0.0) & (levels.order <= HIGHEST + 1e-9)
+    order, level = levels.order[shown], np.maximum(levels.level[shown], floor)
+    seen = level > floor
+    if len(order) <= MOST_STEMS:
+        panel.vlines(order[seen], floor, level[seen], color=style.BLUE, lw=1.2)
+        panel.plot(order[seen], level[seen], ls="none", marker="o", ms=2.8, color=style.BLUE)
+    else:
+        panel.plot(order, level, color=style.BLUE, lw=0.7)
+    panel.grid(axis="y", color=style.PALE, lw=0.4)

@@ -1,0 +1,36 @@
+"""The report of a gear pair of one's own: a verdict first, then what it rests on."""
+
+from __future__ import annotations
+
+from concurrent.futures import Executor
+from pathlib import Path
+
+from gearlash.report.folder import write_report
+from gearlash.results.store import write_whole
+
+from .contents import Contents
+from .document import document
+from .files import data_files, file_names
+from .verdict import Line, Verdict, verdict
+
+__all__ = ["Contents", "Line", "Verdict", "data_files", "document", "file_names", "render", "verdict"]
+
+
+def render(contents: Contents, folder: Path | str, executor: Executor | None = None) -> Path:
+    """Writes page, figures, numbers and data into a folder; returns the path of the page."""
+    page, pictures = document(contents)
+    target = Path(folder)
+    target.mkdir(parents=True, exist_ok=True)
+    for name, content in data_files(contents).items():
+        write_whole(target / name, content)
+    found = contents.found
+    numbers = {
+        "case": found.case,
+        "verdict": verdict(found),
+        "values": dict(found.values),
+        "signals": found.signals,
+        "separating": found.separating,
+        "back_side": found.back_side,
+        "missing": contents.missing,
+    }
+    return write_report(page, pictures, numbers, target, executor)

@@ -1,0 +1,54 @@
+"""What a report rests on: values that were assumed, remarks on the case, how was looked."""
+
+from __future__ import annotations
+
+from gearlash.report.blocks import Block, Bullets, Cell, Section, Table, Text
+from gearlash.report.numbers import number
+from gearlash.results.provenance import package_version
+
+from .contents import Contents
+from .verdict import NO_APPROVAL
+
+
+def section(contents: Contents) -> Section:
+    """Assumed values with their sources, remarks, method."""
+    case, found = contents.found.case, contents.found
+    rows: list[tuple[Cell, ...]] = [
+        (
+            value.path,
+            _shown(value.value, value.unit),
+            str(value.provenance),
+            value.reason or value.description,
+        )
+        for value in case.values()
+        if value.provenance not in ("given", "derived")
+    ]
+    blocks: list[Block] = []
+    if rows:
+        head = ("value", "is", "origin", "source or reason")
+        caption = "Values that the case does not give: every number of this report rests on them."
+        blocks.append(Table("assumed", caption, head, tuple(rows), widths=(28, 18, 12, 42)))
+    else:
+        blocks.append(Text.of("Every value of the case is given."))
+    blocks.append(
+        Bullets(tuple(Text.of(f"{note.path}: {note.text}") for note in case.notes()))
+        if case.notes()
+        else Text.of("There are no remarks on values of the case.")
+    )
+    starts = found.impact_free.starts
+    blocks.append(
+        Text.of(
+            f"Bands: from sweeps of {len(found.axis)} speeds upwards and downwards, and from beyond the "
+            f"ends of the motions found ({starts} starts); every periodic motion was followed along its "
+            f"whole branch ({len(found.impact_free.branches)} branches), and ends of bands are its special "
+            "points. That there is no other motion is not claimed."
+        )
+    )
+    if contents.missing:
+        blocks.append(Text.of(f"The report was stopped early; not computed: {', '.join(contents.missing)}."))
+    blocks.append(Text.of(f"{NO_APPROVAL} Made by gearlash {package_version()}; case {case.hash[:12]}."))
+    return Section("basis", "What this rests on", tuple(blocks))
+
+
+def _shown(value: float | str, unit: str) -> str:
+    return value if isinstance(value, str) else f"{number(value, 5)} {unit}".rstrip()

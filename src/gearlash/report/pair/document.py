@@ -1,0 +1,60 @@
+"""The whole report of a pair as blocks, and the figures it needs."""
+
+from __future__ import annotations
+
+from gearlash.report.blocks import Badge, Block, Page, Section, Table, Text
+from gearlash.report.pictures import Picture
+
+from . import basis, maps, motions, speed
+from .contents import Contents
+from .noise import backlash_matters, not_quiet
+from .verdict import NO_APPROVAL, Line, verdict
+from .words import Words
+
+
+def document(contents: Contents) -> tuple[Page, list[Picture]]:
+    """Verdict, curves over speed, motions, maps, and what it rests on; as far as they are there."""
+    found, units = contents.found, contents.units
+    values = found.values
+    torque = units.torque.text(values["load"]) if units.torque.name else f"load = {values['load']:.4g}"
+    speed_text = units.speed.text(found.here, 5) if units.speed.name else f"omega = {found.here:.5g}"
+    parts, pictures = [_first(contents)], []
+    if contents.run is not None and contents.run.measured():
+        made, drawn = speed.section(contents, f"{found.case.name}, {torque}, present speed {speed_text}")
+        parts.append(made)
+        pictures += drawn
+    if contents.histories:
+        made, drawn = motions.section(contents)
+        parts.append(made)
+        pictures += drawn
+    if contents.maps:
+        made, drawn = maps.section(contents)
+        parts.append(made)
+        pictures += drawn
+    parts.append(basis.section(contents))
+    about = f" {found.case.description}." if found.case.description else ""
+    page = Page(
+        f"{found.case.name}: {speed_text}, {torque}",
+        f"What the model of this pair does there and around.{about}",
+        tuple(parts),
+        f"{NO_APPROVAL} Figures lie beside this file as SVG and PDF, curves, histories and spectra as CSV "
+        "and NetCDF, all numbers as report.json.",
+    )
+    return page, pictures
+
+
+def _first(contents: Contents) -> Section:
+    found = contents.found
+    said = verdict(found)
+    lines = list(said.lines)
+    if contents.run is not None:
+        words = Words(contents.units, found.here)
+        more = (
+            ("Noise", not_quiet(contents.run, contents.units, words)),
+            ("Backlash", backlash_matters(found, contents.run, contents.units)),
+        )
+        lines[-1:-1] = [Line(title, text) for title, text in more if text]
+    rows = tuple((line.title, line.text) for line in lines)
+    blocks: list[Block] = [Table("verdict-lines", "In short.", ("", ""), rows, widths=(18, 82))]
+    blocks.append(Text.of("Found means: by the starts and sweeps that are named at the end."))
+    return Section("verdict", "May it run there?", tuple(blocks), badge=Badge(said.short, said.kind))

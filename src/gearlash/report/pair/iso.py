@@ -1,0 +1,56 @@
+"""K_v of ISO 6336-1, method B, for teeth that a case describes: to stand beside the computed one."""
+
+from __future__ import annotations
+
+from gearlash.case import Case
+from gearlash.gears import CylindricalGear, CylindricalPair, equivalent_mass, mesh_stiffness
+from gearlash.gears.basic_rack import ISO53_A, BasicRack
+from gearlash.gears.dynamic_factor import DynamicFactor, EffectiveErrors, dynamic_factor
+from gearlash.system import GearlashError
+
+GRADES = (5, 8)
+"""Of ISO 1328-1, between which K_v is told, as a case states none."""
+
+
+def pair_of(case: Case) -> CylindricalPair:
+    """The teeth of a case, without profile shift, as the case has none. Raises `GearlashError` where it does
+    not state them, or the face width."""
+    body = case.numbers.body
+    geometry, width = body.geometry, body.face_width
+    if geometry is None or width is None:
+        raise GearlashError("the case does not state teeth, module, angles and both face widths")
+    rack = BasicRack(pressure_angle=geometry.pressure_angle) if geometry.pressure_angle else ISO53_A
+    gears = [
+        CylindricalGear(teeth, geometry.normal_module, geometry.helix_angle, rack=rack)
+        for teeth in geometry.teeth
+    ]
+    return CylindricalPair(gears[0], gears[1], face_width=width)
+
+
+def method_b(case: Case, omega: float, grade: int) -> DynamicFactor:
+    """K_v at a speed ω for one grade of both gears, K_A = 1. Raises `GearlashError` where the case does not
+    say enough, or the method does not hold."""
+    pair, body, scales = pair_of(case), case.numbers.body, case.scales
+    if body.inertias is None:
+        raise GearlashError("the case does not state inertias")
+    base = body.geometry.base_radii
+    reduced = equivalent_mass(base, body.inertias) / pair.face_width
+    torque = float(scales.torque(case.family()[0].defaults["load"]))
+    load = torque / body.geometry.pitch_radii[0] / pair.face_width
+    speed = float(scales.pinion_speed(omega))
+    errors = EffectiveErrors.of_grades(pair, (grade, grade))
+    return dynamic_factor(pair, mesh_stiffness.method_b(pair), reduced, speed, load, errors)
+
+
+def band_of_grades(case: Case, omega: float) -> str:
+    """A sentence with K_v of the standard at a speed, or why there is none."""
+    try:
+        first, last = (method_b(case, omega, grade) for grade in GRADES)
+    except GearlashError as error:
+        return f"K_v of ISO 6336-1 does not stand beside it: {error}."
+    return (
+        f"ISO 6336-1:2019, method B, gives K_v = {first.value:.2f} for grade {GRADES[0]} of ISO 1328-1 and "
+        f"{last.value:.2f} for grade {GRADES[1]} (K_A = 1, {first.range} with N = "
+        f"{first.resonance_ratio:.2f}; the case states no grade): a factor for rating, from tolerances and "
+        "a line load, not from this model's error and bearings."
+    )

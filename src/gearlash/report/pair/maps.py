@@ -1,0 +1,43 @@
+"""Speed–torque and speed–backlash maps with the present point."""
+
+from __future__ import annotations
+
+from gearlash import plots
+from gearlash.report.blocks import Block, Figure, Section, Text
+from gearlash.report.pictures import Picture
+
+from .contents import Contents
+
+WORDS = {"load": "torque", "D": "backlash"}
+
+
+def section(contents: Contents) -> tuple[Section, list[Picture]]:
+    """A figure for every map there is."""
+    found, blocks, pictures = contents.found, [_intro()], []
+    for name, dataset in contents.maps.items():
+        stem, words = f"map-{WORDS[name]}", f"speed and {WORDS[name]}"
+        present = found.here, found.values[name]
+        look = {"present": present, "title": f"{found.case.name}: {words}, {_fixed(contents, name)}"}
+        pictures.append(Picture(stem, plots.plane, (dataset, plots.Units.of(found.case)), look))
+        caption = f"Motions over {words}, each from the cold start; the star is the present point."
+        blocks.append(Figure(f"figure-{stem}", Text.of(caption), caption, stem))
+    return Section("maps", "Maps", tuple(blocks)), pictures
+
+
+def _intro() -> Block:
+    return Text.of(
+        "P-Q: in P mesh cycles the drive side is hit Q times; P-Q-R: and the back side R times. Every "
+        "pixel is one motion, from the cold start: what coexists with it, and what lies between pixels, is "
+        "not seen here."
+    )
+
+
+def _fixed(contents: Contents, name: str) -> str:
+    """What the other of the two is."""
+    units, values = contents.units, contents.found.values
+    if name == "load":
+        gap = units.length.text(values["D"] * (1.0 + values["back_gap"]))
+        return f"backlash {gap}" if units.length.name else f"D = {values['D']:.4g}"
+    return (
+        f"torque {units.torque.text(values['load'])}" if units.torque.name else f"load = {values['load']:.4g}"
+    )

@@ -1,0 +1,34 @@
+"""Maps of a pair over speed and one other parameter."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import xarray as xr
+
+from gearlash.jobs import Execution
+from gearlash.orbits import Settings
+from gearlash.results import Axis, plane_dataset
+from gearlash.studies import map_plane
+from gearlash.studies.assessment import Assessment, Tell
+
+PIXELS = 40, 20
+SPAN = 0.2, 2.0
+"""Of the present value: what a map goes over."""
+STAGES = {"load": "map over torque", "D": "map over backlash"}
+
+
+def plane_over(
+    found: Assessment, name: str, settings: Settings, execution: Execution, tell: Tell
+) -> xr.Dataset | None:
+    """The map over speed and a parameter, by short name; None where it was stopped, or the parameter is
+    zero."""
+    here = found.values[name]
+    if here == 0.0:
+        return None
+    tell(STAGES[name], None)
+    execution = replace(execution, progress=lambda progress: tell(STAGES[name], progress))
+    x = Axis.even(found.axis.name, float(found.axis.values[0]), float(found.axis.values[-1]), PIXELS[0])
+    y = Axis.even(name, SPAN[0] * here, SPAN[1] * here, PIXELS[1])
+    done = map_plane(found.case, x, y, settings=settings, execution=execution)
+    return plane_dataset(found.case, done) if done.complete else None

@@ -1,0 +1,212 @@
+"""What is measured over speed: two figures, resonances, and what they say."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from gearlash.case import Case
+from gearlash.plots.marks import Mark
+from gearlash.plots.over_speed import Curve, SpeedAxis, Stack, over_speed
+from gearlash.report.blocks import Block, Cell, Figure, Section, Table, Text
+from gearlash.report.numbers import number
+from gearlash.report.pictures import Picture
+from gearlash.results.pair_units import PairUnits, Unit
+from gearlash.results.sweep import Sweep
+from gearlash.studies.bands import Band
+from gearlash.studies.speed_run import SpeedRun
+
+from .contents import Contents
+from .iso import band_of_grades
+from .noise import backlash_matters, loudest, not_quiet
+from .words import Words
+
+ORDERS = 3
+"""Mesh orders that are drawn where they meet a natural frequency."""
+
+
+def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
+    """Curves over speed, with their sentences; ``title`` names case, torque and backlash."""
+    run, units, found = contents.run, contents.units, contents.found
+    assert run is not None
+    words = Words(units, found.here)
+    axis = _axis(contents, run)
+    pictures = [
+        Picture("speed-forces", over_speed, (axis, _forces(run, units)), {"title": title}),
+        Picture("speed-errors", over_speed, (axis, _errors(run, units)), {"title": title}),
+    ]
+    step = units.speed.factor * float(np.diff(run.axis.values).max())
+    unit = f" {units.speed.name}" if units.speed.name else " in omega"
+    said = [not_quiet(run, units, words), backlash_matters(found, run, units)]
+    how = (
+        f"Each point is a motion followed from its neighbour, {step:.3g}{unit} apart, upwards and downwards; "
+        "peaks, means and rms are those of its exact pieces (peaks to 1e-8 of their span), for motion that "
+        "is not periodic of 200 mesh cycles. Ends of bands were solved for, and do not depend on this step."
+    )
+    blocks: list[Block] = [Text.of(text) for text in said if text]
+    blocks += [
+        _figure("speed-forces", _FORCE_WORDS),
+        *_factor(contents),
+        _figure("speed-errors", _ERROR_WORDS),
+    ]
+    blocks += [*_bearing_table(run, units, words), *_resonance_table(found.case, units), Text.of(how)]
+    return Section("speed", "Over speed", tuple(blocks)), pictures
+
+
+_FORCE_WORDS = (
+    "Mesh force and bearing forces over speed: peak over one period. On the right the dynamic factor K_v: "
+    "mesh force over the static one. Dotted: a mesh order meets a natural frequency of the closed mesh."
+)
+_ERROR_WORDS = (
+    "Dynamic transmission error (rotation of both gears along the line of action), share of time without "
+    "contact, and the highest velocity at which teeth meet again."
+)
+
+
+def _figure(stem: str, caption: str) -> Figure:
+    return Figure(f"figure-{stem}", Text.of(caption), caption, stem)
+
+
+def _axis(contents: Contents, run: SpeedRun) -> SpeedAxis:
+    unit, found = contents.units.speed, contents.found
+    return SpeedAxis(
+        values=unit.factor * run.axis.values,
+        label=_label("pinion speed" if unit.name == "rpm" else "mesh frequency", unit),
+        breaks=(_breaks(run.sweeps[0]), _breaks(run.sweeps[1])),
+        separating=_spans(found.separating, unit),
+        back=_spans(found.back_side, unit),
+        present=unit.factor * found.here,
+        resonances=resonances(found.case, unit, run.axis.values),
+    )
+
+
+def _label(words: str, unit: Unit) -> str:
+    return f"{words}  [{unit.name}]" if unit.name else rf"{words}  $\omega$"
+
+
+def _spans(bands: tuple[Band, ...], unit: Unit) -> tuple[tuple[float, float], ...]:
+    return tuple((unit.factor * band.lower.value, unit.factor * band.upper.value) for band in bands)
+
+
+def _breaks(sweep: Sweep) -> np.ndarray:
+    labels = [point.label for point in sweep.points]
+    return np.array([False, *(a != b for a, b in pairwise(labels))], dtype=np.bool_)
+
+
+def natural_frequencies(case: Case) -> list[float]:
+    """Of the closed mesh, over ω_n."""
+    stem = "derived.natural_frequency_"
+    return [
+        float(value.value)
+        for value in case.values()
+        if value.path.startswith(stem) and value.path.removeprefix(stem).isdigit()
+    ]
+
+
+def resonances(case: Case, unit: Unit, speeds: np.ndarray) -> tuple[Mark, ...]:
+    """Speeds at which an order of the mesh frequency meets a natural frequency."""
+    low, high = float(speeds[0]), float(speeds[-1])
+    return tuple(
+        Mark(
+            unit.factor * frequency / order,
+            "resonance",
+            f"f{i}" if order == 1 else f"f{i}/{order}",
+            order == 1,
+        )
+        for i, frequency in enumerate(natural_frequencies(case), start=1)
+        for order in range(1, ORDERS + 1)
+        if low < frequency / order < high
+    )
+
+
+def _forces(run: SpeedRun, units: PairUnits) -> list[Stack]:
+    values = run.case.family()[0].complete()
+    static = units.force.factor * values["load"] / values["rotation_factor"]
+    mesh = [("peak", "force.most"), ("mean", "force.mean"), ("rms about the mean", "force.rms")]
+    stacks = [
+        Stack(
+            _unit_label("mesh force", units.force),
+            _curves(run, mesh, units.force),
+            (static, "$K_v$ of the peak"),
+        )
+    ]
+    bearings = [
+        (r.words.removeprefix("bearing force, "), f"{r.name}.peak")
+        for r in run.readouts
+        if r.quantity == "force"
+    ]
+    if bearings:
+        stacks.append(
+            Stack(_unit_label("bearing force, peak", units.force), _curves(run, bearings, units.force))
+        )
+    return stacks
+
+
+def _errors(run: SpeedRun, units: PairUnits) -> list[Stack]:
+    error = [("peak to peak", "transmission_error.peak_to_peak"), ("rms", "transmission_error.rms")]
+    share = Unit(100.0, "%", "percent")
+    velocity = [("drive side", "impact_velocity")]
+    if np.nanmax([one.back_velocity for _, one in run.measured()], initial=0.0) > 0.0:
+        velocity.append(("back side", "back_velocity"))
+    return [
+        Stack(_unit_label("transm. error", units.length), _curves(run, error, units.length)),
+        Stack("without contact  [%]", _curves(run, [("share of time", "share_without_contact")], share)),
+        Stack(_unit_label("impact velocity", units.velocity), _curves(run, velocity, units.velocity)),
+    ]
+
+
+def _unit_label(words: str, unit: Unit) -> str:
+    return f"{words}  [{unit.name}]" if unit.name else words
+
+
+def _curves(run: SpeedRun, wanted: list[tuple[str, str]], unit: Unit) -> tuple[Curve, ...]:
+    return tuple(
+        Curve(words, *(unit.factor * run.column(way, name) for way in (0, 1))) for words, name in wanted
+    )
+
+
+def _bearing_table(run: SpeedRun, units: PairUnits, words: Words) -> list[Block]:
+    rows: list[tuple[Cell, ...]] = []
+    for one in loudest(run):
+        cells = [
+            f"{units.force.text(each[0])} at {words.speed(each[1])}" if each else "no such motion found"
+            for each in (one.quiet, one.hitting)
+        ]
+        rows.append((one.words, *cells))
+    if not rows:
+        text = "This model has no bearings: shafts do not move sideways, and carry the mesh force itself."
+        return [Text.of(text)]
+    head = ("", "largest where teeth stay in contact", "largest where they separate")
+    return [Table("table-bearings", "Peaks of bearing forces over these speeds.", head, tuple(rows))]
+
+
+def _resonance_table(case: Case, units: PairUnits) -> list[Block]:
+    hertz = float(case.scales.mesh_hz(1.0)) if case.scales.physical else None
+    rows = []
+    for i, frequency in enumerate(natural_frequencies(case), start=1):
+        cells = [number(units.speed.factor * frequency / order, 5) for order in range(1, ORDERS + 1)]
+        rows.append((f"f{i}", "" if hertz is None else number(hertz * frequency, 5), *cells))
+    unit = units.speed.name or "omega"
+    orders = ("mesh order 1", "order 2", "order 3")
+    head = ("", "Hz" if hertz else "", *(f"{order} [{unit}]" for order in orders))
+    caption = (
+        "Natural frequencies with closed mesh (undamped, mean stiffness), and speeds at which mesh "
+        "orders meet them."
+    )
+    return [Table("table-resonances", caption, head, tuple(rows), frozenset({1, 2, 3, 4}))]
+
+
+def _factor(contents: Contents) -> list[Block]:
+    """The computed dynamic factor beside that of the standard, at the present speed."""
+    found = contents.found
+    if found.signals is None:
+        return []
+    static = found.values["load"] / found.values["rotation_factor"]
+    own = found.signals.force.most / static
+    text = (
+        f"At the present speed the computed dynamic factor is {own:.3f}: the highest mesh force over "
+        "the static one."
+    )
+    iso = band_of_grades(found.case, found.here)
+    return [Text.of(f"{text} {iso}")]
