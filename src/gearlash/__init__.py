@@ -131,6 +131,15 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         load as load_dataset,
         save as save_dataset,
     )
+    from .results.atlas import (
+        Atlas as Atlas,
+        AtlasCurve as AtlasCurve,
+        AtlasPoint as AtlasPoint,
+        LabelChange as LabelChange,
+        LabelChangeKind as LabelChangeKind,
+        StraightPiece as StraightPiece,
+        Undone as Undone,
+    )
     from .results.branch_dataset import (
         branch_dataset as branch_dataset,
     )
@@ -174,6 +183,9 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         sweeps as sweeps,
         switch_branch as switch_branch,
         zones as zones,
+    )
+    from .studies.atlas import (
+        atlas as atlas,
     )
     from .studies.beside import (
         motions_beside as motions_beside,
@@ -336,6 +348,15 @@ _PUBLIC = {
         "sweep_dataset",
         "table",
     ),
+    "gearlash.results.atlas": (
+        "Atlas",
+        "AtlasCurve",
+        "AtlasPoint",
+        "LabelChange",
+        "LabelChangeKind",
+        "StraightPiece",
+        "Undone",
+    ),
     "gearlash.results.branch_dataset": ("branch_dataset",),
     "gearlash.results.branch_file": ("load_branch", "save_branch"),
     "gearlash.results.curve_file": ("load_curve", "save_curve"),
@@ -372,6 +393,7 @@ _PUBLIC = {
         "switch_branch",
         "zones",
     ),
+    "gearlash.studies.atlas": ("atlas",),
     "gearlash.studies.beside": ("motions_beside",),
     "gearlash.studies.motion": (
         "Motion",

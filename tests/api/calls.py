@@ -82,6 +82,8 @@ def calls() -> tuple[Call, ...]:
         special.label_after, False, "", gl.Status.OK,
     )  # fmt: skip
     execution = gl.Execution(chunk=1, progress=print, cancel=threading.Event())
+    corners = gl.Axis.even("omega", 1.3, 1.5, 2), gl.Axis.even("D", 0.9, 1.1, 2)
+    drawn = gl.atlas(spur, *corners, lines=1)
     study = {"values": {}, "start": [0.0, 0.0], "settings": QUICK, "execution": execution}
 
     def fields(record: Any) -> dict[str, Any]:
@@ -97,7 +99,11 @@ def calls() -> tuple[Call, ...]:
         gl.variational(props, [0.0, 0.0], 1.0), trace.extrema, trace.samples(9),
         gl.Zone(end, end, "omega", gl.Quiet.IMPACT_FREE, True, (seen,), (span,)), gl.Interval(end, end),
         branch, branch.points[0], special, law, branch.ends[0], gl.ContinuationSettings(),
-        curve, curve.points[0], curve.ends[0], two,
+        curve, curve.points[0], curve.ends[0], two, drawn, drawn.curves[0], gl.AtlasPoint(two, (0,)),
+        gl.LabelChange(
+            ((0, 0), (0, 1)), ((1.3, 0.9), (1.5, 0.9)), (gl.Signature(1, 0), None), gl.LabelChangeKind.NONE
+        ),
+        gl.StraightPiece("D", 0.9, 1.1, 1.4), gl.Undone("branch", None, (1.4, 1.0), "not followed"),
         end, seen, span, gl.Touch(0.5, 1.0, 0.0, 1),
     )  # fmt: skip
     bifurcation = gl.locate_multiplier(family, "omega", orbit, -1)
@@ -149,6 +155,12 @@ def calls() -> tuple[Call, ...]:
             "upper": (1.5, 1.1), "values": {}, "branch": branch, "kind": "grazing", "touch": 0,
             "doubled": False, "steps": gl.ContinuationSettings(longest=0.5, first=0.1),
             "execution": execution}),
+        Call("atlas", gl.atlas, {
+            "model": spur, "x": corners[0], "y": corners[1], "values": {}, "curves": 1, "lines": 0,
+            "depth": 0, "longest": 2, "seconds": 60.0, "start": [0.0, 0.0], "settings": QUICK,
+            "execution": execution}),
+        Call("Atlas.of_kind", drawn.of_kind, {"kind": "fold"}),
+        Call("LabelChangeKind", gl.LabelChangeKind, {"value": "curve"}),
         Call("switch_branch", gl.switch_branch, {
             "model": spur, "branch": branch, "special": special, "steps": gl.ContinuationSettings(),
             "execution": execution}),

@@ -153,7 +153,7 @@ class Followed:
     ``unfollowed``: points that are periodic, but whose branch could not be followed, and why; ``beyond``:
     what motion goes on as beyond the end of an arc, by its number and whether it is the upper end;
     ``reason``: why something is missing, and then ``not_followed``: how many periodic points lie on no branch
-    that was followed."""
+    that was followed; ``longest``: mesh cycles of an orbit to which is switched."""
 
     question: Question
     execution: Execution
@@ -163,6 +163,7 @@ class Followed:
     unfollowed: list[tuple[Point, str]] = field(default_factory=list)
     beyond: dict[tuple[int, bool], Point] = field(default_factory=dict)
     reason: str = ""
+    longest: int = LONGEST_PERIOD
     switched_to: int = 0
     not_followed: int = 0
 
@@ -273,7 +274,7 @@ class Followed:
             chains = [
                 Chain(i, (Switch(self.question, self.branches[arc.branch], special),), (1,))
                 for i, (arc, special) in enumerate(specials.values())
-                if special.kind is not SpecialKind.DOUBLING or 2 * special.point.period <= LONGEST_PERIOD
+                if special.kind is not SpecialKind.DOUBLING or 2 * special.point.period <= self.longest
             ]
             done = self.done(switch_branch, chains)
             seeds = [seed for name in sorted(done, key=str) for seed in done[name]]

@@ -1,0 +1,5 @@
+"""An atlas of a rectangle of two parameters: its curves, where they meet, and the map that checks them."""
+
+from .atlas import atlas
+
+__all__ = ["atlas"]
