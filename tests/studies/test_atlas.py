@@ -22,7 +22,7 @@ KS = "kahraman-singh"
 
 @cache
 def oscillator(turned: bool = False) -> gl.Atlas:
-    x, y = gl.Axis("omega", [0.65, 0.7, 0.75, 0.8]), gl.Axis("gap", [1, 2])
+    x, y = gl.Axis("omega", np.array([0.65, 0.7, 0.75, 0.8])), gl.Axis("gap", np.array([1, 2]))
     axes = (y, x) if turned else (x, y)
     return gl.atlas(shaken(), *axes, values={"a": 1, "beta": 2.0, "zeta": 0.05}, lines=1, longest=1)
 
@@ -187,8 +187,8 @@ def test_workers_draw_the_same_to_the_last_bit():
 @pytest.mark.parametrize(
     ("given", "match"),
     [
-        ({"x": gl.Axis("omega", [0.7])}, "at least two values"),
-        ({"x": gl.Axis("D", [0.7, 0.8])}, "two different parameters"),
+        ({"x": gl.Axis("omega", np.array([0.7]))}, "at least two values"),
+        ({"x": gl.Axis("D", np.array([0.7, 0.8]))}, "two different parameters"),
         ({"x": "omega"}, "expected an Axis"),
         ({"curves": "5"}, "curves"),
         ({"curves": -1}, "curves"),
@@ -200,7 +200,7 @@ def test_workers_draw_the_same_to_the_last_bit():
     ],
 )
 def test_what_does_not_fit_is_refused(given: dict, match: str):
-    asked = {"x": gl.Axis("omega", [0.7, 0.8]), "y": gl.Axis("D", [1, 2]), **given}
+    asked = {"x": gl.Axis("omega", np.array([0.7, 0.8])), "y": gl.Axis("D", np.array([1, 2])), **given}
     with pytest.raises(gl.GearlashError, match=match):
         gl.atlas(gl.load_case(KS), **asked)
 
