@@ -11,12 +11,13 @@ import numpy as np
 
 from gearlash._kernel.jit import allocating, array_of, float64, inner, int64, kernel, tuple_of, void
 
-from ._blocks import padded
+from ._blocks import LANES, padded
 from ._remainder import eta_bounds, majorant
 from ._series import fill, fourier_taylor
 from ._tables import CUBE, FREE, INTS, MATRIX, MUTABLE, ORDER, SIZES, TABLE, TERMS, Shape, shape_of
-from ._vector import add, linear, multiple, peak
+from ._vector import add, linear, move, multiple, peak
 
+TOGETHER = 4  # cells that are carried through the recurrence at a time
 EDGE, OFFSET, FORCED = 0, 1, 2  # kinds of unit input; the first two start from the centre that undoes them
 
 _padded = inner(padded)
@@ -37,64 +38,84 @@ def stiffness_series(sizes, memory):
 
 @inner
 def _recurrence(
-    n, gaps, lanes, equations, filled, readers, active, eta, duration, units, sources, z, new, total, x, last,
-    read,
+    n, gaps, cells, lanes, states, equations, filled, readers, active, eta, duration, units, sources, z, new,
+    total, x, last, read,
 ):  # fmt: skip
-    """Taylor series of all columns over one cell: ``total`` (n, lanes) receives the states at its end, ``x``
-    (gaps, ORDER+1, lanes) the coefficients of what ``readers`` (gaps, n) read; last (n) the largest of the
-    last coefficients of each state, read (gaps, ORDER+1) the largest of what is read.
+    """Taylor series of all columns over some ``cells``, each of which has ``lanes`` of its own: ``total``
+    (n, cells, lanes) receives the states at their ends, ``x`` (gaps, ORDER+1, cells, lanes) the coefficients
+    of what ``readers`` (gaps, n) read; last (n) the largest of the last coefficients of each state, read
+    (gaps, ORDER+1) the largest of what is read.
 
-    equations (n, n + gaps): the matrix, and how each force enters; filled (n, 2): where in each row the first
-    number is that is not zero, and how many follow up to the last (of springs and dampers, half the rows hold
-    a single 1); eta (gaps, TERMS): coefficients of η in falling order; units (u, 3): kind, clearance or
-    state, slot of the series. z, new (n + gaps, lanes): work.
-    """
-    series = (ORDER + 1) * lanes
+    states: how many columns are unit starts, those of the units lie behind them; equations (n, n + gaps):
+    the matrix, and how each force enters; filled (n, 2): where in each row the first number is that is not
+    zero, and how many follow up to the last (of springs and dampers, half the rows hold a single 1); eta
+    (cells, gaps, TERMS): coefficients of η in falling order; units (u, 3): kind, clearance or state, slot of
+    the series; sources (cells, u, TERMS). z, new (n + gaps, cells, lanes): work."""
+    width = cells * lanes
+    series, inputs = (ORDER + 1) * width, len(units) * TERMS
     for j in range(ORDER + 1):
         for c in range(gaps):
-            linear(z, 0, lanes, lanes, n, readers, c * n, x, c * series + j * lanes)
+            linear(z, 0, width, width, n, readers, c * n, x, c * series + j * width)
         for u in range(len(units)):
             if units[u, 0] <= OFFSET:
-                x[units[u, 1] * series + j * lanes + n + u] -= sources[u * TERMS + j]
+                place = units[u, 1] * series + j * width + states + u
+                for k in range(cells):
+                    x[place + k * lanes] -= sources[k * inputs + u * TERMS + j]
         for c in range(gaps):
-            size = peak(x, c * series + j * lanes, lanes)
+            size = peak(x, c * series + j * width, width)
             if not size <= read[c, j]:
                 read[c, j] = size
         if j == ORDER:
             break
         for c in range(gaps):
             if active[c] != 0:
-                linear(x, c * series, lanes, lanes, j + 1, eta, c * TERMS + ORDER - j, z, (n + c) * lanes)
+                for k in range(cells):
+                    own, at = k * lanes, (k * gaps + c) * TERMS + ORDER - j
+                    linear(x, c * series + own, width, lanes, j + 1, eta, at, z, (n + c) * width + own)
         scale = duration / (j + 1)
         for i in range(n):
             first = filled[i, 0]
             row = i * (n + gaps) + first
-            linear(z, first * lanes, lanes, lanes, filled[i, 1], equations, row, new, i * lanes)
-        multiple(scale, new, 0, new, 0, n * lanes)
+            linear(z, first * width, width, width, filled[i, 1], equations, row, new, i * width)
+        multiple(scale, new, 0, new, 0, n * width)
         for u in range(len(units)):
             if units[u, 0] == FORCED:
-                new[units[u, 1] * lanes + n + u] += sources[u * TERMS + j] * scale
-        add(1.0, new, 0, total, 0, n * lanes)
+                place = units[u, 1] * width + states + u
+                for k in range(cells):
+                    new[place + k * lanes] += sources[k * inputs + u * TERMS + j] * scale
+        add(1.0, new, 0, total, 0, n * width)
         z, new = new, z
     for i in range(n):
-        size = peak(z, i * lanes, lanes)
+        size = peak(z, i * width, width)
         if not size <= last[i]:
             last[i] = size
 
 
+@allocating
+def _zeros(size):
+    """So many, whole blocks on cache lines of their own: one that lies across two takes many times as long to
+    load just after it was stored (`_tables.aligned`)."""
+    room = np.zeros(size + LANES)
+    first = -(room.ctypes.data // room.itemsize) % LANES
+    return room[first : first + size]
+
+
 @inner
-def _start(n, lanes, units, centres, z, total):
-    """Unit starts in the first n lanes; the centre that undoes an edge or a constant offset in theirs
-    (``total`` is told from there)."""
+def _start(n, cells, lanes, states, units, centres, z, new, total):
+    """Unit starts in the first lanes of every cell, n of them or none; the centre that undoes an edge or a
+    constant offset in theirs (``total`` is told from there)."""
+    width = cells * lanes
     fill(z, 0.0)
+    fill(new, 0.0)
     fill(total, 0.0)
-    for i in range(n):
-        z[i * lanes + i] = 1.0
-        total[i * lanes + i] = 1.0
-    for u in range(len(units)):
-        if units[u, 0] <= OFFSET and units[u, 2] == 0:
-            for i in range(n):
-                z[i * lanes + n + u] = centres[units[u, 1], i]
+    for k in range(cells):
+        for i in range(states):
+            z[i * width + k * lanes + i] = 1.0
+            total[i * width + k * lanes + i] = 1.0
+        for u in range(len(units)):
+            if units[u, 0] <= OFFSET and units[u, 2] == 0:
+                for i in range(n):
+                    z[i * width + k * lanes + states + u] = centres[units[u, 1], i]
 
 
 @inner
@@ -117,26 +138,32 @@ def _equations(n, count, matrix, readers, actors, turned, out, filled, reads):
 
 
 @inner
-def _keep_forward(shape: Shape, memory, at, cell, lanes, total, x, ends, gaps):
+def _keep_states(shape: Shape, memory, at, cell, width, own, total, x):
+    """The columns of unit starts, which lie from ``own`` on in rows of this width."""
     n, count = shape.n, shape.clearances
     for column in range(n):
         place = at + shape.step + (cell * (1 + n) + 1 + column) * shape.rows
         for i in range(n):
-            memory[place + 1 + i] = total[i * lanes + column]
+            memory[place + 1 + i] = total[i * width + own + column]
         for c in range(count):
             place = at + shape.gap + ((cell * count + c) * (1 + n) + 1 + column) * TERMS
             for j in range(ORDER + 1):
-                memory[place + j] = x[(c * (ORDER + 1) + j) * lanes + column]
-    for u in range(ends.shape[1]):
-        for i in range(n):
-            ends[cell, u, i] = total[i * lanes + n + u]
-        for c in range(count):
-            for j in range(ORDER + 1):
-                gaps[cell, c, u, j] = x[(c * (ORDER + 1) + j) * lanes + n + u]
+                memory[place + j] = x[(c * (ORDER + 1) + j) * width + own + column]
 
 
 @inner
-def _keep_backward(shape: Shape, memory, at, cell, lanes, x):
+def _keep_units(cell, width, own, total, x, ends, gaps):
+    """The columns of unit inputs."""
+    for u in range(ends.shape[1]):
+        for i in range(ends.shape[2]):
+            ends[cell, u, i] = total[i * width + own + u]
+        for c in range(gaps.shape[1]):
+            for j in range(ORDER + 1):
+                gaps[cell, c, u, j] = x[(c * (ORDER + 1) + j) * width + own + u]
+
+
+@inner
+def _keep_backward(shape: Shape, memory, at, cell, width, own, x):
     """What the transposed system reads with g is the flow from s back to the start of the cell, applied to
     g."""
     count = shape.clearances
@@ -144,9 +171,23 @@ def _keep_backward(shape: Shape, memory, at, cell, lanes, x):
         for j in range(ORDER + 1):
             place = at + shape.pull + ((cell * count + c) * (ORDER + 1) + j) * shape.p
             for i in range(shape.n):
-                memory[place + 1 + i] = x[(c * (ORDER + 1) + j) * lanes + i]
-        for side in range(2):
-            _times_stiffness(shape, memory, at, cell, c, side)
+                memory[place + 1 + i] = x[(c * (ORDER + 1) + j) * width + own + i]
+        _times_stiffness(shape, memory, at, cell, c, 0)
+        row = (cell * count + c) * 2
+        push, length = at + shape.push + row * (ORDER + 1) * shape.p, (ORDER + 1) * shape.p
+        if _same(memory, shape.eta + row * TERMS, shape.eta + (row + 1) * TERMS):
+            move(memory, push, memory, push + length, length)
+        else:
+            _times_stiffness(shape, memory, at, cell, c, 1)
+
+
+@inner
+def _same(memory, one, other):
+    """Whether two polynomials are the same."""
+    equal = 0
+    for j in range(TERMS):
+        equal += memory[one + j] == memory[other + j]
+    return equal == TERMS
 
 
 @inner
@@ -161,65 +202,122 @@ def _times_stiffness(shape: Shape, memory, at, cell, c, side):
         linear(memory, pull + j * p, -p, p, j + 1, memory, eta, memory, push + j * p)
 
 
-@allocating
-def _through_cells(
-    shape: Shape, memory, at, equations, filled, reads, sides, active, units, centres, back, ends, gaps,
-    first, until, last, read,
-):  # fmt: skip
-    """Carries all columns through the cells from ``first`` on and before ``until``, forward or ``back`` (the
-    transposed system in reversed time), and keeps them, with the largest of what the remainder is bounded
-    by (`_recurrence`); returns the bounds of `_remainder.majorant` behind the last cell."""
-    n, count = shape.n, shape.clearances
-    lanes, rows = _padded(n + len(units)), n + count
-    duration, width = memory[shape.scalars + 1], memory[shape.scalars + 2]
-    eta, sources = np.zeros(count * TERMS), np.zeros(max(1, len(units)) * TERMS)
+@inner
+def _is_steady(shape: Shape, memory, sides):
+    """Whether the equations of a region are the same in all cells: no stiffness that acts has harmonics."""
+    series = 2 * shape.harmonics + 1
+    for c in range(shape.clearances):
+        if sides[c] != FREE:
+            at = shape.stiffness + (2 * c + (0 if sides[c] == 0 else 1)) * series
+            for k in range(1, series):
+                if memory[at + k] != 0.0:
+                    return False
+    return True
+
+
+@inner
+def _inputs(shape: Shape, memory, sides, units, cell, k, one, eta, sources):
+    """eta (cells, gaps, TERMS), sources (cells, u, TERMS) ← Taylor coefficients over a cell, as the ``k``th:
+    of the stiffness that acts, in falling order, and of every unit input."""
+    count, width = shape.clearances, memory[shape.scalars + 2]
+    for c in range(count):
+        place = shape.eta + ((cell * count + c) * 2 + (0 if sides[c] == 0 else 1)) * TERMS
+        for j in range(ORDER + 1):
+            eta[(k * count + c) * TERMS + ORDER - j] = memory[place + j]
+    for u in range(len(units)):
+        fill(one, 0.0)
+        one[units[u, 2]] = 1.0  # an edge is a constant (slot 0)
+        at = (k * len(units) + u) * TERMS
+        fourier_taylor(one, 0, (units[u, 2] + 1) // 2, cell * width, width, sources, at)
+
+
+@inner
+def _highest(units):
+    """The highest harmonic of all unit inputs."""
     highest = 0
     for u in range(len(units)):
         highest = max(highest, (units[u, 2] + 1) // 2)
-    one = np.zeros(2 * highest + 1)
-    z, new, total = np.zeros(rows * lanes), np.zeros(rows * lanes), np.zeros(n * lanes)
-    x = np.zeros(count * (ORDER + 1) * lanes)
-    for cell in range(first, until):
-        for c in range(count):
-            place = shape.eta + ((cell * count + c) * 2 + (0 if sides[c] == 0 else 1)) * TERMS
-            for j in range(ORDER + 1):
-                eta[c * TERMS + ORDER - j] = memory[place + j]
-        for u in range(len(units)):
-            fill(one, 0.0)
-            one[units[u, 2]] = 1.0  # an edge is a constant (slot 0)
-            fourier_taylor(one, 0, (units[u, 2] + 1) // 2, cell * width, width, sources, u * TERMS)
-        _start(n, lanes, units, centres, z, total)
-        fill(new, 0.0)
-        step = -duration if back else duration
-        _recurrence(
-            n, count, lanes, equations, filled, reads, active, eta, step, units, sources, z, new, total, x,
-            last, read,
-        )  # fmt: skip
-        if back:
-            _keep_backward(shape, memory, at, cell, lanes, x)
-        else:
-            _keep_forward(shape, memory, at, cell, lanes, total, x, ends, gaps)
+    return highest
+
+
+@allocating
+def _through_cells(
+    shape: Shape, memory, at, equations, filled, reads, sides, active, units, centres, back, ends, gaps,
+    first, until, last, read, bound,
+):  # fmt: skip
+    """Carries all columns through the cells from ``first`` on and before ``until``, forward or ``back`` (the
+    transposed system in reversed time), and keeps them, with the largest of what the remainder is bounded
+    by (`_recurrence`); returns the bounds of `_remainder.majorant` behind the last cell, infinite ones as
+    soon as the first cell shows that they would be above ``bound``.
+
+    Cells are carried some at a time: what one waits for, others need not. Where the equations are the same in
+    all of them, unit starts are carried through the first one only."""
+    n, count, steady, own = shape.n, shape.clearances, _is_steady(shape, memory, sides), len(units)
+    lanes, few, rows, highest = _padded(n + own), _padded(own), n + count, _highest(units)
+    most = 1 if steady else TOGETHER
+    duration, turn = memory[shape.scalars + 1], highest * memory[shape.scalars + 2]
+    bounds = eta_bounds(shape, memory, active, sides, memory[shape.scalars + 2])
+    eta, sources = np.zeros(TOGETHER * count * TERMS), np.zeros(TOGETHER * max(1, own) * TERMS)
+    one, step = np.zeros(2 * highest + 1), -duration if back else duration
+    size = max(most * lanes, TOGETHER * few)
+    z, new, total = _zeros(rows * size), _zeros(rows * size), _zeros(n * most * lanes)
+    x = _zeros(count * (ORDER + 1) * most * lanes)
+    few_ends, few_x = _zeros(n * TOGETHER * few), _zeros(count * (ORDER + 1) * TOGETHER * few)
+    cell = first
+    while cell < until:
+        cells = 1 if cell == first else min(TOGETHER, until - cell)
+        for k in range(cells):
+            _inputs(shape, memory, sides, units, cell + k, k, one, eta, sources)
+        if cell == first or not steady:
+            width = cells * lanes
+            _start(n, cells, lanes, n, units, centres, z, new, total)
+            _recurrence(
+                n, count, cells, lanes, n, equations, filled, reads, active, eta, step, units, sources, z,
+                new, total, x, last, read,
+            )  # fmt: skip
+            for k in range(cells):
+                _keep_units(cell + k, width, k * lanes + n, total, x, ends, gaps)
+        elif own > 0:
+            _start(n, cells, few, 0, units, centres, z, new, few_ends)
+            _recurrence(
+                n, count, cells, few, 0, equations, filled, reads, active, eta, step, units, sources, z, new,
+                few_ends, few_x, last, read,
+            )  # fmt: skip
+            for k in range(cells):
+                _keep_units(cell + k, cells * few, k * few, few_ends, few_x, ends, gaps)
+        for k in range(cells):
+            place = 0 if steady else k * lanes
+            if back:
+                _keep_backward(shape, memory, at, cell + k, width, place, x)
+            else:
+                _keep_states(shape, memory, at, cell + k, width, place, total, x)
+        if cell == 0 and not back:
+            least, _ = majorant(equations, filled, reads, last, read, bounds, duration, turn, False)
+            if not least <= bound:
+                return np.inf, np.inf
+        cell += cells
     if until < shape.cells:
         return 0.0, 0.0
-    bounds = eta_bounds(shape, memory, active, sides, width)
-    return majorant(equations, reads, last, read, bounds, duration, highest * width)
+    return majorant(equations, filled, reads, last, read, bounds, duration, turn, True)
 
 
 @kernel(
     tuple_of(float64, 2)(
         SIZES, MUTABLE, int64, MATRIX, MATRIX, MATRIX, MATRIX, INTS, TABLE, CUBE, array_of(float64, 4),
-        int64, int64, MATRIX, CUBE,
+        int64, int64, MATRIX, CUBE, float64,
     ),
     allocates=True,
 )  # fmt: skip
 def respond(
     sizes, memory, at, matrix, readers, actors, centres, sides, units, ends, gaps, first, until, last, read,
+    bound,
 ):  # fmt: skip
     """Fills, for the cells from ``first`` on and before ``until``, the columns of unit starts of `step`,
     `gap` and `pull` in the slot at ``at``, and the unit responses ends (cells, u, n), gaps (cells,
     clearances, u, TERMS). With the last cell it returns the Taylor remainders of a unit column (of its
-    states; with every term times its order), or infinity; before, zeros. last (2, n) and read (2, clearances,
-    ORDER+1), zeros at first, carry what they are bounded by from call to call, forward and backward.
+    states; with every term times its order), or infinity where that is above ``bound``; before, zeros. last
+    (2, n) and read (2, clearances, ORDER+1), zeros at first, carry what they are bounded by from call to
+    call, forward and backward.
 
     matrix (n, n) with its damping; readers, actors, centres (clearances, n): h, g, c with h_j·c_k = 1 for
     j = k, else 0; sides (clearances): `PLUS`, `FREE` or `MINUS`; units (u, 3): kind, clearance or state, slot
@@ -233,13 +331,15 @@ def respond(
     _equations(n, count, matrix, readers, actors, False, equations, filled, reads)
     value, derived = _through_cells(
         shape, memory, at, equations, filled, reads, sides, active, units, centres, False, ends, gaps,
-        first, until, last[0], read[0],
+        first, until, last[0], read[0], bound,
     )  # fmt: skip
+    if not value <= bound:
+        return np.inf, np.inf
     _equations(n, count, matrix, readers, actors, True, equations, filled, reads)
-    none = np.zeros((0, 3), np.int64)
+    none, no_ends, no_gaps = np.zeros((0, 3), np.int64), np.zeros((0, 0, 0)), np.zeros((0, 0, 0, 0))
     back, _ = _through_cells(
-        shape, memory, at, equations, filled, reads, sides, active, none, centres, True, ends, gaps,
-        first, until, last[1], read[1],
+        shape, memory, at, equations, filled, reads, sides, active, none, centres, True, no_ends, no_gaps,
+        first, until, last[1], read[1], bound,
     )  # fmt: skip
     return max(value, back), derived
 

@@ -35,11 +35,13 @@ def eta_bounds(shape: Shape, memory, active, sides, width):
 
 
 @allocating
-def majorant(equations, readers, last, known, eta, duration, rate):
+def majorant(equations, filled, readers, last, known, eta, duration, rate, all_terms):
     """Bound on the sum of all Taylor terms above ORDER of a unit column's states, and on that sum with every
-    term times its order; infinite where it cannot be had (more cells are needed).
+    term times its order; infinite where it cannot be had (more cells are needed). Without ``all_terms`` those
+    up to LAST_TERM alone, which are less, and grow with every number that is given.
 
-    equations (n, n + gaps), readers (gaps, n) flat; last (n): |term of degree ORDER| of each state;
+    equations (n, n + gaps), readers (gaps, n) flat; filled (n, 2): the first number of each row that is not
+    zero, and how many there are from it to the last; last (n): |term of degree ORDER| of each state;
     known (gaps, ORDER+1): |coefficients| of what is read; eta as from `eta_bounds`; rate: highest
     harmonic times the width of a cell, whose powers over factorials bound every unit input."""
     n, gaps = len(last), len(eta)
@@ -59,15 +61,18 @@ def majorant(equations, readers, last, known, eta, duration, rate):
         for c in range(gaps):
             if j > ORDER:
                 read[c, j] = source[j] + _read(readers, c, n, terms)
-            pushed[c] = eta[c, j]
+            force = eta[c, j]
             for i in range(j + 1):
-                pushed[c] += eta[c, i] * read[c, j - i]
-        size = _step(equations, n, gaps, terms, pushed, source[j], duration / (j + 1), new)
+                force += eta[c, i] * read[c, j - i]
+            pushed[c] = force
+        size = _step(equations, filled, n, gaps, terms, pushed, source[j], duration / (j + 1), new)
         for i in range(n):
             terms[i] = new[i]
         value += size
         derived += (j + 1) * size
-    rest = _geometric(equations, readers, terms, read, eta, source[LAST_TERM], duration, rate)
+    if not all_terms:
+        return value, derived
+    rest = _geometric(equations, filled, readers, terms, read, eta, source[LAST_TERM], duration, rate)
     return value + rest * TAIL_RATIO / (1.0 - TAIL_RATIO), derived + rest * (LAST_TERM + 2.0)
 
 
@@ -81,22 +86,23 @@ def _read(readers, c, n, terms):
 
 
 @inner
-def _step(equations, n, gaps, terms, pushed, source, factor, new):
+def _step(equations, filled, n, gaps, terms, pushed, source, factor, new):
     """new ← factor (|M| terms + |g| pushed + source); returns its largest entry."""
     size = 0.0
     for i in range(n):
-        new[i] = source
-        for k in range(n):
-            new[i] += abs(equations[i * (n + gaps) + k]) * terms[k]
-        for c in range(gaps):
-            new[i] += abs(equations[i * (n + gaps) + n + c]) * pushed[c]
-        new[i] *= factor
+        total, row, first = source, i * (n + gaps), filled[i, 0]
+        behind = first + filled[i, 1]
+        for k in range(first, min(n, behind)):
+            total += abs(equations[row + k]) * terms[k]
+        for c in range(max(0, first - n), behind - n):
+            total += abs(equations[row + n + c]) * pushed[c]
+        new[i] = total * factor
         size = max(size, new[i])
     return size
 
 
 @allocating
-def _geometric(equations, readers, terms, read, eta, source, duration, rate):
+def _geometric(equations, filled, readers, terms, read, eta, source, duration, rate):
     """The largest entry of a vector w such that all terms behind the last, L = LAST_TERM, obey
     t_(L+k) ≤ q^k w with q = TAIL_RATIO.
 
@@ -118,7 +124,7 @@ def _geometric(equations, readers, terms, read, eta, source, duration, rate):
         for c in range(gaps):
             reached[c] = max(reached[c], source + _read(readers, c, n, w))
             pushed[c] = eta[c, LAST_TERM + 1] * (reached[c] + source)
-        _step(equations, n, gaps, w, pushed, source, duration / (LAST_TERM + 1) / TAIL_RATIO, new)
+        _step(equations, filled, n, gaps, w, pushed, source, duration / (LAST_TERM + 1) / TAIL_RATIO, new)
         enough = True
         for i in range(n):
             if not new[i] <= w[i]:

@@ -6,7 +6,7 @@ from math import exp, factorial, hypot, pi
 
 import numpy as np
 
-from gearlash.system import System, derivative, padded
+from gearlash.system import Clearance, System, derivative
 from gearlash.system.harmonics import harmonics
 
 from ._surfaces import NO_STOP
@@ -29,9 +29,11 @@ def left_out(series: Array, width: float) -> tuple[float, float]:
 
 
 def write_system(system: System, shape: Shape, memory: Array) -> None:
-    """What is the same in all regions: scalars, gaps, how gaps are read, stiffness."""
+    """What is the same in all regions: scalars, gaps, how gaps are read, stiffness. The memory is empty, or
+    was written to for a system with as many harmonics."""
     rate, width = system.omega / system.cycles, 2 * shape.harmonics + 1
-    memory[shape.scalars : shape.scalars + 3] = rate, system.period / shape.cells, 2 * pi / shape.cells
+    turn = 2 * pi / shape.cells
+    memory[shape.scalars : shape.scalars + 3] = rate, system.period / shape.cells, turn
     for c, clearance in enumerate(system.clearances):
         plus = clearance.gap_plus if clearance.stops(1) else NO_STOP
         minus = clearance.gap_minus if clearance.stops(-1) else NO_STOP
@@ -43,17 +45,24 @@ def write_system(system: System, shape: Shape, memory: Array) -> None:
         memory[at : at + shape.n] = clearance.h
         at = shape.speed + c * shape.p + 1
         memory[at : at + shape.n] = clearance.h @ system.matrix
-        drift = padded(clearance.h @ system.forcing, shape.harmonics)
-        drift -= rate * padded(derivative(clearance.offset), shape.harmonics)
+        _write_drift(system, clearance, memory[shape.drift + c * width : shape.drift + (c + 1) * width])
         for place, series in (
             (shape.offset + c * width, clearance.offset),
-            (shape.drift + c * width, drift),
             (shape.stiffness + 2 * c * width, clearance.stiffness_plus),
             (shape.stiffness + (2 * c + 1) * width, clearance.stiffness_minus),
         ):
-            memory[place : place + width] = padded(series, shape.harmonics)
+            memory[place : place + len(series)] = series
         for side, series in enumerate((clearance.stiffness_plus, clearance.stiffness_minus)):
-            memory[shape.lost + 2 * c + side] = left_out(series, 2 * pi / shape.cells)[0]
+            memory[shape.lost + 2 * c + side] = left_out(series, turn)[0]
+
+
+def _write_drift(system: System, clearance: Clearance, drift: Array) -> None:
+    """h·b - e'."""
+    own = clearance.h @ system.forcing
+    drift[: len(own)], drift[len(own) :] = own, 0.0
+    if len(clearance.offset) > 1:
+        slope = system.omega / system.cycles * derivative(clearance.offset)
+        drift[: len(slope)] -= slope
 
 
 def write_region(system: System, shape: Shape, memory: Array, at: int, matrix: Array) -> None:

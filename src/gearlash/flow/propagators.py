@@ -275,7 +275,7 @@ def _with_regions(props: Propagators, codes: list[int], bound: float) -> Tables 
             copy_in_pieces(memory[place : place + shape.slot], memory[at : at + shape.slot])
             props.responses[code] = props.responses[like]
         else:
-            responses = _responses(props, memory, at, sides_of(code, shape.clearances))
+            responses = _responses(props, memory, at, sides_of(code, shape.clearances), bound)
             if not responses[2] <= bound:
                 return None
             props.responses[code] = responses
@@ -285,9 +285,11 @@ def _with_regions(props: Propagators, codes: list[int], bound: float) -> Tables 
     return Tables(memory, at, slot_of)
 
 
-def _responses(props: Propagators, memory: Array, at: int, sides: Sides) -> tuple[Array, Array, float, float]:
+def _responses(
+    props: Propagators, memory: Array, at: int, sides: Sides, bound: float
+) -> tuple[Array, Array, float, float]:
     """Writes the homogeneous tables of a region into its slot; returns the responses to unit inputs (at the
-    ends of cells, in the gaps) and the Taylor remainders."""
+    ends of cells, in the gaps) and the Taylor remainders, infinite ones where they are above the bound."""
     system, shape = props.system, props.shape
     ends = np.zeros((shape.cells, len(props.units), shape.n))
     gaps = np.zeros((shape.cells, shape.clearances, len(props.units), TERMS))
@@ -299,8 +301,10 @@ def _responses(props: Propagators, memory: Array, at: int, sides: Sides) -> tupl
     for first, until in calls(shape):
         value, derived = respond(
             sizes_of(shape), memory, at, matrix, readers, actors, props.centres,
-            np.array(sides, dtype=np.int64), props.units, ends, gaps, first, until, last, read,
+            np.array(sides, dtype=np.int64), props.units, ends, gaps, first, until, last, read, bound,
         )  # fmt: skip
+        if not value <= bound:
+            break
     write_region(system, shape, memory, at, matrix)
     return ends, gaps, value, derived
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 from math import inf
 
 import numpy as np
@@ -23,6 +24,7 @@ SMALLEST_OMEGA = 1e-9
 """Least mesh frequency: its period is finite."""
 ERROR_READOUT = "transmission_error", "dynamic transmission error", "length"
 """Name, words and unit of what encoders on both shafts measure, along the line of action."""
+KEPT_SERIES = 64
 _HARMONIC = re.compile(r"(ripple|error)(_phase)?(?:_([1-9][0-9]*))?")
 
 
@@ -72,13 +74,19 @@ def _harmonics(stem: str, what: str, defaults: Mapping[str, float], bound: float
 
 
 def series(values: Mapping[str, float], stem: str, mean: float, count: int) -> Fourier:
-    """mean + Σ amplitude_n cos(nθ + phase_n) of ``ripple`` or ``error``, shape (2·count + 1,)."""
-    orders = range(1, count + 1)
-    return cosines(
-        mean,
-        [values[harmonic_name(stem, n)] for n in orders],
-        [values[harmonic_name(f"{stem}_phase", n)] for n in orders],
+    """mean + Σ amplitude_n cos(nθ + phase_n) of ``ripple`` or ``error``, shape (2·count + 1,), read-only."""
+    amplitudes, phases = (
+        tuple(values[harmonic_name(part, n)] for n in range(1, count + 1)) for part in (stem, f"{stem}_phase")
     )
+    return _summed(mean, amplitudes, phases)
+
+
+@lru_cache(maxsize=KEPT_SERIES)
+def _summed(mean: float, amplitudes: tuple[float, ...], phases: tuple[float, ...]) -> Fourier:
+    """Kept, as most parameters leave a series as it is."""
+    found = cosines(mean, amplitudes, phases)
+    found.setflags(write=False)
+    return found
 
 
 def acceleration_forcing(

@@ -9,6 +9,7 @@ Nothing here knows about gears.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -125,15 +126,19 @@ class Clearance(Record):
         -------
         bool
         """
-        own, other = self.stiffness_plus, self.stiffness_minus
-        if boundary < 0:
-            own, other = other, own
-        if own.any():
-            return True
-        inherited = self.damping_minus is None and bool(other.any())
-        if self.contact is ContactRule.ALWAYS or inherited:
-            return False
-        return self.dampings[0 if boundary > 0 else 1] != 0.0
+        return self._stopping[0 if boundary > 0 else 1]
+
+    @cached_property
+    def _stopping(self) -> tuple[bool, bool]:
+        """Of side + and side -."""
+        stiff = bool(self.stiffness_plus.any()), bool(self.stiffness_minus.any())
+        always, inherited = self.contact is ContactRule.ALWAYS, self.damping_minus is None
+        damped = (
+            not always and not (inherited and stiff[1 - side]) and self.dampings[side] != 0.0
+            for side in (0, 1)
+        )
+        plus, minus = (one or other for one, other in zip(stiff, damped, strict=True))
+        return plus, minus
 
 
 @dataclass(frozen=True, eq=False, repr=False)
