@@ -263,7 +263,7 @@ def _through_cells(
     z, new, total = _zeros(rows * size), _zeros(rows * size), _zeros(n * most * lanes)
     x = _zeros(count * (ORDER + 1) * most * lanes)
     few_ends, few_x = _zeros(n * TOGETHER * few), _zeros(count * (ORDER + 1) * TOGETHER * few)
-    cell = first
+    cell, width = first, lanes
     while cell < until:
         cells = 1 if cell == first else min(TOGETHER, until - cell)
         for k in range(cells):
