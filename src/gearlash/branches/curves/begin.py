@@ -35,16 +35,18 @@ NEAR_START = 0.05  # scaled: how far the first orbit of a curve may lie from the
 SAME_EXTREMUM = 0.02  # mesh cycles: how far from where it was told the extremum that touches may lie
 NEAR_POINT = 0.5  # scaled: how far that orbit may lie from the point
 APART = 1e-3  # of the amplitude: how far the other extremum must be from touching, too
-AMPLITUDES = (3e-3, 1e-3, 1e-2, 3e-4)  # scaled: of the doubled orbit with which its curve begins
+AMPLITUDES = (3e-4, 1e-3, 3e-3, 1e-2)  # scaled: of the doubled orbit with which its curve begins
 
 
 @dataclass(frozen=True, eq=False)
 class Beginning:
-    """Orbits with their directions, away from the start; ``met``: where two things happen at the start."""
+    """Orbits with their directions, away from the start; ``met``: where two things happen at the start;
+    ``known``: the orbits after the one ahead, as far as they are known already."""
 
     ahead: Node
     behind: Node | None
     met: Met | None = None
+    known: tuple[Node, ...] = ()
 
 
 def beginning(
@@ -202,9 +204,9 @@ def _at_two(
     if at is not None and start.kind is not CodimTwoKind.CORNER and OF_KIND[kind] is at:
         met = point_of_two(plane, start, place, period)
         clear, deep = clear_side(met), beyond(met)
-        if clear is None or deep is None:
+        if clear is None or not deep:
             raise GearlashError("the curve could not be begun on both sides of the touch")
-        return Beginning(deep, clear, met)
+        return Beginning(deep[0], clear, met, deep[1:])
     node = condition_node(plane, place, start.point.state, period, OF_KIND[kind])
     return Beginning(node, node.turned)
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .plane import Array
 
@@ -32,6 +33,10 @@ class Condition:
     at: At
     left: Array
     right: Array
+
+    def renewed(self, monodromy: Array) -> Condition:
+        """The same with the borders that fit a monodromy."""
+        return Condition.near(self.at, monodromy, self)
 
     @staticmethod
     def near(at: At, monodromy: Array, before: Condition | None = None) -> Condition:
@@ -57,6 +62,42 @@ class Condition:
         last[m] = 1.0
         solve = np.linalg.solve
         return solve(bordered, last).astype(np.float64), solve(bordered.T, last).astype(np.float64)
+
+
+@dataclass(frozen=True, eq=False)
+class Double:
+    """That the multiplier of a condition is a double one: its left and right null vectors are orthogonal."""
+
+    simple: Condition
+
+    def renewed(self, monodromy: Array) -> Double:
+        return Double(self.simple.renewed(monodromy))
+
+    def value(self, monodromy: Array) -> float:
+        right, left = self.simple.solved(monodromy)
+        right, left = right[:-1], left[:-1]
+        return float(left @ right) / float(np.linalg.norm(left) * np.linalg.norm(right))
+
+
+@dataclass(frozen=True)
+class Turning:
+    """That the pair on the unit circle turns by an angle with a given cosine."""
+
+    cosine: float
+
+    def renewed(self, _: Array) -> Turning:
+        return self
+
+    def value(self, monodromy: Array) -> float:
+        return circle_cosine(np.linalg.eigvals(monodromy).astype(np.complex128)) - self.cosine
+
+
+def circle_cosine(multipliers: NDArray[np.complex128]) -> float:
+    """Half the sum of the two multipliers whose product is nearest to 1: as smooth as the matrix, even where
+    the two are one."""
+    first, second = np.triu_indices(len(multipliers), 1)
+    nearest = int(np.argmin(np.abs(multipliers[first] * multipliers[second] - 1.0)))
+    return 0.5 * float((multipliers[first[nearest]] + multipliers[second[nearest]]).real)
 
 
 def singular(at: At, monodromy: Array) -> Array:

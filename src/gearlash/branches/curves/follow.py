@@ -25,7 +25,8 @@ from .restart import beyond, clear_side
 from .secondary import TURNS
 
 GROW, SHRINK = 2.0, 0.5
-GOOD_CONTRACTION, MOST_CONTRACTION = 0.02, 0.4
+GOOD_CONTRACTION, MOST_CONTRACTION = 0.15, 0.4
+GOOD_TURN = 0.6  # of the largest angle
 OFF = 0.5  # of a step: how far beside its end the next orbit may lie
 SOON = 3.0  # steps: an extremum that would touch within so many is kept from crossing
 AHEAD = 2.0  # steps: a depth that would vanish within so many is looked for
@@ -40,16 +41,21 @@ Item = Node | Met | EndOfCurve
 
 @dataclass(frozen=True, eq=False)
 class Follower:
-    """From one orbit; ``start`` has the direction in which it goes."""
+    """From one orbit; ``start`` has the direction in which it goes; ``known``: the next ones, if they are
+    known already."""
 
     start: Node
     settings: ContinuationSettings
     first: float
+    known: tuple[Node, ...] = ()
 
     def run(self) -> Iterator[Item]:
         """Orbits and what is met in order, and why it ends."""
         before: Node | None = None
         node, length = self.start, self.first
+        if self.known:
+            yield from self.known
+            node, length = self.known[-1], _between(*(self.start, *self.known)[-2:])
         for count in range(self.settings.most_points):
             touch = self.vanishing(before, node, length)
             if touch is not None:
@@ -69,13 +75,12 @@ class Follower:
             closing = count > 2 and happened.touch is None and self.closes(node, after)
             yield from self.not_again(happened.met, node, after) if closing else happened.met
             if happened.touch is not None:
-                restarted = beyond(happened.touch)
-                yield from self.over(happened.touch, restarted)
-                if restarted is None:
+                known = beyond(happened.touch)
+                yield from self.over(happened.touch, known[-1] if known else None)
+                if not known:
                     return
-                length = 0.5 * _apart(restarted, happened.touch)
-                yield restarted
-                before, node = None, restarted
+                yield from known
+                before, node, length = None, known[-1], 0.5 * _apart(known[-1], happened.touch)
                 continue
             resonance = [
                 m for m in happened.met if m.kind in TURNS and node.problem.conditions[0].at.name == "CIRCLE"
@@ -232,11 +237,10 @@ class Follower:
         return f"the curve turns by {turn:.2f} rad within a step" if turn > self.settings.angle else ""
 
     def next_length(self, node: Node, after: Node, corrected: Corrected, length: float) -> float:
-        turned = angle(node, after)
-        if turned < 0.3 * self.settings.angle and corrected.contraction < GOOD_CONTRACTION:
-            length *= GROW
-        elif turned > 0.7 * self.settings.angle:
-            length *= SHRINK
+        """As much longer or shorter as contraction and angle are less or more than they should be."""
+        turn = GOOD_TURN * self.settings.angle / max(angle(node, after), 1e-9)
+        contraction = GOOD_CONTRACTION / max(corrected.contraction, 1e-9)
+        length *= min(GROW, max(SHRINK, min(turn, contraction)))
         return min(length, self.settings.longest)
 
     def closes(self, left: Node, right: Node) -> bool:
@@ -273,6 +277,11 @@ def _distance(met: Met, node: Node) -> float:
 def _apart(node: Node, met: Met) -> float:
     n, k = met.here.problem.states, len(met.here.problem.touches)
     return float(np.linalg.norm(node.u - np.concatenate([met.here.u[:n], met.here.u[n + k :]])))
+
+
+def _between(left: Node, right: Node) -> float:
+    """Half of how far two neighbours are apart."""
+    return 0.5 * float(np.linalg.norm(right.u - left.u))
 
 
 def angle(left: Node, right: Node) -> float:

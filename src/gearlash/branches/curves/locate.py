@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -18,14 +17,14 @@ from .node import Node, solved, touch_of, well_begun
 from .plane import UNBUILT, Array
 from .points import CodimTwoKind
 from .problem import Evaluated, Problem
+from .secondary import Function, with_both
 
 NEAR = 3.0  # times the length of a step: how far a point may lie from where it was found
 ON_CIRCLE = 1e-7  # distance of a pair from the unit circle
 NEARLY_FLAT = 1e-3  # H‴ in units of the motion: where it is less, it may be none
 SECANTS = 60
 NO_NUMBER = -1  # of an extremum that is none on both sides
-BY_DIFFERENCES = 1e-6  # of the width of the limits: error of the zero of a function along a curve
-BY_FORMULA = 1e-10  # the same where no derivative of the map is taken by differences
+NUDGE = 1e-3  # of a step: so far beside a zero its function is looked at again, for its error
 ZERO = 1e-13  # of the way: a bracket so narrow is a place
 THROUGH_INFINITY = 1e-2  # of the values at both ends: a zero at which more is left is none
 
@@ -33,15 +32,21 @@ THROUGH_INFINITY = 1e-2  # of the values at both ends: a zero at which more is l
 @dataclass(frozen=True, eq=False)
 class Met:
     """Two conditions at once: the kind, the solution (or the orbit of the curve where one is a zero of a test
-    function only), the Jacobian of the equations there, its motion, what touches, and more in words."""
+    function only), the Jacobian of the equations there, its motion, what touches, more in words; of such a
+    zero how far (2,) it may be off along the curve."""
 
     kind: CodimTwoKind
     here: Evaluated
     jacobian: Array
     motion: CurveOrbit
     touched: tuple[Extremum, ...]
-    solved: bool = True
     note: str = ""
+    along: Array | None = None
+
+    @property
+    def solved(self) -> bool:
+        """Whether both conditions were solved for together."""
+        return self.along is None
 
     @property
     def place(self) -> Array:
@@ -50,12 +55,9 @@ class Met:
     @property
     def errors(self) -> Array:
         """(2,) of the parameters: what is left, times how far they move with it."""
-        if not self.solved:
-            rough = self.kind in (CodimTwoKind.CUSP, CodimTwoKind.GENERALISED_DOUBLING)
-            return (BY_DIFFERENCES if rough else BY_FORMULA) * self.here.problem.plane.unit
         gains = np.abs(np.linalg.pinv(self.jacobian)[-2:]) @ (np.abs(self.here.residual) + 4e-16)
         found: Array = gains * self.here.problem.plane.unit + 1e-15 * np.abs(self.place)
-        return found
+        return found if self.along is None else found + self.along
 
 
 def touch_on(node: Node, extremum: Extremum, guess: Array | None = None) -> Met | None:
@@ -123,6 +125,12 @@ def second_touch(left: Node, right: Node, number: int) -> Met | None:
     return None if found is None else replace(found, kind=CodimTwoKind.TWO_GRAZINGS)
 
 
+def coinciding(left: Node, right: Node, part: float, kind: CodimTwoKind) -> Met | None:
+    """On a curve of a condition: where two multipliers are one, or a pair turns by a part of a circle."""
+    found = _two(with_both(kind, left), left.u + part * (right.u - left.u), left)
+    return None if found is None else replace(found, kind=kind)
+
+
 def degenerate(left: Node, right: Node, part: float) -> Met | None:
     """On a grazing curve: where H″ = 0."""
     found = _degenerate(left, left.u + part * (right.u - left.u), (2,))
@@ -185,9 +193,19 @@ class _LostError(Exception):
     """An orbit on the way could not be had."""
 
 
-def zero_between(left: Node, right: Node, test: Callable[[Node], float]) -> Node | None:
+@dataclass(frozen=True, eq=False)
+class Zero:
+    """The orbit of a curve where a function along it vanishes, and by how much (2,) the parameters may be
+    off."""
+
+    node: Node
+    error: Array
+
+
+def zero_between(left: Node, right: Node, test: Function, other: Function | None = None) -> Zero | None:
     """Where a test function vanishes between two points of a curve; None where an orbit on the way cannot be
-    had, or the function only jumps, or changes sign through infinity."""
+    had, or the function only jumps, or changes sign through infinity. ``other``: the same function, computed
+    in another way: by what both differ its error is told."""
     length = float(np.linalg.norm(right.u - left.u))
     row = (right.u - left.u) / length
     ends = {0.0: left, length: right}
@@ -206,12 +224,20 @@ def zero_between(left: Node, right: Node, test: Callable[[Node], float]) -> Node
         place: Any = brentq(
             lambda at: test(node_at(float(at))), 0.0, length, xtol=ZERO * length, maxiter=SECANTS
         )
-        node = node_at(float(place))
+        place = float(place)
+        node, beside = node_at(place), [node_at(place + k * NUDGE * length) for k in (-1.0, 1.0)]
     except (_LostError, RuntimeError):
         return None
-    return node if abs(test(node)) <= THROUGH_INFINITY * most else None
+    here, below, above = (test(each) for each in (node, *beside))
+    if not abs(here) <= THROUGH_INFINITY * most:
+        return None
+    unsure = abs(here) + abs(above + below - 2.0 * here) + (0.0 if other is None else abs(other(node) - here))
+    slope = abs(above - below) / (2.0 * NUDGE * length)
+    moved = np.abs(beside[1].place - beside[0].place) / (2.0 * NUDGE * length)
+    return Zero(node, moved * min(unsure / max(slope, 1e-300), length))
 
 
-def named(kind: CodimTwoKind, node: Node, note: str = "") -> Met:
+def named(kind: CodimTwoKind, zero: Zero, note: str = "") -> Met:
     """A zero of a test function along a curve."""
-    return Met(kind, node.here, node.jacobian, node.motion, tuple(node.touched), False, note)
+    node = zero.node
+    return Met(kind, node.here, node.jacobian, node.motion, tuple(node.touched), note, zero.error)

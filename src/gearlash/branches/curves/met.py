@@ -10,7 +10,18 @@ import numpy as np
 from . import secondary
 from .conditions import At
 from .law import coefficient
-from .locate import NEAR, Met, degenerate, flat, multiplier_on, named, second_touch, touch_on, zero_between
+from .locate import (
+    NEAR,
+    Met,
+    coinciding,
+    degenerate,
+    flat,
+    multiplier_on,
+    named,
+    second_touch,
+    touch_on,
+    zero_between,
+)
 from .motion import is_clear
 from .node import Node
 from .points import CodimTwoKind
@@ -56,9 +67,9 @@ def _on_grazing(left: Node, right: Node) -> Happened:
         elif needed:
             return Happened(doubt="a second condition holds on it that could not be solved for")
     if coefficient(left) * coefficient(right) < 0.0:
-        node = zero_between(left, right, coefficient)
-        if node is not None:
-            found.append((_part(left, node, right), named(CodimTwoKind.NO_ROOT, node)))
+        zero = zero_between(left, right, coefficient)
+        if zero is not None:
+            found.append((_part(left, zero.node, right), named(CodimTwoKind.NO_ROOT, zero)))
     for number in _crossed(left, right):
         met = second_touch(left, right, number)
         if met is None or not _near(met, left, right):
@@ -88,6 +99,8 @@ def _may_be_flat(left: Node, right: Node) -> bool:
 def _on_condition(left: Node, right: Node) -> Happened:
     crossed = _crossed(left, right)
     found = _secondary(left, right)
+    if found is None:
+        return Happened(doubt="multipliers coincide on it where they could not be solved for")
     if not crossed:
         return Happened(found)
     number = crossed[0]
@@ -103,21 +116,32 @@ def _on_condition(left: Node, right: Node) -> Happened:
     return Happened(found, touch)
 
 
-def _secondary(left: Node, right: Node) -> tuple[Met, ...]:
-    found = []
+def _secondary(left: Node, right: Node) -> tuple[Met, ...] | None:
+    """In order along the step; None where one could not be solved for."""
+    found: list[tuple[float, Met]] = []
     for kind, test in secondary.of_condition(left).items():
-        if test(left) * test(right) < 0.0:
-            node = zero_between(left, right, test)
-            if node is not None and not (kind is CodimTwoKind.FOLD_FLIP and _double(node)):
-                found.append((float(np.linalg.norm(node.u - left.u)), named(kind, node)))
+        one, two = test(left), test(right)
+        if not one * two < 0.0:
+            continue
+        if kind in secondary.BY_DIFFERENCES:
+            if kind is CodimTwoKind.CUSP and not _turns_back(left, right):
+                continue
+            zero = zero_between(left, right, test, secondary.BY_DIFFERENCES[kind])
+            if zero is not None:
+                found.append((_part(left, zero.node, right), named(kind, zero)))
+            continue
+        part = one / (one - two)
+        met = coinciding(left, right, part, kind)
+        if met is None or not _near(met, left, right):
+            return None
+        found.append((part, met))
     return tuple(met for _, met in sorted(found, key=lambda pair: pair[0]))
 
 
-def _double(node: Node) -> bool:
-    """Whether the other multiplier only seems to be there: it is the same one twice."""
-    at = node.problem.conditions[0].at
-    other = -1.0 if at is At.ONE else 1.0
-    return float(np.abs(node.spectrum.multipliers - other).min()) > 1e-3
+def _turns_back(left: Node, right: Node) -> bool:
+    """Whether the curve has come back in the plane: the quadratic coefficient of a fold may change sign at a
+    touch as well, through infinity."""
+    return float(left.direction[-2:] @ right.direction[-2:]) < 0.0
 
 
 def _crossed(left: Node, right: Node) -> list[int]:

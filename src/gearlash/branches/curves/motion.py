@@ -19,6 +19,7 @@ from .touch import Window, traced
 
 PART = 0.9  # of the way to the next extremum: how far a window goes
 MOST = 0.49  # of the orbit
+ASKED = 3  # extrema
 SAME = 1e-9  # mesh cycles: an extremum so near is the same
 
 
@@ -87,6 +88,17 @@ class CurveOrbit:
         kind = window.clearance, window.surface, window.boundary
         mine = [e for e in self.extrema.all if e.group[:3] == kind]
         return min(mine, key=lambda e: apart(e.phase, phase, self.cycles), default=None)
+
+    def nearest(self, here: Evaluated, but: tuple[Extremum, ...] = ()) -> float:
+        """How far the state may move, in units of the motion, until an extremum comes to its boundary; those
+        are asked that are nearest to theirs."""
+        asked = sorted((e for e in self.extrema.all if e not in but), key=lambda e: abs(e.distance))[:ASKED]
+        return min((abs(e.distance) / here.moved(e) for e in asked), default=np.inf)
+
+    def held(self, here: Evaluated) -> tuple[Extremum, ...]:
+        """The extrema whose boundaries are held."""
+        found = (self.beside(phase, window) for phase, window in here.windows if window.open)
+        return tuple(each for each in found if each is not None)
 
     def more(self, extremum: Extremum) -> Signature:
         """The contacts where an extremum that is held crosses its boundary."""

@@ -16,6 +16,7 @@ from .problem import Evaluated, Problem
 GOAL = 1e-14  # residual at which it ends where two things happen at once
 ON_CURVE = 5e-13  # the same on a curve
 ENOUGH = 2e-11  # residual that is accepted where it no longer becomes smaller
+NO_STEP = 1e-14  # a step that is rounding
 ITERATIONS = 20
 SLOW = 0.1  # contraction from which on the Jacobian is taken anew
 WORSE = 2.0  # growth of the residual, with a new Jacobian, that ends it
@@ -56,11 +57,12 @@ def _newton(
 ) -> Corrected:
     steps: list[float] = []
     here = problem.evaluate(u)
-    best, fresh = here, jacobian is None
+    fresh = jacobian is None
     jacobian = here.jacobian() if jacobian is None else jacobian
+    best, least = here, left_over(here, jacobian)
     for _ in range(ITERATIONS):
         along = 0.0 if row is None else target - float(row @ u)
-        if _left(best) <= (GOAL if row is None else ON_CURVE) and abs(along) <= ON_CURVE:
+        if least <= (GOAL if row is None else ON_CURVE) and abs(along) <= ON_CURVE:
             break
         step = _solved(jacobian, row, here.residual, along)
         length = float(np.linalg.norm(step))
@@ -75,24 +77,26 @@ def _newton(
         steps.append(length)
         u = u + step
         after = problem.evaluate(u)
-        left = _left(after)
-        if not left <= WORSE * _left(best) and fresh and len(steps) > 3:
+        left = left_over(after, jacobian)
+        if not left <= WORSE * least and fresh and len(steps) > 3:
             break
         jacobian = jacobian + np.outer(after.residual - here.residual - jacobian @ step, step) / float(
             step @ step
         )
-        stalled = left >= 0.5 * _left(best) and left <= ENOUGH
+        stalled = left >= 0.5 * least and left <= ENOUGH
         here, fresh = after, False
-        best = after if left < _left(best) else best
-        if stalled or (length <= 1e-13 and left <= ENOUGH):
+        best, least = (after, left) if left < least else (best, least)
+        if stalled or length <= NO_STEP or (length <= 1e-13 and left <= ENOUGH):
             break
-    if _left(best) > ENOUGH:
-        return Corrected(None, jacobian, tuple(steps), f"Newton's method stays at {_left(best):.0e}")
+    if least > ENOUGH:
+        return Corrected(None, jacobian, tuple(steps), f"Newton's method stays at {least:.0e}")
     return Corrected(best, jacobian, tuple(steps))
 
 
-def _left(here: Evaluated) -> float:
-    return float(np.abs(here.residual).max())
+def left_over(here: Evaluated, jacobian: Array) -> float:
+    """What is left of the equations; of those that change fast, in units of the change: rounding of the
+    unknowns is all that can be asked for."""
+    return float((np.abs(here.residual) / np.maximum(1.0, np.linalg.norm(jacobian, axis=1))).max())
 
 
 def _solved(jacobian: Array, row: Array | None, residual: Array, along: float) -> Array:

@@ -13,7 +13,7 @@ from gearlash.orbits.floquet import ordered
 from gearlash.system import ContactRule, GearlashError
 
 from .motion import CurveOrbit, apart
-from .newton import ENOUGH, Corrected, correct, tangent
+from .newton import ENOUGH, Corrected, correct, left_over, tangent
 from .plane import UNBUILT, Array
 from .problem import Evaluated, Problem, TouchCondition
 from .touch import carried
@@ -84,9 +84,10 @@ def node_of(corrected: Corrected, toward: Array, before: Node | None) -> Node:
     what `UNBUILT` names."""
     here = corrected.here
     assert here is not None
-    here = Evaluated(here.problem.near(here), here.u, here.props)
-    jacobian = here.jacobian()
     motion = CurveOrbit.of(here)
+    problem = here.problem.near(here).beside(motion.nearest(here, motion.held(here)))
+    here = Evaluated(problem, here.u, here.props)
+    jacobian = here.jacobian()
     if before is not None:
         motion = replace(motion, extrema=motion.extrema.after(before.extrema))
     node = Node(here, jacobian, tangent(jacobian, toward), motion, frozenset())
@@ -122,7 +123,7 @@ def solved(
     toward = row if before is None else before.direction
     try:
         node = node_of(corrected, toward, before)
-        if float(np.abs(node.here.residual).max()) > ENOUGH:  # the windows have changed it
+        if left_over(node.here, node.jacobian) > ENOUGH:  # the windows have changed it
             again = correct(node.problem, node.u, row, target, node.jacobian)
             if again.here is None:
                 return None, again

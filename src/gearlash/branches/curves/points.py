@@ -90,7 +90,7 @@ class CurvePoint(Record):
     extrema : tuple of Extremum
         All of them, with their distances from their boundaries.
     residual : float
-        Of all equations of the curve, relative to the sizes of the motion.
+        Of all equations of the curve, relative to the sizes of the motion; where they change fast, to that.
     admissible : bool
         Whether it is an orbit of the real system: no boundary is crossed that is taken as not crossed.
     status : Status

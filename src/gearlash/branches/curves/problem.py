@@ -12,14 +12,17 @@ from functools import cached_property
 
 import numpy as np
 
+from gearlash.branches.continuation.extrema import Extremum
 from gearlash.flow import Propagators
 from gearlash.system import GearlashError
 
-from .conditions import At, Condition
+from .conditions import At, Condition, Double, Turning
 from .plane import Array, Plane
 from .touch import Leg, Window, carried, derivatives, legs, surface_rows, surface_values, traced
 
 STEP = 1e-7  # of scaled unknowns: for derivatives that are no solutions of the variational equation
+LEAST_STEP = 1e-10
+OF_DEPTH = 1e-4  # of the distance of an extremum from its boundary, where the map is not smooth: the same
 
 
 @dataclass(frozen=True)
@@ -37,7 +40,8 @@ class TouchCondition:
 @dataclass(frozen=True, eq=False)
 class Problem:
     """For orbits of ``period`` base periods, begun at the phase ``origin``; ``size`` (n,): scale of the
-    states; ``kept``: extrema at given phases that are kept from crossing their boundaries."""
+    states; ``further``: more conditions, of points on a curve; ``kept``: extrema at given phases that are
+    kept from crossing their boundaries; ``step``: of differences."""
 
     plane: Plane
     period: int
@@ -45,7 +49,13 @@ class Problem:
     origin: float = 0.0
     touches: tuple[TouchCondition, ...] = ()
     conditions: tuple[Condition, ...] = ()
+    further: tuple[Double | Turning, ...] = ()
     kept: tuple[tuple[float, Window], ...] = ()
+    step: float = STEP
+
+    @property
+    def all_conditions(self) -> tuple[Condition | Double | Turning, ...]:
+        return (*self.conditions, *self.further)
 
     @property
     def states(self) -> int:
@@ -77,7 +87,17 @@ class Problem:
     def near(self, here: Evaluated) -> Problem:
         """The same with borders that fit the orbit."""
         matrix = here.scaled_monodromy
-        return replace(self, conditions=tuple(Condition.near(c.at, matrix, c) for c in self.conditions))
+        return replace(
+            self,
+            conditions=tuple(c.renewed(matrix) for c in self.conditions),
+            further=tuple(f.renewed(matrix) for f in self.further),
+        )
+
+    def beside(self, nearest: float) -> Problem:
+        """The same with differences that fit an orbit whose nearest extremum lies so far from its boundary,
+        in units of the motion: multipliers move like the root of that."""
+        step = min(STEP, max(LEAST_STEP, OF_DEPTH * nearest)) if self.conditions else STEP
+        return replace(self, step=step)
 
     def with_condition(self, at: At, here: Evaluated) -> Problem:
         """With one condition more."""
@@ -139,7 +159,7 @@ class Evaluated:
         closing = (states[-1] - states[0]) / self.problem.size
         touching = [self.touch_values(k, states) for k in range(len(self.problem.touches))]
         matrix = self.scaled_monodromy
-        return np.concatenate([closing, *touching, [c.value(matrix) for c in self.problem.conditions]])
+        return np.concatenate([closing, *touching, [c.value(matrix) for c in self.problem.all_conditions]])
 
     def touch_values(self, k: int, states: list[Array]) -> Array:
         """What is left of the equations of touch ``k``, with states at the beginning of every leg."""
@@ -167,9 +187,18 @@ class Evaluated:
     def leg_of(self, phase: float) -> int:
         """The leg on which a phase lies. Raises `GearlashError` where it lies on none."""
         for index, leg in enumerate(self.legs):
-            if leg.begin < phase < leg.end:
+            if leg.begin <= phase < leg.end:
                 return index
         raise GearlashError("a touch has left the orbit")
+
+    def moved(self, extremum: Extremum) -> float:
+        """How far X of an extremum moves at most with a scaled unit of the state."""
+        origin, size = self.problem.origin, self.problem.size
+        phase = origin + (extremum.phase - origin) % self.cycles
+        index = self.leg_of(phase)
+        flow = carried(self.props, self.course[0][index], self.legs[index], phase)[1] @ self.course[1][index]
+        h = self.props.system.clearances[extremum.clearance].h
+        return float(np.linalg.norm(h @ flow * size))
 
     def at_touch(self, k: int) -> Array:
         """(H, H', H″, H‴) of touch ``k``."""
@@ -206,33 +235,34 @@ class Evaluated:
         series, cycle = self.at_touch(k), 2.0 * np.pi / self.props.system.omega
         out[rows.start : rows.start + 2, n + k] = series[1:3] * cycle / size
         if touch.zero:
-            beyond = self._moved(n + k, STEP)
-            after = beyond.touch_values(k, beyond.course[0])
-            out[rows.start + 2 : rows.stop, n + k] = (after - self.touch_values(k, states))[2:] / STEP
+            beyond = self._moved(n + k, self.problem.step)
+            moved = beyond.touch_values(k, beyond.course[0]) - self.touch_values(k, states)
+            out[rows.start + 2 : rows.stop, n + k] = moved[2:] / self.problem.step
 
     def _by_states(self, out: Array) -> None:
         """Conditions, and further derivatives of touches, by the state: differences."""
         n, problem = self.problem.states, self.problem
         degenerate = [k for k, touch in enumerate(problem.touches) if touch.zero]
-        if not problem.conditions and not degenerate:
+        if not problem.all_conditions and not degenerate:
             return
-        here, first = self.residual, len(self.residual) - len(problem.conditions)
+        here, first, step = self.residual, len(self.residual) - len(problem.all_conditions), problem.step
         for i in range(n):
             u = self.u.copy()
-            u[i] += STEP
+            u[i] += step
             states, flows = self.carried_from(problem.state(u))
             for k in degenerate:
                 rows = slice(self._rows_of(k).start + 2, self._rows_of(k).stop)
-                out[rows, i] = (self.touch_values(k, states)[2:] - here[rows]) / STEP
+                out[rows, i] = (self.touch_values(k, states)[2:] - here[rows]) / step
             matrix = flows[-1] * problem.size / problem.size[:, None]
-            for j, condition in enumerate(problem.conditions):
-                out[first + j, i] = (condition.value(matrix) - here[first + j]) / STEP
+            for j, condition in enumerate(problem.all_conditions):
+                out[first + j, i] = (condition.value(matrix) - here[first + j]) / step
 
     def _along(self, axis: int) -> Array:
         """Derivative of the residual along one scaled parameter."""
         index = len(self.u) - 2 + axis
         top = self.problem.plane.outer(axis) / self.problem.plane.unit[axis]
-        step = STEP if self.u[index] + STEP <= top else -STEP
+        step = self.problem.step
+        step = step if self.u[index] + step <= top else -step
         return (self._moved(index, step).residual - self.residual) / step
 
     def _moved(self, index: int, step: float) -> Evaluated:

@@ -21,7 +21,7 @@ from .node import Node, node_of
 from .plane import UNBUILT, Array
 from .problem import Evaluated, Problem
 
-DEPTHS = (1e-4, 1e-5, 1e-6, 1e-7)  # of the size of the motion
+DEPTHS = (1e-7, 1e-6, 1e-5, 1e-4)  # of the size of the motion
 LONGEST_WAY = 0.3  # scaled: how far from the touch the first point may lie
 SECANTS = 30
 
@@ -45,13 +45,17 @@ def clear_side(met: Met) -> Node | None:
     return replace(node, motion=motion, touching=frozenset({extremum.number}))
 
 
-def beyond(met: Met) -> Node | None:
-    """The first point of the curve of the side with the contact; its direction leads away from the touch."""
+def beyond(met: Met) -> tuple[Node, ...]:
+    """The first points of the curve of the side with the contact, in order; their directions lead away from
+    the touch. None where none was found."""
+    found: list[Node] = []
     for depth in DEPTHS:
         node = _at_depth(met, depth)
-        if node is not None:
-            return node
-    return None
+        if node is not None and node.problem.plane.inside(node.place):
+            found.append(node)
+        elif found:
+            break
+    return tuple(found)
 
 
 def _at_depth(met: Met, depth: float) -> Node | None:

@@ -6,19 +6,22 @@ doi:10.1007/978-1-4757-3978-7."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
 
-from .conditions import At
+from .conditions import At, Double, Turning, circle_cosine
 from .node import Node
 from .plane import Array
 from .points import CodimTwoKind
+from .problem import Problem
 
 Function = Callable[[Node], float]
-NORMAL_STEP = 5e-4  # of scaled states: for third derivatives of the map
-CLEAR = 0.1  # of the distance of the nearest extremum from its boundary: the same
-LEAST_NORMAL_STEP = 2e-5
+SECOND_STEP, THIRD_STEP = 1e-3, 2e-3  # of scaled states: for second and third derivatives of the map
+CLEAR = 0.02  # of the distance of the nearest extremum from its boundary: the same
+LEAST_SECOND_STEP, LEAST_THIRD_STEP = 1e-9, 2e-5
+OTHER = 0.5  # of the step: another one, by which the error is told
 TURNS = {
     CodimTwoKind.ONE_ONE: 1.0,
     CodimTwoKind.ONE_TWO: -1.0,
@@ -57,21 +60,31 @@ def product(node: Node) -> float:
     return float(left @ right)
 
 
-def quadratic(node: Node) -> float:
-    """Change of the condition along the null vector: the quadratic coefficient of the fold."""
-    n = node.problem.states
-    return float(node.jacobian[-1, :n] @ _null(node)[0])
+@lru_cache(maxsize=8)
+def quadratic(node: Node, part: float = 1.0) -> float:
+    """Change of the condition along the null vector, by differences over a part of the step: the quadratic
+    coefficient of the fold. At a touch that of the side with the contact goes to infinity."""
+    here, size, condition = node.here, node.problem.size, node.problem.conditions[0]
+    right, _ = _null(node)
+    width = part * max(LEAST_SECOND_STEP, min(SECOND_STEP, CLEAR * node.motion.nearest(here)))
+
+    def value(k: float) -> float:
+        flow = here.carried_from(here.problem.state(here.u) + k * width * right * size)[1][-1]
+        return condition.value(flow * size / size[:, None])
+
+    return (8.0 * (value(1.0) - value(-1.0)) - (value(2.0) - value(-2.0))) / (12.0 * width)
 
 
-@lru_cache(maxsize=4)
-def cubic(node: Node) -> float:
-    """The cubic coefficient of the doubling, from differences of the exact Jacobian: at its zero the doubled
-    orbit changes sides. NaN where a boundary is so near that the map is not smooth within the differences:
-    at a touch the coefficient of the side with the contact goes to infinity."""
+@lru_cache(maxsize=8)
+def cubic(node: Node, part: float = 1.0) -> float:
+    """The cubic coefficient of the doubling, from differences of the exact Jacobian over a part of the step:
+    at its zero the doubled orbit changes sides. NaN where a boundary is so near that the map is not smooth
+    within the differences: at a touch the coefficient of the side with the contact goes to infinity."""
     right, left = _null(node)
-    width = min(NORMAL_STEP, CLEAR * _nearest(node))
-    if width < LEAST_NORMAL_STEP:
+    width = min(THIRD_STEP, CLEAR * node.motion.nearest(node.here))
+    if width < LEAST_THIRD_STEP:
         return float("nan")
+    width *= part
     here, n = node.here, node.problem.states
     left = left / float(left @ right)
 
@@ -87,16 +100,23 @@ def cubic(node: Node) -> float:
     return float(left @ third / 6.0 + 0.5 * left @ (second @ inner))
 
 
-def _nearest(node: Node) -> float:
-    """Distance of the nearest extremum from its boundary, in units of the motion."""
-    system, size = node.here.props.system, node.problem.size
-    return min(
-        (
-            abs(e.distance) / float(np.linalg.norm(system.clearances[e.clearance].h * size))
-            for e in node.extrema.all
-        ),
-        default=np.inf,
-    )
+BY_DIFFERENCES: dict[CodimTwoKind, Function] = {
+    CodimTwoKind.CUSP: lambda node: quadratic(node, OTHER),
+    CodimTwoKind.GENERALISED_DOUBLING: lambda node: cubic(node, OTHER),
+}
+"""The functions that are no more than their differences, by those over another step."""
+
+
+def with_both(kind: CodimTwoKind, node: Node) -> Problem:
+    """The equations of a point of a curve where multipliers coincide: the condition of the curve and
+    another one."""
+    problem = node.problem
+    (condition,) = problem.conditions
+    if kind is CodimTwoKind.FOLD_FLIP:
+        other = At.MINUS_ONE if condition.at is At.ONE else At.ONE
+        return problem.with_condition(other, node.here)
+    double = condition.at is not At.CIRCLE
+    return replace(problem, further=(Double(condition) if double else Turning(TURNS[kind]),))
 
 
 def _null(node: Node) -> tuple[Array, Array]:
@@ -107,15 +127,7 @@ def _null(node: Node) -> tuple[Array, Array]:
 
 
 def _turning(cosine: float) -> Function:
-    return lambda node: circle_cosine(node) - cosine
-
-
-def circle_cosine(node: Node) -> float:
-    """Half the sum of the two multipliers whose product is nearest to 1."""
-    values = node.spectrum.multipliers
-    first, second = np.triu_indices(len(values), 1)
-    nearest = int(np.argmin(np.abs(values[first] * values[second] - 1.0)))
-    return 0.5 * float((values[first[nearest]] + values[second[nearest]]).real)
+    return lambda node: circle_cosine(node.spectrum.multipliers) - cosine
 
 
 def curvature(node: Node) -> float:

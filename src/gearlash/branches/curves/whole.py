@@ -17,6 +17,7 @@ from .conditions import At
 from .follow import Follower
 from .locate import Met
 from .motion import is_clear
+from .newton import left_over
 from .node import Node, state_at
 from .plane import UNBUILT, Array
 from .points import CodimTwoPoint, Curve, CurveEndKind, CurvePoint, EndOfCurve
@@ -44,7 +45,7 @@ def kind_of(node: Node) -> SpecialKind:
 def curve_through(begun: Beginning, settings: ContinuationSettings, listen: Listener) -> Curve:
     """The curve both ways from its beginning."""
     ahead, behind, met = begun.ahead, begun.behind, begun.met
-    way = _Way.taken(ahead, settings, listen)
+    way = _Way.taken(ahead, settings, listen, begun.known)
     between: tuple[CodimTwoPoint, ...] = ()
     if behind is not None and way.end.kind is not CurveEndKind.CLOSED:
         back = _Way.taken(behind, settings, listen).turned
@@ -81,11 +82,13 @@ class _Way:
     special: list[CodimTwoPoint] = field(default_factory=list)
 
     @staticmethod
-    def taken(start: Node, settings: ContinuationSettings, listen: Listener) -> _Way:
+    def taken(
+        start: Node, settings: ContinuationSettings, listen: Listener, known: tuple[Node, ...] = ()
+    ) -> _Way:
         last, arclength = start, 0.0
         way = _Way(EndOfCurve(CurveEndKind.CANCELLED, _pair(start.place)))
         waiting: list[Met] = []
-        for item in Follower(start, settings, settings.first).run():
+        for item in Follower(start, settings, settings.first, known).run():
             if isinstance(item, Met):
                 waiting.append(item)
                 continue
@@ -156,7 +159,7 @@ def _point(node: Node, arclength: float) -> CurvePoint:
         multipliers=node.spectrum.multipliers,
         touches=touched,
         extrema=node.extrema.all,
-        residual=float(np.abs(here.residual).max()),
+        residual=left_over(here, node.jacobian),
         admissible=_admissible(node),
         status=Status.OK,
     )
@@ -200,7 +203,7 @@ def special_of(met: Met, arclength: float, before: Node, after: Node) -> CodimTw
         multipliers=ordered(np.linalg.eigvals(here.monodromy)),
         touches=met.touched,
         extrema=met.motion.extrema.all,
-        residual=float(np.abs(here.residual).max()),
+        residual=left_over(here, met.jacobian),
         admissible=real,
         status=Status.OK,
     )
