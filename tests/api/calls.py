@@ -244,6 +244,9 @@ def calls() -> tuple[Call, ...]:
         Call("plots.branch_diagram", plots.branch_diagram, {
             "datasets": [gl.branch_dataset(spur, branch)], "measure": "maximum", "cloud": dataset,
             "multipliers": True, "title": "", "span": (), "units": plots.Units(), "along": None}),
+        Call("plots.curve_diagram", plots.curve_diagram, {
+            "curves": [curve], "model": spur, "title": "", "behind": None, "span": (),
+            "along": (None, None)}),
         Call("plots.plane", plots.plane, {"dataset": mapped, "units": plots.Units()}),
         Call("plots.portrait", plots.portrait, {"motion": moving, "units": plots.Units(), "parameter": "f"}),
         Call("plots.history", plots.history, {"motion": moving, "units": plots.Units(), "parameter": "f"}),

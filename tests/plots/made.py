@@ -8,11 +8,12 @@ import numpy as np
 import xarray as xr
 
 from gearlash.branches import locate_grazing
+from gearlash.branches.curves import Curve
 from gearlash.case import Case, load
 from gearlash.orbits import Orbit, attractor, grazing_checks
 from gearlash.results import Axis, plane_dataset, sweep_dataset
 from gearlash.results.branch_dataset import branch_dataset
-from gearlash.studies import Zones, continue_branch, map_plane, sweeps
+from gearlash.studies import Zones, continue_branch, continue_curve, map_plane, sweeps
 from gearlash.studies.motion import Motion, motion, touching
 from gearlash.studies.zones import zones_of_kinds
 
@@ -65,6 +66,17 @@ def dataset(axis: str = "omega") -> xr.Dataset:
     values = np.linspace(1.08, 1.13, 6) if axis == "omega" else np.array([0.386, 0.39, 0.46, 0.48])
     fixed = {"D": 1.0} if axis == "omega" else {"omega": 0.78}
     return sweep_dataset(article(), sweeps(article(), Axis(axis, values), values=fixed))
+
+
+@cache
+def curves() -> tuple[Curve, ...]:
+    """Of the window of the article, over speed and load."""
+    found = continue_branch(article(), "omega", lower=0.94, upper=1.14, values={"omega": 1.05})
+    low, high = (0.94, 0.05), (1.14, 0.2)
+    return tuple(
+        continue_curve(article(), ("omega", "load"), special, branch=found, lower=low, upper=high)
+        for special in found.special[:3]
+    )
 
 
 @cache

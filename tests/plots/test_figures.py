@@ -19,7 +19,7 @@ from gearlash import plots
 from gearlash.plots.branch_lines import MARKERS, OTHER_MARKER
 from gearlash.plots.units import ASSUMED_MARK
 from gearlash.system import Signature
-from plots.made import aperiodic, around_grazing, article, branch, dataset, moving, plane, zoned
+from plots.made import aperiodic, around_grazing, article, branch, curves, dataset, moving, plane, zoned
 
 BARS = (
     plots.Bar("article", 0.973, 1.112, "reported", "", "0.973", "1.112"),
@@ -62,6 +62,9 @@ FIGURES: dict[str, Callable[[], Figure]] = {
         [branch()], cloud=dataset(), multipliers=True, title="The window of article", units=units()
     ),
     "branch-force": lambda: plots.branch_diagram([branch()], "force_max", units=units()),
+    "curves": lambda: plots.curve_diagram(
+        curves(), article(), title="Around the window", along=(units().speed, units().of_parameter("load"))
+    ),
     "diagram": lambda: plots.diagram(dataset(), MARKS, units()),
     "diagram-back": lambda: plots.diagram(dataset("D"), (), units()),
     "portrait": lambda: plots.portrait(moving(1.1, 1.0, 1.1), units()),

@@ -7,6 +7,7 @@ bytes.
 from .around_point import around_point
 from .bifurcation import diagram
 from .branch_diagram import branch_diagram
+from .curve_diagram import curve_diagram
 from .draw import draw
 from .histories import history
 from .histories import triple as history_triple
@@ -31,6 +32,7 @@ __all__ = [
     "Units",
     "around_point",
     "branch_diagram",
+    "curve_diagram",
     "diagram",
     "draw",
     "gallery",

@@ -35,6 +35,7 @@ from .branch_lines import (
 from .followed import MEASURES, Array, Followed, parameter
 from .regimes import FREE, regime
 from .room import Room
+from .scales import scales
 from .swept import axis_name, swept
 from .units import ASSUMED, Twin, Units, literal, second
 from .words import words
@@ -129,7 +130,7 @@ def branch_diagram(
     if multipliers:
         _multipliers(panels[1], every, colours)
     twin = along or units.of_parameter(axis)
-    _scales(panels[-1], words(every[0], units).name(axis), twin, first=along is not None)
+    scales(panels[-1], "x", words(every[0], units).name(axis), twin, first=along is not None)
     if title:
         panels[0].set_title(literal(title))
     assumed = any(each is not None and each.assumed for each in (twin, up))
@@ -140,17 +141,6 @@ def branch_diagram(
         title_fontsize=6.5,
     )  # fmt: skip
     return figure
-
-
-def _scales(panel: Axes, text: str, twin: Twin | None, *, first: bool) -> None:
-    """The parameter below the panel: in the unit that was asked for, if any, and under it the other scale."""
-    if twin is None or not first:
-        panel.set_xlabel(text)
-        second(panel, twin, below=9.5)
-        return
-    panel.tick_params(axis="x", which="both", bottom=False, labelbottom=False)
-    second(panel, twin, below=0.0, which="below")
-    second(panel, Twin(1.0, text, ""), below=9.5)
 
 
 def _said(shown: Shown, *, several: bool) -> str:

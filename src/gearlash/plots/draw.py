@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar
 
 from matplotlib.figure import Figure
 
 from gearlash.branches.continuation import Branch
+from gearlash.branches.curves import Curve
 from gearlash.case import Case
 from gearlash.orbits import Aperiodic, Orbit
 from gearlash.results import PlaneMap, Sweep, plane_dataset, sweep_dataset
@@ -17,9 +18,12 @@ from gearlash.system import Family, GearlashError, given
 
 from .bifurcation import diagram
 from .branch_diagram import branch_diagram
+from .curve_diagram import curve_diagram
 from .plane import plane
 from .portraits import portrait
 from .units import Units
+
+Thing = TypeVar("Thing")
 
 
 def draw(result: Any, model: Case | Family | None = None) -> Figure:
@@ -27,9 +31,10 @@ def draw(result: Any, model: Case | Family | None = None) -> Figure:
 
     Parameters
     ----------
-    result : Orbit, Aperiodic, Motion, Sweep, Zones, PlaneMap, Branch, or sequence of Sweep or Branch
+    result : Orbit, Aperiodic, Motion, Sweep, Zones, PlaneMap, Branch, Curve, or sequence of the like
         A motion is drawn as its phase portrait, sweeps and zones as a bifurcation diagram, a map as a plane,
-        branches over their parameter.
+        branches over their parameter, curves in the plane of theirs. There may be several sweeps, branches or
+        curves.
     model : Case or Family, optional
         What was asked about. All but motions need it; of a case the figure has axes with units.
 
@@ -58,9 +63,9 @@ def draw(result: Any, model: Case | Family | None = None) -> Figure:
         return portrait(motion(result), units)
     if isinstance(result, Motion):
         return portrait(result, units)
-    sweeps, branches = _sweeps(result), _branches(result)
-    if not (sweeps or branches or isinstance(result, PlaneMap)):
-        expected = "an attractor, a Motion, sweeps, Zones, a PlaneMap or branches"
+    sweeps, branches, curves = _sweeps(result), _several(result, Branch), _several(result, Curve)
+    if not (sweeps or branches or curves or isinstance(result, PlaneMap)):
+        expected = "an attractor, a Motion, sweeps, Zones, a PlaneMap, branches or curves"
         raise GearlashError(f"nothing to draw: expected {expected}, not {given.kind_of(result)}")
     if model is None:
         raise GearlashError(f"{given.kind_of(result)} is drawn with its case or family: draw(result, case)")
@@ -68,22 +73,19 @@ def draw(result: Any, model: Case | Family | None = None) -> Figure:
         return plane(plane_dataset(model, result), units)
     if branches:
         return branch_diagram([branch_dataset(model, each) for each in branches], units=units)
+    if curves:
+        return curve_diagram(curves, model)
     return diagram(sweep_dataset(model, sweeps), units=units)
 
 
 def _sweeps(result: Any) -> tuple[Sweep, ...]:
     """One sweep, several, or those behind zones; else none."""
-    if isinstance(result, Sweep):
-        return (result,)
-    if isinstance(result, Zones):
-        return result.sweeps
-    several = isinstance(result, (list, tuple)) and all(isinstance(each, Sweep) for each in result)
-    return tuple(result) if several else ()
+    return result.sweeps if isinstance(result, Zones) else _several(result, Sweep)
 
 
-def _branches(result: Any) -> tuple[Branch, ...]:
-    """One branch, or several; else none."""
-    if isinstance(result, Branch):
+def _several(result: Any, kind: type[Thing]) -> tuple[Thing, ...]:
+    """One thing of a kind, or several; else none."""
+    if isinstance(result, kind):
         return (result,)
-    several = isinstance(result, (list, tuple)) and all(isinstance(each, Branch) for each in result)
+    several = isinstance(result, (list, tuple)) and all(isinstance(each, kind) for each in result)
     return tuple(result) if several else ()

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import ListedColormap, to_hex, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
@@ -17,7 +18,7 @@ from matplotlib.path import Path
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from gearlash.system import Label, Signature, UnknownNameError, read_label
+from gearlash.system import GearlashError, Label, Signature, UnknownNameError, read_label
 
 from . import style
 from .fills import NONE, Fill, fills, legend_order
@@ -102,6 +103,24 @@ def plane(
         title=f"{key} {ASSUMED}" if marked else key, title_fontsize=6.5,
     )  # fmt: skip
     return made
+
+
+def fill_plane(panel: Axes, dataset: xr.Dataset, names: tuple[str, str], strength: float) -> list[Patch]:
+    """A map behind other things, paler so that these are seen on it: ``strength`` of its colours is left.
+    Returns its legend. Raises `GearlashError` for a map of other parameters."""
+    if (dataset.attrs.get("x"), dataset.attrs.get("y")) != names:
+        raise GearlashError(f"behind: expected a map over {names[0]} and {names[1]}, in this order")
+    codes = np.asarray(dataset["label"].values, dtype=np.int64)
+    looks = _looks([read_label(str(each)) for each in dataset["label_name"].values], codes)
+    pale = [replace(each, colour=_paler(each.colour, strength)) for each in looks]
+    _fill(panel, (_edges(dataset[names[0]].values), _edges(dataset[names[1]].values)), codes, pale)
+    ordered = dict(zip(looks, pale, strict=True))
+    return [_patch(ordered[each]) for each in legend_order(looks)]
+
+
+def _paler(colour: str, strength: float) -> str:
+    red, green, blue = (1.0 - strength * (1.0 - part) for part in to_rgb(colour))
+    return to_hex((red, green, blue))
 
 
 def _title(dataset: xr.Dataset, said: Words, axes: tuple[str, str]) -> str:

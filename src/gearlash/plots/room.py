@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
+from scipy.spatial import KDTree
 
 Array = NDArray[np.float64]
 
@@ -54,7 +55,7 @@ class Room:
         """The place (its centre, in mm) with the least of curves under a text of this size (points), of those
         that lie inside and on no other text; None where there is none, or ``most`` points of curves are
         covered everywhere. The text is taken to stand there from now on."""
-        half = 0.5 * POINT * size * CHARACTER * len(text) + 0.2, 0.5 * POINT * size * LINE + 0.1
+        half = _half(text, size)
         best, least = None, np.inf
         for u, v in places:
             box = u - half[0], v - half[1], u + half[0], v + half[1]
@@ -69,9 +70,35 @@ class Room:
             self.boxes.append((u - half[0], v - half[1], u + half[0], v + half[1]))
         return best
 
+    def mark(self, u: float, v: float, reach: float) -> None:
+        """No text covers what lies there (in mm)."""
+        self.boxes.append((u - reach, v - reach, u + reach, v + reach))
+
+    def covered(self, x: Array, y: Array, others: Array) -> bool:
+        """Whether a curve runs along others (points in mm, no farther than `APART` from each other)."""
+        u, v = self.at(x, y)  # pyright: ignore[reportArgumentType]
+        if not len(others):
+            return False
+        tree = KDTree(others)
+        return bool((tree.query(np.column_stack([u, v]))[0] < APART).all())
+
     def _covered(self, box: tuple[float, float, float, float]) -> int:
         x, y = self.curves.T
         return int(((x > box[0]) & (x < box[2]) & (y > box[1]) & (y < box[3])).sum())
+
+
+def around(text: str, size: float, u: float, v: float, away: float) -> list[tuple[float, float]]:
+    """Where a text may stand so that it begins ``away`` from a place, all in mm: right above it first."""
+    right, up = (half + away for half in _half(text, size))
+    corner = 0.7 * right, 0.9 * up
+    signs = ((1, 1), (-1, 1), (1, -1), (-1, -1))
+    corners = [(u + a * max(corner[0], right - 0.4), v + b * corner[1]) for a, b in signs]
+    return [*corners, (u, v + up), (u, v - up), (u + right, v), (u - right, v)]
+
+
+def _half(text: str, size: float) -> tuple[float, float]:
+    """Half the width and height (mm) of a text of a size in points."""
+    return 0.5 * POINT * size * CHARACTER * len(text) + 0.2, 0.5 * POINT * size * LINE + 0.1
 
 
 def _overlap(one: tuple[float, float, float, float], other: tuple[float, float, float, float]) -> bool:

@@ -200,7 +200,7 @@ def _others(case: Case, assumed: Mapping[str, bool]) -> dict[str, Twin]:
 
 def second(axes: Axes, twin: Twin | None, which: str = "x", below: float = 0.0) -> None:
     """Gives the axes a second scale at the top (``x``), on the right (``y``), or ``below`` (mm) their own
-    x axis, or in place of that (``which``: below).
+    x axis; or one in place of their own (``which``: below, left).
     """
     if twin is None:
         return
@@ -214,6 +214,9 @@ def second(axes: Axes, twin: Twin | None, which: str = "x", below: float = 0.0) 
         axes.tick_params(which="both", top=False)
         made = axes.secondary_xaxis("top", functions=pair)
         made.set_xlabel(twin.label)
+    elif which == "left":
+        made = axes.secondary_yaxis("left", functions=pair)
+        made.set_ylabel(twin.label)
     else:
         axes.tick_params(which="both", right=False)
         made = axes.secondary_yaxis("right", functions=pair)
