@@ -195,6 +195,15 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         Touch as Touch,
         motion as motion,
     )
+    from .studies.plane_zone import (
+        AxisMargin as AxisMargin,
+        BoundaryPart as BoundaryPart,
+        PlaneZone as PlaneZone,
+        ToleranceMargin as ToleranceMargin,
+    )
+    from .studies.plane_zones import (
+        plane_zone as plane_zone,
+    )
     from .studies.transition import (
         Sampled as Sampled,
         Transition as Transition,
@@ -400,6 +409,8 @@ _PUBLIC = {
         "Touch",
         "motion",
     ),
+    "gearlash.studies.plane_zone": ("AxisMargin", "BoundaryPart", "PlaneZone", "ToleranceMargin"),
+    "gearlash.studies.plane_zones": ("plane_zone",),
     "gearlash.studies.transition": ("Sampled", "Transition"),
     "gearlash.studies.transitions": ("transitions",),
     "gearlash.studies.zone": ("Physical",),

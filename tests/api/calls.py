@@ -76,6 +76,15 @@ def calls() -> tuple[Call, ...]:
     branch = gl.continue_branch(spur, "omega", lower=1.4, upper=1.42, values={"omega": 1.41})
     special = branch.special[0]
     law = gl.grazing_law(spur, branch, special)
+    zone = gl.plane_zone(
+        spur,
+        ("omega", "D"),
+        lower=(0.8, 0.99),
+        upper=(0.83, 1.01),
+        values={"omega": 0.81},
+        tolerances={"omega": 0.001, "D": 0.001},
+        lines=0,
+    )
     curve = gl.continue_curve(spur, ("omega", "D"), special, lower=(1.3, 0.9), upper=(1.5, 1.1))
     two = gl.CodimTwoPoint(
         gl.CodimTwoKind.CUSP, (1.4, 1.0), (0.0, 0.0), curve.points[0], special.label_before,
@@ -104,6 +113,7 @@ def calls() -> tuple[Call, ...]:
             ((0, 0), (0, 1)), ((1.3, 0.9), (1.5, 0.9)), (gl.Signature(1, 0), None), gl.LabelChangeKind.NONE
         ),
         gl.StraightPiece("D", 0.9, 1.1, 1.4), gl.Undone("branch", None, (1.4, 1.0), "not followed"),
+        zone, zone.parts[0], zone.margins[0], zone.tolerance_margins[0],
         end, seen, span, gl.Touch(0.5, 1.0, 0.0, 1),
     )  # fmt: skip
     bifurcation = gl.locate_multiplier(family, "omega", orbit, -1)
@@ -161,6 +171,11 @@ def calls() -> tuple[Call, ...]:
             "execution": execution}),
         Call("Atlas.of_kind", drawn.of_kind, {"kind": "fold"}),
         Call("LabelChangeKind", gl.LabelChangeKind, {"value": "curve"}),
+        Call("plane_zone", gl.plane_zone, {
+            "model": spur, "names": ("omega", "D"), "lower": (0.79, 0.99), "upper": (0.81, 1.01),
+            "quiet": "impact-free", "values": {"omega": 0.8}, "tolerances": {"omega": 0.001, "D": 0.001},
+            "start": None, "lines": 0, "settings": QUICK, "execution": execution}),
+        Call("PlaneZone.contains", zone.contains, {"first": 0.8, "second": 1.0}),
         Call("switch_branch", gl.switch_branch, {
             "model": spur, "branch": branch, "special": special, "steps": gl.ContinuationSettings(),
             "execution": execution}),

@@ -111,7 +111,7 @@ def continue_curve(
     """
     source = Source.of(model)
     family = source.family()
-    limits = _limits(model, family, names, lower, upper)
+    limits = limits_of(model, family, names, lower, upper)
     given.instance("special", special, STARTS, "one of branch.special, or a point of a Curve")
     numbers = dict(plain_values(model, family, values))
     if branch is not None:
@@ -136,9 +136,10 @@ def continue_curve(
     return curve_through(begun, steps, Listener(following.tell, following.stop))
 
 
-def _limits(
+def limits_of(
     model: Model, family: Family, names: tuple[str, str], lower: Pair, upper: Pair
 ) -> tuple[Limits, Limits]:
+    """Of both parameters. Raises `GearlashError` for what are none."""
     names = _pair("names", names, "two names of parameters")
     lower, upper = _pair("lower", lower, "two limits"), _pair("upper", upper, "two limits")
     one, two = (
