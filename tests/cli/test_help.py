@@ -13,7 +13,19 @@ from cli.conftest import Gearlash
 from gearlash.case import bundled
 from gearlash.cli.app import app
 
-COMMANDS = ("report", "run", "check", "sweep", "map", "branch", "graze", "zones", "reproduce", "schema")
+COMMANDS = (
+    "new",
+    "report",
+    "run",
+    "check",
+    "sweep",
+    "map",
+    "branch",
+    "graze",
+    "zones",
+    "reproduce",
+    "schema",
+)
 HEAVY = ("numpy", "numba", "pint", "matplotlib", "xarray", "rich")
 
 

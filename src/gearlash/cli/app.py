@@ -11,6 +11,7 @@ from .commands.branch import branch
 from .commands.check import check
 from .commands.graze import graze
 from .commands.map import map as map_
+from .commands.new import new
 from .commands.report import report
 from .commands.reproduce import reproduce
 from .commands.run import run
@@ -66,5 +67,5 @@ def gearlash(
     pass
 
 
-for command in (report, run, check, sweep, map_, branch, graze, zones, reproduce, schema):
+for command in (new, report, run, check, sweep, map_, branch, graze, zones, reproduce, schema):
     app.command()(command)

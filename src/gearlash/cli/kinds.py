@@ -5,6 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 
 ANSWER_KINDS = {
+    "new": "NewAnswer",
     "run": "RunAnswer",
     "check": "CheckAnswer",
     "sweep": "SweepAnswer",

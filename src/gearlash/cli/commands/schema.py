@@ -15,7 +15,7 @@ def schema(
         str | None,
         typer.Option(
             metavar="KIND",
-            help="Schema of what --json prints instead: run, check, sweep, map, branch, graze, zones, "
+            help="Schema of what --json prints instead: new, run, check, sweep, map, branch, graze, zones, "
             "reproduce, or problem (input that cannot be used).",
         ),
     ] = None,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from rich.text import Text
 
@@ -33,7 +33,7 @@ def check_view(answer: CheckAnswer, width: int) -> Iterator[Text]:
     open_ = [v for v in stated if v.provenance != "given"]
     yield from remarks("Given", [_row(v, marks) for v in stated if v.provenance == "given"], width)
     if open_:
-        yield from remarks("Not given", [_row(v, marks) for v in open_], width)
+        yield from remarks("Not given", open_rows(open_, marks), width)
     yield from remarks("Derived", [_row(v, marks) for v in derived], width)
     yield from _resonances(answer.values, marks, width)
     for remark in answer.notes:
@@ -42,6 +42,19 @@ def check_view(answer: CheckAnswer, width: int) -> Iterator[Text]:
     footnote = marks.footnote("above")
     if footnote:
         yield from note(footnote, width)
+
+
+def open_rows(values: Iterable[CheckValue], marks: Marks) -> list[tuple[str, str, str, str]]:
+    """Rows of values that are not given; a reason stands once for those that share it."""
+    rows: list[tuple[str, str, str, str]] = []
+    last = ""
+    for value in values:
+        path, short, shown, what = _row(value, marks)
+        if value.reason and value.reason == last:
+            what = what.partition(": ")[0] + ": the same"
+        last = value.reason
+        rows.append((path, short, shown, what))
+    return rows
 
 
 def _row(value: CheckValue, marks: Marks) -> tuple[str, str, str, str]:

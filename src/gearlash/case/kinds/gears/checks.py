@@ -18,6 +18,8 @@ from .keys import REFERENCE
 from .places import stated_paths
 from .rules import EntriesByKey, PairRules
 
+ESTIMATED = "; with teeth, module and angles stated, pinion.material and gear.material let it be estimated"
+
 
 def missing(rules: PairRules, entries: EntriesByKey, present: Collection[str] = ()) -> list[Problem]:
     """Quantities that must be stated and are not; ``present`` are paths known to be stated, if wrongly.
@@ -35,6 +37,7 @@ def missing(rules: PairRules, entries: EntriesByKey, present: Collection[str] = 
         place = places[ways[0]]
         other = f" (or {', '.join(ways[1:])})" if len(ways) > 1 else ""
         why = "; there is no backlash to take half of" if key == REFERENCE else ""
+        why = ESTIMATED if key == "mesh.mean_stiffness" else why
         problems.append(Problem(place.path, None, f"{place.expected}{other}{why}", missing=True))
     return problems
 

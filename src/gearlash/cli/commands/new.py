@@ -1,0 +1,72 @@
+"""gearlash new"""
+
+from __future__ import annotations
+
+import inspect
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from gearlash.cli.exits import ExitCode, command, delivery
+from gearlash.cli.options import AsJson
+from gearlash.cli.words_of_drawing import WORDS, Word
+
+
+def _option(word: Word) -> inspect.Parameter:
+    kind = Annotated[str | None, typer.Option(word.option, metavar=word.example, help=word.what)]
+    return inspect.Parameter(word.name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=kind)
+
+
+def _new(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="The case file to write, such as pair.toml.")],
+    *,
+    description: Annotated[
+        str | None, typer.Option(metavar="TEXT", help="A line about the pair, kept in the file.")
+    ] = None,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replaces a file that is there already.")
+    ] = False,
+    as_json: AsJson = False,
+    **words: str | None,
+) -> ExitCode:
+    """What does the drawing say? Writes a case file from it, which all other commands take.
+
+    From options, or from answers to questions where none is given and somebody is at the terminal, else a
+    commented template with an example to edit. Values of pinion and gear stand apart by a stroke (25/57), one
+    stands for both, and /50mm is that of the gear alone. What a drawing leaves open (stiffness and how it
+    varies, error, masses, bearings, damping, backlash) is estimated whenever the file is read, with range and
+    source.
+    """
+    from gearlash.cli.answers.new import new_answer
+    from gearlash.cli.drawing_file import TEMPLATE, file_text, known_of
+    from gearlash.cli.frame import show_answer
+    from gearlash.cli.new_file import checked_place, loaded, write
+    from gearlash.cli.questions import asked, at_a_terminal
+    from gearlash.cli.words_of_drawing import placed
+
+    checked_place(file, overwrite)
+    stated = {name: text for name, text in words.items() if text is not None}
+    if not stated and at_a_terminal() and not as_json:
+        stated = asked()
+    example = not stated
+    head = file.name, description or "", example
+    texts = placed(stated or TEMPLATE)
+    case = loaded(file, file_text(texts, *head), stated)
+    text = file_text(texts, *head, known_of(case))
+    answer = new_answer(str(file), case, example)
+    with delivery():
+        write(file, text, overwrite)
+        show_answer(answer, as_json)
+    return ExitCode.OK
+
+
+# One option for each word of a drawing: written out they would be forty times the same five lines.
+_own = inspect.signature(_new, eval_str=True)
+_kept = [p for p in _own.parameters.values() if p.kind is not inspect.Parameter.VAR_KEYWORD]
+_words = [_option(word) for word in WORDS]
+_signed: Any = _new
+_signed.__signature__ = _own.replace(parameters=[_kept[0], *_words, *_kept[1:]])
+_signed.__annotations__ = {p.name: p.annotation for p in _signed.__signature__.parameters.values()}
+_signed.__name__ = "new"
+new = command(_new)

@@ -1,0 +1,61 @@
+"""Questions at a terminal: the words of a drawing, one after the other."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+
+from gearlash.case.kinds import kind_named
+from gearlash.case.stated import ValueRefusedError, read_stated
+from gearlash.system import GearlashError
+
+from .words_of_drawing import WORDS, Word, placed
+
+HEAD = (
+    "A gear pair from its drawing. Type values with their units as they stand there; pinion and gear apart "
+    "by a stroke, 25/57. Enter alone: not known, to be estimated.\n"
+)
+
+
+def at_a_terminal() -> bool:
+    """Can somebody answer?"""
+    return sys.stdin is not None and sys.stdin.isatty()
+
+
+def asked(ask: Callable[[str], str] = input, say: Callable[[str], object] = print) -> dict[str, str]:
+    """Texts by name of the word. Raises `GearlashError` where the questions end before the needed answers."""
+    say(HEAD)
+    found: dict[str, str] = {}
+    for word in WORDS:
+        if word.question and (text := _answer(word, ask, say)):
+            found[word.name] = text
+    return found
+
+
+def _answer(word: Word, ask: Callable[[str], str], say: Callable[[str], object]) -> str:
+    """One answer that can be read; asked again until then."""
+    while True:
+        try:
+            text = ask(f"{word.what.rstrip('.')}, such as {word.example}: ").strip()
+        except EOFError:
+            raise GearlashError("the answers ended; nothing was written") from None
+        if not text and not word.needed:
+            return ""
+        wrong = _wrong(word, text)
+        if wrong is None:
+            return text
+        say(f"  expected {wrong}")
+
+
+def _wrong(word: Word, text: str) -> str | None:
+    """What is expected instead of this answer; None where it can be read."""
+    places = kind_named("helical-pair").places
+    parts = placed({word.name: text}) if text else {}
+    if not parts or (word.needed and len(parts) < len(word.paths)):
+        return f"a value, such as {word.example}"
+    for path, part in parts.items():
+        try:
+            read_stated(part, places[path])
+        except ValueRefusedError as error:
+            return error.expected + (f"; did you mean {error.nearest!r}?" if error.nearest else "")
+    return None

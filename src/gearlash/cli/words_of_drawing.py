@@ -1,0 +1,153 @@
+"""The words of a drawing as options of `gearlash new`, as questions, and as places of a case file."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+GEARS = ("pinion", "gear")
+
+
+@dataclass(frozen=True)
+class Word:
+    """One word of a drawing.
+
+    Parameters
+    ----------
+    name : str
+        Of the option, with _ for -.
+    path : str
+        In the case file; ``{gear}`` for pinion and gear.
+    example : str
+    what : str
+    question : bool
+        Whether it is asked for at a terminal.
+    needed : bool
+        Whether nothing can be said without it.
+    """
+
+    name: str
+    path: str
+    example: str
+    what: str
+    question: bool = False
+    needed: bool = False
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """Of pinion and gear, or of the pair."""
+        return tuple(dict.fromkeys(self.path.format(gear=gear) for gear in GEARS))
+
+    @property
+    def option(self) -> str:
+        """As it is typed."""
+        return f"--{self.name.replace('_', '-')}"
+
+
+WORDS = (
+    Word("teeth", "{gear}.teeth", "25/57", "Teeth of pinion and gear.", True, True),
+    Word("module", "mesh.normal_module", "3mm", "Normal module m_n.", True, True),
+    Word(
+        "pressure_angle",
+        "mesh.pressure_angle",
+        "20deg",
+        "Normal pressure angle α_n; 20° where none is given.",
+        True,
+    ),
+    Word("helix_angle", "mesh.helix_angle", "15deg", "Helix angle β; spur teeth where none is given.", True),
+    Word("face_width", "{gear}.face_width", "40mm", "Face width b.", True),
+    Word("profile_shift", "{gear}.profile_shift", "0.3/0.1", "Profile shift x.", True),
+    Word("span", "{gear}.span", "32.83mm/68.9mm", "Span measurement W_k."),
+    Word("span_teeth", "{gear}.span_teeth", "4/8", "Teeth k that W_k is measured over."),
+    Word("over_balls", "{gear}.over_balls", "83.9mm/", "Dimension over two balls M_dK."),
+    Word("over_pins", "{gear}.over_pins", "83.9mm/", "Dimension over two pins M_dR."),
+    Word(
+        "ball_diameter",
+        "{gear}.ball_diameter",
+        "5mm",
+        "Diameter D_M of balls or pins; 1.75 m_n where none is given.",
+    ),
+    Word(
+        "thickness_allowance",
+        "{gear}.thickness_allowance",
+        "-70um",
+        "Allowance E_sn of the normal tooth thickness.",
+    ),
+    Word("tip_diameter", "{gear}.tip_diameter", "83mm/182mm", "Tip diameter d_a."),
+    Word("root_diameter", "{gear}.root_diameter", "70mm/169mm", "Root diameter d_f."),
+    Word("rack", "mesh.rack", "ISO53-A", "Standard basic rack, ISO53-A to ISO53-D."),
+    Word("centre_distance", "mesh.centre_distance", "128mm", "Centre distance a_w.", True),
+    Word("shift_sum", "mesh.shift_sum", "0.4", "Sum of the profile shifts."),
+    Word(
+        "distance_grade", "mesh.distance_grade", "7", "Tolerance grade of the centre distance: the 7 of js7."
+    ),
+    Word("bore", "{gear}.bore", "30mm/50mm", "Bore, or diameter of the shaft it is one piece with.", True),
+    Word("rim_diameter", "{gear}.rim_diameter", "/140mm", "Inner diameter of the rim."),
+    Word("web_width", "{gear}.web_width", "/15mm", "Width of the web."),
+    Word(
+        "material", "{gear}.material", "steel/POM", "Material by its name; steel where none is given.", True
+    ),
+    Word("quality", "{gear}.quality", "7", "Flank tolerance class of ISO 1328-1.", True),
+    Word("fit", "{gear}.fit", "25cd/26c", "Fit of the teeth by DIN 3967."),
+    Word("backlash", "mesh.backlash", "80um", "Whole normal backlash j_n.", True),
+    Word(
+        "backlash_circumferential",
+        "mesh.backlash_circumferential",
+        "85um",
+        "Whole backlash j_wt on the working circle.",
+    ),
+    Word("mass", "{gear}.mass", "1.5kg/7kg", "Mass."),
+    Word("inertia", "{gear}.inertia", "0.001kg*m^2/0.03kg*m^2", "Moment of inertia."),
+    Word("mean_stiffness", "mesh.mean_stiffness", "8e8N/m", "Mean mesh stiffness along the normal."),
+    Word("error", "mesh.error", "6um", "Zero-to-peak unloaded transmission error at the mesh frequency."),
+    Word("damping_ratio", "mesh.damping_ratio", "0.07", "Damping ratio of the mesh."),
+    Word(
+        "bearing_y",
+        "{gear}.bearing_stiffness_y",
+        "3e8N/m",
+        "Lateral bearing stiffness; makes the bearings part of a spur pair too.",
+    ),
+    Word("bearing_z", "{gear}.bearing_stiffness_z", "1e8N/m", "Axial bearing stiffness."),
+    Word("speed", "operation.pinion_speed", "4200rpm", "Speed of the pinion.", True, True),
+    Word("gear_speed", "operation.gear_speed", "1842rpm", "Speed of the gear, in place of that."),
+    Word("torque", "operation.torque", "150N*m", "Torque of the pinion.", True, True),
+    Word("gear_torque", "operation.gear_torque", "342N*m", "Torque of the gear, in place of that."),
+    Word("power", "operation.power", "66kW", "Power, in place of a torque."),
+)
+EITHER = {"speed": ("gear_speed",), "torque": ("gear_torque", "power")}
+"""Words that stand in for a needed one."""
+
+
+def placed(words: Mapping[str, str]) -> dict[str, str]:
+    """Texts by path. One text stands for both gears; ``25/57`` are those of pinion and gear, one of which may
+    be missing."""
+    found: dict[str, str] = {}
+    for word in WORDS:
+        text = words.get(word.name)
+        if text is None:
+            continue
+        parts = _parts(word, text) if len(word.paths) == 2 else [text.strip()]
+        if len(parts) == 1:
+            parts *= len(word.paths)
+        found |= {path: part for path, part in zip(word.paths, parts, strict=True) if part}
+    return found
+
+
+def _parts(word: Word, text: str) -> list[str]:
+    """At the stroke between two values: of quantities not that of a unit (N/m)."""
+    stroke = r"/" if word.name == "material" else r"/(?=\s*[-+.\d]|\s*$)|^\s*/"
+    return [part.strip() for part in re.split(stroke, text, maxsplit=1)]
+
+
+def is_helical(texts: Mapping[str, str]) -> bool:
+    """Whether bearings are part of the model: where teeth at an angle press on them, or they are stated."""
+    angle = texts.get("mesh.helix_angle", "0")
+    turned = any(digit in angle for digit in "123456789") or not any(c.isdigit() for c in angle)
+    return turned or any("bearing_stiffness" in path for path in texts)
+
+
+def lacking(words: Iterable[str]) -> list[Word]:
+    """Needed words that are not there."""
+    there = set(words)
+    return [w for w in WORDS if w.needed and there.isdisjoint({w.name, *EITHER.get(w.name, ())})]

@@ -1,0 +1,159 @@
+"""`gearlash new`: from a drawing to a file that every command takes."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from cli.conftest import Gearlash
+from gearlash.case import load
+from gearlash.cli import questions
+from gearlash.cli.words_of_drawing import WORDS, is_helical, placed
+from gearlash.system import GearlashError
+
+HELICAL = (
+    "--teeth", "25/57", "--module", "3 mm", "--helix-angle", "15 deg", "--face-width", "40 mm",
+    "--backlash", "80 um", "--speed", "4200 rpm", "--torque", "150 N m",
+)  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def in_an_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+
+
+def test_options_become_a_file_that_says_what_was_stated(gearlash: Gearlash):
+    ran = gearlash("new", "pair.toml", *HELICAL, "--bore", "/50mm", "--material", "steel/POM", "--json")
+    assert ran.code == 0
+    answer = ran.answer
+    assert answer["kind"] == "helical-pair"
+    assert not answer["example"]
+    tables = tomllib.loads(Path("pair.toml").read_text(encoding="utf-8"))
+    assert tables["pinion"] == {
+        "teeth": 25,
+        "face_width": "40 mm",
+        "material": "steel",
+    }
+    assert tables["gear"]["bore"] == "50mm"
+    assert tables["gear"]["material"] == "POM"
+    estimated = {value["path"]: value for value in answer["estimated"]}
+    assert {"mesh.mean_stiffness", "mesh.error", "pinion.mass", "gear.bearing_stiffness_z"} <= set(estimated)
+    for value in estimated.values():
+        assert value["least"] <= value["value"] <= value["greatest"]
+        assert value["provenance"] == "assumed"
+        assert value["reason"]
+    assert gearlash("check", "pair.toml").code == 0
+
+
+def test_a_spur_pair_by_power_and_the_speed_of_the_gear(gearlash: Gearlash):
+    ran = gearlash(
+        "new", "spur.toml", "--teeth", "23/47", "--module", "3mm", "--gear-speed", "3000rpm",
+        "--power", "50kW", "--centre-distance", "106mm",
+    )  # fmt: skip
+    assert ran.code == 0
+    case = load("spur.toml")
+    assert case.kind == "spur-1dof"
+    values = case.family()[0].defaults
+    assert case.scales.pinion_rpm(values["omega"]) == pytest.approx(3000 * 47 / 23)
+    assert case.scales.torque(values["load"]) == pytest.approx(
+        50e3 / (3000 * 47 / 23 * 3.141592653589793 / 30)
+    )
+    assert "assumed" in ran.out
+
+
+def test_nothing_stated_is_a_template_that_runs_and_says_what_it_is(gearlash: Gearlash):
+    ran = gearlash("new", "pair.toml")
+    assert ran.code == 0
+    assert "with the values of an example" in ran.out
+    text = Path("pair.toml").read_text(encoding="utf-8")
+    assert "The values are those of an example" in text
+    for word in WORDS:
+        for path in word.paths:
+            assert path.partition(".")[2] in text, path
+    assert gearlash("run", "pair.toml", "--periods", "400").code in (0, 3)
+
+
+def test_every_comment_of_a_template_can_be_taken_in(gearlash: Gearlash):
+    gearlash("new", "pair.toml", *HELICAL)
+    text = Path("pair.toml").read_text(encoding="utf-8")
+    alone = [line for line in text.splitlines() if line.startswith("# ") and " = " in line]
+    assert len(alone) > 40
+    for line in alone:
+        leaf = line.removeprefix("# ").partition(" ")[0]
+        if leaf in (
+            "span",
+            "over_balls",
+            "over_pins",
+            "rim_diameter",
+            "bore",
+            "shift_sum",
+            "centre_distance",
+        ):
+            continue  # measures that depend on each other, and examples of sizes
+        if leaf.startswith(("gear_", "power", "backlash")):
+            continue  # in place of what is stated
+        Path("one.toml").write_text(text.replace(line, line.removeprefix("# "), 1), encoding="utf-8")
+        load("one.toml")
+
+
+def test_every_problem_is_told_at_once_and_nothing_is_written(gearlash: Gearlash):
+    ran = gearlash("new", "pair.toml", "--teeth", "25/5x", "--module", "3", "--material", "stel/POM")
+    assert ran.code == 2
+    for part in (
+        "--speed is missing", "--torque is missing", "--gear-torque or --power", "gear.teeth = '5x'",
+        "mesh.normal_module = '3': expected a length with its unit", "did you mean 'steel'?",
+    ):  # fmt: skip
+        assert part in ran.complaint
+    assert not Path("pair.toml").exists()
+    assert gearlash("new", "pair.toml", *HELICAL, "--centre-distance", "90mm").code == 2
+    assert not Path("pair.toml").exists()
+
+
+def test_it_writes_over_nothing_without_being_told(gearlash: Gearlash):
+    Path("pair.toml").write_text("mine", encoding="utf-8")
+    ran = gearlash("new", "pair.toml", *HELICAL)
+    assert ran.code == 2
+    assert "is there already" in ran.complaint
+    assert Path("pair.toml").read_text(encoding="utf-8") == "mine"
+    assert gearlash("new", "pair.toml", *HELICAL, "--overwrite").code == 0
+    assert load("pair.toml").kind == "helical-pair"
+    Path("link.toml").symlink_to("pair.toml")
+    Path("folder").mkdir()
+    for name, said in (("article", "comes with the package"), ("link.toml", "link"), ("folder", "folder"),
+                       ("none/pair.toml", "no folder")):  # fmt: skip
+        ran = gearlash("new", name, *HELICAL, "--overwrite")
+        assert (ran.code, said in ran.complaint) == (2, True), name
+
+
+def test_strokes_between_two_values_and_in_units():
+    assert placed({"bearing_y": "4e8 N/m / 3e8 N/m"}) == {
+        "pinion.bearing_stiffness_y": "4e8 N/m",
+        "gear.bearing_stiffness_y": "3e8 N/m",
+    }
+    assert placed({"bearing_y": "4e8N/m"})["gear.bearing_stiffness_y"] == "4e8N/m"
+    assert placed({"material": "steel/POM"}) == {"pinion.material": "steel", "gear.material": "POM"}
+    assert placed({"material": "PA66-GF30/grey-cast-iron"})["pinion.material"] == "PA66-GF30"
+    assert placed({"profile_shift": "0.3/-0.1"})["gear.profile_shift"] == "-0.1"
+    assert placed({"bore": "/50mm"}) == {"gear.bore": "50mm"}
+    assert placed({"bore": "30mm/"}) == {"pinion.bore": "30mm"}
+    assert placed({"inertia": "0.001kg*m^2/0.03kg*m^2"})["pinion.inertia"] == "0.001kg*m^2"
+    assert is_helical({"mesh.helix_angle": "15°"})
+    assert not is_helical({"mesh.helix_angle": "0 deg"})
+
+
+def test_questions_are_asked_again_until_the_answer_can_be_read():
+    answers = iter(["25", "25/57", "3", "3mm", "", "15 deg", *[""] * 7, "7", "80um", "4200rpm", "150Nm"])
+    said: list[str] = []
+    found = questions.asked(lambda _: next(answers), said.append)
+    assert found["teeth"] == "25"  # one for both, too, is an answer
+    assert any("length with its unit" in text for text in said)
+
+
+def test_questions_that_end_early_write_nothing():
+    def ended(_: str) -> str:
+        raise EOFError
+
+    with pytest.raises(GearlashError, match="nothing was written"):
+        questions.asked(ended, lambda _: None)
