@@ -16,8 +16,10 @@ from gearlash.branches.continuation import (
     continue_orbit,
     switched,
 )
+from gearlash.branches.continuation.between import zero
 from gearlash.orbits import orbit_at
 from gearlash.system import ContactRule, Family
+from oracles.random_branches import draw, followed
 from orbits.contacts import one_dof_under
 from orbits.members import built, orbit
 
@@ -103,3 +105,29 @@ def test_where_two_extrema_touch_at_once_the_orbit_has_half_the_period():
     assert doubled.orbit.label == "2-2-1"
     assert doubled.value > born.value
     assert doubled.orbit.stable
+
+
+def test_a_second_touch_of_the_same_extremum_is_a_corner_of_its_own():
+    """The extremum touches, moves away, and comes back where the orbit meets that of half its period: there
+    the branch ends, and does not run back along itself, begun a base period later."""
+    drawn_ = draw(58)
+    branch = followed(drawn_)
+    assert branch is not None
+    end, passed = corners(branch)
+    assert end.extremum is not None
+    assert passed.extremum is not None
+    assert end.extremum.number == passed.extremum.number
+    assert [each.kind for each in branch.ends] == [EndKind.CORNER, EndKind.UPPER]
+    assert "half its period" in end.note
+    apart = end.point.strobes - np.roll(end.point.strobes, 1, axis=0)
+    assert np.abs(apart).max() < 1e-8
+    (single,) = {found.orbit.shot.period for found in switched(drawn_.family, branch, end)}
+    assert single == 1
+
+
+@pytest.mark.parametrize("jump", [0.3, 1e-6, 0.999])
+def test_a_function_that_jumps_over_zero_has_its_zero_there(jump: float):
+    """Not at the end at which it is smaller."""
+    found = zero(lambda place: -5.0 if place < jump else 1.0, (0.0, -5.0), (1.0, 1.0))
+    assert found is not None
+    assert found[0] == pytest.approx(jump, abs=1e-12)

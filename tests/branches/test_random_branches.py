@@ -18,12 +18,14 @@ from oracles.special_points import again, point_again
 SEEDS = {
     2: {SpecialKind.GRAZING, SpecialKind.DOUBLING, SpecialKind.FOLD},
     3: {SpecialKind.GRAZING, SpecialKind.DOUBLING},
+    4: {SpecialKind.GRAZING, SpecialKind.FOLD},
     12: {SpecialKind.GRAZING, SpecialKind.DOUBLING},
     21: {SpecialKind.JOINS, SpecialKind.FOLD, SpecialKind.DOUBLING, SpecialKind.GRAZING},
     45: {SpecialKind.EXISTENCE, SpecialKind.DOUBLING},
     54: {SpecialKind.JOINS, SpecialKind.FOLD, SpecialKind.GRAZING},
+    58: {SpecialKind.GRAZING},
 }
-"""Seeds whose branches have special points, and of which kinds; 12 and 54 have corners under `no-tension`."""
+"""Seeds whose branches have special points, and of which kinds; under `no-tension` 4, 12, 54, 58 have corners."""
 
 CHANGES = {SpecialKind.FOLD: 1, SpecialKind.DOUBLING: 1}
 

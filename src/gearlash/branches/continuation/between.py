@@ -91,8 +91,8 @@ def zero(
     """A zero between two places with values of opposite sign, with the last bracket.
 
     By false position that halves the value of an end that stays (N. Anderson and Å. Björck, BIT 13 (1973),
-    doi:10.1007/BF01933401), and halvings where it is slow. None where the function cannot be had, but for a
-    last piece."""
+    doi:10.1007/BF01933401), and halvings where it is slow. Where the function jumps over zero that is the
+    jump. None where the function cannot be had, but for a last piece."""
     (a, fa), (b, fb) = left, right
     sharp, small = SHARP * abs(b - a), SHARP * max(abs(fa), abs(fb))
     best = (a, fa) if abs(fa) < abs(fb) else (b, fb)
@@ -123,4 +123,5 @@ def zero(
         else:
             a, fa = b, fb
         b, fb = at, value
-    return best[0], min(a, b), max(a, b)
+    low, high = min(a, b), max(a, b)
+    return (best[0] if low <= best[0] <= high else b), low, high

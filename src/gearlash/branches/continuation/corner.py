@@ -86,12 +86,21 @@ def at_half(node: Node) -> bool:
     return node.equations.period % 2 == 0 and float(np.linalg.norm(halves(node))) <= SAME_HALVES
 
 
+def still_beside(node: Node, number: int) -> bool:
+    """Whether an extremum is so near its boundary that it may be what stops the branch."""
+    extremum = node.extrema.by_number.get(number)
+    return extremum is not None and abs(extremum.distance) <= _near(node)
+
+
+def _near(node: Node) -> float:
+    return MAY_CROSS * max(float(np.abs(node.orbit.state).max()), 1.0)
+
+
 def _nearest(node: Node) -> Extremum | None:
     """The extremum that is nearest to a boundary at which the force sets in at once."""
-    system, size = node.here.props.system, float(np.abs(node.orbit.state).max())
-    found = [extremum for extremum in node.extrema.all if abrupt(system, extremum)]
+    found = [extremum for extremum in node.extrema.all if abrupt(node.here.props.system, extremum)]
     near = min(found, key=lambda each: abs(each.distance), default=None)
-    return near if near is not None and abs(near.distance) <= MAY_CROSS * max(size, 1.0) else None
+    return near if near is not None and abs(near.distance) <= _near(node) else None
 
 
 def _at(node: Node, value: float, guess: Array, number: int) -> Node | None:

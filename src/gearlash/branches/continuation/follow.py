@@ -14,7 +14,7 @@ import numpy as np
 from .beside import Item, Passed
 from .between import WELL
 from .changes import parts, primes
-from .corner import HALVES, Corner, corner
+from .corner import HALVES, Corner, corner, still_beside
 from .equations import Array
 from .infinity import GROWN, runs_away
 from .loop import closing
@@ -46,7 +46,7 @@ class Follower:
     def run(self) -> Iterator[Item | EndOfBranch]:
         """Orbits and special points in order, and why it ends."""
         before, node, length = None, self.start, self.settings.first
-        passed: int | None = None  # number of the extremum that touched last
+        passed: int | None = None  # number of the extremum that has just touched
         large = GROWN * (1.0 + float(np.linalg.norm(node.u[:-1])))
         for count in range(self.settings.most_points):
             step = self.step(before, node, length)
@@ -61,6 +61,8 @@ class Follower:
                 yield beyond.after
                 before, node, length = None, beyond.after, self.settings.first
                 continue
+            if passed is not None and not still_beside(node, passed):
+                passed = None
             after, length, ending = step
             first = closing(self.start, node, after) if count > 2 else None
             if first is not None:

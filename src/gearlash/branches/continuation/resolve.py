@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from .beside import Item, Passed, Unexplained, told_apart
 from .between import Between
-from .changes import Test, changes, doubt, explained
+from .changes import Change, Test, changes, doubt, explained
 from .corner import HALVES, abrupt, at_half
 from .locate import Located, locate
 from .node import Node
@@ -17,6 +17,7 @@ DOUBTFUL_STEP = 1e-7  # length of a step below which it is not cut because of a 
 TIGHT = 1e-10  # the same where things happen in it that cannot be told apart
 AFTER_GRAZE = (0.01, 0.1)  # of what is left of the step: there multipliers move like the root of the depth
 BESIDE_CORNER = 1e-5  # of the scale: from a corner, to the orbits that stand for its two sides
+SIDES = 1e-8  # least length of a step on either side of a corner, to be looked at apart
 ENDWARDS = 0.2  # of the way from an end: where a step is cut that cannot be cut in the middle
 CUTS = 80  # of one step, at most
 
@@ -44,6 +45,10 @@ class Resolver:
         if not unsure and not found and clear:
             yield right
             return
+        corner = self.corner_on(piece, found)
+        if corner is not None:
+            yield from self.over_corner(before, piece, [Passed(left, right, corner)], corner.place)
+            return
         tried = [] if unsure else [locate(piece, change) for change in found]
         located = sorted((each for each in tried if each is not None), key=lambda one: one.place)
         whole = bool(located) and len(located) == len(found)
@@ -60,6 +65,23 @@ class Resolver:
         if unsure:
             located = [each for each in (locate(piece, change) for change in found) if each is not None]
         yield from _at_once(piece, located, unsure or f"{len(found) - len(located)} were not solved for")
+
+    def corner_on(self, piece: Between, found: list[Change]) -> Located | None:
+        """A touch that makes a corner of the map, of several things that happen on a step: what else does is
+        looked for on both sides of it apart, as multipliers and the direction of the branch jump there."""
+        known = piece.left.extrema.by_number
+        touches = [change for change in found if change.test is Test.GRAZING]
+        if len(found) < 2 or len(touches) != 1 or self.cuts <= 0:
+            return None
+        if not abrupt(piece.left.here.props.system, known[touches[0].number]):
+            return None
+        self.cuts -= 1
+        touch = locate(piece, touches[0])
+        if touch is None or not SIDES <= touch.place <= piece.length - SIDES:
+            return None
+        aside = _aside(piece, touch.place)
+        both = piece.node(touch.place - aside), piece.node(touch.place + aside)
+        return None if None in both else touch
 
     def middle(self, piece: Between, place: float) -> Node | None:
         """An orbit between the ends, where the step is cut: near a place, or where Newton fails there
@@ -119,7 +141,7 @@ class Resolver:
     ) -> Iterator[Item]:
         """A step over a touch at which the map has a corner. Multipliers jump there, so that both sides are
         looked at apart, each up to an orbit very near the touch."""
-        aside = min(BESIDE_CORNER, 0.5 * place, 0.5 * (piece.length - place))
+        aside = _aside(piece, place)
         short, beyond = piece.node(place - aside), piece.node(place + aside)
         last = piece.left
         for item in () if short is None else self.cut(before, piece.left, short):
@@ -135,6 +157,11 @@ class Resolver:
         yield first
         if beyond is not None:
             yield from self.cut(None, first, piece.right.linked(first))
+
+
+def _aside(piece: Between, place: float) -> float:
+    """How far from a corner the orbits lie that stand for its two sides."""
+    return min(BESIDE_CORNER, 0.5 * place, 0.5 * (piece.length - place))
 
 
 def _has_corner(node: Node, touching: frozenset[int]) -> bool:
