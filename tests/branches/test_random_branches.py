@@ -25,7 +25,7 @@ SEEDS = {
     54: {SpecialKind.JOINS, SpecialKind.FOLD, SpecialKind.GRAZING},
     58: {SpecialKind.GRAZING},
 }
-"""Seeds whose branches have special points, and of which kinds; under `no-tension` 4, 12, 54, 58 have corners."""
+"""Seeds whose branches have special points, and of which kinds; those with corners are 4, 12, 54, 58."""
 
 CHANGES = {SpecialKind.FOLD: 1, SpecialKind.DOUBLING: 1}
 
