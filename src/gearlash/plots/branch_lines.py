@@ -17,6 +17,7 @@ from .room import Room
 
 DASHED = (0, (3.2, 1.6))
 MARKERS = TICKS | {
+    "Krein collision": "h",
     "joins the orbit of half its period": "<",
     "joins a symmetric orbit": ">",
     "end of existence": "*",

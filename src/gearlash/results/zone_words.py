@@ -11,6 +11,7 @@ CHANGES = {
     "fold": "ends (fold)",
     "doubling": "doubles its period (doubling)",
     "Neimark-Sacker": "loses its stability (Neimark-Sacker)",
+    "Krein collision": "loses its stability (Krein collision)",
     "branch point": "loses its stability (branch point)",
     "joins the orbit of half its period": "ends in the orbit of half its period (doubling)",
     "joins a symmetric orbit": "ends in a symmetric orbit",

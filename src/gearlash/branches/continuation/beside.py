@@ -24,6 +24,7 @@ CHANGED = {
     SpecialKind.DOUBLING: 1,
     SpecialKind.BRANCH_POINT: 1,
     SpecialKind.TORUS: 2,
+    SpecialKind.KREIN: 2,
 }  # how many multipliers cross the unit circle
 
 TOGETHER = 1e-10  # arclength: points so near to each other cannot be told apart
@@ -165,6 +166,11 @@ def _counts(left: Node, passed: Sequence[Passed], right: Node) -> list[int] | No
 def _others(located: Located, changed: int) -> int:
     """Unstable multipliers at a special point beside those that cross the unit circle there."""
     multipliers = located.node.spectrum.multipliers
+    reciprocal = located.node.spectrum.reciprocal
+    if reciprocal is not None and located.kind is SpecialKind.KREIN:
+        return reciprocal.outside_beside_meeting
+    if reciprocal is not None:
+        changed *= 2  # those within the circle with them
     away = np.abs(np.abs(multipliers) - 1.0)
     if located.kind is not SpecialKind.TORUS and changed:
         away = np.abs(multipliers - (-1.0 if located.kind is SpecialKind.DOUBLING else 1.0))

@@ -13,6 +13,7 @@ from .node import Node, node_near
 
 MOST_BISECTIONS = 60
 SHARP = 1e-13  # of the way: where a zero is bracketed so closely, it is found
+JUMP = 1e-10  # of the way: where a bracket so small has large values at both ends, the function jumps
 AGREE = 0.1  # least progress of a place along the direction of the branch
 CLOSE_ENOUGH = 1e-2  # of the way: a bracket that is kept where the orbits in it cannot be had
 WELL = 0.1  # least component of the direction for the parameter to tell a place
@@ -124,4 +125,5 @@ def zero(
             a, fa = b, fb
         b, fb = at, value
     low, high = min(a, b), max(a, b)
-    return (best[0] if low <= best[0] <= high else b), low, high
+    jumps = high - low <= JUMP * abs(right[0] - left[0]) and not low <= best[0] <= high
+    return (b if jumps else best[0]), low, high

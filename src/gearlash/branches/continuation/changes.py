@@ -28,6 +28,7 @@ class Test(StrEnum):
     AT_ONE = "product of (multiplier - 1)"
     DOUBLING = "product of (multiplier + 1)"
     TORUS = "product of (multiplier * multiplier - 1) over pairs"
+    KREIN = "discriminant of (multiplier + 1/multiplier)"
     EXISTENCE = "inverse of the size of the motion"
 
 
@@ -36,6 +37,7 @@ OF_SPECTRUM: dict[Test, Function] = {
     Test.AT_ONE: lambda node: node.spectrum.at_one,
     Test.DOUBLING: lambda node: node.spectrum.doubling,
     Test.TORUS: lambda node: node.spectrum.torus,
+    Test.KREIN: lambda node: node.spectrum.krein,
 }
 
 
@@ -68,9 +70,15 @@ def changes(left: Node, right: Node) -> list[Change]:
         found.append(Change(Test.AT_ONE))
     if signs[Test.DOUBLING]:
         found.append(Change(Test.DOUBLING))
-    if signs[Test.TORUS] and left.spectrum.unstable.pairs != right.spectrum.unstable.pairs:
-        found.append(Change(Test.TORUS))
+    circle = Test.KREIN if undamped(left, right) else Test.TORUS
+    if signs[circle] and left.spectrum.unstable.pairs != right.spectrum.unstable.pairs:
+        found.append(Change(circle))
     return found
+
+
+def undamped(left: Node, right: Node) -> bool:
+    """Whether multipliers are reciprocal on both sides."""
+    return left.spectrum.reciprocal is not None and right.spectrum.reciprocal is not None
 
 
 def _at_fold(left: Node, right: Node) -> bool:
@@ -106,7 +114,7 @@ def explained(left: Node, right: Node, found: list[Change]) -> bool:
     """Whether these changes can account for the change in the number of unstable multipliers."""
     difference = right.spectrum.unstable.total - left.spectrum.unstable.total
     ones = sum(change.test in (Test.TURN, Test.AT_ONE, Test.DOUBLING) for change in found)
-    twos = sum(change.test is Test.TORUS for change in found)
+    twos = sum(change.test in (Test.TORUS, Test.KREIN) for change in found)
     if ones and not twos and _pair_may_have_left(left, right):
         return False
     if found and all(change.test is Test.GRAZING for change in found):
@@ -122,6 +130,8 @@ def _pair_may_have_left(left: Node, right: Node) -> bool:
     shorter step tells: one on which pairs stay pairs, and products of two stay on one side of 1."""
     if len(left.spectrum.multipliers) == 2:
         return False  # the modulus of the one pair is the root of the determinant, which only damping moves
+    if undamped(left, right):
+        return left.spectrum.krein * right.spectrum.krein < 0.0
     product = OF_SPECTRUM[Test.TORUS](left) * OF_SPECTRUM[Test.TORUS](right)
     return product < 0.0 or _pairs(left) != _pairs(right)
 
@@ -171,7 +181,8 @@ def _may_have_vanished(before: Node, left: Node, right: Node, found: list[Change
     numbers -= before.touching | left.touching | right.touching
     tests = [Change(Test.GRAZING, number) for number in sorted(numbers)]
     left_out = {Test.AT_ONE} if any(change.test in (Test.JOIN, Test.TURN) for change in found) else set()
-    left_out |= set() if left.spectrum.unstable.pairs else {Test.TORUS}
+    left_out |= set() if left.spectrum.unstable.pairs and not undamped(left, right) else {Test.TORUS}
+    left_out |= set() if undamped(left, right) and len(right.spectrum.multipliers) > 2 else {Test.KREIN}
     tests += [Change(test) for test in OF_SPECTRUM if test not in left_out]
     for test in tests:
         zero, one, two = test.value(before), test.value(left), test.value(right)

@@ -119,6 +119,9 @@ def _kind(piece: Between, change: Change, node: Node) -> SpecialKind | None:
     if change.test is Test.TORUS:
         pair = node.spectrum.nearest_pair
         return SpecialKind.TORUS if abs(abs(pair) - 1.0) < 1e-4 else None
+    if change.test is Test.KREIN:
+        reciprocal = node.spectrum.reciprocal
+        return SpecialKind.KREIN if reciprocal is not None and reciprocal.meets_on_circle else None
     if change.test is Test.AT_ONE:
         turns = min(abs(side.spectrum.turn) for side in (piece.left, piece.right))
         return SpecialKind.FOLD if turns <= TURN_ROUNDING else SpecialKind.BRANCH_POINT

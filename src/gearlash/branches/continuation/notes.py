@@ -47,5 +47,7 @@ def _degenerate(node: Node, kind: SpecialKind | None) -> str:
         return DOUBLED
     if kind is SpecialKind.TORUS:
         return TORI
+    if kind is SpecialKind.KREIN:
+        return ""
     found = at_infinity(node.equations.line, node.orbit, node.value)
     return "" if found is None else _joined(ORTHOGONAL if found.orthogonal else "", found.condition)

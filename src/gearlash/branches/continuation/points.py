@@ -31,6 +31,8 @@ class SpecialKind(Named):
     """A multiplier is -1: an orbit of twice the period is born or ends."""
     TORUS = "Neimark-Sacker"
     """A pair of multipliers crosses the unit circle."""
+    KREIN = "Krein collision"
+    """Without damping: two pairs of multipliers meet on the unit circle, and leave it or come to it."""
     BRANCH_POINT = "branch point"
     """A multiplier is 1, and the branch goes on: another branch crosses it."""
     JOINS = "joins the orbit of half its period"

@@ -1,7 +1,8 @@
 """Functions along a branch that vanish where something happens to the stability of its orbits.
 
 Of the multipliers μ: Π(μ+1) at a doubling, Π(μ−1) at a fold or a branch point, Π_{i<j}(μ_i μ_j − 1) where a
-pair crosses the unit circle (or where two real ones are reciprocal, which is nothing). And dλ/ds, which
+pair crosses the unit circle (or where two real ones are reciprocal, which is nothing); without damping that
+product vanishes everywhere, and the discriminant of the μ + 1/μ stands for it. And dλ/ds, which
 vanishes at a fold. All are smooth along the branch but at a graze, where they move like the root of the
 depth. Source: Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory (2004), ch. 10,
 doi:10.1007/978-1-4757-3978-7."""
@@ -14,13 +15,19 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from .reciprocal import Reciprocal
+
 Complex = NDArray[np.complex128]
 NEUTRAL = 1e-11  # how far from the unit circle a multiplier must lie to be off it: less may be rounding
 
 
 def outside(multipliers: Complex) -> Complex:
-    """Those outside the unit circle beyond rounding. Without damping whole branches lie on it."""
-    return multipliers[np.abs(multipliers) > 1.0 + NEUTRAL]
+    """Those outside the unit circle beyond rounding. Without damping whole branches lie on it, and near a
+    double multiplier rounding makes the root of its size: there their sums tell (`Reciprocal`)."""
+    reciprocal = Reciprocal.of(multipliers)
+    if reciprocal is None:
+        return multipliers[np.abs(multipliers) > 1.0 + NEUTRAL]
+    return multipliers[np.argsort(-np.abs(multipliers), kind="stable")[: reciprocal.outside]]
 
 
 def neutral(multipliers: Complex) -> bool:
@@ -49,18 +56,34 @@ class Spectrum:
     turn: float
 
     @cached_property
+    def reciprocal(self) -> Reciprocal | None:
+        """Without damping."""
+        return Reciprocal.of(self.multipliers)
+
+    @cached_property
     def unstable(self) -> Unstable:
+        if self.reciprocal is not None:
+            return Unstable(self.reciprocal.above, self.reciprocal.below, self.reciprocal.complex)
         found = outside(self.multipliers)
         real = found.real[found.imag == 0.0]
         return Unstable(int((real > 1.0).sum()), int((real < -1.0).sum()), int((found.imag > 0.0).sum()))
 
     @cached_property
     def doubling(self) -> float:
+        if self.reciprocal is not None:
+            return self.reciprocal.doubling
         return float(np.prod(1.0 + self.multipliers).real)
 
     @cached_property
     def at_one(self) -> float:
+        if self.reciprocal is not None:
+            return self.reciprocal.at_one
         return float(np.prod(self.multipliers - 1.0).real)
+
+    @cached_property
+    def krein(self) -> float:
+        """Zero where two pairs meet; 1 with damping, or where there is one pair only."""
+        return 1.0 if self.reciprocal is None else self.reciprocal.discriminant
 
     @cached_property
     def torus(self) -> float:

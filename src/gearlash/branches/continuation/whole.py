@@ -20,6 +20,7 @@ from .locate import MEETING
 from .node import Node, node_near
 from .notes import note_of
 from .points import BranchPoint, EndKind, EndOfBranch, SpecialKind, SpecialPoint
+from .reciprocal import Reciprocal
 from .settings import ContinuationSettings
 from .testfunctions import neutral
 
@@ -69,14 +70,20 @@ def continue_orbit(
 
 def _neutral(points: tuple[BranchPoint, ...]) -> tuple[str, ...]:
     """What is said of a branch whose multipliers stay on the unit circle, as without damping."""
-    found = [point.value for point in points if neutral(point.multipliers)]
+    found = [point for point in points if neutral(point.multipliers)]
     if len(found) <= FEW_NEUTRAL:
         return ()
-    return (
+    values = [point.value for point in found]
+    told = (
         f"multipliers lie on the unit circle within rounding in {len(found)} of {len(points)} orbits, from "
-        f"{min(found):.12g} to {max(found):.12g}: whether these are stable, or pairs leave the circle there, "
-        "is not decided",
+        f"{min(values):.12g} to {max(values):.12g}: "
     )
+    if all(Reciprocal.of(point.multipliers) for point in found):
+        return (
+            f"{told}without damping they come as μ and 1/μ, and where pairs leave the circle is solved for; "
+            "whether orbits with all multipliers on it are stable is not decided",
+        )
+    return (f"{told}whether these are stable, or pairs leave the circle there, is not decided",)
 
 
 def first_node(line: Line, orbit: Orbit, value: float) -> Node:

@@ -51,8 +51,8 @@ class SpecialFound:
     number: Annotated[int, "on its branch, from 1; --switch and --at take it"]
     kind: Annotated[
         str,
-        "fold, doubling, Neimark-Sacker, branch point, grazing, end of existence, joins the orbit of half "
-        "its period, joins a symmetric orbit",
+        "fold, doubling, Neimark-Sacker, Krein collision, branch point, grazing, end of existence, joins the "
+        "orbit of half its period, joins a symmetric orbit",
     ]
     note: Annotated[str, "the kind in words, of a grazing with its boundary, and what else there is to tell"]
     value: Annotated[float, "of the parameter, dimensionless"]

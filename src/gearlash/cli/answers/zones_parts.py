@@ -30,8 +30,9 @@ class ZoneEnd:
     physical: tuple[PhysicalValue, ...]
     kind: Annotated[
         str,
-        "grazing, fold, doubling, Neimark-Sacker, branch point, joins the orbit of half its period, joins a "
-        "symmetric orbit, end of existence, seen on the grid only, end of the range, not computed beyond",
+        "grazing, fold, doubling, Neimark-Sacker, Krein collision, branch point, joins the orbit of half its "
+        "period, joins a symmetric orbit, end of existence, seen on the grid only, end of the range, not "
+        "computed beyond",
     ]
     solved: Annotated[bool, "solved for as a special point of a branch; else halved, or nothing happens"]
     inside: Annotated[str, "label just inside"]
