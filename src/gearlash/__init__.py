@@ -163,6 +163,12 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         Ending as Ending,
         ImpactFree as ImpactFree,
     )
+    from .results.tolerance import (
+        Influence as Influence,
+        Tolerance as Tolerance,
+        ToleranceInput as ToleranceInput,
+        ToleranceMember as ToleranceMember,
+    )
     from .studies import (
         Interval as Interval,
         Model as Model,
@@ -189,6 +195,9 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     )
     from .studies.beside import (
         motions_beside as motions_beside,
+    )
+    from .studies.tolerances import (
+        tolerance as tolerance,
     )
     from .studies.motion import (
         Motion as Motion,
@@ -381,6 +390,12 @@ _PUBLIC = {
         "Ending",
         "ImpactFree",
     ),
+    "gearlash.results.tolerance": (
+        "Influence",
+        "Tolerance",
+        "ToleranceInput",
+        "ToleranceMember",
+    ),
     "gearlash.studies": (
         "Interval",
         "Model",
@@ -404,6 +419,7 @@ _PUBLIC = {
     ),
     "gearlash.studies.atlas": ("atlas",),
     "gearlash.studies.beside": ("motions_beside",),
+    "gearlash.studies.tolerances": ("tolerance",),
     "gearlash.studies.motion": (
         "Motion",
         "Touch",

@@ -191,6 +191,9 @@ def calls() -> tuple[Call, ...]:
         Call("EndKind", gl.EndKind, {"value": "cancelled"}),
         Call("impact_free_speeds", gl.impact_free_speeds, {
             "model": spur, "values": {"omega": 0.9}, "tell": print}),
+        Call("tolerance", gl.tolerance, {
+            "case": spur, "axis": gl.Axis.even("omega", 0.6, 0.9, 3), "limits": {"load": (0.1, 0.2)},
+            "samples": 2, "replicates": 2, "execution": execution}),
         Call("Trace.at", trace.at, {"phase": [0.1, 0.2], "clearance": 0}),
         Call("Trace.samples", trace.samples, {"points": 9}),
         Call("Trace.gap_of", trace.gap_of, {"clearance": 0}),

@@ -18,6 +18,7 @@ NEEDS_MORE = ("loads", "load_dataset", "load_branch", "load_curve", "switch_bran
 """What fits them takes a file, or minutes."""
 HANDED_OUT = {
     *("Beside", "BesideMotion", "ImpactFree", "PassedBifurcation", "FollowedPath", "Progress"),
+    *("Influence", "Tolerance", "ToleranceInput", "ToleranceMember"),
     *("Entry", "Excitation", "Note", "Problem", "Provenance", "Value"),
     *("GrazingConditions", "Neutral", "Unresolved", "Transition", "register_kind"),
 }

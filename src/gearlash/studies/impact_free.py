@@ -81,7 +81,7 @@ def impact_free_speeds(
         return None
     omega, tried, side = parameters["omega"], count(1), 1 if parameters["load"] > 0.0 else -1
     lowest, highest = _reach(next(p for p in family.parameters if p.name == "omega"), omega)
-    closed = _ClosedMesh(family, parameters, side)
+    closed = ClosedMesh(family, parameters, side)
 
     def margin(at: float) -> float:
         if tell is not None:
@@ -114,16 +114,18 @@ def impact_free_speeds(
 
 
 @dataclass
-class _ClosedMesh:
-    """The pair whose mesh never opens, at any speed; ``beside``: state of the last motion that was found."""
+class ClosedMesh:
+    """The pair whose mesh never opens, at any value of a parameter; ``beside``: state of the last motion that
+    was found."""
 
     family: Family
     parameters: Mapping[str, float]
     side: int
     beside: NDArray[np.float64] | None = None
+    name: str = "omega"
 
-    def system(self, omega: float) -> System:
-        return self.family.system({**self.parameters, "omega": omega})
+    def system(self, value: float) -> System:
+        return self.family.system({**self.parameters, self.name: value})
 
     def orbit(self, omega: float) -> Orbit | None:
         found = _orbit(_closed(self.system(omega), self.side), self.beside)

@@ -1,0 +1,161 @@
+"""Where impact-free motion exists in spite of tolerances."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from .axis import Axis
+
+Band: TypeAlias = tuple[float, float]
+"""Both ends of an interval, in the unit of its axis."""
+
+
+@dataclass(frozen=True)
+class ToleranceInput:
+    """A value of a case that may lie anywhere between two limits, each as likely as any other.
+
+    Attributes
+    ----------
+    path : str
+        Where it stands in a case file.
+    unit : str
+    lower, upper, nominal : float
+        In ``unit``.
+    reason : str
+        Where the limits are from.
+    """
+
+    path: str
+    unit: str
+    lower: float
+    upper: float
+    nominal: float
+    reason: str = ""
+
+    def text(self, value: float) -> str:
+        """A value of it as a case file would state it."""
+        return f"{value!r} {self.unit}".strip()
+
+
+@dataclass(frozen=True)
+class ToleranceMember:
+    """One combination of inputs.
+
+    Attributes
+    ----------
+    inputs : tuple of float
+        In the order and the units of the inputs.
+    bands : tuple of (float, float)
+        Where the motion of teeth that never part exists and is stable.
+    margin : float
+        Its least compression at the nominal value of the axis, over the unit of length of this member;
+        NaN where that motion was not solved for.
+    length : float or None
+        The unit of length, m.
+    unsolved : int
+        Values of the axis at which the motion was not solved for: they count as not free of impacts.
+    """
+
+    inputs: tuple[float, ...]
+    bands: tuple[Band, ...]
+    margin: float
+    length: float | None
+    unsolved: int
+
+    @property
+    def compression(self) -> float:
+        """The margin in m; as it is where there is no unit of length."""
+        return self.margin * (self.length or 1.0)
+
+
+@dataclass(frozen=True)
+class Influence:
+    """How much of the spread of the margin an input makes (Sobol indices).
+
+    Attributes
+    ----------
+    path : str
+    first, first_error : float
+        By itself, and the standard error of that.
+    total, total_error : float
+        With all that it makes together with others.
+    """
+
+    path: str
+    first: float
+    first_error: float
+    total: float
+    total_error: float
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Where impact-free motion exists in spite of tolerances, as `tolerance` returns it.
+
+    It is the motion of teeth that never part, on the side of the load. Nothing is said about other motions at
+    the same values, nor which starts lead to this one.
+
+    Attributes
+    ----------
+    axis : Axis
+        As it was asked for.
+    inputs : tuple of ToleranceInput
+    nominal : ToleranceMember
+        The case as it is.
+    always, never : tuple of (float, float)
+        Where every combination that was tried has the motion, and where none has it.
+    probability, probability_error : tuple of float
+        At each value of the axis the share of the samples that have it, and its standard error.
+    here, here_error : float
+        The same at the present value of the axis; NaN where that lies outside of it.
+    present : float
+        That value, in the unit of the axis.
+    worst : ToleranceMember
+        The combination with the least margin at the present value, of all that were tried.
+    samples, replicates, corners, searched : int
+        Points of each of the sets of samples, how many sets; corners of the limits, and combinations of the
+        search for the worst one.
+    influences : tuple of Influence
+        Of the margin at the present value, the largest total first; empty where it does not vary.
+    unsolved : int
+        Motions that were not solved for, of all.
+    complete : bool
+        Whether nothing stopped the work.
+    message : str
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> speeds = gl.Axis.even("omega", 0.5, 0.9, 5)
+    >>> found = gl.tolerance(case, speeds, {"load": (0.1, 0.3)}, samples=4, replicates=2)
+    >>> [(round(low, 2), round(high, 2)) for low, high in found.always], found.probability[-1]
+    ([(0.5, 0.69)], 0.0)
+    """
+
+    axis: Axis
+    inputs: tuple[ToleranceInput, ...]
+    nominal: ToleranceMember
+    always: tuple[Band, ...]
+    never: tuple[Band, ...]
+    probability: tuple[float, ...]
+    probability_error: tuple[float, ...]
+    here: float
+    here_error: float
+    present: float
+    worst: ToleranceMember
+    samples: int
+    replicates: int
+    corners: int
+    searched: int
+    influences: tuple[Influence, ...]
+    unsolved: int
+    complete: bool = True
+    message: str = ""
+
+    @property
+    def settings_of_worst(self) -> Mapping[str, str]:
+        """The worst combination as overrides of the case."""
+        return {one.path: one.text(value) for one, value in zip(self.inputs, self.worst.inputs, strict=True)}

@@ -1,0 +1,94 @@
+"""The values of a case that have limits, as a caller names them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import isfinite
+from typing import TypeAlias
+
+from gearlash.case import Case, CaseError, Problem
+from gearlash.case.entries import Entry
+from gearlash.case.quantity import Quantity
+from gearlash.case.units import unit
+from gearlash.results.tolerance import ToleranceInput
+from gearlash.system import GearlashError, shown
+
+Limits: TypeAlias = Mapping[str, Sequence[float | str]]
+MOST_INPUTS = 20
+STATED = "stated"
+
+
+def read_inputs(case: Case, limits: Limits | None) -> tuple[ToleranceInput, ...]:
+    """Inputs with the limits that are stated, or, where none are, with the ranges of what the case estimates.
+    Raises `CaseError` with every problem."""
+    if limits is None:
+        return _estimated(case)
+    if not limits:
+        raise GearlashError('limits: expected at least one, such as {"backlash": ("60 um", "120 um")}')
+    if len(limits) > MOST_INPUTS:
+        raise GearlashError(f"limits: {len(limits)} of them, at most {MOST_INPUTS} are looked at together")
+    found, problems = [], []
+    for name, ends in limits.items():
+        try:
+            found.append(_input(case, name, ends))
+        except CaseError as error:
+            problems += error.problems
+    seen: dict[str, str] = {}
+    for one, name in zip(found, limits, strict=False):
+        if seen.setdefault(one.path, name) != name:
+            problems.append(Problem(name, None, f"one of two that name the same quantity ({seen[one.path]})"))
+    if problems:
+        raise CaseError("limits", problems)
+    return tuple(found)
+
+
+def _input(case: Case, name: str, ends: Sequence[float | str]) -> ToleranceInput:
+    if isinstance(ends, str) or len(ends) != 2:
+        raise CaseError("limits", [Problem(name, shown(ends), "two limits, such as (60 um, 120 um)")])
+    one, other = (_entry(case, name, end) for end in ends)
+    place = case.content.places.get(one.path)
+    if not isinstance(place, Quantity):
+        raise CaseError("limits", [Problem(name, shown(ends), "the name of a quantity, not of an option")])
+    if one.path != other.path:
+        expected = f"two limits of one quantity ({one.path} and {other.path} are two)"
+        raise CaseError("limits", [Problem(name, shown(ends), expected)])
+    lower, upper = sorted((one.number, other.number))
+    if place.integer:
+        raise CaseError("limits", [Problem(name, shown(ends), "a quantity that may have any value between")])
+    if not lower < upper:
+        raise CaseError("limits", [Problem(name, shown(ends), "two different limits")])
+    size = unit(place.unit)
+    low, high = size.express(lower), size.express(upper)
+    return ToleranceInput(one.path, place.unit, low, high, _nominal(case, one.path, low, high), STATED)
+
+
+def _entry(case: Case, name: str, value: float | str) -> Entry:
+    """The entry that a value under this name makes. Raises `CaseError`."""
+    content, problems = case.content.override({name: value})
+    if problems:
+        raise CaseError("limits", problems)
+    changed = [entry for key, entry in content.entries.items() if case.entries.get(key) is not entry]
+    return changed[0]
+
+
+def _nominal(case: Case, path: str, lower: float, upper: float) -> float:
+    """The present value; the middle where the case has it in another form only."""
+    for value in case.values():
+        if value.path == path and isinstance(value.value, int | float) and isfinite(value.value):
+            return float(value.value)
+    return 0.5 * (lower + upper)
+
+
+def _estimated(case: Case) -> tuple[ToleranceInput, ...]:
+    found = [
+        ToleranceInput(value.path, value.unit, value.least, value.greatest, float(value.value), value.reason)
+        for value in case.values()
+        if value.least is not None and value.greatest is not None and value.least < value.greatest
+        and value.path in case.content.places
+    ]  # fmt: skip
+    if not found:
+        raise GearlashError(
+            'nothing in this case is estimated with a range: state limits, such as {"backlash": ("60 um", '
+            '"120 um")}'
+        )
+    return tuple(found[:MOST_INPUTS])

@@ -1,0 +1,256 @@
+"""Tolerances at once: speeds, or values of another parameter, at which impact-free motion exists in all, some
+or none of the combinations of values that lie between their limits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from math import inf, isnan, nan
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize
+
+from gearlash.case import Case
+from gearlash.jobs import Chain, Execution, run
+from gearlash.results import Axis
+from gearlash.results.tolerance import Influence, Tolerance, ToleranceInput, ToleranceMember
+from gearlash.studies.arguments import checked_execution
+from gearlash.studies.model import Source
+from gearlash.system import GearlashError, given
+
+from .bands import contains, outside, shared
+from .designs import corners, samples
+from .influence import combinations, influences, mean_and_error
+from .inputs import Limits, read_inputs
+from .members import Task, present_on, work
+
+OF_A_TASK = 4  # combinations with their bands
+OF_A_SHORT_TASK = 32  # at one value of the axis
+SEARCH = 40  # combinations of the search for the worst one
+Points = NDArray[np.float64]
+
+
+def tolerance(
+    case: Case,
+    axis: Axis,
+    limits: Limits | None = None,
+    *,
+    samples: int = 32,
+    replicates: int = 8,
+    execution: Execution | None = None,
+) -> Tolerance:
+    """Where impact-free motion exists in spite of tolerances.
+
+    Every input lies between two limits, each value as likely as any other and inputs independent of each
+    other. For each combination the motion of teeth that never part is solved for along the axis, and the ends
+    of the bands in which it exists and is stable to rounding.
+
+    Parameters
+    ----------
+    case : Case
+        A gear pair with load.
+    axis : Axis
+        The parameter, mostly a speed, and the values between which bands are looked for, in any unit:
+        ``Axis.even("pinion_speed", "3000 rpm", "5000 rpm", 61)``. What is narrower than a step may be missed
+        where it lies beside no least or largest margin.
+    limits : mapping of str to (float or str, float or str), optional
+        Both limits of every input, by any name of the case: ``{"backlash": ("60 um", "120 um")}``. Without,
+        the ranges of all that the case estimates.
+    samples : int
+        Points of one set of samples, a power of 2 from 2 on.
+    replicates : int
+        Independent sets, from 2 on: errors come from their spread.
+    execution : Execution, optional
+        Who does the work, who is told and who may stop it: results are the same bytes.
+
+    Returns
+    -------
+    Tolerance
+
+    Raises
+    ------
+    CaseError
+        For names and limits that do not fit.
+    GearlashError
+        For a case that is no gear pair with load, and for counts that do not fit.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> speeds = gl.Axis.even("omega", 0.5, 0.9, 5)
+    >>> found = gl.tolerance(case, speeds, {"load": (0.1, 0.3)}, samples=4, replicates=2)
+    >>> found.inputs[0].path, len(found.probability)
+    ('dimensionless.load', 5)
+    """
+    given.instance("case", case, Case, "a case, as from gearlash.load_case")
+    given.instance("axis", axis, Axis, 'an Axis, such as Axis.even("omega", 0.5, 1.4, 91)')
+    _check(case)
+    count = given.whole("samples", samples, 2, 65_536)
+    if count & (count - 1):
+        raise GearlashError(
+            f"samples = {count}: expected a power of 2, such as {1 << (count - 1).bit_length()}"
+        )
+    sets = given.whole("replicates", replicates, 2, 1_000)
+    if len(axis) < 2:
+        raise GearlashError("axis: expected at least two values, between which bands are looked for")
+    inputs = read_inputs(case, limits)
+    _check_axis(case, axis, inputs)
+    source = Source.of(case)
+    looker = _Looker(source, inputs, axis, present_on(case, axis), checked_execution(source, execution))
+    return looker.look(count, sets)
+
+
+def _check(case: Case) -> None:
+    defaults = case.family()[0].complete({})
+    if not case.between_teeth or len(case.family()[0].system(defaults).clearances) != 1:
+        raise GearlashError(f"{case.name} is no gear pair with one clearance between its teeth")
+    if defaults.get("load", 0.0) == 0.0:
+        raise GearlashError("load = 0: no side carries, so there is no motion of teeth that never part")
+
+
+def _check_axis(case: Case, axis: Axis, inputs: Iterable[ToleranceInput]) -> None:
+    """Raises `GearlashError` where the axis is one of the inputs, or is no parameter."""
+    value = axis.values[0].item()
+    name = case.resolve(axis.name, f"{value!r} {axis.unit}" if axis.unit else value)[0]
+    for one in inputs:
+        if case.entries.get(name) is not None and one.path == case.entries[name].path:
+            raise GearlashError(f"{axis.name} is the axis of the study and cannot have limits as well")
+
+
+@dataclass
+class _Looker:
+    """Combinations looked at, one kind after the other; what is done is kept when it is stopped."""
+
+    source: Source
+    inputs: tuple[ToleranceInput, ...]
+    axis: Axis
+    present: float
+    execution: Execution
+    stopped: str = ""
+
+    def look(self, count: int, sets: int) -> Tolerance:
+        own = tuple(one.nominal for one in self.inputs)
+        sampled = samples(self.inputs, count, sets)
+        cornered = [tuple(row) for row in corners(self.inputs).tolist()]
+        rows = [tuple(row) for each in sampled for row in each[0].tolist()]
+        members = self.members([own, *cornered, *rows])
+        if not members:
+            raise GearlashError(f"nothing was computed ({self.stopped})")
+        searched = [] if self.stopped else self.search(members)
+        tried = [*members, *searched]
+        drawn = members[1 + len(cornered) :]
+        share, error = self.probability(drawn, count)
+        here = self.at_present(drawn, count)
+        ends = float(self.axis.values[0]), float(self.axis.values[-1])
+        return Tolerance(
+            axis=self.axis,
+            inputs=self.inputs,
+            nominal=members[0],
+            always=shared(member.bands for member in tried),
+            never=outside((member.bands for member in tried), *ends),
+            probability=share,
+            probability_error=error,
+            here=here[0],
+            here_error=here[1],
+            present=self.present,
+            worst=min(tried, key=_badness),
+            samples=count,
+            replicates=sets,
+            corners=len(cornered),
+            searched=len(searched),
+            influences=() if self.stopped else self.influences(count, sets),
+            unsolved=sum(member.unsolved for member in tried),
+            complete=not self.stopped,
+            message=self.stopped,
+        )
+
+    def members(self, rows: Sequence[tuple[float, ...]], bands: bool = True) -> list[ToleranceMember]:
+        """Combinations in order, as far as the work came."""
+        size = OF_A_TASK if bands else OF_A_SHORT_TASK
+        parts = [tuple(rows[at : at + size]) for at in range(0, len(rows), size)]
+        chains = [
+            Chain(at, (Task(self.source, self.inputs, self.axis, self.present, part, bands),), (len(part),))
+            for at, part in enumerate(parts)
+        ]
+        outcome = run(work, chains, self.execution)
+        self.stopped = self.stopped or outcome.reason
+        found: list[ToleranceMember] = []
+        for at, part in enumerate(parts):
+            done = outcome.results.get(at, ())
+            found += done
+            if len(done) < len(part):
+                break
+        return found
+
+    def search(self, members: Sequence[ToleranceMember]) -> list[ToleranceMember]:
+        """From the worst combination on, towards worse ones between the limits."""
+        begin = min(members, key=_badness)
+        lower = np.array([one.lower for one in self.inputs])
+        upper = np.array([one.upper for one in self.inputs])
+        size = upper - lower
+        met: list[ToleranceMember] = []
+
+        def height(unit: Points) -> float:
+            row = tuple((lower + size * np.clip(unit, 0.0, 1.0)).tolist())
+            met.extend(self.members([row], bands=False))
+            if self.stopped or len(met) >= SEARCH:
+                raise _EnoughError
+            return float(_badness(met[-1]) if met[-1].margin > -inf else -1e30)
+
+        start = (np.array(begin.inputs) - lower) / size
+        with suppress(_EnoughError):
+            minimize(height, start, method="Powell", bounds=[(0.0, 1.0)] * len(size))
+        if not met or self.stopped:
+            return []
+        worst = min(met, key=_badness)
+        return self.members([worst.inputs]) if _badness(worst) < _badness(begin) else []
+
+    def probability(
+        self, drawn: Sequence[ToleranceMember], count: int
+    ) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """At each value of the axis, from whole sets of samples."""
+        free = np.array(
+            [[contains(member.bands, at) for at in self.axis.values.tolist()] for member in drawn], float
+        )
+        sets = len(drawn) // count
+        if sets < 2:
+            empty = (nan,) * len(self.axis)
+            return empty, empty
+        share, error = mean_and_error(free[: sets * count].reshape(sets, count, -1).mean(axis=1))
+        return tuple(share.tolist()), tuple(error.tolist())
+
+    def at_present(self, drawn: Sequence[ToleranceMember], count: int) -> tuple[float, float]:
+        """The same at the present value."""
+        inside = self.axis.values[0] <= self.present <= self.axis.values[-1]
+        sets = len(drawn) // count
+        if not inside or sets < 2:
+            return nan, nan
+        free = np.array([member.margin > 0.0 for member in drawn[: sets * count]], float)
+        share, error = mean_and_error(free.reshape(sets, count).mean(axis=1))
+        return float(share), float(error)
+
+    def influences(self, count: int, sets: int) -> tuple[Influence, ...]:
+        """Sobol indices of the margin at the present value."""
+        if len(self.inputs) < 2:
+            return ()
+        found = []
+        for both in samples(self.inputs, count, sets, 2):
+            points = combinations(both)
+            rows = [tuple(row) for row in points.reshape(-1, len(self.inputs)).tolist()]
+            members = self.members(rows, bands=False)
+            if len(members) < len(rows):
+                return ()
+            found.append(np.array([m.compression for m in members]).reshape(points.shape[:2]))
+        return influences(self.inputs, found)
+
+
+class _EnoughError(Exception):
+    """The search has looked at as many combinations as it may."""
+
+
+def _badness(member: ToleranceMember) -> float:
+    """The margin; what was not solved for is no worst case."""
+    return inf if isnan(member.margin) else member.compression

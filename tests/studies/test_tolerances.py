@@ -1,0 +1,161 @@
+"""Impact-free bands in spite of tolerances: closed forms, brute force, the same bytes from any workers."""
+
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import gearlash as gl
+from gearlash.case import loads
+from gearlash.studies.impact_free import closed_margin
+from gearlash.studies.tolerances.bands import outside, positive_bands, shared
+from gearlash.studies.tolerances.influence import combinations, influences
+
+DRIVE = Path(__file__).parents[1] / "cases" / "drive.toml"
+LINEAR = """
+kind = "spur-1dof"
+[dimensionless]
+omega = 0.6
+D = 1
+load = 0.2
+error = 0.1
+mesh_damping = 0.05
+"""
+
+
+def opens(load: float, error: float) -> tuple[float, float]:
+    """Where ω² E / |1 - ω² + 2iξω| = f_m: both ends of the band around ω = 1 in which teeth part."""
+    # ω⁴ E² = f² ((1 - ω²)² + 4ξ²ω²), a quadratic in ω²
+    a = error**2 - load**2
+    b = load**2 * (2.0 - 4.0 * 0.05**2)
+    roots = np.sort(np.roots([a, b, -(load**2)]).real)
+    return tuple(float(x) for x in np.sqrt(roots[roots > 0.0]))  # type: ignore[return-value]
+
+
+def test_bands_of_a_linear_mesh_are_those_of_the_closed_form():
+    case = loads(LINEAR)
+    axis = gl.Axis.even("omega", 0.4, 3.2, 8)
+    limits = {"load": (0.15, 0.3), "error": (0.08, 0.12)}
+    found = gl.tolerance(case, axis, limits, samples=2, replicates=2)
+    low, high = opens(0.15, 0.12)
+    assert found.always == (
+        pytest.approx((0.4, low), abs=1e-9),
+        pytest.approx((high, 3.2), abs=1e-9),
+    )
+    inside, beyond = opens(0.3, 0.08)
+    assert found.never == (pytest.approx((inside, beyond), abs=1e-9),)
+    assert found.worst.inputs == pytest.approx((0.15, 0.12))
+    assert found.settings_of_worst == {"dimensionless.load": "0.15", "dimensionless.error": "0.12"}
+    assert (found.corners, found.unsolved, found.complete) == (4, 0, True)
+    assert found.here == 1.0
+
+
+def test_the_probability_is_that_of_brute_force():
+    case = loads(LINEAR)
+    axis = gl.Axis.even("omega", 0.6, 1.0, 4)
+    limits = {"load": (0.1, 0.3), "error": (0.05, 0.15)}
+    found = gl.tolerance(case, axis, limits, samples=16, replicates=4)
+    middle = (np.arange(400) + 0.5) / 400
+    load, error = (np.ravel(x) for x in np.meshgrid(0.1 + 0.2 * middle, 0.05 + 0.1 * middle))
+    for omega, share, spread in zip(axis.values, found.probability, found.probability_error, strict=True):
+        response = omega**2 * error / abs(1.0 - omega**2 + 0.1j * omega)
+        assert share == pytest.approx(np.mean(response < load), abs=4.0 * spread + 0.03)
+
+
+def test_indices_of_a_known_function():
+    """x1 + 2 x2: first and total are 1/5 and 4/5."""
+    inputs = tuple(gl.ToleranceInput(name, "", 0.0, 1.0, 0.5) for name in ("one", "two", "none"))
+    sets = []
+    for seed in range(8):
+        points = combinations(np.random.default_rng(seed).random((2, 512, 3)))
+        sets.append(points[..., 0] + 2.0 * points[..., 1])
+    first, second, third = influences(inputs, sets)
+    assert [first.path, second.path] == ["two", "one"]
+    assert first.total == pytest.approx(0.8, abs=4.0 * first.total_error)
+    assert second.first == pytest.approx(0.2, abs=4.0 * second.first_error)
+    assert third.total == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_drive_in_its_units_and_the_margin_at_the_corners():
+    case = gl.load_case(DRIVE)
+    axis = gl.Axis.even("pinion_speed", "3900 rpm", "4500 rpm", 3)
+    limits = {"backlash": ("60 um", "120 um"), "torque": ("100 N m", "250 N m")}
+    found = gl.tolerance(case, axis, limits, samples=8, replicates=2)
+    assert found.present == pytest.approx(4200.0)
+    margins = []
+    for backlash, torque in product((60, 120), (100, 250)):
+        settings = {"backlash": f"{backlash} um", "torque": f"{torque} N m"}
+        member = case.with_overrides(settings)
+        margin = closed_margin(member.family()[0].system(), 1)
+        margins.append(float(member.scales.length_m(margin)))
+    assert found.worst.compression == pytest.approx(min(margins), rel=1e-6)
+    indices = {one.path: one for one in found.influences}
+    assert indices["mesh.backlash"].total < 1e-12  # it does not matter while the back side is never met
+    assert indices["operation.torque"].total == pytest.approx(1.0, abs=0.4)
+    with gl.open_workers(case, 2) as workers:
+        again = gl.tolerance(
+            case, axis, limits, samples=8, replicates=2, execution=gl.Execution(executor=workers)
+        )
+    assert repr(again) == repr(found)
+
+
+def test_ranges_of_what_a_drawing_leaves_open_are_taken_by_themselves():
+    case = gl.load_case(Path(__file__).parents[1] / "cases" / "drawing.toml")
+    axis = gl.Axis.even("pinion_speed", "1000 rpm", "1200 rpm", 3)
+    found = gl.tolerance(case, axis, samples=2, replicates=2)
+    assert "mesh.mean_stiffness" in {one.path for one in found.inputs}
+    assert all(one.reason for one in found.inputs)
+
+
+def test_bands_of_a_function_with_a_dip_between_two_values():
+    def height(x: float) -> float:
+        return (x - 0.5031) ** 2 - 1e-6
+
+    values = np.linspace(0.0, 1.0, 11).tolist()
+    assert positive_bands(height, values) == (
+        pytest.approx((0.0, 0.5021)),
+        pytest.approx((0.5041, 1.0)),
+    )
+    (peak,) = positive_bands(lambda x: -height(x), values)
+    assert peak == pytest.approx((0.5021, 0.5041))
+    assert positive_bands(lambda x: -1.0, values) == ()
+    (half,) = positive_bands(lambda x: 1.0 if x > 0.3 else -np.inf, values)
+    assert half == pytest.approx((0.3, 1.0))
+
+
+def test_what_rows_share_and_what_none_has():
+    rows = [[(0.0, 2.0), (3.0, 5.0)], [(1.0, 4.0)]]
+    assert shared(rows) == ((1.0, 2.0), (3.0, 4.0))
+    assert outside(rows, -1.0, 6.0) == ((-1.0, 0.0), (5.0, 6.0))
+
+
+@pytest.mark.parametrize(
+    ("limits", "message"),
+    [
+        ({}, "expected at least one"),
+        ({"lod": (1, 2)}, "did you mean 'load'"),
+        ({"load": (1,)}, "two limits"),
+        ({"load": ("1 N", 2)}, "load"),
+        ({"load": (0.2, 0.2)}, "two different limits"),
+        ({"omega": (0.5, 0.6)}, "is the axis of the study"),
+        ({"load": (0.1, 0.2), "dimensionless.load": (0.1, 0.3)}, "one of two that name the same quantity"),
+        ({"model.contact": ("always", "in-contact")}, "not of an option"),
+    ],
+)
+def test_limits_that_do_not_fit_are_refused(limits: dict[str, tuple[float, float]], message: str):
+    with pytest.raises(gl.GearlashError, match=message):
+        gl.tolerance(loads(LINEAR), gl.Axis.even("omega", 0.5, 0.9, 3), limits, samples=2, replicates=2)
+
+
+@pytest.mark.parametrize(
+    ("case", "message"),
+    [
+        ("shaw-holmes", "is no gear pair"),
+        ("article", "expected a power of 2"),
+    ],
+)
+def test_cases_and_counts_that_do_not_fit_are_refused(case: str, message: str):
+    axis = gl.Axis.even("omega", 0.5, 0.9, 3)
+    with pytest.raises(gl.GearlashError, match=message):
+        gl.tolerance(gl.load_case(case), axis, {"omega": (0.1, 0.2)}, samples=3)
