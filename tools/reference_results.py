@@ -45,6 +45,7 @@ FOLDER = """\
 `branch-N.json` (for `--resume`), `branch-N.nc`, `branch-N.csv` |
 | graze | `graze.json` |
 | zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf` |
+| tolerance | `tolerance.json`, `tolerance.csv`, and of complete work `tolerance.svg`, `tolerance.pdf` |
 | reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/`, \
 `sweep-omega.nc`, `sweep-omega.json`, `sweep-D.nc`, `sweep-D.json` |
 

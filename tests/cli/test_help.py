@@ -23,6 +23,7 @@ COMMANDS = (
     "branch",
     "graze",
     "zones",
+    "tolerance",
     "reproduce",
     "schema",
 )

@@ -13,8 +13,10 @@ from gearlash.case import Case, load
 from gearlash.orbits import Orbit, attractor, grazing_checks
 from gearlash.results import Axis, plane_dataset, sweep_dataset
 from gearlash.results.branch_dataset import branch_dataset
+from gearlash.results.tolerance import Tolerance
 from gearlash.studies import Zones, continue_branch, continue_curve, map_plane, sweeps
 from gearlash.studies.motion import Motion, motion, touching
+from gearlash.studies.tolerances import tolerance
 from gearlash.studies.zones import zones_of_kinds
 
 
@@ -100,3 +102,11 @@ def zoned() -> tuple[xr.Dataset, tuple[Zones, ...]]:
     """Zones of both kinds over a coarse axis, and the sweeps they come from."""
     found = zones_of_kinds(article(), Axis.even("omega", 0.94, 1.13, 12), ["impact-free", "drive-side-only"])
     return sweep_dataset(article(), found[0].sweeps), found
+
+
+@cache
+def tolerated() -> Tolerance:
+    """Bands of a small pair whose load and error have limits."""
+    case = load("kahraman-singh")
+    limits = {"load": (0.1, 0.3), "error": (0.05, 0.1)}
+    return tolerance(case, Axis.even("omega", 0.5, 0.9, 5), limits, samples=2, replicates=2)

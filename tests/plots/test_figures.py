@@ -19,7 +19,18 @@ from gearlash import plots
 from gearlash.plots.branch_lines import MARKERS, OTHER_MARKER
 from gearlash.plots.units import ASSUMED_MARK
 from gearlash.system import Signature
-from plots.made import aperiodic, around_grazing, article, branch, curves, dataset, moving, plane, zoned
+from plots.made import (
+    aperiodic,
+    around_grazing,
+    article,
+    branch,
+    curves,
+    dataset,
+    moving,
+    plane,
+    tolerated,
+    zoned,
+)
 
 BARS = (
     plots.Bar("article", 0.973, 1.112, "reported", "", "0.973", "1.112"),
@@ -72,6 +83,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "gallery": lambda: plots.gallery((moving(1.05, 1.0, 1.05), aperiodic()), units()),
     "history": lambda: plots.history(moving(1.1, 1.0, 1.1), units()),
     "histories": lambda: plots.history_triple(around_grazing(), units()),
+    "tolerances": lambda: plots.tolerance_bands(tolerated(), "Tolerances of drive"),
     "histories-stacked": lambda: plots.history_triple((moving(0.78, 0.386), aperiodic()), units(), "D"),
     "plane": lambda: plots.plane(plane(), units()),
     "sections": lambda: plots.sections((moving(1.1, 1.0, 1.1), moving(0.78, 0.386, 0.386))),

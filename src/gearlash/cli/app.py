@@ -17,6 +17,7 @@ from .commands.reproduce import reproduce
 from .commands.run import run
 from .commands.schema import schema
 from .commands.sweep import sweep
+from .commands.tolerance import tolerance
 from .commands.zones import zones
 
 LONGEST_ARGUMENT, MOST_ARGUMENTS = 4096, 1000  # characters: as much as a path may have
@@ -68,4 +69,5 @@ def gearlash(
 
 
 for command in (new, report, run, check, sweep, map_, branch, graze, zones, reproduce, schema):
+for command in (report, run, check, sweep, map_, branch, graze, zones, tolerance, reproduce, schema):
     app.command()(command)

@@ -14,6 +14,7 @@ ANSWER_KINDS = {
     "graze": "GrazeAnswer",
     "zones": "ZonesAnswer",
     "report": "ReportAnswer",
+    "tolerance": "ToleranceAnswer",
     "reproduce": "ReproduceAnswer",
     "problem": "ProblemAnswer",
 }

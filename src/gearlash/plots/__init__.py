@@ -19,6 +19,7 @@ from .poincare import sections
 from .portraits import gallery, portrait
 from .portraits import triple as portrait_triple
 from .style import save, to_bytes
+from .tolerated import tolerance_bands
 from .units import ForceAxis, Twin, Units
 from .zoned import zone_bands
 
@@ -44,6 +45,7 @@ __all__ = [
     "save",
     "sections",
     "to_bytes",
+    "tolerance_bands",
     "zone_bands",
     "zones",
 ]

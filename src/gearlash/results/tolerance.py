@@ -25,6 +25,12 @@ class ToleranceInput:
         In ``unit``.
     reason : str
         Where the limits are from.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.ToleranceInput("mesh.backlash", "um", 60.0, 120.0, 80.0).text(75.5)
+    '75.5 um'
     """
 
     path: str
@@ -35,7 +41,17 @@ class ToleranceInput:
     reason: str = ""
 
     def text(self, value: float) -> str:
-        """A value of it as a case file would state it."""
+        """A value of it as a case file would state it.
+
+        Parameters
+        ----------
+        value : float
+            In ``unit``.
+
+        Returns
+        -------
+        str
+        """
         return f"{value!r} {self.unit}".strip()
 
 
@@ -56,6 +72,12 @@ class ToleranceMember:
         The unit of length, m.
     unsolved : int
         Values of the axis at which the motion was not solved for: they count as not free of impacts.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.ToleranceMember((80.0,), ((3000.0, 3872.0),), 0.11, 4e-5, 0).compression
+    4.4e-06
     """
 
     inputs: tuple[float, ...]
@@ -81,6 +103,12 @@ class Influence:
         By itself, and the standard error of that.
     total, total_error : float
         With all that it makes together with others.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> gl.Influence("operation.torque", 0.81, 0.09, 0.82, 0.05).total
+    0.82
     """
 
     path: str

@@ -1,0 +1,189 @@
+"""`gearlash tolerance`: bands that hold in spite of tolerances."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import isfinite
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from gearlash.case import Case
+from gearlash.case.edges import shown_interval
+from gearlash.case.units import pretty
+
+from .parts import CaseUsed, case_used
+
+if TYPE_CHECKING:  # answers are described without the engine
+    from gearlash.results import Tolerance, ToleranceMember
+
+MOST_TOLD = 3  # bands in the sentence
+
+
+@dataclass(frozen=True)
+class BandFound:
+    """An interval, in the unit of the axis."""
+
+    lower: float
+    upper: float
+
+
+@dataclass(frozen=True)
+class InputFound:
+    """A value with limits."""
+
+    path: str
+    unit: str
+    lower: float
+    upper: float
+    nominal: float
+    worst: Annotated[float, "its value in the worst combination that was tried"]
+    reason: Annotated[str, "where the limits are from"]
+    first: Annotated[float | None, "Sobol index of the margin: share of its variance by this value alone"]
+    first_error: float | None
+    total: Annotated[float | None, "the same with all that it makes together with others"]
+    total_error: float | None
+
+
+@dataclass(frozen=True)
+class ToleranceAnswer:
+    """Where teeth stay in contact in spite of tolerances (gearlash tolerance)."""
+
+    sentence: str
+    status: Annotated[str, "ok, or incomplete where the work was stopped"]
+    message: str
+    case: CaseUsed
+    axis: Annotated[str, "name of the parameter as typed"]
+    unit: Annotated[str, "its unit as typed; empty: dimensionless"]
+    values: tuple[float, ...]
+    probability: Annotated[tuple[float | None, ...], "share of the samples with impact-free motion"]
+    probability_error: Annotated[tuple[float | None, ...], "its standard error, from independent sets"]
+    present: Annotated[float, "the case's own value of the axis"]
+    here: Annotated[float | None, "the probability there"]
+    here_error: float | None
+    always: Annotated[tuple[BandFound, ...], "where every combination that was tried has the motion"]
+    never: Annotated[tuple[BandFound, ...], "where none of them has it"]
+    nominal: Annotated[tuple[BandFound, ...], "where the case as it is has it"]
+    nominal_margin: Annotated[
+        float | None, "least compression at the present value, m (dimensionless: over D_c)"
+    ]
+    worst_margin: Annotated[float | None, "the same of the worst combination; below 0 teeth part"]
+    worst: Annotated[dict[str, str], "the worst combination as settings (--set) of a case to run"]
+    inputs: tuple[InputFound, ...]
+    tried: Annotated[
+        int, "combinations with bands: the case itself, corners, samples, and the worst one found"
+    ]
+    samples: int
+    replicates: int
+    corners: int
+    unsolved: Annotated[int, "motions that were not solved for: they count as not free of impacts"]
+    result: Literal["tolerance"] = "tolerance"
+
+
+def tolerance_answer(case: Case, found: Tolerance) -> ToleranceAnswer:
+    """The record of tolerances."""
+    return ToleranceAnswer(
+        sentence=_sentence(case, found),
+        status="ok" if found.complete else "incomplete",
+        message=found.message,
+        case=case_used(case),
+        axis=found.axis.name,
+        unit=found.axis.unit,
+        values=tuple(found.axis.values.tolist()),
+        probability=tuple(map(_known, found.probability)),
+        probability_error=tuple(map(_known, found.probability_error)),
+        present=found.present,
+        here=_known(found.here),
+        here_error=_known(found.here_error),
+        always=_bands(found.always),
+        never=_bands(found.never),
+        nominal=_bands(found.nominal.bands),
+        nominal_margin=_known(found.nominal.compression),
+        worst_margin=_known(found.worst.compression),
+        worst=dict(found.settings_of_worst),
+        inputs=_inputs(found),
+        tried=tried(found),
+        samples=found.samples,
+        replicates=found.replicates,
+        corners=found.corners,
+        unsolved=found.unsolved,
+    )
+
+
+def tried(found: Tolerance) -> int:
+    """Combinations of which bands are known, where nothing stopped the work."""
+    return 1 + found.corners + found.samples * found.replicates + found.searched
+
+
+def _known(value: float) -> float | None:
+    return value if isfinite(value) else None
+
+
+def _bands(bands: Sequence[tuple[float, float]]) -> tuple[BandFound, ...]:
+    return tuple(BandFound(*band) for band in bands)
+
+
+def _inputs(found: Tolerance) -> tuple[InputFound, ...]:
+    known = {one.path: one for one in found.influences}
+    rows = []
+    for one, worst in zip(found.inputs, found.worst.inputs, strict=True):
+        index = known.get(one.path)
+        four = (
+            (None,) * 4 if index is None else (index.first, index.first_error, index.total, index.total_error)
+        )
+        rows.append(
+            InputFound(one.path, one.unit, one.lower, one.upper, one.nominal, worst, one.reason, *four)
+        )
+    order = [one.path for one in found.influences]
+    return tuple(sorted(rows, key=lambda row: order.index(row.path) if row.path in order else len(order)))
+
+
+def _sentence(case: Case, found: Tolerance) -> str:
+    """What holds at the present value, then the bands that hold for all and for none."""
+    here = f"At {value_text(found, found.present)}: {_here(case, found)}"
+    always = f"teeth stay in contact in all combinations tried {bands_text(found, found.always)}"
+    never = f"in none {bands_text(found, found.never)}"
+    said = [here, always if found.always else "no value of the range holds for all combinations tried", never]
+    if found.influences:
+        first = found.influences[0]
+        said.append(
+            f"the margin there depends most on {first.path} "
+            f"({100.0 * first.total:.0f} ± {100.0 * first.total_error:.0f} % of its variance)"
+        )
+    if not found.never:
+        said.remove(never)
+    return "; ".join(said)
+
+
+def _here(case: Case, found: Tolerance) -> str:
+    nominal = (
+        "teeth stay in contact" if found.nominal.margin > 0.0 else "no motion with teeth always in contact"
+    )
+    text = f"{nominal} as the case is, {margin_text(case, found.nominal)}"
+    if isfinite(found.here):
+        chance = f"{100.0 * found.here:.3g} ± {100.0 * found.here_error:.1g} %"
+        text += f"; with probability {chance} within the limits"
+    return text + f"; worst combination found: {margin_text(case, found.worst)}"
+
+
+def margin_text(case: Case, member: ToleranceMember) -> str:
+    """The least compression in words."""
+    if not isfinite(member.margin):
+        return "where that motion is unstable" if member.margin < 0.0 else "not solved for"
+    if member.length is None:
+        return f"least compression {member.margin:.4g} D_c"
+    return f"least compression {1e6 * member.compression:.4g} µm"
+
+
+def value_text(found: Tolerance, value: float) -> str:
+    """A value of the axis with its unit or its name."""
+    unit = found.axis.unit
+    return f"{value:.6g} {pretty(unit)}" if unit else f"{found.axis.name} = {value:.6g}"
+
+
+def bands_text(found: Tolerance, bands: Sequence[tuple[float, float]]) -> str:
+    """Bands rounded into them, with their unit."""
+    unit = f" {pretty(found.axis.unit)}" if found.axis.unit else ""
+    name = "" if found.axis.unit else f"{found.axis.name} "
+    told = " and ".join(f"{name}{' to '.join(shown_interval(*band))}" for band in bands[:MOST_TOLD])
+    more = f" and {len(bands) - MOST_TOLD} more" if len(bands) > MOST_TOLD else ""
+    return f"from {told}{unit}{more}"

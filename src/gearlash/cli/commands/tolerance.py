@@ -1,0 +1,82 @@
+"""gearlash tolerance"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.options import AsJson, CaseArgument, Out, Over, Settings, Workers
+
+
+@command
+def tolerance(
+    case: CaseArgument,
+    over: Over,
+    limits: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--limits",
+            metavar="NAME=FROM:TO",
+            help="Limits of a value of the case, by short name or path: backlash=60:120um, "
+            "torque=50:250Nm. May be given several times. [default: the ranges of all that the case "
+            "estimates]",
+        ),
+    ] = None,
+    settings: Settings = None,
+    samples: Annotated[
+        int,
+        typer.Option(min=2, max=65_536, metavar="N", help="Points of one set of samples, a power of 2."),
+    ] = 32,
+    replicates: Annotated[
+        int,
+        typer.Option(min=2, max=1_000, metavar="N", help="Independent sets: errors come from their spread."),
+    ] = 8,
+    workers: Workers = None,
+    as_json: AsJson = False,
+    out: Out = None,
+) -> ExitCode:
+    """Where do teeth stay in contact in spite of tolerances, and which of them matters?
+
+    Bands of --over in which the motion of teeth that never part exists and is stable: in all combinations of
+    values that were tried, in none, and with which probability between; every value between its limits as
+    likely as any other. Names the worst combination, as settings to run. --out writes tolerance.json,
+    tolerance.csv, and the probability over the bands as SVG and PDF.
+    """
+    from gearlash.cli.frame import deliver
+    from gearlash.cli.inputs import read_case
+    from gearlash.cli.limits import read_axis, read_limits
+
+    asked = read_case(case, settings)
+    axis, ranges = read_axis(over), read_limits(limits)
+
+    from gearlash.cli.folder import claim_if
+    from gearlash.cli.notice import load_engine
+
+    folder = claim_if(out, [f"tolerance.{ending}" for ending in ("json", "csv", "svg", "pdf")])
+    load_engine(data=folder is not None)
+
+    from gearlash.cli.answers.tolerance import tolerance_answer
+    from gearlash.cli.interrupt import expect_results
+    from gearlash.cli.progress import progress_bar
+    from gearlash.cli.workers import executor_for
+    from gearlash.jobs import Execution
+    from gearlash.studies.tolerances import tolerance as study
+
+    expect_results()
+    with (
+        executor_for(asked, workers, samples * replicates) as executor,
+        progress_bar("tolerances") as progress,
+    ):
+        execution = Execution(executor, progress=progress)
+        found = study(asked, axis, ranges, samples=samples, replicates=replicates, execution=execution)
+    answer = tolerance_answer(asked, found)
+
+    def keep() -> None:
+        if folder:
+            from gearlash.cli.tolerance_files import write_tolerance
+
+            write_tolerance(folder, asked, found, answer)
+
+    return deliver(answer, as_json, keep)

@@ -1,0 +1,79 @@
+"""Tolerances in the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rich.text import Text
+
+from gearlash.case.edges import shown_interval
+from gearlash.case.units import pretty
+from gearlash.cli.answers.tolerance import BandFound, InputFound, ToleranceAnswer
+
+from .layout import facts, headline, note, table
+
+SHOWN = 12  # rows of the probability
+
+
+def tolerance_view(answer: ToleranceAnswer, width: int) -> Iterator[Text]:
+    """Sentence, bands, probability over the range, values with limits, and the worst case."""
+    yield from headline(answer.sentence, width)
+    rows = [("status", answer.status), ("message", answer.message)] if answer.status != "ok" else []
+    rows += [
+        ("as it is", _bands(answer, answer.nominal)),
+        ("in all tried", _bands(answer, answer.always)),
+        ("in none", _bands(answer, answer.never)),
+    ]
+    yield from facts("Teeth stay in contact", rows, width)
+    yield from table(
+        "Probability",
+        [(answer.unit or answer.axis, "right"), ("probability", "right"), ("±", "right")],
+        list(_probability(answer)),
+        width,
+    )
+    columns = [("value", "left"), ("from", "right"), ("to", "right"), ("worst", "right"), ("alone", "right"),
+               ("in all", "right"), ("limits", "left")]  # fmt: skip
+    title = "Values with limits, and their share of the variance of the margin at the present value"
+    yield from table(title, columns, [_input(one) for one in answer.inputs], width)
+    settings = " ".join(f"--set '{path}={value}'" for path, value in answer.worst.items())
+    yield from facts("The worst combination found, to run", [("", settings)], width)
+    yield from note(_examined(answer), width)
+
+
+def _examined(answer: ToleranceAnswer) -> str:
+    unsolved = f" {answer.unsolved} motions were not solved for." if answer.unsolved else ""
+    return (
+        f"Tried: the case itself, {answer.corners} corners of the limits, {answer.replicates} independent "
+        f"sets of {answer.samples} samples, each value as likely as any other between its limits, and a "
+        "search for the worst combination. That no other combination is worse is not proved. The motion is "
+        "the one of teeth that never part, where it exists and is stable: other motions at the same values "
+        f"are not looked for (gearlash zones, gearlash run).{unsolved}"
+    )
+
+
+def _bands(answer: ToleranceAnswer, bands: Sequence[BandFound]) -> str:
+    unit = f" {pretty(answer.unit)}" if answer.unit else ""
+    told = (" to ".join(shown_interval(band.lower, band.upper)) for band in bands)
+    return ", ".join(f"{text}{unit}" for text in told) or "nowhere in the range"
+
+
+def _probability(answer: ToleranceAnswer) -> Iterator[list[str]]:
+    count = len(answer.values)
+    step = max(1, -(-count // SHOWN))
+    for at in sorted({*range(0, count, step), count - 1}):
+        share, error = answer.probability[at], answer.probability_error[at]
+        if share is None or error is None:
+            yield [f"{answer.values[at]:.6g}", "-", "-"]
+        else:
+            yield [f"{answer.values[at]:.6g}", f"{100.0 * share:.1f} %", f"{100.0 * error:.1f} %"]
+
+
+def _input(one: InputFound) -> list[str]:
+    shares = ("-", "-")
+    if one.first is not None and one.total is not None:
+        shares = (
+            f"{100.0 * one.first:.0f} ± {100.0 * (one.first_error or 0.0):.0f} %",
+            f"{100.0 * one.total:.0f} ± {100.0 * (one.total_error or 0.0):.0f} %",
+        )
+    name = f"{one.path} [{pretty(one.unit)}]" if one.unit else one.path
+    return [name, f"{one.lower:.6g}", f"{one.upper:.6g}", f"{one.worst:.6g}", *shares, one.reason]

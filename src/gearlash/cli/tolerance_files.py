@@ -1,0 +1,38 @@
+"""What `gearlash tolerance` keeps in the folder of --out."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from gearlash.case import Case
+from gearlash.results.store import write_together
+
+from .files import draw_if
+from .folder import OutFolder
+from .jsonio import text
+
+if TYPE_CHECKING:
+    from gearlash.results import Tolerance
+
+    from .answers.tolerance import ToleranceAnswer
+
+
+def write_tolerance(folder: OutFolder, case: Case, found: Tolerance, answer: ToleranceAnswer) -> None:
+    """The answer (JSON), the probability as a table (CSV) and, where all was computed, the figure."""
+    name = f"{answer.axis} [{answer.unit}]" if answer.unit else answer.axis
+    lines = [f'"{name}","probability","standard error"']
+    for value, share, error in zip(answer.values, answer.probability, answer.probability_error, strict=True):
+        lines.append(
+            f"{value!r},{'' if share is None else repr(share)},{'' if error is None else repr(error)}"
+        )
+    contents = {
+        folder.file("tolerance.json"): text(answer).encode("utf-8"),
+        folder.file("tolerance.csv"): ("\n".join(lines) + "\n").encode("utf-8"),
+    }
+    write_together(contents, instead_of=[folder.file(f"tolerance.{kind}") for kind in ("svg", "pdf")])
+    draw_if(
+        folder,
+        "tolerance",
+        found.complete,
+        lambda plots: plots.tolerance_bands(found, f"Tolerances of {case.name} (dashed: its own value)"),
+    )
