@@ -12,7 +12,7 @@ from .folder import OutFolder
 from .jsonio import text
 
 if TYPE_CHECKING:
-    from gearlash.results import Tolerance
+    from gearlash.results.tolerance import Tolerance
 
     from .answers.tolerance import ToleranceAnswer
 

@@ -14,7 +14,7 @@ from gearlash.case.units import pretty
 from .parts import CaseUsed, case_used
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.results import Tolerance, ToleranceMember
+    from gearlash.results.tolerance import Tolerance, ToleranceMember
 
 MOST_TOLD = 3  # bands in the sentence
 
