@@ -68,6 +68,5 @@ def gearlash(
     pass
 
 
-for command in (new, report, run, check, sweep, map_, branch, graze, zones, reproduce, schema):
-for command in (report, run, check, sweep, map_, branch, graze, zones, tolerance, reproduce, schema):
+for command in (new, report, run, check, sweep, map_, branch, graze, zones, tolerance, reproduce, schema):
     app.command()(command)
