@@ -41,12 +41,14 @@ AMPLITUDES = (3e-4, 1e-3, 3e-3, 1e-2)  # scaled: of the doubled orbit with which
 @dataclass(frozen=True, eq=False)
 class Beginning:
     """Orbits with their directions, away from the start; ``met``: where two things happen at the start;
-    ``known``: the orbits after the one ahead, as far as they are known already."""
+    ``known``: the orbits after the one ahead, as far as they are known already; ``start``: the point itself,
+    where the curve passes through it."""
 
     ahead: Node
     behind: Node | None
     met: Met | None = None
     known: tuple[Node, ...] = ()
+    start: CodimTwoPoint | None = None
 
 
 def beginning(
@@ -194,11 +196,12 @@ def _at_two(
             node = grazing_node(plane, place, start.point.state, period, extrema[0])
             state, other = at_other_end(node)
             node = grazing_node(plane, place, state, period, other)
-            return Beginning(node, node.turned)
+            point = replace(start.point, state=state, touches=tuple(node.touched), extrema=node.extrema.all)
+            return Beginning(node, node.turned, start=replace(start, point=point))
         if not 0 <= touch < len(extrema):
             raise GearlashError(f"touch = {touch}: {len(extrema)} extrema touch there")
         node = grazing_node(plane, place, start.point.state, period, extrema[touch])
-        return Beginning(node, node.turned)
+        return Beginning(node, node.turned, start=start)
     if kind is None:
         raise GearlashError("kind: expected fold, doubling or Neimark-Sacker for this point")
     if at is not None and start.kind is not CodimTwoKind.CORNER and OF_KIND[kind] is at:
@@ -208,7 +211,7 @@ def _at_two(
             raise GearlashError("the curve could not be begun on both sides of the touch")
         return Beginning(deep[0], clear, met, deep[1:])
     node = condition_node(plane, place, start.point.state, period, OF_KIND[kind])
-    return Beginning(node, node.turned)
+    return Beginning(node, node.turned, start=start)
 
 
 def point_of_two(plane: Plane, start: CodimTwoPoint, place: Array, period: int) -> Met:

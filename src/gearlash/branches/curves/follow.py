@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import acos
 
 import numpy as np
@@ -14,13 +15,14 @@ import numpy as np
 from gearlash.branches.continuation.extrema import Extremum
 from gearlash.branches.continuation.settings import ContinuationSettings
 
-from .locate import Met, touch_on
+from .locate import Met, touch_along, touch_on
 from .met import Happened, between
 from .motion import is_clear
 from .newton import Corrected
 from .node import Node, solved, state_at, touch_of, well_begun
 from .plane import UNBUILT, Array
 from .points import CurveEndKind, EndOfCurve
+from .problem import Evaluated
 from .restart import beyond, clear_side
 from .secondary import TURNS
 
@@ -30,12 +32,12 @@ GOOD_TURN = 0.6  # of the largest angle
 OFF = 0.5  # of a step: how far beside its end the next orbit may lie
 SOON = 3.0  # steps: an extremum that would touch within so many is kept from crossing
 AHEAD = 2.0  # steps: a depth that would vanish within so many is looked for
+TINY, FAR = 1e-5, 0.3  # scaled: a depth so small makes steps short, and is looked for so far ahead
+SHORT = 0.01  # the longest step that is called short
+HALF = 3e-4  # scaled: halves of an orbit so near to each other are one
 NEAR = 4.0  # times as far as foretold may a touch lie
-LOOP_CLOSES = 0.15  # of a step: how near the first parameters are passed where a loop closes
-SAME = 0.4  # the same of its states
-AHEAD_AGAIN = (
-    0.5  # least cosine of the angle at which it is passed: an arm of a cusp comes back the other way
-)
+LOOP_CLOSES = 0.5  # of a step: how near the first parameters are passed where a loop may close
+SAME = 1e-6  # scaled: orbits so near to each other are one
 Item = Node | Met | EndOfCurve
 
 
@@ -58,7 +60,13 @@ class Follower:
             node, length = self.known[-1], _between(*(self.start, *self.known)[-2:])
         for count in range(self.settings.most_points):
             touch = self.vanishing(before, node, length)
-            if touch is not None:
+            if touch is not None and node.problem.plane.inside(touch.place):
+                if halves(touch.here) <= HALF:
+                    yield EndOfCurve(CurveEndKind.HALF_PERIOD, _values(touch.place))
+                    return
+                if self.closes(node.place, touch.place, node):
+                    yield EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place))
+                    return
                 after = clear_side(touch)
                 yield from self.over(touch, after)
                 if after is None:
@@ -72,12 +80,15 @@ class Follower:
                 yield step
                 return
             after, happened, length, end = step
-            closing = count > 2 and happened.touch is None and self.closes(node, after)
+            closing = count > 2 and happened.touch is None and self.closes(node.place, after.place, node)
             yield from self.not_again(happened.met, node, after) if closing else happened.met
             if happened.touch is not None:
                 known = beyond(happened.touch)
                 yield from self.over(happened.touch, known[-1] if known else None)
                 if not known:
+                    return
+                if self.closes_over([happened.touch.place, *(each.place for each in known)], known):
+                    yield EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place))
                     return
                 yield from known
                 before, node, length = None, known[-1], 0.5 * _apart(known[-1], happened.touch)
@@ -87,6 +98,14 @@ class Follower:
             ]
             if any(abs(TURNS[m.kind]) == 1.0 for m in resonance):
                 yield EndOfCurve(CurveEndKind.RESONANCE, _values(resonance[-1].place))
+                return
+            if halves(after.here) <= min(HALF, halves(node.here)):
+                yield after
+                yield EndOfCurve(
+                    CurveEndKind.HALF_PERIOD,
+                    _values(after.place),
+                    f"its halves differ by {halves(after.here):.0e} of the motion",
+                )
                 return
             if closing:
                 yield after
@@ -118,21 +137,24 @@ class Follower:
             return None
         done = float(np.linalg.norm(node.u - before.u))
         best: tuple[float, Extremum] | None = None
+        unit = [np.linalg.norm(c.h * node.problem.size) for c in node.here.props.system.clearances]
         for extremum in node.extrema.all:
             last = before.extrema.by_number.get(extremum.number)
             if last is None or is_clear(extremum) or is_clear(last) or extremum.number in node.touching:
                 continue
             one, two = abs(last.distance) ** 0.5, abs(extremum.distance) ** 0.5
             left = two * done / (one - two) if two < one else np.inf
-            if left < AHEAD * length and (best is None or left < best[0]):
+            tiny = length <= SHORT and abs(extremum.distance) <= TINY * unit[extremum.clearance]
+            if left < (max(FAR, AHEAD * length) if tiny else AHEAD * length) and (
+                best is None or left < best[0]
+            ):
                 best = left, extremum
         if best is None:
             return None
         left, extremum = best
         guess = node.u + left * node.direction
-        for start in (guess, None):
-            found = touch_on(node, extremum, start)
-            if found is not None and abs(_distance(found, node)) <= NEAR * left:
+        for found in (touch_on(node, extremum, guess), touch_along(node, extremum)):
+            if found is not None and _distance(found, node) <= NEAR * left and _ahead(found, node):
                 return found
         return None
 
@@ -243,24 +265,38 @@ class Follower:
         length *= min(GROW, max(SHRINK, min(turn, contraction)))
         return min(length, self.settings.longest)
 
-    def closes(self, left: Node, right: Node) -> bool:
-        """Whether the first orbit, begun at any of its base periods, lies between two neighbours."""
-        unit = left.problem.plane.unit
-        chord, away = (right.place - left.place) / unit, (self.start.place - left.place) / unit
+    def closes(self, left: Array, right: Array, near: Node) -> bool:
+        """Whether the first orbit, begun at any of its base periods, lies between two places of the curve:
+        whether the curve, begun from a node ``near`` there, passes it is solved for."""
+        unit = near.problem.plane.unit
+        chord, away = (right - left) / unit, (self.start.place - left) / unit
         length = float(np.linalg.norm(chord))
-        if length == 0.0:  # at a limit of the parameters
+        if length == 0.0 or float(chord @ self.start.direction[-2:]) <= 0.0:  # an arm of a cusp comes back
             return False
-        along, first = float(chord @ away) / length, self.start.direction[-2:]
-        if float(chord @ first) < AHEAD_AGAIN * length * float(np.linalg.norm(first)):
+        chord /= length
+        along = float(chord @ away)
+        if not 0.0 < along <= length or np.linalg.norm(away - along * chord) > LOOP_CLOSES * length:
             return False
-        if not 0.0 < along <= length or np.linalg.norm(away - along * chord / length) > LOOP_CLOSES * length:
+        row, left = np.zeros(len(near.u)), left / unit
+        row[-2:] = chord
+        target = float(chord @ left) + along
+        ahead = near.direction / float(row @ near.direction)
+        guess = near.u + (target - float(row @ near.u)) * ahead
+        node = solved(near.problem, guess, row, target, near)[0]
+        return node is not None and self.is_start(node)
+
+    def closes_over(self, places: list[Array], nodes: tuple[Node, ...]) -> bool:
+        """The same of several places, each step beside a node."""
+        return any(self.closes(*pair, node) for pair, node in zip(pairwise(places), nodes, strict=True))
+
+    def is_start(self, node: Node) -> bool:
+        """Whether an orbit is the first one, begun at any of its base periods."""
+        size, cycles = node.problem.size, float(node.here.props.system.cycles)
+        if float(np.linalg.norm((node.place - self.start.place) / node.problem.plane.unit)) > SAME:
             return False
-        size, part = left.problem.size, along / length
-        one, two = (state_at(side.here, 0.0) / size for side in (left, right))
-        between, moved = (1.0 - part) * one + part * two, float(np.linalg.norm(two - one))
-        cycles = left.here.props.system.cycles
+        state = state_at(node.here, 0.0)
         return any(
-            np.linalg.norm(state_at(self.start.here, float(k * cycles)) / size - between) <= SAME * moved
+            float(np.linalg.norm((state_at(self.start.here, k * cycles) - state) / size)) <= SAME
             for k in range(self.start.problem.period)
         )
 
@@ -272,6 +308,19 @@ def _values(place: Array) -> tuple[float, float]:
 def _distance(met: Met, node: Node) -> float:
     """Of a point from a node, in the plane and in the states where they are begun at one phase."""
     return float(np.linalg.norm((met.place - node.place) / node.problem.plane.unit))
+
+
+def halves(here: Evaluated) -> float:
+    """How far the states at the beginning of both halves of an orbit are apart, scaled."""
+    if here.problem.period % 2:
+        return float("inf")
+    one, two = (state_at(here, k * 0.5 * here.cycles) for k in (0, 1))
+    return float(np.linalg.norm((one - two) / here.problem.size))
+
+
+def _ahead(met: Met, node: Node) -> bool:
+    """Whether a point lies in the direction of the curve."""
+    return float((met.place - node.place) / node.problem.plane.unit @ node.direction[-2:]) >= 0.0
 
 
 def _apart(node: Node, met: Met) -> float:

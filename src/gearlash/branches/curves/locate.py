@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
+from scipy.optimize import brentq, newton
 
 from gearlash.branches.continuation.extrema import Extremum
 
@@ -23,6 +23,7 @@ NEAR = 3.0  # times the length of a step: how far a point may lie from where it 
 ON_CIRCLE = 1e-7  # distance of a pair from the unit circle
 NEARLY_FLAT = 1e-3  # H‴ in units of the motion: where it is less, it may be none
 SECANTS = 60
+FIRST_WAY, CLOSE = 0.01, 1e-6  # scaled: of secants along a grazing curve
 NO_NUMBER = -1  # of an extremum that is none on both sides
 NUDGE = 1e-3  # of a step: so far beside a zero its function is looked at again, for its error
 ZERO = 1e-13  # of the way: a bracket so narrow is a place
@@ -71,6 +72,39 @@ def touch_on(node: Node, extremum: Extremum, guess: Array | None = None) -> Met 
     u = begun.u if guess is None or begun is not node else guess
     problem = replace(begun.problem, touches=(touch,), kept=())
     found = _two(problem, np.concatenate([u[:n], [phase], u[n:]]), begun)
+    return None if found is None else replace(found, kind=_with_touch(found))
+
+
+def touch_along(node: Node, extremum: Extremum) -> Met | None:
+    """On a curve of a condition: where an extremum of little depth touches, which may be far ahead. It is
+    sought along the grazing curve beside, on which the condition is smooth."""
+    try:
+        begun = well_begun(node, [extremum.phase])
+    except UNBUILT:
+        return None
+    touch, phase = touch_of(begun, extremum)
+    n, condition = begun.problem.states, begun.problem.conditions[0]
+    both = replace(begun.problem, touches=(touch,), kept=())
+    alone = replace(both, conditions=())
+    first = np.concatenate([begun.u[:n], [phase], begun.u[n:]])
+    row = np.concatenate([np.zeros(n + 1), begun.direction[-2:] / np.linalg.norm(begun.direction[-2:])])
+    known = {0.0: first}
+
+    def value(place: float) -> float:
+        nearest = min(known, key=lambda other: abs(other - place))
+        guess = known[nearest] + (place - nearest) * row
+        corrected = correct(alone, guess, row, float(row @ first) + place)
+        if corrected.here is None:
+            raise RuntimeError(corrected.failure)
+        known[place] = corrected.here.u
+        return condition.value(corrected.here.scaled_monodromy)
+
+    try:
+        place = float(newton(value, 0.0, x1=FIRST_WAY, tol=CLOSE, maxiter=SECANTS))
+    except (RuntimeError, *UNBUILT):
+        return None
+    nearest = min(known, key=lambda other: abs(other - place))
+    found = _two(both, known[nearest], begun)
     return None if found is None else replace(found, kind=_with_touch(found))
 
 

@@ -187,7 +187,7 @@ class Evaluated:
     def leg_of(self, phase: float) -> int:
         """The leg on which a phase lies. Raises `GearlashError` where it lies on none."""
         for index, leg in enumerate(self.legs):
-            if leg.begin <= phase < leg.end:
+            if leg.begin < phase < leg.end:
                 return index
         raise GearlashError("a touch has left the orbit")
 
@@ -195,7 +195,7 @@ class Evaluated:
         """How far X of an extremum moves at most with a scaled unit of the state."""
         origin, size = self.problem.origin, self.problem.size
         phase = origin + (extremum.phase - origin) % self.cycles
-        index = self.leg_of(phase)
+        index = max(k for k, leg in enumerate(self.legs) if k == 0 or leg.begin <= phase)
         flow = carried(self.props, self.course[0][index], self.legs[index], phase)[1] @ self.course[1][index]
         h = self.props.system.clearances[extremum.clearance].h
         return float(np.linalg.norm(h @ flow * size))

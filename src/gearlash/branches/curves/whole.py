@@ -25,6 +25,7 @@ from .problem import Evaluated
 from .touch import Leg, carried
 
 KINDS = {At.ONE: SpecialKind.FOLD, At.MINUS_ONE: SpecialKind.DOUBLING, At.CIRCLE: SpecialKind.TORUS}
+AGAIN = 1e-8  # of the values: so near the start is met again
 REAL = 1e-9  # of the size of the motion: how well the orbit closes without anything held
 
 
@@ -59,6 +60,9 @@ def curve_through(begun: Beginning, settings: ContinuationSettings, listen: List
     if met is not None and behind is not None:
         back = back.moved(-_away(met, ahead))
         start.insert(0, _point(behind, -_away(met, ahead)))
+    if begun.start is not None:
+        between = (_at_start(begun.start, back, way),)
+    special = (*_others(between, back.special), *between, *_others(between, way.special))
     plane = ahead.problem.plane
     return Curve(
         kind=kind_of(ahead),
@@ -67,10 +71,30 @@ def curve_through(begun: Beginning, settings: ContinuationSettings, listen: List
         lower=plane.lower,
         upper=plane.upper,
         points=(*back.points, *start, *way.points),
-        special=(*back.special, *between, *way.special),
+        special=special,
         ends=(back.end, way.end),
         scale=np.concatenate([ahead.problem.size, plane.unit]),
     )
+
+
+def _at_start(start: CodimTwoPoint, back: _Way, way: _Way) -> CodimTwoPoint:
+    """The point at which a curve was begun, as one of it."""
+    before = back.points[-1].signature if back.points else start.point.signature
+    after = way.points[0].signature if way.points else start.point.signature
+    point = replace(start.point, arclength=0.0)
+    return replace(start, point=point, label_before=before, label_after=after)
+
+
+def _others(between: tuple[CodimTwoPoint, ...], found: list[CodimTwoPoint]) -> list[CodimTwoPoint]:
+    """Without what is the start, met again."""
+    return [
+        each
+        for each in found
+        if not any(
+            each.kind is one.kind and np.allclose(each.values, one.values, rtol=AGAIN, atol=0.0)
+            for one in between
+        )
+    ]
 
 
 @dataclass(eq=False)
@@ -93,12 +117,15 @@ class _Way:
                 waiting.append(item)
                 continue
             after = last if isinstance(item, EndOfCurve) else item
-            way.special += [special_of(met, arclength + _away(met, last), last, after) for met in waiting]
+            step = 0.0 if isinstance(item, EndOfCurve) else _length(last, item)
+            way.special += [
+                special_of(m, arclength + _on_step(m, last, after, step), last, after) for m in waiting
+            ]
             waiting.clear()
             if isinstance(item, EndOfCurve):
                 way.end = item
                 break
-            arclength += _length(last, item)
+            arclength += step
             way.points.append(_point(item, arclength))
             last = item
             listen.tell(_pair(item.place))
@@ -141,6 +168,12 @@ def _length(left: Node, right: Node) -> float:
 
 def _away(met: Met, node: Node) -> float:
     return float(np.linalg.norm((met.place - node.place) / node.problem.plane.unit))
+
+
+def _on_step(met: Met, left: Node, right: Node, length: float) -> float:
+    """How far along a step of a given length a point lies; behind the last orbit by the way in the plane."""
+    before, after = _away(met, left), _away(met, right)
+    return before if length == 0.0 else length * before / max(before + after, 1e-300)
 
 
 def _pair(place: Array) -> tuple[float, float]:
