@@ -16,6 +16,7 @@ from matplotlib.text import Text
 
 import gearlash as gl
 from gearlash import plots
+from gearlash.gears import CylindricalGear, CylindricalPair
 from gearlash.plots.branch_lines import MARKERS, OTHER_MARKER
 from gearlash.plots.units import ASSUMED_MARK
 from gearlash.system import Signature
@@ -88,6 +89,13 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "plane": lambda: plots.plane(plane(), units()),
     "sections": lambda: plots.sections((moving(1.1, 1.0, 1.1), moving(0.78, 0.386, 0.386))),
     "zone-bands": lambda: plots.zone_bands(*zoned(), "Zones of article", 1.047, units()),
+    "mesh-drawing": lambda: plots.mesh_drawing(
+        CylindricalPair(
+            CylindricalGear(25, 3e-3, 0.26, 0.2), CylindricalGear(57, 3e-3, 0.26), face_width=0.04
+        ),
+        "drive: 25/57 teeth",
+        80e-6,
+    ),
     "zones": lambda: plots.zones((plots.Panel("omega", "impact-free at D = 1", BARS),), units()),
 }
 

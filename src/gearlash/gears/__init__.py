@@ -24,6 +24,7 @@ if TYPE_CHECKING:  # the same names for type checkers; a test keeps the lists eq
     from . import materials as materials
     from . import mesh_cycle as mesh_cycle
     from . import mesh_stiffness as mesh_stiffness
+    from . import outline as outline
     from . import pair_shape as pair_shape
     from . import spur as spur
     from . import tooth_form as tooth_form
@@ -88,6 +89,7 @@ __all__ = [
     "materials",
     "mesh_cycle",
     "mesh_stiffness",
+    "outline",
     "pair_shape",
     "solid_disc",
     "spur",

@@ -13,6 +13,7 @@ from .histories import history
 from .histories import triple as history_triple
 from .intervals import Bar, Panel, zones
 from .marks import Mark
+from .mesh_drawing import mesh_drawing
 from .plane import plane
 from .plane_lines import PlaneLine
 from .poincare import sections
@@ -39,6 +40,7 @@ __all__ = [
     "gallery",
     "history",
     "history_triple",
+    "mesh_drawing",
     "plane",
     "portrait",
     "portrait_triple",

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from gearlash.case.scales import Scales
-from gearlash.gears import CylindricalPair, HelicalPair, LineOfAction, ToothGeometry
+from gearlash.gears import CylindricalGear, CylindricalPair, HelicalPair, LineOfAction, ToothGeometry
+from gearlash.gears.basic_rack import ISO53_A
 from gearlash.gears.excitation import Excitation
 from gearlash.system import ContactRule
 
@@ -24,6 +25,16 @@ class Body:
     inertias: Both | None
     face_width: float | None
     teeth: CylindricalPair | None = None
+
+    @property
+    def drawn(self) -> CylindricalPair | None:
+        """The pair to be drawn: its teeth, or standard ones where no more than their module is known."""
+        plain = self.geometry
+        if self.teeth is not None or plain is None:
+            return self.teeth
+        rack = replace(ISO53_A, pressure_angle=plain.pressure_angle, addendum=plain.addendum)
+        gears = [CylindricalGear(z, plain.normal_module, plain.helix_angle, rack=rack) for z in plain.teeth]
+        return CylindricalPair(gears[0], gears[1], face_width=self.face_width or 0.0)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,28 @@
+"""What `gearlash check` keeps in the folder of --out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from gearlash.case import Case
+
+from .answers.check import CheckAnswer
+from .folder import claim
+from .jsonio import write_file
+
+FILES = ("check.json", "teeth.svg", "teeth.pdf")
+
+
+def write_check(out: Path, case: Case, answer: CheckAnswer) -> None:
+    """The answer, and the teeth in mesh of a pair that has known ones."""
+    folder = claim(out, FILES)
+    write_file(answer, folder.file("check.json"))
+    numbers = case.numbers
+    pair = None if numbers is None else numbers.body.drawn
+    if pair is None:
+        return
+    from gearlash.plots import mesh_drawing, save
+
+    play = float(case.scales.backlash_m(case.family()[0].defaults["D"]))
+    title = f"{case.name}: {pair.pinion.teeth}/{pair.gear.teeth} teeth in the transverse section"
+    save(mesh_drawing(pair, title, play), folder.file("teeth"))
