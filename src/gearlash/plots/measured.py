@@ -75,7 +75,7 @@ def measured_histories(columns: Sequence[Column], time: str) -> Figure:
     matplotlib.figure.Figure
     """
     rows = len(columns[0].strips)
-    figure = style.figure(style.PAGE, 38.0 * rows + 20.0)
+    figure = style.figure(style.PAGE, 25.0 * rows + 18.0)
     panels = figure.subplots(rows, len(columns), squeeze=False, sharex="col", sharey="row")
     for j, column in enumerate(columns):
         for strip, panel in zip(column.strips, panels[:, j], strict=True):

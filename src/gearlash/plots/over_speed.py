@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from . import style
@@ -18,7 +19,8 @@ from .units import Twin, literal
 
 Array = NDArray[np.float64]
 
-PANEL = 40.0  # mm of a panel
+PANEL = 33.0  # mm of a panel
+LOW_PANEL = 27.0  # of three or more
 WIDTH = 150.0  # mm of the panels, beside the labels
 SEPARATING, BACK = "#f6d9c8", "#e8c9dd"
 LOOKS = (
@@ -29,6 +31,7 @@ LOOKS = (
 )
 NOMINAL = {"color": style.INK, "lw": 1.1, "ls": (0, (5, 2))}
 RESONANCE = {"color": style.GREY, "lw": 0.6, "ls": (0, (1, 1.5))}
+LEGEND = 0.24  # of the height of a panel: room above the curves
 FEW = 90  # values up to which each is a dot
 
 
@@ -106,10 +109,10 @@ def over_speed(axis: SpeedAxis, stacks: Sequence[Stack], title: str = "") -> Fig
     -------
     matplotlib.figure.Figure
     """
-    above = height(axis.resonances)
-    figure = style.figure(style.PAGE, above + PANEL * len(stacks) + 30.0)
+    above, each = height(axis.resonances), PANEL if len(stacks) < 3 else LOW_PANEL
+    figure = style.figure(style.PAGE, above + each * len(stacks) + 26.0)
     panels = list(
-        figure.subplots(len(stacks) + 1, 1, sharex=True, height_ratios=[above, *[PANEL] * len(stacks)])
+        figure.subplots(len(stacks) + 1, 1, sharex=True, height_ratios=[above, *[each] * len(stacks)])
     )
     band, *rest = panels
     band.set_xlim(float(axis.values[0]), float(axis.values[-1]))
@@ -148,12 +151,7 @@ def _curves(panel: Axes, axis: SpeedAxis, stack: Stack) -> None:
             panel.plot(x, y, color=colour, marker=marker, mec=colour, **dots, **look)
         handles.append(Line2D([], [], color=colour, marker=marker, ms=3.0, label=curve.words))
     panel.set_ylabel(stack.label)
-    panel.margins(y=0.08)
-    low, high = panel.get_ylim()
-    if low > 0.0 and low < 0.6 * high:
-        panel.set_ylim(0.0, high)
-    if not high > low:
-        panel.set_ylim(low - 0.5, low + 0.5)
+    _limits(panel)
     if stack.second is not None:
         unit, label = stack.second
         twin = Twin(unit, "", "")
@@ -162,6 +160,17 @@ def _curves(panel: Axes, axis: SpeedAxis, stack: Stack) -> None:
         right.set_ylabel(label)
     panel.legend(handles=handles, loc="upper left", ncols=len(handles), fontsize=7.0, columnspacing=1.2,
                  facecolor="white", framealpha=0.8, frameon=True, edgecolor="none")  # fmt: skip
+
+
+def _limits(panel: Axes) -> None:
+    """From zero where values lie near to it, with room for the legend above them."""
+    panel.margins(y=0.04)
+    low, high = panel.get_ylim()
+    if low > 0.0 and low < 0.6 * high:
+        low = 0.0
+    wide = high - low or 1.0
+    panel.set_ylim(low, low + (1.0 + LEGEND) * wide)
+    panel.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
 
 
 def _broken(x: Array, y: Array, breaks: NDArray[np.bool_]) -> tuple[Array, Array]:

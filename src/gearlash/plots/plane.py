@@ -42,6 +42,7 @@ def plane(
     units: Units | None = None,
     present: tuple[float, float] | None = None,
     title: str = "",
+    height: float = HEIGHT,
 ) -> Figure:
     """A map of two parameters: a region for every label, named where there is room.
 
@@ -55,6 +56,8 @@ def plane(
         The point of the case itself, which gets a mark.
     title : str
         In place of the case and its parameters.
+    height : float
+        Of the panel, mm.
 
     Returns
     -------
@@ -81,10 +84,10 @@ def plane(
     names = [read_label(str(each)) for each in dataset["label_name"].values]
     looks = _looks(names, codes)
     edges = _edges(dataset[x].values), _edges(dataset[y].values)
-    made = style.figure(style.PAGE, HEIGHT + 38.0)
+    made = style.figure(style.PAGE, height + 38.0)
     panel = made.subplots()
     _fill(panel, edges, codes, looks)
-    _name(panel, edges, codes, names, looks)
+    _name(panel, edges, codes, names, looks, height)
     said = words(dataset, units)
     panel.set_xlabel(said.name(x))
     panel.set_ylabel(said.name(y))
@@ -175,10 +178,11 @@ def _name(
     codes: NDArray[np.int64],
     names: Sequence[Label | None],
     looks: Sequence[Fill],
+    height: float,
 ) -> None:
     """The label inside every region that has room for it."""
     for code, text in enumerate(map(short, names)):
-        for x, y in _rooms(edges, codes == code, CHARACTER * len(text) / 2.0 + 0.4):
+        for x, y in _rooms(edges, codes == code, CHARACTER * len(text) / 2.0 + 0.4, height):
             boxed = {"facecolor": looks[code].colour, "edgecolor": "none", "pad": 0.8}
             panel.text(
                 x, y, text,
@@ -188,12 +192,12 @@ def _name(
 
 
 def _rooms(
-    edges: tuple[Array, Array], mask: NDArray[np.bool_], reach: float
+    edges: tuple[Array, Array], mask: NDArray[np.bool_], reach: float, height: float
 ) -> Iterator[tuple[float, float]]:
     """A place in every connected part of a mask that holds a circle of this radius (mm): where the widest
     one lies, and of several such places the one nearest to the middle of the part."""
     x, y = edges
-    size = (HEIGHT / mask.shape[0], WIDTH / mask.shape[1])
+    size = (height / mask.shape[0], WIDTH / mask.shape[1])
     parts, count = ndimage.label(mask)  # pyright: ignore[reportGeneralTypeIssues]
     for part in range(1, count + 1):
         inside = parts == part

@@ -187,6 +187,8 @@ class Page:
     footer : str
     language : str
         Of the texts, for browsers and screen readers.
+    contents_printed : bool
+        Whether the table of contents is printed, too.
 
     Attributes
     ----------
@@ -211,6 +213,7 @@ class Page:
     sections: tuple[Section, ...]
     footer: str = ""
     language: str = "en"
+    contents_printed: bool = True
     names: dict[str, str] = field(init=False, default_factory=dict, repr=False, compare=False)
 
     def __post_init__(self) -> None:

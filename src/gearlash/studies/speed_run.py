@@ -91,7 +91,7 @@ def speed_run(
     case : Case
         A gear pair.
     axis : Axis
-        Speeds ω.
+        Speeds ω; those of bearing modes between them are added.
     settings : Settings, optional
         How attractors are looked for.
     execution : Execution, optional
@@ -109,10 +109,24 @@ def speed_run(
         say(stage, None)
         return replace(execution, progress=lambda progress: say(stage, progress))
 
+    axis = with_modes(case, axis)
     ways = sweeps(case, axis, ("up", "down"), settings=settings, execution=told("finer speeds"))
     table, whole = measured(case, ways, told("forces over speed"))
     whole = whole and all(way.complete for way in ways)
     return SpeedRun(case, axis, ways, table, readouts_of(case, case.family()[0].complete()), whole)
+
+
+def bearing_modes(case: Case) -> list[float]:
+    """Speeds ω at which the mesh meets the frequency of a body on one of its bearings alone."""
+    pair = case.numbers.pair
+    return [] if pair is None else [float(one) for one in pair.bearing_frequencies]
+
+
+def with_modes(case: Case, axis: Axis) -> Axis:
+    """The same speeds, and those of the bearing modes between them."""
+    low, high = float(axis.values[0]), float(axis.values[-1])
+    more = [omega for omega in bearing_modes(case) if low < omega < high]
+    return Axis(axis.name, np.unique(np.concatenate([axis.values, more])))
 
 
 def histories(found: Assessment, run: SpeedRun | None) -> tuple[History, ...]:

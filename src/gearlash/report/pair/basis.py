@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from gearlash.case import Value
 from gearlash.report.blocks import Block, Bullets, Cell, Section, Table, Text
 from gearlash.report.numbers import number
 from gearlash.results.provenance import package_version
@@ -17,6 +18,7 @@ def section(contents: Contents) -> Section:
         (
             value.path,
             _shown(value.value, value.unit),
+            _range(value),
             str(value.provenance),
             value.reason or value.description,
         )
@@ -25,9 +27,12 @@ def section(contents: Contents) -> Section:
     ]
     blocks: list[Block] = []
     if rows:
-        head = ("value", "is", "origin", "source or reason")
-        caption = "Values that the case does not give: every number of this report rests on them."
-        blocks.append(Table("assumed", caption, head, tuple(rows), widths=(28, 18, 12, 42)))
+        head = ("value", "is", "range", "origin", "source or reason")
+        caption = (
+            "Values that the case does not give: every number of this report rests on them. Ranges are "
+            "those of the estimates; they were not varied here."
+        )
+        blocks.append(Table("assumed", caption, head, tuple(rows), widths=(25, 15, 17, 10, 33)))
     else:
         blocks.append(Text.of("Every value of the case is given."))
     blocks.append(
@@ -48,6 +53,13 @@ def section(contents: Contents) -> Section:
         blocks.append(Text.of(f"The report was stopped early; not computed: {', '.join(contents.missing)}."))
     blocks.append(Text.of(f"{NO_APPROVAL} Made by gearlash {package_version()}; case {case.hash[:12]}."))
     return Section("basis", "What this rests on", tuple(blocks))
+
+
+def _range(value: Value) -> str:
+    """Of an estimated value, in its unit."""
+    if value.least is None or value.greatest is None:
+        return ""
+    return f"{number(value.least, 3)} to {number(value.greatest, 3)}"
 
 
 def _shown(value: float | str, unit: str) -> str:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from gearlash.report.blocks import Badge, Block, Page, Section, Table, Text
+from gearlash.report.blocks import Badge, Block, Page, Section, Table
 from gearlash.report.pictures import Picture
 
 from . import basis, maps, motions, speed
 from .contents import Contents
-from .noise import backlash_matters, not_quiet
+from .noise import backlash_matters, not_quiet, unloaded
 from .verdict import NO_APPROVAL, Line, verdict
 from .words import Words
+
+CAPTION = "In short. Found means: by the starts and sweeps that are named at the end."
 
 
 def document(contents: Contents) -> tuple[Page, list[Picture]]:
@@ -39,8 +41,16 @@ def document(contents: Contents) -> tuple[Page, list[Picture]]:
         tuple(parts),
         f"{NO_APPROVAL} Figures lie beside this file as SVG and PDF, curves, histories and spectra as CSV "
         "and NetCDF, all numbers as report.json.",
+        contents_printed=False,
     )
     return page, pictures
+
+
+def _noise(contents: Contents, words: Words) -> str:
+    """What is loud without impacts."""
+    run, units = contents.run, contents.units
+    assert run is not None
+    return " ".join(filter(None, [not_quiet(run, units, words), unloaded(run, units, words)]))
 
 
 def _first(contents: Contents) -> Section:
@@ -50,11 +60,10 @@ def _first(contents: Contents) -> Section:
     if contents.run is not None:
         words = Words(contents.units, found.here)
         more = (
-            ("Noise", not_quiet(contents.run, contents.units, words)),
+            ("Noise", _noise(contents, words)),
             ("Backlash", backlash_matters(found, contents.run, contents.units)),
         )
         lines[-1:-1] = [Line(title, text) for title, text in more if text]
     rows = tuple((line.title, line.text) for line in lines)
-    blocks: list[Block] = [Table("verdict-lines", "In short.", ("", ""), rows, widths=(18, 82))]
-    blocks.append(Text.of("Found means: by the starts and sweeps that are named at the end."))
+    blocks: list[Block] = [Table("verdict-lines", CAPTION, ("", ""), rows, widths=(18, 82))]
     return Section("verdict", "May it run there?", tuple(blocks), badge=Badge(said.short, said.kind))

@@ -13,9 +13,11 @@ GRADES = (5, 8)
 
 
 def pair_of(case: Case) -> CylindricalPair:
-    """The teeth of a case, without profile shift, as the case has none. Raises `GearlashError` where it does
+    """The teeth of a case, without profile shift where it is no drawing. Raises `GearlashError` where it does
     not state them, or the face width."""
     body = case.numbers.body
+    if body.teeth is not None:
+        return body.teeth
     geometry, width = body.geometry, body.face_width
     if geometry is None or width is None:
         raise GearlashError("the case does not state teeth, module, angles and both face widths")
@@ -27,8 +29,8 @@ def pair_of(case: Case) -> CylindricalPair:
     return CylindricalPair(gears[0], gears[1], face_width=width)
 
 
-def method_b(case: Case, omega: float, grade: int) -> DynamicFactor:
-    """K_v at a speed ω for one grade of both gears, K_A = 1. Raises `GearlashError` where the case does not
+def method_b(case: Case, omega: float, grades: tuple[int, int]) -> DynamicFactor:
+    """K_v at a speed ω for grades of both gears, K_A = 1. Raises `GearlashError` where the case does not
     say enough, or the method does not hold."""
     pair, body, scales = pair_of(case), case.numbers.body, case.scales
     if body.inertias is None:
@@ -38,19 +40,33 @@ def method_b(case: Case, omega: float, grade: int) -> DynamicFactor:
     torque = float(scales.torque(case.family()[0].defaults["load"]))
     load = torque / body.geometry.pitch_radii[0] / pair.face_width
     speed = float(scales.pinion_speed(omega))
-    errors = EffectiveErrors.of_grades(pair, (grade, grade))
+    errors = EffectiveErrors.of_grades(pair, grades)
     return dynamic_factor(pair, mesh_stiffness.method_b(pair), reduced, speed, load, errors)
 
 
 def band_of_grades(case: Case, omega: float) -> str:
     """A sentence with K_v of the standard at a speed, or why there is none."""
+    own = stated_grades(case)
     try:
-        first, last = (method_b(case, omega, grade) for grade in GRADES)
+        first, last = (method_b(case, omega, own or (grade, grade)) for grade in GRADES)
     except GearlashError as error:
         return f"K_v of ISO 6336-1 does not stand beside it: {error}."
-    return (
-        f"ISO 6336-1:2019, method B, gives K_v = {first.value:.2f} for grade {GRADES[0]} of ISO 1328-1 and "
-        f"{last.value:.2f} for grade {GRADES[1]} (K_A = 1, {first.range} with N = "
-        f"{first.resonance_ratio:.2f}; the case states no grade): a factor for rating, from tolerances and "
-        "a line load, not from this model's error and bearings."
+    value = (
+        f"{first.value:.2f} for grade {GRADES[0]} of ISO 1328-1 and {last.value:.2f} for grade {GRADES[1]}"
     )
+    stated = "; the case states no grade"
+    if own is not None:
+        value, stated = f"{first.value:.2f} for grades {own[0]} and {own[1]} of ISO 1328-1", ""
+    return (
+        f"ISO 6336-1:2019, method B, gives K_v = {value} (K_A = 1, {first.range} with N = "
+        f"{first.resonance_ratio:.2f}{stated}): a factor for rating, from tolerances, a line load and the "
+        "stiffness of the standard, not from this model's error and bearings."
+    )
+
+
+def stated_grades(case: Case) -> tuple[int, int] | None:
+    """Accuracy grades of pinion and gear; where one is stated alone, both have it."""
+    found = {value.path: value.value for value in case.values()}
+    grades = [found.get(f"{gear}.quality") for gear in ("pinion", "gear")]
+    known = [int(grade) for grade in grades if isinstance(grade, int | float)]
+    return (known[0], known[-1]) if known else None

@@ -8,6 +8,8 @@ from gearlash.report.pictures import Picture
 
 from .contents import Contents
 
+HEIGHT = 66.0
+"""Of a map, mm: two of them fit a page."""
 WORDS = {"load": "torque", "D": "backlash"}
 
 
@@ -17,7 +19,11 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
     for name, dataset in contents.maps.items():
         stem, words = f"map-{WORDS[name]}", f"speed and {WORDS[name]}"
         present = found.here, found.values[name]
-        look = {"present": present, "title": f"{found.case.name}: {words}, {_fixed(contents, name)}"}
+        look = {
+            "present": present,
+            "height": HEIGHT,
+            "title": f"{found.case.name}: {words}, {_fixed(contents, name)}",
+        }
         pictures.append(Picture(stem, plots.plane, (dataset, plots.Units.of(found.case)), look))
         caption = f"Motions over {words}, each from the cold start; the star is the present point."
         blocks.append(Figure(f"figure-{stem}", Text.of(caption), caption, stem))

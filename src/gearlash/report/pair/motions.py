@@ -39,7 +39,7 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
     which = "at the present speed and of the hardest motion over speed (highest mesh force)"
     which = which if len(shown) > 1 else "at the present speed, which has the highest mesh force found"
     blocks: list[Block] = [
-        _table(contents, titles),
+        _table(contents),
         _figure("histories", f"Histories {which}; grey: no contact. At most {SHOWN} mesh cycles are drawn."),
         _figure(
             "portraits", f"Phase portraits {which}: relative displacement of the flanks and its velocity."
@@ -52,10 +52,13 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
 def title(contents: Contents, one: History) -> str:
     """``drive, 4200 rpm, 150 N·m: 1-0``."""
     units, found = contents.units, contents.found
-    speed = units.speed.text(one.omega, 5) if units.speed.name else f"omega = {one.omega:.5g}"
     load = found.values["load"]
     torque = units.torque.text(load, 4) if units.torque.name else f"load = {load:.4g}"
-    return f"{found.case.name}, {speed}, {torque}:  {short(one.label)}"
+    return f"{found.case.name}, {_speed(units, one)}, {torque}:  {short(one.label)}"
+
+
+def _speed(units: PairUnits, one: History) -> str:
+    return units.speed.text(one.omega, 5) if units.speed.name else f"omega = {one.omega:.5g}"
 
 
 def _figure(stem: str, caption: str) -> Figure:
@@ -73,8 +76,8 @@ def _window(spectra: list[Spectrum]) -> str:
 
 def _reference(units: PairUnits) -> str:
     if not units.force.name:
-        return "Levels in dB refer to 1, as this case has no units."
-    return "Levels refer to 1 µN and 1 pm (ISO 1683)."
+        return "Levels in dB are those of rms values and refer to 1, as this case has no units."
+    return "Levels are those of rms values and refer to 1 µN and 1 pm (ISO 1683)."
 
 
 def level(rms: np.ndarray, unit: Unit) -> np.ndarray:
@@ -99,7 +102,7 @@ def _levels(shown: tuple[History, ...], spectra: list[Spectrum], units: PairUnit
         i = names.index(name)
         what = shown[0].what[i]
         unit = unit_of(units, what.quantity)
-        label = f"rms level  [dB re {unit.reference_name}]"
+        label = f"dB re {unit.reference_name}"
         rows.append([Levels(what.words, label, s.order, level(s.rms[i], unit)) for s in spectra])
     return rows
 
@@ -122,7 +125,7 @@ def _column(one: History, units: PairUnits, words: str) -> Column:
     strips = [
         Strip(_label("mesh force", units.force), (("mesh force", values["mesh_force"]),)),
         *([Strip(_label("bearing force", units.force), bearings)] if bearings else []),
-        Strip(_label("transm. error", units.length), (("about its mean", error - error.mean()),)),
+        Strip(_label("DTE", units.length), (("about its mean", error - error.mean()),)),
     ]
     return Column(words, time, outside, tuple(strips))
 
@@ -131,7 +134,7 @@ def _label(words: str, unit: Unit) -> str:
     return f"{words}  [{unit.name}]" if unit.name else words
 
 
-def _table(contents: Contents, titles: list[str]) -> Table:
+def _table(contents: Contents) -> Table:
     """The exact figures of each motion."""
     units, shown = contents.units, contents.histories
     rows: list[tuple[Cell, ...]] = []
@@ -143,9 +146,8 @@ def _table(contents: Contents, titles: list[str]) -> Table:
     static = values["load"] / values["rotation_factor"]
     row("mesh force, largest", lambda one: one.signals.force.most, units.force)
     row("mesh force, least", lambda one: one.signals.force.least, units.force)
-    row("mesh force, mean", lambda one: one.signals.force.mean, units.force)
     row("mesh force, rms about the mean", lambda one: one.signals.force.rms, units.force)
-    row("dynamic factor K_v, largest over static force", lambda one: one.signals.force.most / static, _NUMBER)
+    row("dynamic factor K_v, largest over static", lambda one: one.signals.force.most / static, _NUMBER)
     for i, what in enumerate(shown[0].what[2:]):
         unit = unit_of(units, what.quantity)
         if what.quantity == "force":
@@ -157,8 +159,11 @@ def _table(contents: Contents, titles: list[str]) -> Table:
     row("share of time without contact", lambda one: one.signals.share_without_contact, _PERCENT)
     row("impact velocity, drive side", lambda one: one.signals.impact_velocity, units.velocity)
     row("impact velocity, back side", lambda one: one.signals.back_velocity, units.velocity)
-    numeric = frozenset(range(1, len(shown) + 1))
-    return Table("table-motions", "What is measured on these motions.", ("", *titles), tuple(rows), numeric)
+    heads = (f"{_speed(units, one)}: {short(one.label)}" for one in shown)
+    numeric, widths = frozenset(range(1, len(shown) + 1)), (40, *[60 // len(shown)] * len(shown))
+    return Table(
+        "table-motions", "What is measured on these motions.", ("", *heads), tuple(rows), numeric, widths
+    )
 
 
 _NUMBER, _PERCENT = Unit(1.0, "", ""), Unit(100.0, "%", "percent")

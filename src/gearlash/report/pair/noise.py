@@ -4,59 +4,106 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gearlash.orbits.signals import Signals
-from gearlash.results import Point
+from gearlash.gears.helical import BEARING_WORDS, BEARINGS
+from gearlash.orbits.signals import Signal
 from gearlash.results.pair_units import PairUnits
 from gearlash.studies.assessment import Assessment
-from gearlash.studies.speed_run import SpeedRun
+from gearlash.studies.speed_run import SpeedRun, bearing_modes
 
 from .words import Words
+
+MOST = 0.5
+"""Share of the motions with impacts: a bearing force without impacts that is larger is remarked on."""
 
 
 @dataclass(frozen=True)
 class Loudest:
-    """The largest force of one bearing direction in motions without impacts, and in those with."""
+    """The force of one bearing direction in motions without impacts, and in those with.
+
+    Parameters
+    ----------
+    words : str
+    quiet, hitting : (float, float) or None
+        Largest peak and the speed ω at which it was found; None where there was no such motion.
+    mean : float
+        Of the quiet one, its mean.
+    exceeded : float
+        Share of the motions with impacts, 0 to 1, whose peak is below that of the quiet one.
+    """
 
     words: str
     quiet: tuple[float, float] | None
     hitting: tuple[float, float] | None
+    mean: float
+    exceeded: float
 
 
 def loudest(run: SpeedRun) -> list[Loudest]:
-    """For every bearing direction, each time the peak (dimensionless) and the speed ω."""
+    """For every bearing direction."""
     found, rows = [], run.measured()
     for i, readout in enumerate(run.readouts):
         if readout.quantity != "force":
             continue
-        peaks = [(one.read[i].peak, point.value, point.impact_free) for point, one in rows]
-        quiet = max(((p, w) for p, w, free in peaks if free), default=None)
-        hitting = max(((p, w) for p, w, free in peaks if not free), default=None)
-        found.append(Loudest(readout.words, quiet, hitting))
+        quiet = [(one.read[i].peak, p.value, one.read[i].mean) for p, one in rows if p.impact_free]
+        hitting = [(one.read[i].peak, p.value) for p, one in rows if not p.impact_free]
+        best, worst = max(quiet, default=None), max(hitting, default=None)
+        below = sum(peak < best[0] for peak, _ in hitting) / len(hitting) if best and hitting else 0.0
+        found.append(
+            Loudest(readout.words, best[:2] if best else None, worst, abs(best[2]) if best else 0.0, below)
+        )
     return found
 
 
 def not_quiet(run: SpeedRun, units: PairUnits, words: Words) -> str:
     """What the bearings carry without any impact, compared with where teeth separate."""
-    rows = [one for one in loudest(run) if one.quiet is not None]
+    rows = [(one.quiet, one) for one in loudest(run) if one.quiet is not None]
     if not rows:
         return ""
+    quiet, one = max(rows, key=lambda row: row[0][0])
     force = units.force.text
-    louder = [one for one in rows if one.hitting and one.quiet and one.quiet[0] > one.hitting[0]]
-    if louder:
-        one = max(louder, key=lambda each: (each.quiet or (0.0,))[0])
-        assert one.quiet is not None
-        assert one.hitting is not None
-        return (
-            f"Impact-free is not quiet: the {one.words} reaches {force(one.quiet[0])} at "
-            f"{words.speed(one.quiet[1])}, where teeth stay in contact; where they separate it reaches no "
-            f"more than {force(one.hitting[0])} (at {words.speed(one.hitting[1])})."
-        )
-    one = max(rows, key=lambda each: (each.quiet or (0.0,))[0])
-    assert one.quiet is not None
-    text = f"Without impacts the {one.words} reaches {force(one.quiet[0])} at {words.speed(one.quiet[1])}"
+    times = f", {quiet[0] / one.mean:.3g} times its mean" if one.mean > 0.0 else ""
+    text = f"the {one.words} reaches {force(quiet[0])} at {words.speed(quiet[1])}{times}"
     if one.hitting is None:
-        return f"{text}; no motion with impacts was found over these speeds."
-    return f"{text}, where teeth separate {force(one.hitting[0])} at {words.speed(one.hitting[1])}."
+        return f"Without impacts {text}; no motion with impacts was found at these speeds."
+    there = f"{force(one.hitting[0])} at {words.speed(one.hitting[1])}"
+    if one.exceeded >= 1.0:
+        return (
+            f"Impact-free is not quiet: without any impact {text}: more than wherever teeth separate "
+            f"({there})."
+        )
+    if one.exceeded >= MOST:
+        return (
+            f"Impact-free is not quiet: without any impact {text}: more than in {100.0 * one.exceeded:.0f} "
+            f"% of the motions in which teeth separate (largest there: {there})."
+        )
+    return f"Without impacts {text}; where teeth separate it reaches {there}."
+
+
+def unloaded(run: SpeedRun, units: PairUnits, words: Words) -> str:
+    """The speed without impacts at which a body swings most on its bearing alone, and unloads the mesh."""
+    said: list[tuple[float, str]] = []
+    rows = [(point, one) for point, one in run.measured() if point.impact_free]
+    for omega, name, body in zip(bearing_modes(run.case), BEARINGS, BEARING_WORDS, strict=False):
+        near = [(point, one) for point, one in rows if abs(point.value - omega) <= 1e-12 * omega]
+        if not near:
+            continue
+        one = near[0][1]
+        i = next(k for k, readout in enumerate(run.readouts) if readout.name == f"bearing_force_{name}")
+        if one.read[i].peak_to_peak <= one.force.peak_to_peak:
+            continue
+        ratio = one.read[i].peak_to_peak / one.force.peak_to_peak
+        text = (
+            f"On its bearing alone ({body}) a body swings at {words.speed(omega)}. At that speed, without "
+            f"any impact, the bearing force changes by {units.force.text(one.read[i].peak_to_peak)}, "
+            f"{ratio:.3g} times as much as the mesh force ({_changes(one.force, units)}): the body gives "
+            "way to the error, and the mesh is unloaded."
+        )
+        said.append((one.read[i].peak_to_peak, text))
+    return max(said, default=(0.0, ""))[1]
+
+
+def _changes(signal: Signal, units: PairUnits) -> str:
+    return f"{units.force.text(signal.peak_to_peak)} peak to peak"
 
 
 def backlash_matters(found: Assessment, run: SpeedRun, units: PairUnits) -> str:
@@ -65,24 +112,17 @@ def backlash_matters(found: Assessment, run: SpeedRun, units: PairUnits) -> str:
     rows = run.measured()
     if not rows:
         return ""
-    open_, wide = (
-        clearance.gap_plus - min(one.gap.least for _, one in rows),
-        clearance.gap_plus + clearance.gap_minus,
-    )
-    reached = [(point, one) for point, one in rows if one.gap.least <= -clearance.gap_minus]
+    opened = clearance.gap_plus - min(one.gap.least for _, one in rows)
+    reached = any(one.gap.least <= -clearance.gap_minus for _, one in rows)
     if reached or found.back_side:
         return (
             "The backlash matters: some motions found over these speeds reach the back side, and what they "
             "do then depends on its width."
         )
-    widest = f"at most {units.length.text(max(open_, 0.0), 3)} of the {units.length.text(wide)} there are"
-    opened = f"teeth part by {widest}" if open_ > 0.0 else "teeth never part"
+    width = units.length.text(clearance.gap_plus + clearance.gap_minus)
+    widest = f"at most {units.length.text(opened, 3)} of the {width} there are"
+    parted = f"teeth part by {widest}" if opened > 0.0 else "teeth never part"
     return (
-        f"The backlash does not matter for the motions found: none reaches the back side ({opened}), and "
+        f"The backlash does not matter for the motions found: none reaches the back side ({parted}), and "
         "while that is so another backlash only shifts the whole motion."
     )
-
-
-def hardest(run: SpeedRun) -> tuple[Point, Signals] | None:
-    """The motion with the highest mesh force."""
-    return max(run.measured(), key=lambda pair: pair[1].force.most, default=None)

@@ -19,7 +19,7 @@ from gearlash.studies.speed_run import SpeedRun
 
 from .contents import Contents
 from .iso import band_of_grades
-from .noise import backlash_matters, loudest, not_quiet
+from .noise import loudest
 from .words import Words
 
 ORDERS = 3
@@ -38,19 +38,13 @@ def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
     ]
     step = units.speed.factor * float(np.diff(run.axis.values).max())
     unit = f" {units.speed.name}" if units.speed.name else " in omega"
-    said = [not_quiet(run, units, words), backlash_matters(found, run, units)]
     how = (
         f"Each point is a motion followed from its neighbour, {step:.3g}{unit} apart, upwards and downwards; "
         "peaks, means and rms are those of its exact pieces (peaks to 1e-8 of their span), for motion that "
         "is not periodic of 200 mesh cycles. Ends of bands were solved for, and do not depend on this step."
     )
-    blocks: list[Block] = [Text.of(text) for text in said if text]
-    blocks += [
-        _figure("speed-forces", _FORCE_WORDS),
-        *_factor(contents),
-        _figure("speed-errors", _ERROR_WORDS),
-    ]
-    blocks += [*_bearing_table(run, units, words), *_resonance_table(found.case, units), Text.of(how)]
+    blocks = [*_factor(contents), *_bearing_table(run, units, words), *_resonance_table(found.case, units)]
+    blocks += [_figure("speed-forces", _FORCE_WORDS), _figure("speed-errors", _ERROR_WORDS), Text.of(how)]
     return Section("speed", "Over speed", tuple(blocks)), pictures
 
 
@@ -59,7 +53,7 @@ _FORCE_WORDS = (
     "mesh force over the static one. Dotted: a mesh order meets a natural frequency of the closed mesh."
 )
 _ERROR_WORDS = (
-    "Dynamic transmission error (rotation of both gears along the line of action), share of time without "
+    "Dynamic transmission error DTE (rotation of both gears along the line of action), share of time without "
     "contact, and the highest velocity at which teeth meet again."
 )
 
@@ -150,9 +144,9 @@ def _errors(run: SpeedRun, units: PairUnits) -> list[Stack]:
     if np.nanmax([one.back_velocity for _, one in run.measured()], initial=0.0) > 0.0:
         velocity.append(("back side", "back_velocity"))
     return [
-        Stack(_unit_label("transm. error", units.length), _curves(run, error, units.length)),
-        Stack("without contact  [%]", _curves(run, [("share of time", "share_without_contact")], share)),
-        Stack(_unit_label("impact velocity", units.velocity), _curves(run, velocity, units.velocity)),
+        Stack(_unit_label("DTE", units.length), _curves(run, error, units.length)),
+        Stack("no contact  [%]", _curves(run, [("share of time", "share_without_contact")], share)),
+        Stack(_unit_label("impact", units.velocity), _curves(run, velocity, units.velocity)),
     ]
 
 

@@ -18,6 +18,8 @@ from gearlash.system import Signature, Status
 
 from .words import Words
 
+MOST_NAMED = 6
+"""Assumed values that the first lines name."""
 Kind: TypeAlias = Literal["good", "doubt", "bad"]
 NO_APPROVAL = "This is an analysis of a model, and no approval."
 
@@ -200,4 +202,7 @@ def rests(case: Case) -> str:
     if not assumed:
         return "No value of the case is marked as assumed. " + NO_APPROVAL
     many = f"{len(assumed)} assumed value{'s' if len(assumed) > 1 else ''}"
-    return f"{many}: {', '.join(assumed)}. {NO_APPROVAL}"
+    shown = ", ".join(assumed[:MOST_NAMED])
+    if len(assumed) > MOST_NAMED:
+        shown += f" and {len(assumed) - MOST_NAMED} more, which the report and gearlash check list"
+    return f"{many}: {shown}. {NO_APPROVAL}"

@@ -1,0 +1,120 @@
+"""The report of a pair: K_v by hand, noise without impacts, what does not matter, bands between zones."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import atan, cos, radians, sin, sqrt, tan
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import gearlash as gl
+from gearlash.gears import flank_tolerances, mesh_stiffness
+from gearlash.report.pair.iso import band_of_grades, method_b, pair_of, stated_grades
+from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
+from gearlash.report.pair.words import Words
+from gearlash.results import Axis
+from gearlash.results.pair_question import speeds_around
+from gearlash.results.pair_units import PairUnits
+from gearlash.studies.assessment import Assessment, assess
+from gearlash.studies.bands import back_bands, bands
+from gearlash.studies.speed_run import SpeedRun, speed_run, with_modes
+
+CASES = Path(__file__).resolve().parents[1] / "cases"
+
+
+def test_k_v_of_the_standard_by_hand():
+    """Clause 6.5 of ISO 6336-1 for drive.toml at 4200 rpm, grade 6, written out in numbers."""
+    case, grade = gl.load_case(CASES / "drive.toml"), 6
+    m, z, beta, alpha, b = 3e-3, (25, 57), radians(15.0), radians(20.0), 40e-3
+    alpha_t = atan(tan(alpha) / cos(beta))
+    r = [m * n / (2.0 * cos(beta)) for n in z]
+    base = [x * cos(alpha_t) for x in r]
+    inertia = [mass * x * x / 2.0 for mass, x in zip((2.6, 8.5), r, strict=True)]
+    reduced = 1.0 / sum(x * x / j for x, j in zip(base, inertia, strict=True)) / b
+    pair = pair_of(case)
+    mesh = mesh_stiffness.method_b(pair)
+    n = 4200.0 * np.pi / 30.0 * z[0] / sqrt(mesh.mean / reduced)
+    load = 150.0 / r[0] / b
+    worst = [flank_tolerances.flank_tolerances(gear, grade, b) for gear in pair.gears]
+    pitch = cos(alpha_t) * max(one.single_pitch for one in worst)
+    form = max(one.profile_form for one in worst)
+    steady = 0.925 * mesh.single / load
+    ratio = pair.total_contact_ratio
+    c2, c3 = 0.57 / (ratio - 0.3), 0.096 / (ratio - 1.56)
+    k_v = 1.0 + n * (0.32 * steady * pitch + c2 * steady * form + c3)
+    found = method_b(case, case.family()[0].defaults["omega"], (grade, grade))
+    assert found.resonance_ratio == pytest.approx(n, rel=1e-9)
+    assert found.value == pytest.approx(k_v, rel=1e-9)
+    assert sin(beta) * b / (np.pi * m) == pytest.approx(pair.overlap_ratio, rel=1e-9)
+
+
+def test_grades_are_those_of_the_drawing_and_else_a_range():
+    drawn, bare = gl.load_case(CASES / "drawing.toml"), gl.load_case(CASES / "drive.toml")
+    assert stated_grades(drawn) == (7, 7)
+    assert "for grades 7 and 7" in band_of_grades(drawn, 0.3)
+    assert "the case states no grade" in band_of_grades(bare, 0.5)
+    assert "does not stand beside it" in band_of_grades(gl.load_case("kahraman-singh"), 0.5)
+
+
+@pytest.fixture(scope="module")
+def window() -> tuple[Assessment, SpeedRun]:
+    """The article's pair around its window without impacts."""
+    case = gl.load_case("article")
+    low, high = (float(case.scales.omega_from_rpm(rpm)) for rpm in (3500.0, 4400.0))
+    axis = Axis.even("omega", low, high, 10)
+    return assess(case, axis), speed_run(case, axis)
+
+
+def test_impact_free_is_not_quiet_and_the_report_says_so(window: tuple[Assessment, SpeedRun]):
+    found, run = window
+    units = PairUnits.of(found.case)
+    words = Words(units, found.here)
+    said = not_quiet(run, units, words)
+    assert said.startswith("Impact-free is not quiet: without any impact the bearing force, pinion, lateral")
+    pinion = loudest(run)[0]
+    assert pinion.quiet is not None
+    assert pinion.quiet[0] > 5.0 * pinion.mean
+    mode = unloaded(run, units, words)
+    rpm = float(units.speed.factor * found.case.numbers.pair.bearing_frequencies[0])
+    assert f"(pinion, lateral) a body swings at {rpm:.5g} rpm" in mode
+    at = next(one for point, one in run.measured() if units.speed.factor * point.value == pytest.approx(rpm))
+    assert at.share_without_contact == 0.0
+    assert at.read[0].peak_to_peak > 5.0 * at.force.peak_to_peak
+
+
+def test_backlash_does_not_matter_where_the_back_side_is_not_met(window: tuple[Assessment, SpeedRun]):
+    found, run = window
+    said = backlash_matters(found, run, PairUnits.of(found.case))
+    assert said.startswith("The backlash does not matter for the motions found: none reaches the back side")
+    wider = speed_run(found.case.with_overrides({"backlash": "160 um"}), run.axis)
+    scale = wider.case.scales.force_N(1.0) / found.case.scales.force_N(1.0)
+    for way in (0, 1):
+        own, other = (each.column(way, "force.rms") for each in (run, wider))
+        periodic = [p.periodic and p.period == 1 for p in run.sweeps[way].points]
+        assert scale * other[periodic] == pytest.approx(own[periodic], rel=1e-6)
+
+
+def test_bands_fill_what_zones_leave(window: tuple[Assessment, SpeedRun]):
+    found, _ = window
+    first, last = float(found.axis.values[0]), float(found.axis.values[-1])
+    rows = sorted(
+        [(z.lower.value, z.upper.value) for z in found.impact_free.zones]
+        + [(b.lower.value, b.upper.value) for b in bands(found.impact_free)]
+    )
+    assert rows[0][0] == first
+    assert rows[-1][1] == last
+    assert all(a[1] == b[0] for a, b in pairwise(rows))
+    beside = [band for band in found.separating if not band.every]
+    assert beside  # above the fold at 4170 rpm a motion with impacts lives beside the quiet one
+    assert all(zone.quiet == "impact-free" for zone in found.impact_free.zones)
+    assert back_bands(found.drive_side, -1.0) == ()
+
+
+def test_speeds_of_bearing_modes_are_among_those_measured():
+    case = gl.load_case("article")
+    modes = case.numbers.pair.bearing_frequencies
+    values = with_modes(case, speeds_around(case, 5)).values
+    assert len(values) == 5 + sum(values[0] < mode < values[-1] for mode in modes)
+    assert all(mode in values for mode in modes if values[0] < mode < values[-1])
