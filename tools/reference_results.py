@@ -44,7 +44,8 @@ FOLDER = """\
 | branch | `branch.json`, `special.csv`, `branch.svg`, `branch.pdf`, and of every branch N \
 `branch-N.json` (for `--resume`), `branch-N.nc`, `branch-N.csv` |
 | graze | `graze.json` |
-| zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf` |
+| zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf`; \
+of two axes `zone.json`, the boundary as `zone.csv`, `zone.svg`, `zone.pdf` |
 | tolerance | `tolerance.json`, `tolerance.csv`, and of complete work `tolerance.svg`, `tolerance.pdf` |
 | reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/`, \
 `sweep-omega.nc`, `sweep-omega.json`, `sweep-D.nc`, `sweep-D.json` |

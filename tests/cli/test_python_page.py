@@ -59,6 +59,13 @@ def test_many_motions(ran: dict[str, Any], capsys: pytest.CaptureFixture[str]):
     assert min(np.bincount(ran["which"])) > 100
 
 
+@pytest.mark.parametrize("ran", [4], indirect=True)
+def test_a_zone_in_a_plane(ran: dict[str, Any], tmp_path: Path):
+    assert ran["zone"].complete
+    assert [margin.bounded for margin in ran["zone"].margins] == [False, True, False, False]
+    assert {path.name for path in tmp_path.iterdir()} == {"zone.svg", "zone.pdf"}
+
+
 def test_every_command_has_its_functions_on_the_page():
     table = PAGE.partition("## The commands as functions")[2].partition("\n## ")[0]
     rows = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", table, re.MULTILINE))

@@ -16,6 +16,8 @@ from gearlash.results.branch_dataset import branch_dataset
 from gearlash.results.tolerance import Tolerance
 from gearlash.studies import Zones, continue_branch, continue_curve, map_plane, sweeps
 from gearlash.studies.motion import Motion, motion, touching
+from gearlash.studies.plane_zone import PlaneZone
+from gearlash.studies.plane_zones import plane_zone
 from gearlash.studies.tolerances import tolerance
 from gearlash.studies.zones import zones_of_kinds
 
@@ -110,3 +112,13 @@ def tolerated() -> Tolerance:
     case = load("kahraman-singh")
     limits = {"load": (0.1, 0.3), "error": (0.05, 0.1)}
     return tolerance(case, Axis.even("omega", 0.5, 0.9, 5), limits, samples=2, replicates=2)
+
+
+@cache
+def planar() -> PlaneZone:
+    """The zone without impacts of a spur pair, up to where it grazes."""
+    return plane_zone(
+        load("kahraman-singh"), ("omega", "load"), lower=(0.78, 0.095), upper=(0.85, 0.105),
+        values={"omega": 0.81},
+        tolerances={"omega": 0.005, "load": 0.002}, lines=0,
+    )  # fmt: skip

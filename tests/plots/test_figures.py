@@ -28,6 +28,7 @@ from plots.made import (
     curves,
     dataset,
     moving,
+    planar,
     plane,
     tolerated,
     zoned,
@@ -70,6 +71,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
         "as it is",
         units(),
     ),
+    "zone-in-plane": lambda: plots.zone_in_plane(planar(), title="a spur pair"),
     "branches": lambda: plots.branch_diagram(
         [branch()], cloud=dataset(), multipliers=True, title="The window of article", units=units()
     ),

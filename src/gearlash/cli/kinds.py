@@ -13,6 +13,7 @@ ANSWER_KINDS = {
     "branch": "BranchAnswer",
     "graze": "GrazeAnswer",
     "zones": "ZonesAnswer",
+    "plane_zone": "PlaneZoneAnswer",
     "report": "ReportAnswer",
     "tolerance": "ToleranceAnswer",
     "reproduce": "ReproduceAnswer",

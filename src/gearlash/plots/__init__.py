@@ -16,6 +16,7 @@ from .marks import Mark
 from .mesh_drawing import mesh_drawing
 from .plane import plane
 from .plane_lines import PlaneLine
+from .plane_zoned import zone_in_plane
 from .poincare import sections
 from .portraits import gallery, portrait
 from .portraits import triple as portrait_triple
@@ -49,5 +50,6 @@ __all__ = [
     "to_bytes",
     "tolerance_bands",
     "zone_bands",
+    "zone_in_plane",
     "zones",
 ]

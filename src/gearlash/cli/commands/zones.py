@@ -14,7 +14,6 @@ from gearlash.cli.options import (
     Initial,
     MaxPeriod,
     Out,
-    Over,
     Periods,
     Settings,
     Workers,
@@ -41,13 +40,29 @@ class Kind(StrEnum):
 @command
 def zones(
     case: CaseArgument,
-    over: Over,
+    over: Annotated[
+        list[str],
+        typer.Option(
+            metavar="NAME=FROM:TO:COUNT",
+            help="Parameter to vary, by short name or path: omega=0.5:1.4:900, "
+            "pinion_speed=1000:6000rpm:500, backlash=20:200um:100. Given twice, each as NAME=FROM:TO: the "
+            "zone around the operating point in the plane of both.",
+        ),
+    ],
     kind: Annotated[
         Kind | None,
         typer.Option(
             metavar="KIND",
             help="impact-free: no impact at all; drive-side-only: none on the back side. [default: both, "
             "where there is a back side]",
+        ),
+    ] = None,
+    tolerance: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=VALUE",
+            help="With two --over: how far each of the two may lie beside its value (pinion_speed=50rpm). "
+            "Says by what both can be multiplied before the zone ends.",
         ),
     ] = None,
     settings: Settings = None,
@@ -64,11 +79,22 @@ def zones(
     its grazings, folds, doublings and losses of stability. Says where the present value lies and how far its
     ends are, where every attractor found is quiet, where at least one is, and what coexists. --out writes
     zones.json, the sweeps as zones.nc, and the zones over them as SVG and PDF.
+
+    With two --over the motion of the case is followed through the plane of both, and its zone is bounded by
+    the curves along which it grazes, folds, doubles or loses its stability; margins along both, and of all
+    --tolerance together. --out writes zone.json, the boundary as zone.csv, and the figure as SVG and PDF.
     """
     from gearlash.cli.frame import StudyInputs, deliver
     from gearlash.cli.inputs import read_over
 
-    asked = StudyInputs.read(case, settings, initial, [over], lambda case: (read_over(case, over, settings),))
+    if len(over) != 1 or tolerance:
+        from gearlash.cli.zone_in_plane import zone_in_plane
+
+        search = periods, max_period
+        return zone_in_plane(case, over, kind, tolerance, settings, initial, search, as_json, out)
+    asked = StudyInputs.read(
+        case, settings, initial, over, lambda case: (read_over(case, over[0], settings),)
+    )
     (along,) = asked.axes
     kinds = _kinds(kind, asked.family, along.short, along.values.tolist())
     folder = asked.made_ready(out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf"])

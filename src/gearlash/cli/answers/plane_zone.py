@@ -1,0 +1,199 @@
+"""`gearlash zones` over two parameters: the zone around the operating point, bounded by curves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import isfinite
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from gearlash.case import Case
+from gearlash.case.units import pretty
+
+from .asked import Asked
+from .parts import CaseUsed, case_used
+
+if TYPE_CHECKING:  # answers are described without the engine
+    from gearlash.studies.plane_zone import AxisMargin, PlaneZone, ToleranceMargin
+
+WORDS = {"impact-free": "free of impacts", "drive-side-only": "free of impacts on the back side"}
+STATUS = (
+    "ok; incomplete if it was stopped; open if its border could not be closed everywhere: the notes say where"
+)
+Place = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class PhysicalDistance:
+    """A distance of a parameter in a physical unit."""
+
+    name: str
+    value: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class MarginAlong:
+    """How far the operating point lies from where the zone ends along one parameter."""
+
+    parameter: Annotated[str, "short name"]
+    upward: bool
+    distance: Annotated[float, "dimensionless"]
+    asked: Annotated[float, "in the unit that was asked for"]
+    percent: Annotated[float | None, "of the value; null where that is zero"]
+    physical: tuple[PhysicalDistance, ...]
+    value: Annotated[float, "of the parameter where the zone ends, dimensionless"]
+    event: Annotated[str, "what happens there"]
+    bounded: Annotated[bool, "false where only the range ends: the margin is at least this"]
+
+
+@dataclass(frozen=True)
+class MarginTogether:
+    """By what all tolerances can be multiplied before the boundary is touched."""
+
+    norm: Annotated[
+        str, "box: each parameter anywhere within its tolerance; ellipse: root of the sum of squares"
+    ]
+    multiple: float
+    values: Annotated[tuple[float, float], "of the two parameters where it is touched, dimensionless"]
+    asked: Annotated[tuple[float, float], "the same in the units that were asked for"]
+    event: str
+    bounded: Annotated[bool, "false where the range ends first: the multiple is at least this"]
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """A piece of a curve that bounds the zone."""
+
+    kind: str
+    event: str
+    values: Annotated[tuple[tuple[float, float], ...], "of the orbits that were solved for, dimensionless"]
+
+
+@dataclass(frozen=True)
+class TakingOver:
+    """Where one curve of the boundary takes over from another."""
+
+    kind: str
+    values: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class PlaneZoneAnswer:
+    """The zone around an operating point in a plane (gearlash zones with two --over)."""
+
+    sentence: str
+    status: Annotated[str, STATUS]
+    notes: Annotated[tuple[str, ...], "what is missing, and why"]
+    case: CaseUsed
+    parameters: Annotated[dict[str, float], "every parameter by short name, at the operating point"]
+    names: Annotated[tuple[str, str], "short names of the two parameters"]
+    asked: Annotated[tuple[Asked, Asked], "the units in which they are told"]
+    at: Annotated[tuple[float, float], "the operating point"]
+    lower: tuple[float, float]
+    upper: tuple[float, float]
+    kind: Annotated[str, "impact-free or drive-side-only"]
+    label: Annotated[str, "of the orbit at the operating point"]
+    margins: tuple[MarginAlong, ...]
+    tolerances: Annotated[tuple[float, ...], "dimensionless; empty where none were stated"]
+    together: tuple[MarginTogether, ...]
+    boundary: tuple[Boundary, ...]
+    special: tuple[TakingOver, ...]
+    outline: Annotated[tuple[tuple[float, float], ...], "the border, counter-clockwise, rectangle included"]
+    holes: tuple[tuple[tuple[float, float], ...], ...]
+    lines: Annotated[int, "straight lines along which the orbit was followed"]
+    places: Annotated[int, "places on them at which it was solved for"]
+    result: Literal["plane_zone"] = "plane_zone"
+
+
+def plane_zone_answer(
+    case: Case, zone: PlaneZone, asked: tuple[Asked, Asked], stopped: bool
+) -> PlaneZoneAnswer:
+    """The record of a zone; ``stopped``: by a signal."""
+    margins = tuple(_along(margin, asked[zone.names.index(margin.name)]) for margin in zone.margins)
+    together = tuple(_together(margin, asked) for margin in zone.tolerance_margins)
+    return PlaneZoneAnswer(
+        sentence=_sentence(zone, asked, margins, together),
+        status="incomplete" if stopped else "ok" if zone.complete else "open",
+        notes=zone.notes,
+        case=case_used(case),
+        parameters=dict(zone.values),
+        names=zone.names,
+        asked=asked,
+        at=zone.at,
+        lower=zone.lower,
+        upper=zone.upper,
+        kind=str(zone.quiet),
+        label=str(zone.label),
+        margins=margins,
+        tolerances=zone.tolerances,
+        together=together,
+        boundary=tuple(Boundary(str(p.kind), p.event, _places(p.values)) for p in zone.parts),
+        special=tuple(TakingOver(str(each.kind), each.values) for each in zone.special),
+        outline=_places(zone.outline),
+        holes=tuple(map(_places, zone.holes)),
+        lines=zone.lines,
+        places=len(zone.followed),
+    )
+
+
+def _places(values: Iterable[Iterable[float]]) -> tuple[Place, ...]:
+    return tuple((float(x), float(y)) for x, y in values)
+
+
+def _along(margin: AxisMargin, asked: Asked) -> MarginAlong:
+    return MarginAlong(
+        margin.name,
+        margin.upward,
+        margin.distance,
+        abs(asked.value(margin.distance)),
+        margin.percent if isfinite(margin.percent) else None,
+        tuple(PhysicalDistance(*each) for each in margin.physical),
+        margin.value,
+        margin.event,
+        margin.bounded,
+    )
+
+
+def _together(margin: ToleranceMargin, asked: tuple[Asked, Asked]) -> MarginTogether:
+    there = (asked[0].value(margin.values[0]), asked[1].value(margin.values[1]))
+    return MarginTogether(margin.norm, margin.multiple, margin.values, there, margin.event, margin.bounded)
+
+
+def how_far(margin: MarginAlong, asked: Asked) -> str:
+    """``248 rpm (6.2 %) above``."""
+    far = asked.with_unit(f"{margin.asked:.4g}") if asked.unit else f"{margin.asked:.4g}"
+    share = "" if margin.percent is None else f" ({margin.percent:.3g} %)"
+    return f"{far}{share} {'above' if margin.upward else 'below'}"
+
+
+def times(margin: MarginTogether) -> str:
+    """``3.71 times``."""
+    return f"{'' if margin.bounded else 'at least '}{margin.multiple:.4g} times"
+
+
+def _sentence(
+    zone: PlaneZone,
+    asked: tuple[Asked, Asked],
+    margins: tuple[MarginAlong, ...],
+    together: tuple[MarginTogether, ...],
+) -> str:
+    here = ", ".join(unit.text(value) for unit, value in zip(asked, zone.at, strict=True))
+    said = [
+        f"{here} lies in a zone {WORDS[str(zone.quiet)]}, of the motion {zone.label} that was followed "
+        "(others may coexist)"
+    ]
+    met = [margin for margin in margins if margin.bounded]
+    for margin in met:
+        unit = asked[zone.names.index(margin.parameter)]
+        said.append(f"{unit.title}: {margin.event} {how_far(margin, unit)}")
+    if not met:
+        said.append("nothing bounds it along either parameter within the range")
+    for margin in together[:1]:
+        said.append(f"the tolerances together fit into it {times(margin)} ({margin.norm})")
+    return "; ".join(said)
+
+
+def told_unit(asked: Asked) -> str:
+    """Behind the name of a column: `` [rpm]``."""
+    return f" [{pretty(asked.unit)}]" if asked.unit else ""

@@ -1,0 +1,65 @@
+"""A zone in a plane of two parameters, in the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.text import Text
+
+from gearlash.cli.answers.plane_zone import WORDS, MarginAlong, PlaneZoneAnswer, how_far, times
+
+from .layout import facts, headline, note, table
+
+
+def plane_zone_view(answer: PlaneZoneAnswer, width: int) -> Iterator[Text]:
+    """Sentence, margins, the curves of the boundary, and what was looked at."""
+    yield from headline(answer.sentence, width)
+    if answer.status != "ok":
+        yield from facts(
+            "", [("status", answer.status), *(("missing", each) for each in answer.notes)], width
+        )
+    yield from facts(f"Margins of the operating point, {answer.label}", list(_margins(answer)), width)
+    if answer.boundary:
+        rows = [
+            (each.kind, _place(answer, each.values[0]), _place(answer, each.values[-1]), each.event)
+            for each in answer.boundary
+        ]
+        columns = [("kind", "left"), ("from", "left"), ("to", "left"), ("event", "left")]
+        yield from table(f"Curves that bound the zone {WORDS[answer.kind]}", columns, rows, width)
+    if answer.special:
+        rows = [(_place(answer, each.values), each.kind) for each in answer.special]
+        yield from table(
+            "Where one takes over from another", [("where", "left"), ("what", "left")], rows, width
+        )
+    yield from note(_examined(answer), width)
+
+
+def _margins(answer: PlaneZoneAnswer) -> Iterator[tuple[str, str]]:
+    for margin in answer.margins:
+        asked = answer.asked[answer.names.index(margin.parameter)]
+        yield asked.title, f"{_event(margin)} {how_far(margin, asked)}{_others(margin, asked.name)}"
+    for each in answer.together:
+        where = f"{each.event} at {_place(answer, each.values)}" if each.bounded else "the range ends first"
+        yield f"tolerances, {each.norm}", f"{times(each)} their size: {where}"
+
+
+def _event(margin: MarginAlong) -> str:
+    return margin.event if margin.bounded else "nothing within the range, which ends"
+
+
+def _others(margin: MarginAlong, name: str) -> str:
+    others = [f"{each.value:.4g} {each.unit}" for each in margin.physical if each.name != name]
+    return f"; {', '.join(others)}" if others else ""
+
+
+def _place(answer: PlaneZoneAnswer, values: tuple[float, float]) -> str:
+    return ", ".join(asked.text(value) for asked, value in zip(answer.asked, values, strict=True))
+
+
+def _examined(answer: PlaneZoneAnswer) -> str:
+    return (
+        f"The motion of the operating point was followed along {answer.lines} straight lines of the plane "
+        f"and solved for at {answer.places} places, and so was every point of the curves. That it exists and "
+        "is stable between the lines follows by continuity, unless a part of the boundary, such as a closed "
+        "curve, meets none of them. Of other motions that may coexist nothing is said."
+    )

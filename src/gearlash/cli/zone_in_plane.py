@@ -1,0 +1,175 @@
+"""What `gearlash zones` does with two axes: the zone around the operating point in the plane of both."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gearlash.case import Case, CaseError, Problem
+
+from .exits import ExitCode
+
+if TYPE_CHECKING:
+    from gearlash.orbits import Settings as SearchSettings
+    from gearlash.plots import Twin
+    from gearlash.studies.plane_zone import PlaneZone
+
+    from .answers.asked import Asked
+    from .answers.plane_zone import PlaneZoneAnswer
+    from .folder import OutFolder
+    from .frame import StudyInputs
+    from .inputs import TypedLimits
+
+FILES = ("zone.json", "zone.csv", "zone.svg", "zone.pdf")
+
+
+def zone_in_plane(
+    case: str,
+    over: Sequence[str],
+    kind: str | None,
+    tolerance: Sequence[str] | None,
+    settings: list[str] | None,
+    initial: list[str] | None,
+    search: tuple[int | None, int | None],
+    as_json: bool,
+    out: Path | None,
+) -> ExitCode:
+    """Reads, computes, keeps and shows it."""
+    from .answers.asked import Asked
+    from .answers.plane_zone import plane_zone_answer
+    from .frame import StudyInputs, deliver
+    from .interrupt import signalled
+
+    limits: list[TypedLimits] = []
+
+    def read_axes(chosen: Case) -> tuple[()]:
+        limits.extend(_limits(chosen, over, settings))
+        return ()
+
+    asked = StudyInputs.read(case, settings, initial, over, read_axes)
+    tolerances = _tolerances(asked.case, limits, tolerance)
+    folder = asked.made_ready(out, FILES)
+    zone = _zone(asked, limits, kind, tolerances, asked.search(*search))
+    units = tuple(Asked.of(asked.case, each.short, each.named, each.unit) for each in limits)
+    answer = plane_zone_answer(asked.case, zone, (units[0], units[1]), bool(signalled()))
+
+    def keep() -> None:
+        if folder:
+            _write(folder, asked.case, zone, answer)
+
+    return deliver(answer, as_json, keep)
+
+
+def _limits(case: Case, over: Sequence[str], settings: list[str] | None) -> list[TypedLimits]:
+    from .inputs import read_between
+
+    found, problems = [], []
+    for text in over:
+        try:
+            found.append(read_between(case, text))
+        except CaseError as error:
+            problems += error.problems
+    if len(over) != 2:
+        problems.append(Problem("--over", f"{len(over)} given", "one, or two for a zone in a plane"))
+    elif not problems and found[0].short == found[1].short:
+        both = f"{found[0].named} and {found[1].named}"
+        problems.append(Problem("--over", repr(both), "two that do not name the same quantity"))
+    if problems:
+        raise CaseError("--over", problems)
+    return found
+
+
+def _tolerances(
+    case: Case, limits: Sequence[TypedLimits], texts: Sequence[str] | None
+) -> dict[str, float] | None:
+    """Of both parameters by short name. Raises `CaseError` for others."""
+    from .inputs import assignments
+
+    if not texts:
+        return None
+    typed, problems = assignments(texts, "--tolerance")
+    found: dict[str, float] = {}
+    for name, value in typed.items():
+        short, number = case.resolve(name, value)
+        if short in found or not number > 0.0:
+            problems.append(Problem(f"--tolerance {name}", repr(value), "one positive tolerance a parameter"))
+        found[short] = number
+    expected = {each.short for each in limits}
+    if not problems and set(found) != expected:
+        names = " and ".join(each.named for each in limits)
+        problems.append(Problem("--tolerance", ", ".join(typed), f"those of both parameters, {names}"))
+    if problems:
+        raise CaseError("--tolerance", problems)
+    return found
+
+
+def _zone(
+    asked: StudyInputs,
+    limits: Sequence[TypedLimits],
+    kind: str | None,
+    tolerances: dict[str, float] | None,
+    search: SearchSettings,
+) -> PlaneZone:
+    from gearlash.jobs import Execution
+    from gearlash.studies.plane_zones import plane_zone
+    from gearlash.studies.point import point
+    from gearlash.studies.zone_end import Quiet
+
+    from .progress import progress_bar
+
+    if kind is None:  # the stricter one that the motion here has
+        here = point(asked.family, asked.parameters, start=asked.start, settings=search)
+        kind = str(Quiet.IMPACT_FREE if here.impact_free else Quiet.DRIVE_SIDE_ONLY)
+    one, two = limits
+    with progress_bar("orbits") as progress:
+        return plane_zone(
+            asked.case, (one.short, two.short), lower=(one.lower, two.lower), upper=(one.upper, two.upper),
+            quiet=kind, tolerances=tolerances, start=asked.start, settings=search,
+            execution=Execution(progress=progress),
+        )  # fmt: skip
+
+
+def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnswer) -> None:
+    """The answer (JSON), the boundary (CSV), and the figure as SVG and PDF."""
+    from gearlash.results.store import write_together
+
+    from .files import draw_if
+    from .jsonio import text
+
+    contents = {
+        folder.file("zone.json"): text(answer).encode("utf-8"),
+        folder.file("zone.csv"): _table(answer).encode("utf-8"),
+    }
+    write_together(contents, instead_of=[folder.file(name) for name in FILES[2:]])
+    twins = _twins(answer.asked)
+    draw_if(
+        folder, "zone", True,
+        lambda plots: plots.zone_in_plane(zone, case, title=f"Zone of {case.name} around its operating point",
+                                          along=twins),
+    )  # fmt: skip
+
+
+def _twins(asked: Sequence[Asked]) -> list[Twin | None]:
+    """The units that were asked for, for the axes of the figure; of a parameter that has one."""
+    from gearlash.case.units import pretty
+    from gearlash.plots import Twin
+
+    return [Twin(each.factor, each.title, pretty(each.unit)) if each.unit else None for each in asked]
+
+
+def _table(answer: PlaneZoneAnswer) -> str:
+    """A row an orbit of the boundary: dimensionless, and in the units that were asked for."""
+    from .answers.plane_zone import told_unit
+
+    made = io.StringIO()
+    rows = csv.writer(made, lineterminator="\n")
+    told = [f"{each.name}{told_unit(each)}" for each in answer.asked if each.unit]
+    rows.writerow(["part", "kind", "event", *answer.names, *told])
+    for number, part in enumerate(answer.boundary, start=1):
+        for values in part.values:
+            shown = [each.value(v) for each, v in zip(answer.asked, values, strict=True) if each.unit]
+            rows.writerow([number, part.kind, part.event, *map(repr, values), *map(repr, shown)])
+    return made.getvalue()

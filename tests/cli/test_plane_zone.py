@@ -1,0 +1,91 @@
+"""gearlash zones with two axes: the zone around the operating point, its margins, the files."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import pytest
+
+import gearlash as gl
+from cli.conftest import Gearlash
+from cli.schema_check import problems
+from gearlash.cli.kinds import answer_kind
+from gearlash.cli.schemas import answer_schema
+
+OVER = ("--over", "pinion_speed=4000:4300rpm", "--over", "torque=90:105N*m")
+TOLERANCES = ("--tolerance", "pinion_speed=50rpm", "--tolerance", "torque=2N*m")
+
+
+@pytest.fixture(scope="module")
+def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("zone")
+
+
+def test_margins_in_the_units_that_were_asked_for(gearlash: Gearlash, kept: Path):
+    ran = gearlash(
+        "zones", "article", "--set", "pinion_speed=4200rpm", *OVER, *TOLERANCES, "--json", "--out", str(kept)
+    )
+    answer = ran.answer
+    assert ran.code == 0
+    assert problems(answer, answer_schema(answer_kind("plane_zone"))) == []
+    assert (answer["status"], answer["label"], answer["kind"]) == ("ok", "1-0-0", "impact-free")
+    upper = next(m for m in answer["margins"] if m["parameter"] == "omega" and m["upward"])
+    touch = gearlash("graze", "article", "--near", "1.1", "--json").answer["points"]
+    value = next(p["value"] for p in touch if abs(p["value"] - upper["value"]) < 1e-3)
+    assert upper["value"] == pytest.approx(value, abs=1e-10)
+    rpm = float(gl.load_case("article").scales.pinion_rpm(value)) - 4200.0
+    assert upper["asked"] == pytest.approx(rpm, rel=1e-7)
+    assert upper["physical"][0]["unit"] == "rpm"
+    assert [m["bounded"] for m in answer["margins"]] == [False, True, False, False]
+    box, ellipse = answer["together"]
+    assert box["multiple"] <= ellipse["multiple"] < upper["asked"] / 50.0
+    assert abs(box["asked"][0] - 4200.0) / 50.0 == pytest.approx(box["multiple"], rel=1e-6)
+    assert answer["sentence"].startswith("4200 rpm, 96.95 N·m lies in a zone free of impacts")
+    assert "others may coexist" in answer["sentence"]
+
+
+def test_out_has_the_boundary_in_both_units(gearlash: Gearlash, kept: Path):
+    if not (kept / "zone.csv").exists():
+        test_margins_in_the_units_that_were_asked_for(gearlash, kept)
+    assert {path.name for path in kept.iterdir() if not path.name.startswith(".")} >= {
+        "zone.json", "zone.csv", "zone.svg", "zone.pdf",
+    }  # fmt: skip
+    with (kept / "zone.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert list(rows[0])[3:] == ["omega", "load", "pinion_speed [rpm]", "torque [N·m]"]
+    factor = float(gl.load_case("article").scales.pinion_rpm(1.0))
+    assert all(float(r["pinion_speed [rpm]"]) == pytest.approx(factor * float(r["omega"])) for r in rows)
+
+
+def test_in_words(gearlash: Gearlash):
+    limits = ("--over", "omega=0.8:0.83", "--over", "D=0.95:1.05")
+    out = " ".join(gearlash("zones", "kahraman-singh", "--set", "omega=0.81", *limits).out.split())
+    assert "omega = 0.81, D = 1 lies in a zone free of impacts" in out
+    assert "Curves that bound the zone free of impacts" in out
+    assert "D nothing within the range, which ends 0.05 (5 %) below" in out
+    assert "Of other motions that may coexist nothing is said." in out
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--over", "omega=1:1.1", "--over", "pinion_speed=4000:4200rpm"), "name the same quantity"),
+        (("--over", "omega=1:1.1:5", "--over", "D=0.5:1.5"), "NAME=FROM:TO"),
+        (("--over", "omega=1:1.1", "--over", "D=0.5:1.5", "--tolerance", "omega=0.1"), "both parameters"),
+        (("--over", "omega=1:1.1", "--over", "D=0.5:1.5", "--tolerance", "omega"), "NAME=VALUE"),
+        (("--over", "omega=1:1.1", "--tolerance", "omega=0.1"), "two for a zone in a plane"),
+        (("--over", "omega=1.2:1.3", "--over", "D=0.5:1.5"), "outside the interval"),
+    ],
+)
+def test_what_cannot_be_used_is_named(gearlash: Gearlash, options: tuple[str, ...], said: str):
+    ran = gearlash("zones", "article", *options)
+    assert ran.code == 2
+    assert said in " ".join(ran.err.split())
+
+
+def test_a_motion_that_is_not_quiet_is_said_to_be_none(gearlash: Gearlash):
+    limits = ("--over", "omega=0.85:0.95", "--over", "D=0.9:1.1", "--kind", "impact-free")
+    ran = gearlash("zones", "kahraman-singh", "--set", "omega=0.9", *limits)
+    assert ran.code == 2
+    assert "which is not impact-free" in ran.err
