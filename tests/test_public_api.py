@@ -135,6 +135,7 @@ SNAPSHOT = [
     "content_hash",
     "continue_branch",
     "continue_curve",
+    "curve_dataset",
     "cosines",
     "first_grazing",
     "grazing_checks",

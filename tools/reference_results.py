@@ -43,6 +43,8 @@ FOLDER = """\
 | map | `map.json`, `map.nc`, and of a complete map `map.svg`, `map.pdf` |
 | branch | `branch.json`, `special.csv`, `branch.svg`, `branch.pdf`, and of every branch N \
 `branch-N.json` (for `--resume`), `branch-N.nc`, `branch-N.csv` |
+| curve | `curve.json`, `special.csv`, `curve.svg`, `curve.pdf`, the branch begun at as `branch-1.json`, and \
+of every curve N `curve-N.json` (for `--resume`), `curve-N.nc`, `curve-N.csv` |
 | graze | `graze.json` |
 | zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf`; \
 of two axes `zone.json`, the boundary as `zone.csv`, `zone.svg`, `zone.pdf` |
@@ -92,6 +94,13 @@ orbits, `special.csv` that of all special points. Coordinates and attributes are
 `branch-N.json` keeps every number to its last digit, in a format with a version, for
 `gearlash.load_branch` and `--resume`.
 """
+CURVES = """\
+`curve-N.nc` has the dimension `point`, the orbits in their order along the curve, with both parameters as
+coordinates, named by the attributes `x` and `y`; further ones are `state_name`, `multiplier`, `special` (the
+points at which two things happen at once: `special_kind`, and of either parameter the value and its error)
+and `end`. `curve-N.csv` is the table of its orbits, `special.csv` that of all these points. `curve-N.json`
+keeps every number to its last digit, for `gearlash.load_curve` and `--resume`.
+"""
 
 
 CERTIFICATES = """\
@@ -131,6 +140,8 @@ def results_page() -> str:
         "\n".join(_map_variables()),
         BRANCHES,
         "\n".join(_branch_variables()),
+        CURVES,
+        "\n".join(_curve_variables()),
         "\n".join(_statuses()),
         CERTIFICATES,
         "\n".join(exit_codes()),
@@ -240,11 +251,22 @@ def _map_variables() -> Iterator[str]:
 
 
 def _branch_variables() -> Iterator[str]:
-    from gearlash.results.branch_dataset import MEASURED, POINTWISE, SPECIAL
+    from gearlash.results.branch_dataset import BOUNDARIES, MEASURED, POINTWISE, SPECIAL
 
     yield "| variable of a branch | dimension | unit | |"
     yield "|---|---|---|---|"
-    for variable in (*POINTWISE, *MEASURED):
+    for variable in (*POINTWISE, *BOUNDARIES, *MEASURED):
+        yield f"| `{variable.name}` | `point` | {variable.units} | {_cell(variable.long_name)} |"
+    for variable in SPECIAL:
+        yield f"| `special_{variable.name}` | `special` | {variable.units} | {_cell(variable.long_name)} |"
+
+
+def _curve_variables() -> Iterator[str]:
+    from gearlash.results.curve_dataset import POINTWISE, SPECIAL
+
+    yield "| variable of a curve | dimension | unit | |"
+    yield "|---|---|---|---|"
+    for variable in POINTWISE:
         yield f"| `{variable.name}` | `point` | {variable.units} | {_cell(variable.long_name)} |"
     for variable in SPECIAL:
         yield f"| `special_{variable.name}` | `special` | {variable.units} | {_cell(variable.long_name)} |"

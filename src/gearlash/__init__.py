@@ -147,6 +147,9 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         load_branch as load_branch,
         save_branch as save_branch,
     )
+    from .results.curve_dataset import (
+        curve_dataset as curve_dataset,
+    )
     from .results.curve_file import (
         load_curve as load_curve,
         save_curve as save_curve,
@@ -377,6 +380,7 @@ _PUBLIC = {
     ),
     "gearlash.results.branch_dataset": ("branch_dataset",),
     "gearlash.results.branch_file": ("load_branch", "save_branch"),
+    "gearlash.results.curve_dataset": ("curve_dataset",),
     "gearlash.results.curve_file": ("load_curve", "save_curve"),
     "gearlash.results.beside": (
         "Beside",

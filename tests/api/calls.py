@@ -236,6 +236,7 @@ def calls() -> tuple[Call, ...]:
         Call("open_workers", gl.open_workers, {"model": family, "workers": 1}),
         Call("open_executor", jobs.open_executor, {"workers": 1}),
         Call("sweep_dataset", gl.sweep_dataset, {"model": family, "sweeps": [swept]}),
+        Call("curve_dataset", gl.curve_dataset, {"model": spur, "curve": curve}),
         Call("plane_dataset", gl.plane_dataset, {"model": family, "plane": plane}),
         Call("table", gl.table, {"dataset": dataset}),
         Call("content_hash", results.content_hash, {"dataset": dataset}),

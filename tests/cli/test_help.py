@@ -21,6 +21,7 @@ COMMANDS = (
     "sweep",
     "map",
     "branch",
+    "curve",
     "graze",
     "zones",
     "tolerance",

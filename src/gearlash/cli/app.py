@@ -9,6 +9,7 @@ from typer.core import TyperGroup
 
 from .commands.branch import branch
 from .commands.check import check
+from .commands.curve import curve
 from .commands.graze import graze
 from .commands.map import map as map_
 from .commands.new import new
@@ -68,5 +69,19 @@ def gearlash(
     pass
 
 
-for command in (new, report, run, check, sweep, map_, branch, graze, zones, tolerance, reproduce, schema):
+for command in (
+    new,
+    report,
+    run,
+    check,
+    sweep,
+    map_,
+    branch,
+    curve,
+    graze,
+    zones,
+    tolerance,
+    reproduce,
+    schema,
+):
     app.command()(command)

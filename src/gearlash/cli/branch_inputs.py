@@ -3,7 +3,7 @@ found from a state or taken from a branch that was kept."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -69,9 +69,9 @@ class BranchInputs:
         if resume is not None:
             return _resumed(case, family, between, resume, at)
         assert between is not None
-        values = {} if near is None else _near(case, between, near)
+        values = {} if near is None else near_value(case, between, near)
         parameters = family.complete(values)
-        _check_inside(case, between, parameters[between.short])
+        check_inside(case, between, parameters[between.short])
         state = list(read_start(family, parameters, initial).values())
         return BranchInputs(case, family, between, parameters, state)
 
@@ -208,20 +208,26 @@ def _read(problems: list[Problem], case: Case, over: str) -> TypedLimits | None:
         return None
 
 
-def _near(case: Case, between: TypedLimits, near: str) -> dict[str, float]:
-    short, number = case.resolve(between.named, near)
+def near_value(case: Case, between: TypedLimits, near: str) -> dict[str, float]:
+    """A value of the parameter as it stands in the case, without a unit in that of the limits. Raises
+    `CaseError` for one of another parameter."""
+    unit = "" if behind_number(near) else between.unit
+    short, number = case.resolve(between.named, f"{near}{unit}")
     if short != between.short:
         raise CaseError("--near", [Problem("--near", repr(near), f"a value of {between.named}")])
     return {short: number}
 
 
-def _check_inside(case: Case, between: TypedLimits, value: float) -> None:
+def check_inside(
+    case: Case, between: TypedLimits, value: float, how: str = " (--near gives another one)"
+) -> None:
+    """Raises `CaseError` where the value to begin at lies outside the limits."""
     from .answers.asked import Asked
 
     if between.lower <= value <= between.upper:
         return
     asked = Asked.of(case, between.short, between.named, between.unit)
-    expected = f"an interval that holds the value to begin at, {asked.text(value)} (--near gives another one)"
+    expected = f"an interval that holds the value to begin at, {asked.text(value)}{how}"
     ends = asked.reach(between.lower, between.upper)
     raise CaseError("--over", [Problem(f"--over {between.named}", ends, expected)])
 
@@ -243,20 +249,23 @@ def _resumed(
         point = min(kept.points, key=lambda each: abs(each.arclength))
     value = kept.values[kept.name] if point is None else point.value
     parameters = {**kept.values, kept.name: value}
-    _check_same(case, family.complete(), parameters, kept.name)
+    check_same(case, family.complete(), parameters, {kept.name})
     if between is None:
         between = TypedLimits(kept.name, kept.name, kept.lower, kept.upper)
     if point is not None:
-        _check_inside(case, between, parameters[between.short])
+        check_inside(case, between, parameters[between.short])
     return BranchInputs(case, family, between, parameters, kept=kept, point=point)
 
 
-def _check_same(case: Case, here: Mapping[str, float], kept: Mapping[str, float], name: str) -> None:
-    """All other parameters of the file are those of the case. Raises `CaseError` with each that is not."""
+def check_same(
+    case: Case, here: Mapping[str, float], kept: Mapping[str, float], free: Container[str]
+) -> None:
+    """All parameters of the file that are not ``free`` are those of the case. Raises `CaseError` with each
+    that is not."""
     problems = []
     for each, value in kept.items():
         size = max(abs(value), abs(here[each]), 1e-300)
-        if each != name and abs(value - here[each]) > SAME_VALUE * size:
+        if each not in free and abs(value - here[each]) > SAME_VALUE * size:
             expected = f"{here[each]:.10g} as in the case; or --set {each}={value!r}"
             problems.append(Problem(f"--resume {each}", f"{value:.10g}", expected))
     if problems:

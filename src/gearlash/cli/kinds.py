@@ -11,6 +11,7 @@ ANSWER_KINDS = {
     "sweep": "SweepAnswer",
     "map": "MapAnswer",
     "branch": "BranchAnswer",
+    "curve": "CurveAnswer",
     "graze": "GrazeAnswer",
     "zones": "ZonesAnswer",
     "plane_zone": "PlaneZoneAnswer",

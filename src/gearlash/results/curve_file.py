@@ -62,8 +62,13 @@ def save_curve(curve: Curve, path: str | Path, model: Case | Family) -> Path:
     given.instance("curve", curve, Curve, "a Curve, as from gearlash.continue_curve")
     given.instance("model", model, (Case, Family), "a case, as from gearlash.load_case, or a Family")
     path = new_file(path)
-    write_whole(path, FILE.text(_curve(curve), model))
+    write_whole(path, curve_text(curve, model))
     return path
+
+
+def curve_text(curve: Curve, model: Case | Family) -> bytes:
+    """The content of the file of a curve."""
+    return FILE.text(_curve(curve), model)
 
 
 def load_curve(path: str | Path) -> Curve:

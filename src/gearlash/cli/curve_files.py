@@ -1,0 +1,99 @@
+"""What `gearlash curve` keeps in the folder of --out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from gearlash.case import Case
+from gearlash.case.units import pretty
+from gearlash.results import table
+from gearlash.results.branch_file import branch_text
+from gearlash.results.curve_dataset import curve_dataset
+from gearlash.results.curve_file import curve_text
+from gearlash.results.store import netcdf, write_together
+
+from .files import draw_if
+from .folder import OutFolder
+from .jsonio import text
+
+if TYPE_CHECKING:
+    from gearlash.branches.curves import Curve
+
+    from .answers.branch_parts import LimitsUsed
+    from .answers.curve import CurveAnswer
+    from .answers.curve_parts import Begun
+    from .curve_inputs import CurveInputs
+
+FIGURES = ("curve.svg", "curve.pdf")
+
+
+def file_names(count: int) -> list[str]:
+    """Of so many curves."""
+    kept = [f"curve-{i}.{form}" for i in range(1, count + 1) for form in ("json", "nc", "csv")]
+    return ["curve.json", "special.csv", "branch-1.json", *FIGURES, *kept]
+
+
+def write_curves(folder: OutFolder, asked: CurveInputs, found: Sequence[Begun], answer: CurveAnswer) -> None:
+    """The answer (JSON), every curve as a file to resume from (JSON), as data (NetCDF) and as a table (CSV),
+    all points of the tables as one (CSV), the branch they begin at (JSON), and the figure as SVG and PDF."""
+    case = asked.case
+    curves = [each.curve for each in found if each.curve is not None]
+    contents: dict[Any, bytes | memoryview] = {folder.file("curve.json"): text(answer).encode("utf-8")}
+    contents[folder.file("special.csv")] = _special_table(answer).encode("utf-8")
+    if asked.branch is not None:
+        contents[folder.file("branch-1.json")] = branch_text(asked.branch, case)
+    for i, curve in enumerate(curves, 1):
+        dataset = curve_dataset(case, curve)
+        contents[folder.file(f"curve-{i}.json")] = curve_text(curve, case)
+        contents[folder.file(f"curve-{i}.nc")] = netcdf(dataset)
+        contents[folder.file(f"curve-{i}.csv")] = table(dataset).to_csv().encode("utf-8")
+    older = [path for path in folder.path.glob("curve-*.*") if folder.owns(path.name)]
+    gone = [path for path in older if path not in contents]
+    write_together(contents, instead_of=[*gone, *(folder.file(name) for name in FIGURES)])
+    if curves and answer.status != "incomplete":
+        draw_if(folder, "curve", True, lambda plots: _figure(plots, case, curves, answer))
+
+
+def _figure(plots: Any, case: Case, curves: Sequence[Curve], answer: CurveAnswer) -> Any:
+    """With the parameters in the units that were asked for."""
+    one, two = answer.axes
+    what = "Curves" if len(curves) > 1 else "Curve"
+    title = f"{what} of {case.name} over {one.asked.title} and {two.asked.title}"
+    return plots.curve_diagram(curves, case, title=title, along=(_along(plots, one), _along(plots, two)))
+
+
+def _along(plots: Any, limit: LimitsUsed) -> Any:
+    asked = limit.asked
+    if not asked.unit:
+        return None
+    rests = any(each.rests_on for each in limit.physical_lower if each.name == asked.name)
+    return plots.Twin(asked.factor, asked.title, pretty(asked.unit), rests)
+
+
+def _special_table(answer: CurveAnswer) -> str:
+    """All points of the tables, one row each, with the number of the curve and its own."""
+    import pandas as pd
+
+    one, two = answer.axes
+    rows = [
+        {
+            "curve": curve.number,
+            "number": point.number,
+            "kind": point.kind,
+            one.name: point.values[0],
+            f"{one.name}_error": point.errors[0],
+            two.name: point.values[1],
+            f"{two.name}_error": point.errors[1],
+            **{each.name: each.value for part in point.physical for each in part},
+            "label_before": point.label_before,
+            "label_after": point.label_after,
+            "solved": point.solved,
+            "admissible": point.admissible,
+            "status": point.status,
+            "note": point.note,
+        }
+        for curve in answer.curves
+        for point in curve.special
+    ]
+    return pd.DataFrame(rows).to_csv(index=False) if rows else ""
