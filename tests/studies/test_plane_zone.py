@@ -188,3 +188,22 @@ def test_a_motion_that_is_not_quiet_has_no_zone():
     case = gl.load_case("kahraman-singh")
     with pytest.raises(gl.GearlashError, match="1-1-0, which is not impact-free"):
         gl.plane_zone(case, ("omega", "D"), lower=(0.85, 0.9), upper=(0.95, 1.1), values={"omega": 0.9})
+
+
+def test_a_zone_that_lies_over_itself_behind_a_cusp():
+    """Two folds leave a cusp: the zone goes round it, and both are told."""
+    zone = gl.plane_zone(
+        gl.load_case("two-stage"), ("omega", "load"), lower=(0.65, 0.12), upper=(0.75, 0.14),
+        quiet="drive-side-only", values={"omega": 0.7, "load": 0.132}, lines=0,
+    )  # fmt: skip
+    assert zone.complete
+    assert [str(part.kind) for part in zone.parts] == ["fold"]
+    assert sorted(map(tuple, zone.outline.tolist())) == [
+        (0.65, 0.12),
+        (0.65, 0.14),
+        (0.75, 0.12),
+        (0.75, 0.14),
+    ]
+    assert zone.contains(0.711, 0.1205)
+    (note,) = zone.notes
+    assert "cusp at omega = 0.717375, load = 0.12553" in note

@@ -156,7 +156,7 @@ class PlaneZone(Record):
     values : mapping of str to float
         All parameters there.
     parts : tuple of BoundaryPart
-        Curves that bound the zone, those of holes included.
+        Curves that bound the zone, those of holes included, and folds at which it lies over itself.
     outline : ndarray of shape (m, 2)
         The zone's border, counter-clockwise, rectangle included; empty where it could not be closed.
     holes : tuple of ndarray
@@ -173,7 +173,7 @@ class PlaneZone(Record):
         All places at which it was solved for on them.
     complete : bool
     notes : tuple of str
-        What is missing, and why.
+        What is missing, and why; and where the zone lies over itself.
 
     Examples
     --------

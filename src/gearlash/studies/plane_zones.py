@@ -137,7 +137,7 @@ def plane_zone(
         lines=len(found.lines),
         followed=np.array([seen.place for line in found.lines for seen in line.seen]),
         complete=not notes,
-        notes=notes,
+        notes=(*notes, *found.remarks),
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
@@ -61,7 +61,8 @@ class Search:
     parts: list[Part] = field(default_factory=list)
     ends: list[tuple[Array, Array, Line]] = field(default_factory=list)  # places, outward
     tried: list[tuple[CodimTwoKind, Array]] = field(default_factory=list)
-    notes: dict[str, None] = field(default_factory=dict)
+    notes: dict[str, None] = field(default_factory=dict)  # what is missing
+    remarks: dict[str, None] = field(default_factory=dict)  # what is to be known beside
     curves: int = 0
 
     @property
@@ -202,11 +203,15 @@ class Search:
 
     def borders(self) -> tuple[Array, tuple[Array, ...], list[Part], tuple[str, ...]]:
         """The outer border, holes, the pieces on them, and what is missing."""
-        tracer, borders, used = self.tracer, [], []
+        folded = [part for part in self.parts if self.folds_over(part)]
+        whole, tracer = self.tracer, replace(self.tracer, parts=[p for p in self.parts if p not in folded])
+        borders, used = [], []
         for place, outward, line in self.ends:
             assert line.end.special is not None
-            near = min(apart(tracer, place), key=lambda pair: pair[0], default=(np.inf, None))
+            near = min(apart(whole, place), key=lambda pair: pair[0], default=(np.inf, None))
             part = near[1]
+            if part in folded and near[0] <= KNOWN:
+                continue
             if part is None or near[0] > KNOWN:
                 self.notes[f"at {self.where(place)} the zone ends, on no curve that was followed"] = None
                 continue
@@ -219,14 +224,25 @@ class Search:
             limit = next((line for line in self.axes if line.end.at_limit), None)
             if limit is not None:
                 borders.append(tracer.border(None, limit.end.place))
-        return self.sorted(borders, used)
+        outer, holes, parts, notes = self.sorted(borders)
+        return outer, holes, [*parts, *folded], notes
+
+    def folds_over(self, part: Part) -> bool:
+        """Whether two folds leave a cusp on a piece: between them the zone lies over itself, and beyond the
+        cusp it is one, so that they are no border of what it covers."""
+        first, last = part.bound.points[0].arclength, part.bound.points[-1].arclength
+        cusps = [s for s in part.bound.curve.of_kind(CodimTwoKind.CUSP) if first < s.arclength < last]
+        for cusp in cusps:
+            self.remarks[
+                f"between the two folds that leave the cusp at {self.where(np.array(cusp.values))} two "
+                "motions of the zone coexist: each is lost at one of them, on to the other"
+            ] = None
+        return bool(cusps)
 
     def outer(self, border: Border) -> bool:
         return len(border.polygon) > 2 and area(border.polygon) > 0.0
 
-    def sorted(
-        self, borders: list[Border], used: list[Part]
-    ) -> tuple[Array, tuple[Array, ...], list[Part], tuple[str, ...]]:
+    def sorted(self, borders: list[Border]) -> tuple[Array, tuple[Array, ...], list[Part], tuple[str, ...]]:
         for border in borders:
             if border.reason and border.where is not None:
                 self.notes[f"the border is open at {self.where(np.array(border.where))}: {border.reason}"] = (
