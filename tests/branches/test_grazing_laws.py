@@ -9,7 +9,7 @@ import pytest
 
 from gearlash import flow
 from gearlash.branches import GrazingPoint, locate_grazing, locate_multiplier
-from gearlash.branches.critical import distance_to_unit
+from gearlash.branches.grazing_point import distance_to_unit
 from gearlash.orbits import Orbit, Shot, attractor, grazing_checks, shoot
 from gearlash.system import Family, Signature, Status, System, UnknownNameError
 from oracles import closed_forms

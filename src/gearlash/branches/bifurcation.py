@@ -1,31 +1,40 @@
-"""Doublings and folds: where a multiplier of a periodic orbit is -1 or +1.
+"""Doublings and folds: where a multiplier of a periodic orbit is -1 or +1, in one parameter.
 
-Unknowns z0 and μ, equations P(z0) = z0 and det(DP - λ I) = 0, by Newton's method; regular at a fold too.
-Source: Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, ch. 10, doi:10.1007/978-1-4757-3978-7."""
+The equations are those of a curve of such points (`curves/problem.py`) with one parameter less."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash import flow
 from gearlash.flow import Propagators
 from gearlash.orbits import Orbit, orbit_at, shoot
 from gearlash.orbits.floquet import ordered
-from gearlash.system import Family, GearlashError, HasFamily, Label, MotionKind, Record, Status, given
+from gearlash.system import (
+    Family,
+    GearlashError,
+    HasFamily,
+    Label,
+    MotionKind,
+    Record,
+    Status,
+    given,
+)
 
-from .steps import UNBUILT, checked, difference, longest_step, member, within_range
+from .curves.conditions import At
+from .curves.newton import Corrected, correct
+from .curves.plane import UNBUILT, Array
+from .curves.problem import Evaluated
+from .one_parameter import CLOSED, begun, checked, error_of, residual_of
 
-Array = NDArray[Any]
-MULTIPLIER_ITERATIONS = 30
-DERIVATIVE_STEP = 1e-6  # of state and parameter: for derivatives
-CLOSED = 1e-10  # residual of a solution
+RENEWALS = 4  # times that the borders of the condition are made to fit the orbit that was come to
 HALF_PERIOD_NEAR = 1e-2  # at a doubling: distance of the orbit of half the period, of its multiplier to -1
 KIND_OF_MULTIPLIER = {-1: "doubling", 1: "fold"}
+AT = {-1: At.MINUS_ONE, 1: At.ONE}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -39,7 +48,7 @@ class BifurcationPoint(Record):
     value : float
         Of it, dimensionless.
     error : float
-        Estimate: the last step of Newton's method.
+        Estimate of its error.
     values : mapping of str to float
         All parameters there.
     multiplier : {-1, 1}
@@ -140,28 +149,56 @@ def locate_multiplier(
     multiplier = given.whole("multiplier", multiplier, -1, 1)
     if multiplier == 0:
         raise GearlashError("multiplier is 0: expected -1 (a doubling) or 1 (a fold)")
-    problem = _Problem(family, members, name, float(orbit.period), multiplier)
-    unknown, residual, change = problem.solve(np.append(orbit.state, float(members[name])))
-    state, mu = unknown[:-1], float(unknown[-1])
-    props = problem.system_at(mu)
-    _, jacobian = problem.equations(props, state)
-    status = Status.OK if residual <= CLOSED else Status.NOT_CONVERGED
-    if status.ok and multiplier == 1 and born_by_doubling(props, state, orbit.shot.period):
-        status = Status.NOT_ADMISSIBLE  # a doubled orbit is born here, which is no fold
-    there = orbit_at(props, state, orbit.shot.period, iterations=1)
+    start = begun(family, members, name, orbit, 0.0)
+    corrected = _solved(start, AT[multiplier])
+    residual, here = residual_of(corrected), corrected.here or corrected.nearest or start
+    state, mu = here.problem.state(here.u), float(here.problem.place(here.u)[0])
+    status = Status.NOT_CONVERGED
+    if corrected.here is not None and residual <= CLOSED:
+        born = multiplier == 1 and born_by_doubling(here.props, state, orbit.shot.period)
+        status = Status.NOT_ADMISSIBLE if born else Status.OK  # a doubled orbit is born there: no fold
+    there = orbit_at(here.props, state, orbit.shot.period, iterations=1)
     return BifurcationPoint(
         name=name,
         value=mu,
-        error=change,
+        error=error_of(here, corrected.jacobian) if corrected.here is not None else float("inf"),
         values={**members, name: mu},
         multiplier=multiplier,
         period=orbit.period,
         state=state,
         label=MotionKind.NONE if there is None else there.label,
-        multipliers=ordered(np.linalg.eigvals(jacobian)),
+        multipliers=_multipliers(here),
         residual=residual,
         status=status,
     )
+
+
+def _multipliers(here: Evaluated) -> NDArray[np.complex128]:
+    """No numbers where the orbit cannot be carried round."""
+    try:
+        return ordered(np.linalg.eigvals(here.monodromy))
+    except UNBUILT:
+        return np.full(here.problem.states, np.nan, dtype=np.complex128)
+
+
+def _solved(start: Evaluated, at: At) -> Corrected:
+    """Far from the point the borders of the condition fit no longer: they are renewed on the way, until one
+    more time changes nothing."""
+    corrected = Corrected(None, np.empty(0))
+    try:
+        problem = start.problem.with_condition(at, start)
+        corrected = correct(problem, start.u)
+        for _ in range(RENEWALS):
+            reached = corrected.here or corrected.nearest
+            if reached is None:
+                break
+            again = correct(problem.near(reached), reached.u)
+            if corrected.here is not None and residual_of(again) >= residual_of(corrected):
+                break
+            corrected = again
+    except UNBUILT as error:
+        return Corrected(None, np.empty(0), (), str(error), corrected.nearest)
+    return corrected
 
 
 def born_by_doubling(props: Propagators, state: Array, period: int) -> bool:
@@ -173,76 +210,3 @@ def born_by_doubling(props: Propagators, state: Array, period: int) -> bool:
         return False
     near = np.abs(half.state - state).max() <= HALF_PERIOD_NEAR * max(1.0, float(np.abs(state).max()))
     return bool(near and np.abs(np.linalg.eigvals(half.monodromy) + 1.0).min() <= HALF_PERIOD_NEAR)
-
-
-@dataclass(frozen=True, eq=False)
-class _Problem:
-    """The equations for unknowns (z0, μ): the orbit closes after ``cycles``, and det(DP - multiplier · I) =
-    0."""
-
-    family: Family
-    values: Mapping[str, float]
-    name: str
-    cycles: float
-    multiplier: int
-
-    def system_at(self, mu: float, reuse: Propagators | None = None) -> Propagators:
-        return member(self.family, self.values, self.name, mu, reuse)
-
-    def equations(self, props: Propagators, z: Array) -> tuple[Array, Array]:
-        """Defect and determinant (n+1,), and the monodromy (n, n)."""
-        end = flow.variational(props, z, self.cycles)
-        assert end.jacobian is not None
-        determinant = np.linalg.det(end.jacobian - self.multiplier * np.eye(len(z)))
-        return np.append(end.state - z, determinant), end.jacobian
-
-    def derivative(self, props: Propagators, unknown: Array, value: Array, jacobian: Array) -> Array:
-        """(n+1, n+1) of the equations, here ``value``: exact for the orbit, by central differences for the
-        determinant, by a forward one, which takes one more system only, for the parameter."""
-        n, z, mu = len(unknown) - 1, unknown[:-1], float(unknown[-1])
-        matrix = np.empty((n + 1, n + 1))
-        matrix[:n, :n] = jacobian - np.eye(n)
-        scale = DERIVATIVE_STEP * max(1.0, float(np.abs(z).max()))
-        for i in range(n):
-            shift = scale * np.eye(n)[i]
-            up, down = self.equations(props, z + shift)[0], self.equations(props, z - shift)[0]
-            matrix[n, i] = (up[n] - down[n]) / (2 * scale)
-        step = difference(self.family, self.name, mu, DERIVATIVE_STEP * max(abs(mu), 1e-3))
-        matrix[:, n] = (self.equations(self.system_at(mu + step, props), z)[0] - value) / step
-        return matrix
-
-    def solve(self, unknown: Array) -> tuple[Array, float, float]:
-        """Newton's method with bounded steps, in the range of the parameter, until steps of the parameter
-        stop shrinking: the determinant has no scale of its own, so its size does not tell when to end.
-        Returns the unknowns that were looked at last, their residual, and the last step; where there is no
-        system at a value that it comes to, an infinite residual."""
-        residual, change, before = np.inf, np.inf, unknown
-        props: Propagators | None = self.system_at(float(unknown[-1]))
-        try:
-            for _ in range(MULTIPLIER_ITERATIONS):
-                props = self.system_at(float(unknown[-1]), props)
-                value, jacobian = self.equations(props, unknown[:-1])
-                residual = float(np.abs(value).max())
-                if not np.isfinite(residual):
-                    return before, np.inf, change
-                before = unknown
-                step = np.linalg.lstsq(self.derivative(props, unknown, value, jacobian), -value, rcond=None)[
-                    0
-                ]
-                size = abs(float(step[-1]))
-                if residual <= CLOSED and size >= 0.5 * change:
-                    break  # rounding decides from here on
-                step = self.limited(step, float(unknown[-1]))
-                if not step.any():  # at the end of the range
-                    break
-                unknown, change = unknown + step, abs(float(step[-1]))
-                if change <= 1e-15 * abs(unknown[-1]):
-                    break
-        except UNBUILT:
-            return before, np.inf, change
-        return before, residual, change
-
-    def limited(self, step: Array, mu: float) -> Array:
-        """A step of Newton's method no longer than is sensible, and not out of the range."""
-        limit = min(1.0, longest_step(self.family, self.name, mu) / max(abs(float(step[-1])), 1e-300))
-        return within_range(self.family, self.name, mu, limit * float(step[-1])) * limit * step

@@ -13,7 +13,6 @@ from gearlash.orbits.grazing import GRAZING_KINDS, GrazingConditions, Surface, c
 from gearlash.system import Label, Record, Status, System
 
 from .continuation.extrema import Extremum
-from .critical import distance_to_unit
 
 Array = NDArray[np.float64]
 
@@ -151,3 +150,8 @@ class GrazingPoint(Record):
     def to_fold(self) -> float:
         """Least |λ - 1|."""
         return distance_to_unit(self.multipliers)[1]
+
+
+def distance_to_unit(multipliers: NDArray[np.complex128]) -> tuple[float, float]:
+    """(least |λ + 1|, least |λ - 1|) over all multipliers: 0 at a doubling, and at a fold."""
+    return float(np.abs(multipliers + 1.0).min()), float(np.abs(multipliers - 1.0).min())

@@ -5,17 +5,14 @@ its stability, or end in a fold, very soon after. So the labels are read as near
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from gearlash.flow import Propagators
 from gearlash.orbits import GrazingCheck, Orbit, grazing_checks, orbit_at
-from gearlash.system import Family, Label, MotionKind, Signature
+from gearlash.system import Label, MotionKind, Signature
 
-from .steps import UNBUILT, member
+from .curves.plane import UNBUILT, Array, Plane
 
 LABEL_DISTANCES = (1e-6, 1e-8, 1e-10)  # relative distances at which the labels are read, until both are
 SAME_ORBIT = 1e-2  # of the state's size: an orbit that lies farther away is another one
@@ -49,23 +46,13 @@ class Sides:
     check: GrazingCheck
 
     @staticmethod
-    def of(
-        family: Family,
-        values: Mapping[str, float],
-        name: str,
-        point: tuple[float, NDArray[np.float64], int],
-        check: GrazingCheck,
-        reuse: Propagators,
-    ) -> Sides:
-        """Both sides of a point: its value, the touching orbit at phase zero, its period in mesh cycles."""
-        value, zero, period = point
+    def of(plane: Plane, value: float, zero: Array, period: int, check: GrazingCheck) -> Sides:
+        """Both sides of a point at a value of the parameter; ``zero``: the touching orbit at phase zero, its
+        period in base periods."""
         found: Sides | None = None
         for relative in LABEL_DISTANCES:
             away = relative * max(abs(value), 1e-3)
-            below, above = (
-                Side(_orbit(family, values, name, value + sign * away, zero, period, reuse))
-                for sign in (-1, 1)
-            )
+            below, above = (Side(_orbit(plane, value + sign * away, zero, period)) for sign in (-1, 1))
             found = Sides(below, above, check)
             if found.differ_by_the_touch:
                 break
@@ -99,19 +86,10 @@ class Sides:
         return bool(mine) and mine[0].distance * mine[0].a0 > 0.0
 
 
-def _orbit(
-    family: Family,
-    values: Mapping[str, float],
-    name: str,
-    value: float,
-    zero: NDArray[np.float64],
-    period: int,
-    reuse: Propagators,
-) -> Orbit | None:
+def _orbit(plane: Plane, value: float, zero: Array, period: int) -> Orbit | None:
     """The orbit at a value beside the point, if there is one so near."""
     try:
-        props = member(family, values, name, value, reuse)
-        found = orbit_at(props, zero, round(period / props.system.cycles))
+        found = orbit_at(plane.system_at(np.array([value])), zero, period)
     except UNBUILT:
         return None
     if found is None:

@@ -79,6 +79,15 @@ class Line:
         return max(self.upper - self.lower, self.least_unit)
 
 
+def scale_of(trace: Trace, segments: int = 1) -> Array:
+    """(n,): how far every state moves in the course of an orbit, which is cut into so many segments."""
+    starts = trace.polynomials[:, 0]
+    moved = starts.max(axis=0) - starts.min(axis=0)
+    least = LEAST_SIZE * max(float(np.abs(starts).max()), LEAST_SIZE)
+    found: Array = np.maximum(moved, least) * np.sqrt(moved.size * segments)
+    return found
+
+
 @dataclass(frozen=True, eq=False)
 class Evaluated:
     """What the equations say at unknowns ``u``: ``defect`` (m·n,) in units of the states' scale, ``blocks``
@@ -113,11 +122,7 @@ class Equations:
     def of(line: Line, orbit: Orbit, phase: float = 0.0) -> Equations:
         period = orbit.shot.period
         segments = max(d for d in range(1, MOST_SEGMENTS + 1) if period % d == 0)
-        starts = orbit.trace.polynomials[:, 0]
-        moved = starts.max(axis=0) - starts.min(axis=0)
-        least = LEAST_SIZE * max(float(np.abs(starts).max()), LEAST_SIZE)
-        size = np.maximum(moved, least) * np.sqrt(moved.size * segments)
-        return Equations(line, period, segments, size, phase)
+        return Equations(line, period, segments, scale_of(orbit.trace, segments), phase)
 
     @cached_property
     def scale(self) -> Array:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gearlash import flow
-from gearlash.branches.continuation.equations import LEAST_SIZE
+from gearlash.branches.continuation.equations import scale_of
 from gearlash.branches.continuation.extrema import Extremum
 from gearlash.branches.continuation.points import SpecialKind, SpecialPoint
 from gearlash.system import GearlashError
@@ -101,11 +101,7 @@ def _kind_of(
 def orbit_alone(plane: Plane, place: Array, state: Array, period: int) -> Evaluated:
     """An orbit from phase zero, with nothing asked of it."""
     props = plane.system_at(place)
-    trace = flow.trace(props, state, float(period * props.system.cycles))
-    starts = trace.polynomials[:, 0]
-    moved = starts.max(axis=0) - starts.min(axis=0)
-    least = LEAST_SIZE * max(float(np.abs(starts).max()), LEAST_SIZE)
-    size = np.maximum(moved, least) * np.sqrt(moved.size)
+    size = scale_of(flow.trace(props, state, float(period * props.system.cycles)))
     problem = Problem(plane, period, size)
     return problem.evaluate(np.concatenate([state / size, place / plane.unit]), props)
 

@@ -19,18 +19,21 @@ ENOUGH = 2e-11  # residual that is accepted where it no longer becomes smaller
 NO_STEP = 1e-14  # a step that is rounding
 ITERATIONS = 20
 SLOW = 0.1  # contraction from which on the Jacobian is taken anew
+OLD = 1e-4  # a step behind which the Jacobian is taken anew, where no other system need be built for it
 WORSE = 2.0  # growth of the residual, with a new Jacobian, that ends it
 LONGEST = 0.5  # a step, in scaled unknowns
 
 
 @dataclass(frozen=True, eq=False)
 class Corrected:
-    """The solution, the Jacobian beside it, the lengths of the steps, and why there is none."""
+    """The solution, the Jacobian beside it, the lengths of the steps, and why there is none; then ``nearest``
+    is what came nearest to one."""
 
     here: Evaluated | None
     jacobian: Array
     steps: tuple[float, ...] = ()
     failure: str = ""
+    nearest: Evaluated | None = None
 
     @property
     def contraction(self) -> float:
@@ -46,20 +49,27 @@ def correct(
     jacobian: Array | None = None,
 ) -> Corrected:
     """The solution near ``guess``; of a curve the one with row·u = ``target``."""
+    reached: list[Evaluated] = []
     try:
-        return _newton(problem, guess.copy(), row, target, jacobian)
+        return _newton(problem, guess.copy(), row, target, jacobian, reached)
     except UNBUILT as error:
-        return Corrected(None, np.empty(0), (), str(error))
+        return Corrected(None, np.empty(0), (), str(error), reached[-1] if reached else None)
 
 
 def _newton(
-    problem: Problem, u: Array, row: Array | None, target: float, jacobian: Array | None
+    problem: Problem,
+    u: Array,
+    row: Array | None,
+    target: float,
+    jacobian: Array | None,
+    reached: list[Evaluated],
 ) -> Corrected:
     steps: list[float] = []
     here = problem.evaluate(u)
     fresh = jacobian is None
     jacobian = here.jacobian() if jacobian is None else jacobian
     best, least = here, left_over(here, jacobian)
+    reached.append(best)
     for _ in range(ITERATIONS):
         along = 0.0 if row is None else target - float(row @ u)
         if least <= (GOAL if row is None else ON_CURVE) and abs(along) <= ON_CURVE:
@@ -67,7 +77,7 @@ def _newton(
         step = _solved(jacobian, row, here.residual, along)
         length = float(np.linalg.norm(step))
         if not np.isfinite(length):
-            return Corrected(None, jacobian, tuple(steps), "Newton's method meets a singular matrix")
+            return Corrected(None, jacobian, tuple(steps), "Newton's method meets a singular matrix", best)
         if steps and length > SLOW * steps[-1] and not fresh and length > 1e-10:
             jacobian, fresh = here.jacobian(), True
             step = _solved(jacobian, row, here.residual, along)
@@ -75,22 +85,33 @@ def _newton(
         if length > LONGEST:
             step *= LONGEST / length
         steps.append(length)
+        if row is None:
+            unit, place = problem.plane.unit, problem.place(u)
+            step = step * problem.plane.part_within(place, step[-len(place) :] * unit)
+            if not step.any():  # at the end of a range
+                break
         u = u + step
         after = problem.evaluate(u)
         left = left_over(after, jacobian)
         if not left <= WORSE * least and fresh and len(steps) > 3:
             break
-        jacobian = jacobian + np.outer(after.residual - here.residual - jacobian @ step, step) / float(
-            step @ step
-        )
+        exact = row is None and problem.is_plain and length > OLD
+        jacobian = after.jacobian() if exact else _improved(jacobian, after.residual - here.residual, step)
         stalled = left >= 0.5 * least and left <= ENOUGH
-        here, fresh = after, False
-        best, least = (after, left) if left < least else (best, least)
+        here, fresh = after, exact
+        if left < least:
+            best, least = after, left
+            reached.append(best)
         if stalled or length <= NO_STEP or (length <= 1e-13 and left <= ENOUGH):
             break
     if least > ENOUGH:
-        return Corrected(None, jacobian, tuple(steps), f"Newton's method stays at {least:.0e}")
+        return Corrected(None, jacobian, tuple(steps), f"Newton's method stays at {least:.0e}", best)
     return Corrected(best, jacobian, tuple(steps))
+
+
+def _improved(jacobian: Array, change: Array, step: Array) -> Array:
+    """By what a step has changed (Broyden)."""
+    return jacobian + np.outer(change - jacobian @ step, step) / float(step @ step)
 
 
 def left_over(here: Evaluated, jacobian: Array) -> float:

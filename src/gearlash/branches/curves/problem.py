@@ -1,21 +1,24 @@
-"""The equations of special orbits in a plane of two parameters.
+"""The equations of special orbits, along one parameter or in a plane of two.
 
-Unknowns, scaled: the state at the phase where the orbit is begun, the phase of every touch, two parameters.
+Unknowns, scaled: the state at the phase where the orbit is begun, the phase of every touch, the parameters.
 Equations: the orbit closes; of every touch H = 0 (or -depth) and H' = 0, and H″ = 0 or H‴ = 0 where it is
-degenerate; conditions on multipliers. With one touch or one condition that is a curve, with two a point.
-Detecting and continuing differ only in which unknown is free."""
+degenerate; conditions on multipliers. With one touch or one condition that is a point along one parameter
+and a curve in two, where with two of them it is a point again. Detecting and continuing differ only in which
+unknown is free."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from gearlash.branches.continuation.extrema import Extremum
-from gearlash.flow import Propagators
+from gearlash.flow import Propagators, Trace
 from gearlash.system import GearlashError
 
+from .along import Beside, moved_end, moved_gap, moved_states
 from .conditions import At, Condition, Double, Turning
 from .plane import Array, Plane
 from .touch import Leg, Window, carried, derivatives, legs, surface_rows, surface_values, traced
@@ -58,6 +61,13 @@ class Problem:
         return (*self.conditions, *self.further)
 
     @property
+    def is_plain(self) -> bool:
+        """Whether the equations are those of closing, and of extrema of gaps that touch, alone: their
+        derivatives are known without another system's maps."""
+        plain = all(touch.window.surface == "gap" and not touch.zero for touch in self.touches)
+        return plain and not self.all_conditions
+
+    @property
     def states(self) -> int:
         return len(self.size)
 
@@ -67,8 +77,8 @@ class Problem:
         return np.concatenate([self.size, np.ones(len(self.touches)), self.plane.unit])
 
     def place(self, u: Array) -> Array:
-        """(2,): the parameters."""
-        found: Array = (u * self.scale)[-2:]
+        """(plane.names,): the parameters."""
+        found: Array = (u * self.scale)[-len(self.plane.names) :]
         return found
 
     def state(self, u: Array) -> Array:
@@ -170,7 +180,8 @@ class Evaluated:
             series = derivatives(traced(self.props, states[index], leg, phase), window)
             found = series[:2]
         else:
-            at = carried(self.props, states[index], leg, phase)[0]
+            own = states is self.course[0]
+            at = (self.touch_flows[k] if own else carried(self.props, states[index], leg, phase))[0]
             series, found = np.empty(0), surface_values(self.props, window, at, phase, None)
         found = found + np.array([touch.depth, 0.0])
         rows = [found / self.surface_size(window)]
@@ -202,10 +213,22 @@ class Evaluated:
 
     def at_touch(self, k: int) -> Array:
         """(H, H', H″, H‴) of touch ``k``."""
-        phase = float(self.problem.phases(self.u)[k])
-        index = self.leg_of(phase)
-        trace = traced(self.props, self.course[0][index], self.legs[index], phase)
-        return derivatives(trace, self.problem.touches[k].window)
+        return derivatives(self.touch_traces[k], self.problem.touches[k].window)
+
+    @cached_property
+    def touch_flows(self) -> list[tuple[Array, Array]]:
+        """Of every touch the state there (n,), and the Jacobian (n, n) from the beginning of its leg."""
+        return [carried(self.props, *where) for where in self._ways_to_touches()]
+
+    @cached_property
+    def touch_traces(self) -> list[Trace]:
+        """From the beginning of its leg to every touch."""
+        return [traced(self.props, *where) for where in self._ways_to_touches()]
+
+    def _ways_to_touches(self) -> Iterator[tuple[Array, Leg, float]]:
+        for phase in self.problem.phases(self.u).tolist():
+            index = self.leg_of(phase)
+            yield self.course[0][index], self.legs[index], phase
 
     def jacobian(self) -> Array:
         """Of the residual by all unknowns. Raises what `UNBUILT` names."""
@@ -215,7 +238,7 @@ class Evaluated:
         for each in range(k):
             self._touch_block(out, each)
         self._by_states(out)
-        for axis in range(2):
+        for axis in range(len(self.problem.plane.names)):
             out[:, n + k + axis] = self._along(axis)
         return out
 
@@ -229,8 +252,8 @@ class Evaluated:
         states, flows = self.course
         index, rows = self.leg_of(phase), self._rows_of(k)
         leg, size = self.legs[index], self.surface_size(touch.window)
-        jacobian = carried(self.props, states[index], leg, phase)[1]
-        gradient = surface_rows(self.props, touch.window, states[index], leg, phase, jacobian) @ flows[index]
+        way = states[index], leg, phase, self.touch_flows[k][1]
+        gradient = surface_rows(self.props, touch.window, *way) @ flows[index]
         out[rows.start : rows.start + 2, :n] = gradient * self.problem.size / size[:, None]
         series, cycle = self.at_touch(k), 2.0 * np.pi / self.props.system.omega
         out[rows.start : rows.start + 2, n + k] = series[1:3] * cycle / size
@@ -259,16 +282,32 @@ class Evaluated:
 
     def _along(self, axis: int) -> Array:
         """Derivative of the residual along one scaled parameter."""
-        index = len(self.u) - 2 + axis
+        if self.problem.is_plain:
+            return self._along_exactly(axis)
+        index = len(self.u) - len(self.problem.plane.names) + axis
         top = self.problem.plane.outer(axis) / self.problem.plane.unit[axis]
         step = self.problem.step
         step = step if self.u[index] + step <= top else -step
         return (self._moved(index, step).residual - self.residual) / step
 
+    def _along_exactly(self, axis: int) -> Array:
+        """The same, of plain equations."""
+        plane, states = self.problem.plane, self.course[0]
+        beside = Beside.of(plane, self.problem.place(self.u), axis, self.props.system)
+        moved = moved_states(self.props, states, self.legs, beside)
+        found = [moved[-1] / self.problem.size]
+        phases = self.problem.phases(self.u).tolist()
+        for k, (phase, touch) in enumerate(zip(phases, self.problem.touches, strict=True)):
+            at, jacobian = self.touch_flows[k]
+            away = moved_end(self.touch_traces[k], jacobian, moved[self.leg_of(phase)], beside)
+            rate = moved_gap(at, away, phase, touch.window, beside)
+            found.append(rate / self.surface_size(touch.window))
+        return np.concatenate(found) * float(plane.unit[axis])
+
     def _moved(self, index: int, step: float) -> Evaluated:
         u = self.u.copy()
         u[index] += step
-        moved = index >= len(u) - 2
+        moved = index >= len(u) - len(self.problem.plane.names)
         return self.problem.evaluate(u, None if moved else self.props)
 
 

@@ -15,7 +15,7 @@ from gearlash.flow import Hold, Propagators, Trace
 from gearlash.flow.events import gap_displacement, gap_velocity
 from gearlash.orbits.contact_force import force_series
 from gearlash.orbits.grazing import force_gradient
-from gearlash.system import CARRIED, GearlashError
+from gearlash.system import CARRIED, GearlashError, System
 
 from .plane import Array
 
@@ -82,11 +82,16 @@ def surface_values(
     props: Propagators, window: Window, state: Array, phase: float, trace: Trace | None
 ) -> Array:
     """(H, H') at a phase: X ∓ D and X'; of the surface "force", Φ and Φ' from a trace that ends there."""
-    system, j = props.system, window.clearance
     if window.surface == "force":
         assert trace is not None
         return derivatives(trace, window)[:2]
-    c, at = system.clearances[j], [phase]
+    return gap_values(props.system, window, state, phase)
+
+
+def gap_values(system: System, window: Window, state: Array, phase: float) -> Array:
+    """(X ∓ D, X') at a phase."""
+    j, at = window.clearance, [phase]
+    c = system.clearances[j]
     edge = c.gap_plus if window.boundary > 0 else -c.gap_minus
     x = gap_displacement(system, at, state[None], j)[0]
     return np.array([x - edge, gap_velocity(system, at, state[None], j)[0]])

@@ -66,10 +66,10 @@ def curve_through(begun: Beginning, settings: ContinuationSettings, listen: List
     plane = ahead.problem.plane
     return Curve(
         kind=kind_of(ahead),
-        names=plane.names,
+        names=(plane.names[0], plane.names[1]),
         values=dict(plane.at(ahead.place)),
-        lower=plane.lower,
-        upper=plane.upper,
+        lower=_pair(np.array(plane.lower)),
+        upper=_pair(np.array(plane.upper)),
         points=(*back.points, *start, *way.points),
         special=special,
         ends=(back.end, way.end),
