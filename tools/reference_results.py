@@ -49,6 +49,7 @@ of every curve N `curve-N.json` (for `--resume`), `curve-N.nc`, `curve-N.csv` |
 | zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf`; \
 of two axes `zone.json`, the boundary as `zone.csv`, `zone.svg`, `zone.pdf` |
 | tolerance | `tolerance.json`, `tolerance.csv`, and of complete work `tolerance.svg`, `tolerance.pdf` |
+| compare | `compare.json`, `compare.csv`, and of complete work `compare.svg`, `compare.pdf` |
 | reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/`, \
 `sweep-omega.nc`, `sweep-omega.json`, `sweep-D.nc`, `sweep-D.json` |
 

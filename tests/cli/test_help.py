@@ -25,6 +25,7 @@ COMMANDS = (
     "graze",
     "zones",
     "tolerance",
+    "compare",
     "reproduce",
     "schema",
 )

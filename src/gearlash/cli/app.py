@@ -9,6 +9,7 @@ from typer.core import TyperGroup
 
 from .commands.branch import branch
 from .commands.check import check
+from .commands.compare import compare
 from .commands.curve import curve
 from .commands.graze import graze
 from .commands.map import map as map_
@@ -81,6 +82,7 @@ for command in (
     graze,
     zones,
     tolerance,
+    compare,
     reproduce,
     schema,
 ):

@@ -17,6 +17,7 @@ ANSWER_KINDS = {
     "plane_zone": "PlaneZoneAnswer",
     "report": "ReportAnswer",
     "tolerance": "ToleranceAnswer",
+    "compare": "CompareAnswer",
     "reproduce": "ReproduceAnswer",
     "problem": "ProblemAnswer",
 }

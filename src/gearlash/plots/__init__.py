@@ -14,6 +14,7 @@ from .histories import triple as history_triple
 from .intervals import Bar, Panel, zones
 from .marks import Mark
 from .mesh_drawing import mesh_drawing
+from .overlay import overlay
 from .plane import plane
 from .plane_lines import PlaneLine
 from .plane_zoned import zone_in_plane
@@ -42,6 +43,7 @@ __all__ = [
     "history",
     "history_triple",
     "mesh_drawing",
+    "overlay",
     "plane",
     "portrait",
     "portrait_triple",

@@ -1,0 +1,158 @@
+"""`gearlash compare`: a measurement beside what is computed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import numpy as np
+
+from gearlash.case import Case
+from gearlash.case.units import pretty
+
+from .parts import CaseUsed, case_used
+
+if TYPE_CHECKING:  # answers are described without the engine
+    from gearlash.cli.measurement import Measurement
+    from gearlash.studies.comparison import Comparison, MeasuredJump
+
+WORDS = {"up": "speed rising", "down": "speed falling", "both": "either way"}
+
+
+@dataclass(frozen=True)
+class ComparedSpeed:
+    """One measured speed, in the units of the measurement."""
+
+    speed: float
+    measured: float
+    up: Annotated[float | None, "computed with speed rising"]
+    down: Annotated[float | None, "computed with speed falling"]
+    label_up: str
+    label_down: str
+    residual: Annotated[float | None, "measured less the nearer of both"]
+
+
+@dataclass(frozen=True)
+class EventNear:
+    """A change of the computed motion beside a measured jump."""
+
+    kind: str
+    direction: Annotated[str, "up, down or both: the way of speed on which it is met"]
+    lower: float
+    upper: float
+    below: str
+    above: str
+
+
+@dataclass(frozen=True)
+class JumpFound:
+    """A jump of the measurement: much larger than most changes from one speed to the next."""
+
+    lower: float
+    upper: float
+    change: float
+    events: Annotated[tuple[EventNear, ...], "within two measured steps of it, the nearest first"]
+
+
+@dataclass(frozen=True)
+class CompareAnswer:
+    """A measurement over speed beside this pair (gearlash compare)."""
+
+    sentence: str
+    status: Annotated[str, "ok, or incomplete where the work was stopped"]
+    message: str
+    case: CaseUsed
+    quantity: str
+    figure: str
+    order: Annotated[float | None, "of the mesh frequency, where one line was measured"]
+    speed_unit: str
+    unit: str
+    points: tuple[ComparedSpeed, ...]
+    bias: Annotated[float | None, "mean of the residuals"]
+    rms: Annotated[float | None, "root mean square of the residuals"]
+    largest: Annotated[float | None, "residual of the largest modulus"]
+    span: Annotated[float, "from the least to the largest measured value"]
+    jumps: tuple[JumpFound, ...]
+    result: Literal["compare"] = "compare"
+
+
+def compare_answer(case: Case, given: Measurement, found: Comparison) -> CompareAnswer:
+    """The record of a comparison, in the units of the measurement."""
+    size, speed = given.value_factor, given.speed_factor
+    residuals = size * found.residuals
+    good = residuals[np.isfinite(residuals)]
+    rows = zip(found.omega, found.measured, found.up, found.down, residuals, found.labels, strict=True)
+    points = tuple(
+        ComparedSpeed(
+            speed=speed * float(omega),
+            measured=size * float(value),
+            up=_known(size * up),
+            down=_known(size * down),
+            label_up=labels[0],
+            label_down=labels[1],
+            residual=_known(residual),
+        )
+        for omega, value, up, down, residual, labels in rows
+    )
+    jumps = tuple(_jump(jump, speed, size) for jump in found.jumps)
+    bias, rms, largest = (
+        (float(good.mean()), float(np.sqrt(np.mean(good**2))), float(good[np.argmax(np.abs(good))]))
+        if len(good)
+        else (None, None, None)
+    )
+    span = size * float(np.ptp(found.measured))
+    return CompareAnswer(
+        sentence=_sentence(given, points, (bias, rms, span), jumps),
+        status="ok" if found.complete else "incomplete",
+        message="" if found.complete else "stopped before all speeds were computed",
+        case=case_used(case),
+        quantity=found.quantity,
+        figure=str(found.figure),
+        order=found.order if found.figure == "order" else None,
+        speed_unit=given.speed_unit,
+        unit=given.value_unit,
+        points=points,
+        bias=bias,
+        rms=rms,
+        largest=largest,
+        span=span,
+        jumps=jumps,
+    )
+
+
+def _known(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
+
+
+def _jump(jump: MeasuredJump, speed: float, size: float) -> JumpFound:
+    found: dict[tuple[str, str, str, str], EventNear] = {}
+    for way, change in jump.events:
+        labels = str(change.label_below), str(change.label_above)
+        name = (change.kind, f"{change.lower:.9g}", *labels)
+        known = found.get(name)
+        direction = way if known is None or known.direction == way else "both"
+        found[name] = EventNear(change.kind, direction, speed * change.lower, speed * change.upper, *labels)
+    events = tuple(found.values())
+    return JumpFound(speed * jump.lower, speed * jump.upper, size * jump.change, events)
+
+
+def _sentence(
+    given: Measurement,
+    points: tuple[ComparedSpeed, ...],
+    residual: tuple[float | None, float | None, float],
+    jumps: tuple[JumpFound, ...],
+) -> str:
+    """Residuals first, then jumps."""
+    bias, rms, span = residual
+    unit = f" {pretty(given.value_unit)}" if given.value_unit else ""
+    reach = f"{points[0].speed:.6g} to {points[-1].speed:.6g} {pretty(given.speed_unit)}".strip()
+    if bias is None or rms is None:
+        return f"{len(points)} speeds from {reach}: no motion was found at any of them"
+    part = f" ({100.0 * rms / span:.0f} % of the measured span)" if span > 0.0 else ""
+    told = (
+        f"{len(points)} speeds from {reach}: residual {rms:.3g}{unit} rms{part}, {bias:+.3g}{unit} on average"
+    )
+    matched = sum(bool(jump.events) for jump in jumps)
+    if jumps:
+        told += f"; {matched} of {len(jumps)} measured jumps lie at an event of the computed motion"
+    return told

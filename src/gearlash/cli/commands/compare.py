@@ -1,0 +1,108 @@
+"""gearlash compare"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from gearlash.cli.exits import ExitCode, command
+from gearlash.cli.options import AsJson, CaseArgument, Out, Settings, Workers
+
+
+@command
+def compare(
+    case: CaseArgument,
+    data: Annotated[
+        str,
+        typer.Argument(
+            metavar="DATA",
+            help="Text file of columns, as instruments and spreadsheets write them: names in the first line, "
+            "units in brackets behind them (speed [rpm]; error [um]).",
+        ),
+    ],
+    quantity: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME",
+            help="What was measured: transmission_error, mesh_force, gap, bearing_force_yp, _zp, _yg, _zg, "
+            "acceleration_yp, _zp, _yg, _zg.",
+        ),
+    ] = "transmission_error",
+    figure: Annotated[
+        str,
+        typer.Option(
+            metavar="FIGURE",
+            help="peak, peak-to-peak, rms (about the mean), mean, or order: the rms of one line.",
+        ),
+    ] = "peak-to-peak",
+    order: Annotated[
+        float, typer.Option(min=1e-6, max=1e4, help="Of the mesh frequency, for --figure order.")
+    ] = 1.0,
+    speed: Annotated[
+        str,
+        typer.Option(metavar="COLUMN", help="Name or number of the column of speeds. [default: the first]"),
+    ] = "",
+    value: Annotated[
+        str, typer.Option(metavar="COLUMN", help="Of the measured values. [default: the next]")
+    ] = "",
+    speed_unit: Annotated[
+        str, typer.Option(metavar="UNIT", help="Of the speeds, where the file does not say it.")
+    ] = "",
+    unit: Annotated[
+        str,
+        typer.Option(metavar="UNIT", help="Of the values, where the file does not say it; dB for levels."),
+    ] = "",
+    reference: Annotated[
+        str, typer.Option(metavar="VALUE", help="What levels in dB refer to: '1 um', '1e-6 m/s^2'.")
+    ] = "",
+    settings: Settings = None,
+    workers: Workers = None,
+    as_json: AsJson = False,
+    out: Out = None,
+) -> ExitCode:
+    """How does a measurement over speed agree with this pair?
+
+    Computes the same figure at the measured speeds, with speed rising and falling, and tells residuals and
+    which measured jumps lie at which events of the computed motion. --out writes compare.json, compare.csv
+    and the overlay as SVG and PDF.
+    """
+    from gearlash.cli.frame import deliver
+    from gearlash.cli.inputs import read_case
+
+    asked = read_case(case, settings)
+
+    from gearlash.cli.folder import claim_if
+    from gearlash.cli.notice import load_engine
+
+    folder = claim_if(out, [f"compare.{ending}" for ending in ("json", "csv", "svg", "pdf")])
+    load_engine(data=folder is not None)
+
+    from gearlash.cli.answers.compare import compare_answer
+    from gearlash.cli.interrupt import expect_results
+    from gearlash.cli.measurement import Asked, read_measurement
+    from gearlash.cli.progress import progress_bar
+    from gearlash.cli.workers import executor_for
+    from gearlash.jobs import Execution
+    from gearlash.studies.comparison import compare as study
+    from gearlash.studies.comparison import known_quantities
+    from gearlash.system import UnknownNameError
+
+    known = known_quantities(asked)
+    if quantity not in known:
+        raise UnknownNameError("quantity", quantity, known)
+    options = Asked(speed, value, speed_unit, unit, reference)
+    given = read_measurement(asked, data, known[quantity].quantity, options)
+    expect_results()
+    with executor_for(asked, workers, 2 * len(given.omega)) as executor, progress_bar("speeds") as progress:
+        execution = Execution(executor, progress=progress)
+        found = study(asked, given.omega, given.values, quantity, figure, order=order, execution=execution)
+    answer = compare_answer(asked, given, found)
+
+    def keep() -> None:
+        if folder:
+            from gearlash.cli.compare_files import write_compare
+
+            write_compare(folder, asked, found, answer)
+
+    return deliver(answer, as_json, keep)

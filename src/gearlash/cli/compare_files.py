@@ -1,0 +1,52 @@
+"""What `gearlash compare` keeps in the folder of --out."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from gearlash.case import Case
+from gearlash.results.store import write_together
+
+from .files import draw_if
+from .folder import OutFolder
+from .jsonio import text
+
+if TYPE_CHECKING:
+    from gearlash.studies.comparison import Comparison
+
+    from .answers.compare import CompareAnswer
+
+
+def write_compare(folder: OutFolder, case: Case, found: Comparison, answer: CompareAnswer) -> None:
+    """The answer (JSON), a row for each speed (CSV) and, where all was computed, the overlay."""
+    unit = f" [{answer.unit}]" if answer.unit else ""
+    speed = f"speed [{answer.speed_unit}]" if answer.speed_unit else "omega"
+    names = (speed, f"measured{unit}", f"rising{unit}", f"falling{unit}", f"residual{unit}", "motion rising",
+             "motion falling")  # fmt: skip
+    rows = [
+        ",".join(
+            [
+                *("" if x is None else repr(x) for x in (p.speed, p.measured, p.up, p.down, p.residual)),
+                p.label_up,
+                p.label_down,
+            ]
+        )
+        for p in answer.points
+    ]
+    lines = "\n".join([",".join(f'"{name}"' for name in names), *rows]) + "\n"
+    contents = {
+        folder.file("compare.json"): text(answer).encode("utf-8"),
+        folder.file("compare.csv"): lines.encode("utf-8"),
+    }
+    write_together(contents, instead_of=[folder.file(f"compare.{kind}") for kind in ("svg", "pdf")])
+    words = answer.quantity.replace("_", " ")
+    order = f" {answer.order:g}" if answer.order is not None else ""
+    draw_if(
+        folder, "compare", found.complete,
+        lambda plots: plots.overlay(
+            [p.speed for p in answer.points], [p.measured for p in answer.points],
+            [p.up for p in answer.points], [p.down for p in answer.points],
+            speed.replace("omega", "ω"), f"{words}, {answer.figure}{order}{unit}",
+            f"{case.name}: measured and computed", [(jump.lower, jump.upper) for jump in answer.jumps],
+        ),
+    )  # fmt: skip

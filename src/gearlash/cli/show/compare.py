@@ -1,0 +1,66 @@
+"""A comparison with a measurement in the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.text import Text
+
+from gearlash.case.units import pretty
+from gearlash.cli.answers.compare import WORDS, CompareAnswer, EventNear
+
+from .layout import facts, headline, note, table
+
+SHOWN = 24  # rows
+
+
+def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
+    """Sentence, jumps with their events, then the speeds."""
+    yield from headline(answer.sentence, width)
+    if answer.status != "ok":
+        yield from facts("", [("status", answer.status), ("message", answer.message)], width)
+    unit = f" {pretty(answer.unit)}" if answer.unit else ""
+    speed = f" {pretty(answer.speed_unit)}" if answer.speed_unit else ""
+    if answer.jumps:
+        rows = [
+            (
+                f"{jump.lower:.6g} to {jump.upper:.6g}{speed}",
+                f"{jump.change:+.3g}{unit}: "
+                + ("; ".join(_event(e, speed) for e in jump.events) or "no event near"),
+            )
+            for jump in answer.jumps
+        ]
+        yield from facts("Measured jumps, upwards in speed", rows, width)
+    columns = [(answer.speed_unit or "omega", "right"), ("measured", "right"), ("rising", "right"),
+               ("falling", "right"), ("residual", "right"), ("motions", "left")]  # fmt: skip
+    step = max(1, -(-len(answer.points) // SHOWN))
+    rows_ = [
+        [
+            f"{p.speed:.6g}",
+            f"{p.measured:.4g}",
+            _number(p.up),
+            _number(p.down),
+            _number(p.residual),
+            p.label_up if p.label_up == p.label_down else f"{p.label_up} | {p.label_down}",
+        ]
+        for p in answer.points[::step]
+    ]
+    order = f" {answer.order:g}" if answer.order is not None else ""
+    title = f"{answer.quantity}, {answer.figure}{order}{f' [{pretty(answer.unit)}]' if answer.unit else ''}"
+    yield from table(title, columns, rows_, width)
+    yield from note(
+        "Residuals are to the nearer of both computed motions. A jump is a change of the measurement of more "
+        "than five times its median change and a tenth of its span; events are changes of the computed "
+        "motion within two measured steps of it. That an event made a jump is not shown by that.",
+        width,
+    )
+
+
+def _event(event: EventNear, speed: str) -> str:
+    return (
+        f"{event.kind} at {event.lower:.6g}{speed}, {event.below} | {event.above}, {WORDS[event.direction]}"
+    )
+
+
+def _number(value: float | None) -> str:
+    return "-" if value is None else f"{value:.4g}"

@@ -1,0 +1,73 @@
+"""A measurement over speed, laid over what is computed; residuals below."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from . import style
+from .units import literal
+
+JUMP_SHADE = "0.88"
+
+
+@style.styled
+def overlay(
+    speed: Sequence[float],
+    measured: Sequence[float],
+    up: Sequence[float | None],
+    down: Sequence[float | None],
+    speed_label: str,
+    label: str,
+    title: str = "",
+    jumps: Sequence[tuple[float, float]] = (),
+) -> Figure:
+    """Measured dots over computed lines, and what is left.
+
+    Parameters
+    ----------
+    speed, measured : sequence of float
+    up, down : sequence of float or None
+        Computed with speed rising and falling.
+    speed_label, label : str
+        Of the axes, with units.
+    title : str
+    jumps : sequence of (float, float)
+        Intervals in which the measurement jumps.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> from gearlash import plots
+    >>> figure = plots.overlay([1, 2], [3.0, 4.0], [3.1, 4.1], [3.1, None], "speed [rpm]", "force [N]")
+    >>> len(figure.axes)
+    2
+    """
+    rising, falling = (np.array([np.nan if x is None else x for x in row], float) for row in (up, down))
+    values = np.asarray(measured, float)
+    figure = style.figure(style.PAGE, 110.0)
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
+    upper.plot(speed, rising, color=style.BLUE, lw=1.0, label="computed, speed rising")
+    upper.plot(
+        speed, falling, color=style.VERMILION, lw=1.0, ls=(0, (4, 1.5)), label="computed, speed falling"
+    )
+    upper.plot(speed, values, "o", color=style.INK, ms=2.4, mfc="white", mew=0.7, label="measured")
+    for row, colour, marker in ((rising, style.BLUE, "o"), (falling, style.VERMILION, "s")):
+        lower.plot(speed, values - row, marker, color=colour, ms=2.0)
+    for low, high in jumps:
+        for panel in (upper, lower):
+            panel.axvspan(low, high, color=JUMP_SHADE, lw=0, zorder=0.1)
+    lower.axhline(0.0, color=style.INK, lw=0.6)
+    upper.set_ylabel(literal(label))
+    lower.set_ylabel("measured less\ncomputed")
+    lower.set_xlabel(literal(speed_label + ("   (grey: measured jumps)" if jumps else "")))
+    upper.legend(loc="best")
+    style.align_labels([upper, lower], 13.0)
+    if title:
+        upper.set_title(literal(title), pad=6.0)
+    return figure

@@ -1,0 +1,105 @@
+"""gearlash compare: a synthetic measurement with known parameters, units of columns, levels, refusals."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import gearlash as gl
+from cli.conftest import Gearlash
+from gearlash.orbits.figures import Figure, figure_of
+from gearlash.studies.comparison import compare, known_quantities
+from gearlash.studies.measured import readouts_of
+
+DRIVE = Path(__file__).parents[1] / "cases" / "drive.toml"
+RPM = np.array([4000.0, 4050.0, 4080.0, 4130.0, 4160.0, 4200.0])
+
+
+@pytest.fixture(scope="module")
+def case() -> gl.Case:
+    return gl.load_case(DRIVE)
+
+
+def omega_of(case: gl.Case, rpm: np.ndarray) -> np.ndarray:
+    return rpm / float(case.scales.pinion_rpm(1.0))
+
+
+def test_what_the_pair_does_itself_leaves_nothing(case: gl.Case, gearlash: Gearlash, tmp_path: Path):
+    omega = omega_of(case, RPM)
+    stepped = compare(
+        case, omega, np.where(RPM > 4114.0, 50.0, 1.0) + 0.01 * np.arange(6), "mesh_force", "peak"
+    )
+    (jump,) = stepped.jumps
+    assert jump.lower == pytest.approx(omega[2])
+    events = [(way, change.value * float(case.scales.pinion_rpm(1.0))) for way, change in jump.events]
+    assert {way for way, value in events if abs(value - 4114.0811) < 1e-3} == {"up", "down"}
+    made = compare(case, omega, np.arange(6.0), "transmission_error").up
+    values = made * float(case.scales.length_um(1.0))
+    lines = [f"{a:.0f};{b!r}".replace(".", ",") for a, b in zip(RPM.tolist(), values.tolist(), strict=True)]
+    (tmp_path / "te.csv").write_text("Drehzahl [rpm];DTE [µm]\n" + "\n".join(lines))
+    out = tmp_path / "out"
+    ran = gearlash("compare", str(DRIVE), str(tmp_path / "te.csv"), "--workers", "1", "--out", str(out))
+    assert ran.code == 0, ran.err
+    answer = json.loads((out / "compare.json").read_text())
+    assert answer["rms"] < 1e-9 * answer["span"]
+    assert (answer["unit"], answer["speed_unit"]) == ("µm", "rpm")
+    assert (out / "compare.svg").exists()
+    assert len((out / "compare.csv").read_text().splitlines()) == 7
+
+
+def test_levels_and_orders_and_accelerations(case: gl.Case, gearlash: Gearlash, tmp_path: Path):
+    omega = omega_of(case, RPM[-2:])
+    rows = compare(case, omega, [1.0, 2.0], "acceleration_yp", "order", order=1.0).up
+    size = float(case.scales.length_m(1.0)) * float(case.scales.omega_n or 0.0) ** 2
+    levels = 20.0 * np.log10(rows * size / 1e-6)
+    text = "\n".join(f"{a} {b!r}" for a, b in zip(RPM[-2:].tolist(), levels.tolist(), strict=True))
+    (tmp_path / "a.txt").write_text(text)
+    asked = ("--quantity", "acceleration_yp", "--figure", "order", "--speed-unit", "rpm", "--unit", "dB",
+             "--reference", "1e-6 m/s^2")  # fmt: skip
+    ran = gearlash("compare", str(DRIVE), str(tmp_path / "a.txt"), *asked, "--workers", "1", "--json")
+    assert ran.code == 0, ran.err
+    assert ran.answer["rms"] < 1e-9 * ran.answer["points"][0]["measured"]
+    assert ran.answer["unit"] == "m/s^2"
+
+
+def test_lines_and_rms_agree_with_samples(case: gl.Case):
+    """All lines together have the power of the signal (Parseval); the acceleration is that of the state."""
+    family = case.family()[0]
+    values = family.complete({})
+    found = gl.attractor(family.system(values), family.start(values))
+    assert isinstance(found, gl.Orbit)
+    trace = gl.trace(family.system(values), found.state, found.period)
+    readouts, known = readouts_of(case, values), known_quantities(case)
+    for name in ("transmission_error", "bearing_force_yp", "acceleration_yp"):
+        rms = figure_of(trace, readouts, known[name], Figure.RMS)
+        lines = [figure_of(trace, readouts, known[name], Figure.ORDER, n) for n in range(1, 13)]
+        assert np.sqrt(np.sum(np.square(lines))) == pytest.approx(rms, rel=1e-4)
+    phase = np.linspace(0.1, 0.9, 7)
+    step = 1e-5
+    speeds = [trace.at(phase + sign * step).state[:, 1] for sign in (1.0, -1.0)]
+    slope = (speeds[0] - speeds[1]) / (2.0 * step) * values["omega"] / (2.0 * np.pi)
+    peak = figure_of(trace, readouts, known["acceleration_yp"], Figure.PEAK)
+    assert np.abs(slope).max() <= peak * (1.0 + 1e-6)
+    assert np.abs(slope).max() > 0.5 * peak
+
+
+@pytest.mark.parametrize(
+    ("text", "options", "message"),
+    [
+        ("1;2\n3;4", (), "the unit of the speeds"),
+        ("n [rpm];x\n1000;2\n2000;4", (), "the unit of the values"),
+        ("n [rpm];x [N]\n1000;2\n2000;4", (), "a unit of it, such as um"),
+        ("n [rpm];x [dB]\n1000;2\n2000;4", (), "what the levels refer to"),
+        ("n [rpm];x [um]\n1000;2\n2000;4", ("--value", "y"), "the name or number of a column"),
+        ("n [rpm];x [um]\n1000;2\n2000;4", ("--quantity", "mesh_forc"), "did you mean 'mesh_force'"),
+        ("n [rpm];x [um]\n1000;2\n2000;4", ("--figure", "p2p"), "peak-to-peak"),
+        ("n [rpm];x [um]\n1000;a\n2000;4", (), "no columns of numbers"),
+    ],
+)
+def test_what_cannot_be_read_is_said(gearlash: Gearlash, tmp_path: Path, text: str, options: tuple[str, ...],
+                                     message: str):  # fmt: skip
+    (tmp_path / "m.csv").write_text(text)
+    ran = gearlash("compare", str(DRIVE), str(tmp_path / "m.csv"), *options, "--workers", "1")
+    assert ran.code == 2
+    assert message in ran.complaint
