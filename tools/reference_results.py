@@ -50,8 +50,6 @@ of every curve N `curve-N.json` (for `--resume`), `curve-N.nc`, `curve-N.csv` |
 of two axes `zone.json`, the boundary as `zone.csv`, `zone.svg`, `zone.pdf` |
 | tolerance | `tolerance.json`, `tolerance.csv`, and of complete work `tolerance.svg`, `tolerance.pdf` |
 | compare | `compare.json`, `compare.csv`, and of complete work `compare.svg`, `compare.pdf` |
-| report | `report.html`, `report.json`, `verdict.json`, `figures/`, `speed`, `history-nominal`, `history-hardest`, \
-`spectrum-nominal` and `spectrum-hardest` as `.csv` and `.nc` |
 | reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/`, \
 `sweep-omega.nc`, `sweep-omega.json`, `sweep-D.nc`, `sweep-D.json` |
 
