@@ -127,6 +127,7 @@ SNAPSHOT = [
     "Zones",
     "__version__",
     "atlas",
+    "atlas_dataset",
     "attractor",
     "branch_dataset",
     "bundled",

@@ -140,6 +140,9 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         StraightPiece as StraightPiece,
         Undone as Undone,
     )
+    from .results.atlas_dataset import (
+        atlas_dataset as atlas_dataset,
+    )
     from .results.branch_dataset import (
         branch_dataset as branch_dataset,
     )
@@ -378,6 +381,7 @@ _PUBLIC = {
         "StraightPiece",
         "Undone",
     ),
+    "gearlash.results.atlas_dataset": ("atlas_dataset",),
     "gearlash.results.branch_dataset": ("branch_dataset",),
     "gearlash.results.branch_file": ("load_branch", "save_branch"),
     "gearlash.results.curve_dataset": ("curve_dataset",),

@@ -169,6 +169,7 @@ def calls() -> tuple[Call, ...]:
             "model": spur, "x": corners[0], "y": corners[1], "values": {}, "curves": 1, "lines": 0,
             "depth": 0, "longest": 2, "seconds": 60.0, "start": [0.0, 0.0], "settings": QUICK,
             "execution": execution}),
+        Call("atlas_dataset", gl.atlas_dataset, {"model": spur, "atlas": drawn}),
         Call("Atlas.of_kind", drawn.of_kind, {"kind": "fold"}),
         Call("LabelChangeKind", gl.LabelChangeKind, {"value": "curve"}),
         Call("plane_zone", gl.plane_zone, {

@@ -34,6 +34,7 @@ COMMANDS = {
     "sweep": ("sweep", "kahraman-singh", "--over", OVER),
     "sweep-short": ("sweep", "kahraman-singh", "--over", "omega=0.5:1.4:31"),
     "map": ("map", "kahraman-singh", "--over", "omega=0.5:1.4:200", "--over", "D=0.2:1.2:100"),
+    "atlas": ("atlas", "kahraman-singh", "--over", "omega=0.5:1.4:41", "--over", "D=0.1:1.2:41"),
     "branch": ("branch", "article", *("--set", "omega=0.78", "--near", "0.37"), *LONG),
     "graze": ("graze", "article"),
     "graze-far": ("graze", "kahraman-singh", "--set", "omega=0.5"),
@@ -42,7 +43,7 @@ COMMANDS = {
     "reproduce": ("reproduce", "--points", "1001"),
     "schema": ("schema",),
 }
-PARALLEL = ("sweep", "sweep-short", "map", "zones", "zones-short", "reproduce")
+PARALLEL = ("atlas", "sweep", "sweep-short", "map", "zones", "zones-short", "reproduce")
 WITHOUT_FILES = ("check", "schema")
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129, signal.SIGKILL: -9}
 KEEPS = "keeping what was computed"

@@ -22,6 +22,7 @@ COMMANDS = (
     "map",
     "branch",
     "curve",
+    "atlas",
     "graze",
     "zones",
     "tolerance",

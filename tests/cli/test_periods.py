@@ -10,6 +10,7 @@ OVER = {
     "graze": (),
     "sweep": ("--over", "omega=0.5:0.6:2", "--cold", "--workers", "1"),
     "map": ("--over", "omega=0.5:0.6:2", "--over", "load=0.1:0.2:2", "--workers", "1"),
+    "atlas": ("--over", "omega=0.5:0.6", "--over", "load=0.1:0.2", "--workers", "1"),
     "zones": ("--over", "omega=0.5:0.6:2", "--workers", "1"),
 }
 

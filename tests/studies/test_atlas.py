@@ -114,7 +114,7 @@ def test_the_budget_leaves_the_rest_and_says_so():
     x, y = gl.Axis.even("omega", 0.65, 0.85, 3), gl.Axis.even("D", 0.5, 1.1, 2)
     found = gl.atlas(gl.load_case(KS), x, y, lines=1, curves=1)
     assert (found.tried, len(found.curves), found.complete) == (1, 1, True)
-    left = [each for each in found.undone if each.why == "the budget of 1 curves was spent"]
+    left = [each for each in found.undone if each.why == "the budget of 1 curve was spent"]
     assert {each.what for each in left} == {"curve of kind fold"}
     assert {round(each.values[0], 4) for each in left} == {0.708, 0.8285}
 

@@ -7,6 +7,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
+from .commands.atlas import atlas
 from .commands.branch import branch
 from .commands.check import check
 from .commands.compare import compare
@@ -79,6 +80,7 @@ for command in (
     map_,
     branch,
     curve,
+    atlas,
     graze,
     zones,
     tolerance,

@@ -12,6 +12,7 @@ ANSWER_KINDS = {
     "map": "MapAnswer",
     "branch": "BranchAnswer",
     "curve": "CurveAnswer",
+    "atlas": "AtlasAnswer",
     "graze": "GrazeAnswer",
     "zones": "ZonesAnswer",
     "plane_zone": "PlaneZoneAnswer",

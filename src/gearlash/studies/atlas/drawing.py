@@ -81,7 +81,8 @@ class Drawing:
                 chosen.setdefault((seed.period, DRAWN.index(seed.kind), seed.doubled), seed)
             batch = [chosen[key] for key in sorted(chosen)][: self.most - self.tried]
             if not batch or self.reason:
-                why = self.reason or f"the budget of {self.most} curves was spent"
+                plural = "" if self.most == 1 else "s"
+                why = self.reason or f"the budget of {self.most} curve{plural} was spent"
                 self.left += [(seed, why) for seed in open_]
                 return
             self._follow(batch)

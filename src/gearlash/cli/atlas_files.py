@@ -1,0 +1,53 @@
+"""What `gearlash atlas` keeps in the folder of --out."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from gearlash.case import Case
+from gearlash.case.units import pretty
+from gearlash.results.atlas_dataset import atlas_dataset
+from gearlash.results.curve_file import curve_text
+from gearlash.results.store import netcdf, write_together
+
+from .files import draw_if
+from .folder import OutFolder
+from .jsonio import text
+
+if TYPE_CHECKING:
+    from gearlash.results.atlas import Atlas
+
+    from .answers.atlas import AtlasAnswer
+    from .answers.sweep import AxisUsed
+
+
+def write_atlas(folder: OutFolder, case: Case, found: Atlas, answer: AtlasAnswer) -> None:
+    """Map and curves (NetCDF), the answer (JSON), every curve as a file to go on from (JSON), and the figure
+    as SVG and PDF, where there is a curve."""
+    contents: dict[Any, bytes | memoryview] = {
+        folder.file("atlas.nc"): netcdf(atlas_dataset(case, found)),
+        folder.file("atlas.json"): text(answer).encode("utf-8"),
+    }
+    for i, each in enumerate(found.curves, 1):
+        contents[folder.file(f"curve-{i}.json")] = curve_text(each.curve, case)
+    older = [path for path in folder.path.glob("curve-*.json") if folder.owns(path.name)]
+    gone = [path for path in older if path not in contents]
+    write_together(contents, instead_of=[*gone, folder.file("atlas.svg"), folder.file("atlas.pdf")])
+    draw_if(folder, "atlas", bool(found.curves), lambda plots: _figure(plots, case, found, answer))
+
+
+def _figure(plots: Any, case: Case, found: Atlas, answer: AtlasAnswer) -> Any:
+    title = f"Atlas of {case.name} over {answer.x.asked.title} and {answer.y.asked.title}"
+    if not found.complete:
+        title += " (incomplete)"
+    along = [_twin(plots, axis) for axis in (answer.x, answer.y)]
+    return plots.atlas_diagram(found, case, title=title, along=along)
+
+
+def _twin(plots: Any, axis: AxisUsed) -> Any:
+    """The scale of a parameter in the unit that it was asked for in; None where it has none."""
+    asked = axis.asked
+    if not asked.unit:
+        return None
+    rests = any(each.rests_on for each in axis.physical_lower if each.name == asked.name)
+    return plots.Twin(asked.factor, asked.title, pretty(asked.unit), rests)

@@ -1,0 +1,151 @@
+"""Atlases in the terminal."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+from rich.text import Text
+
+from gearlash.case.units import pretty
+from gearlash.cli.answers.asked import Asked
+from gearlash.cli.answers.atlas import AtlasAnswer, CurveFound, StraightFound
+from gearlash.results.atlas import LabelChangeKind
+
+from .layout import facts, headline, note, table
+from .numbers import number
+
+MOST_CURVES, MOST_POINTS, MOST_LEFT = 60, 60, 20  # lines; all of them are in --json
+DIGITS = 8  # of what was solved for
+MEANING = {
+    LabelChangeKind.CURVE: "a curve of these motions lies between the two pixels",
+    LabelChangeKind.COEXIST: "both attract at one of the two pixels, certified",
+    LabelChangeKind.POINT: "special points were solved for between them, whose curves are not drawn",
+    LabelChangeKind.APERIODIC: "on one side nothing periodic was proved",
+    LabelChangeKind.NONE: "nothing that was found says why",
+}
+
+
+def atlas_view(answer: AtlasAnswer, width: int) -> Iterator[Text]:
+    """Sentence, curves, points, the check, and what was left undone."""
+    yield from headline(answer.sentence, width)
+    if answer.status != "ok":
+        rows = [("status", answer.status), ("message", answer.message)]
+        yield from facts("", [row for row in rows if row[1]], width)
+    yield from _curves(answer, width)
+    yield from _points(answer, width)
+    yield from _check(answer, width)
+    yield from _undone(answer, width)
+    yield from note(
+        "An atlas has what was found: motions that neither its map nor its sweeps show are not in it.", width
+    )
+
+
+def _curves(answer: AtlasAnswer, width: int) -> Iterator[Text]:
+    if not answer.curves:
+        return
+    shown = answer.curves[:MOST_CURVES]
+    columns = [("", "right"), ("kind", "left"), ("motion", "left"), ("attracts", "right"), ("ends", "left")]
+    rows = [
+        [
+            str(curve.number),
+            str(curve.kind),
+            _labels(curve),
+            f"{100.0 * curve.attracting / curve.points:.0f} %",
+            "; ".join([*_ends(answer, curve), *(_straight(answer, each) for each in curve.straight)]),
+        ]
+        for curve in shown
+    ]
+    yield from table(_title("Curves", len(shown), len(answer.curves)), columns, rows, width)
+
+
+def _labels(curve: CurveFound) -> str:
+    first = ", ".join(map(str, curve.labels[:2]))
+    left = len(curve.labels) - 2
+    return f"{first} + {left}" if left > 0 else first
+
+
+def _ends(answer: AtlasAnswer, curve: CurveFound) -> list[str]:
+    kinds = dict.fromkeys(str(end.kind) for end in curve.ends)
+    if list(kinds) == ["limit of a parameter"]:
+        return ["from limit to limit"]
+    if len(kinds) == 1 and next(iter(kinds)).startswith("closed"):
+        return ["closed loop"]
+    return [f"{end.kind} at {_place(answer, end.values)}" for end in curve.ends]
+
+
+def _straight(answer: AtlasAnswer, piece: StraightFound) -> str:
+    one, other = answer.x.asked, answer.y.asked
+    free, held = (other, one) if piece.name == answer.y.name else (one, other)
+    span = free.span(piece.lower, piece.upper)
+    return f"straight: {held.text(piece.value, DIGITS)} for {span}"
+
+
+def _points(answer: AtlasAnswer, width: int) -> Iterator[Text]:
+    if not answer.points:
+        return
+    shown = answer.points[:MOST_POINTS]
+    x, y = answer.x.asked, answer.y.asked
+    columns = [
+        ("", "right"), (_heading(x), "right"), (_heading(y), "right"), ("motion", "left"),
+        ("curves", "left"), ("kind", "left"),
+    ]  # fmt: skip
+    rows = [
+        [
+            each.number,
+            number(x.value(each.values[0]), DIGITS),
+            number(y.value(each.values[1]), DIGITS),
+            str(each.label),
+            ", ".join(map(str, each.curves)),
+            str(each.kind),
+        ]
+        for each in shown
+    ]
+    title = _title("Points where two things happen at once", len(shown), len(answer.points))
+    yield from table(title, columns, rows, width)
+
+
+def _check(answer: AtlasAnswer, width: int) -> Iterator[Text]:
+    rows = [(str(count), MEANING[kind]) for kind, count in answer.changes.items() if count]
+    if not rows:
+        return
+    yield from facts("Changes of motion between neighbouring pixels of the map", rows, width)
+    shown = answer.not_explained[:MOST_LEFT]
+    if shown:
+        lines = [
+            [
+                f"{_place(answer, each.values[0])} to {_place(answer, each.values[1])}",
+                f"{each.labels[0]} | {each.labels[1]}",
+                each.note,
+            ]
+            for each in shown
+        ]
+        title = _title("Not explained", len(shown), len(answer.not_explained))
+        yield from table(title, [("between", "left"), ("motions", "left"), ("", "left")], lines, width)
+
+
+def _undone(answer: AtlasAnswer, width: int) -> Iterator[Text]:
+    """What was left undone, what is alike together."""
+    alike = Counter((each.what, each.why) for each in answer.undone)
+    if not alike:
+        return
+    first = {(each.what, each.why): each for each in reversed(answer.undone)}
+    shown = list(alike.items())[:MOST_LEFT]
+    rows = [
+        [str(count), what, f"{first[what, why].label or ''}", _place(answer, first[what, why].values), why]
+        for (what, why), count in shown
+    ]
+    columns = [("count", "right"), ("what", "left"), ("the first", "left"), ("at", "left"), ("why", "left")]
+    yield from table(_title("Left undone", len(shown), len(alike)), columns, rows, width)
+
+
+def _place(answer: AtlasAnswer, values: tuple[float, float]) -> str:
+    return f"{answer.x.asked.text(values[0])}, {answer.y.asked.text(values[1])}"
+
+
+def _heading(asked: Asked) -> str:
+    return f"{asked.title}, {pretty(asked.unit)}" if asked.unit else asked.name
+
+
+def _title(what: str, shown: int, every: int) -> str:
+    return what if shown == every else f"{what}; the first {shown} of {every} (--json has all)"
