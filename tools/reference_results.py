@@ -45,6 +45,7 @@ FOLDER = """\
 `branch-N.json` (for `--resume`), `branch-N.nc`, `branch-N.csv` |
 | curve | `curve.json`, `special.csv`, `curve.svg`, `curve.pdf`, the branch begun at as `branch-1.json`, and \
 of every curve N `curve-N.json` (for `--resume`), `curve-N.nc`, `curve-N.csv` |
+| atlas | `atlas.nc`, `atlas.json`, `atlas.svg`, `atlas.pdf`, and of every curve N `curve-N.json` |
 | graze | `graze.json` |
 | zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf`; \
 of two axes `zone.json`, the boundary as `zone.csv`, `zone.svg`, `zone.pdf` |
@@ -87,6 +88,10 @@ Coordinates and attributes are those of a sweep; `reasons` (JSON) lists row, col
 failed pixel.
 """
 BRANCHES = """\
+`atlas.nc` is the map behind the atlas (as `map.nc`) with two more dimensions: along `curve_point` lie the orbits of all
+curves (`curve` is the number, `curve_x` and `curve_y` are the parameters), along `two` the points where two things
+happen at once. `curve-N.json` is what `gearlash.load_curve` reads.
+
 `branch-N.nc` has the dimension `point`, the orbits in their order along the branch: the parameter, a
 coordinate, may turn round. Further ones are `state_name`, `strobe`, `multiplier`, and `special` and `end`
 for the special points (`special_value`, `special_kind` …) and both ends. `branch-N.csv` is the table of its

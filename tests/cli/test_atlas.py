@@ -38,8 +38,8 @@ def test_in_words(gearlash: Gearlash):
     words = " ".join(ran.out.split())
     assert (ran.code, ran.err) == (0, "")
     assert words.startswith(
-        "omega from 0.81 to 0.83 and D from 0.9 to 1.1: 2 curves found (1 of kind fold, 1 of kind grazing); 0 "
-        "points where two things happen at once; changes of motion between neighbouring pixels of the map "
+        "omega from 0.81 to 0.83 and D from 0.9 to 1.1: 2 curves found (1 of kind fold, 1 of kind grazing); "
+        "0 points where two things happen at once; changes of motion between neighbouring pixels of the map "
         "unexplained: 0 of 2"
     )
     assert "straight: omega = 0.82063109 for D from 0.9 to 1.1" in words

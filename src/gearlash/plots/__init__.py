@@ -5,6 +5,7 @@ bytes.
 """
 
 from .around_point import around_point
+from .atlas_diagram import atlas_diagram
 from .bifurcation import diagram
 from .branch_diagram import branch_diagram
 from .curve_diagram import curve_diagram
@@ -35,6 +36,7 @@ __all__ = [
     "Twin",
     "Units",
     "around_point",
+    "atlas_diagram",
     "branch_diagram",
     "curve_diagram",
     "diagram",

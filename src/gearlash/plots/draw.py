@@ -11,11 +11,13 @@ from gearlash.branches.curves import Curve
 from gearlash.case import Case
 from gearlash.orbits import Aperiodic, Orbit
 from gearlash.results import PlaneMap, Sweep, plane_dataset, sweep_dataset
+from gearlash.results.atlas import Atlas
 from gearlash.results.branch_dataset import branch_dataset
 from gearlash.studies import Zones
 from gearlash.studies.motion import Motion, motion
 from gearlash.system import Family, GearlashError, given
 
+from .atlas_diagram import atlas_diagram
 from .bifurcation import diagram
 from .branch_diagram import branch_diagram
 from .curve_diagram import curve_diagram
@@ -31,7 +33,7 @@ def draw(result: Any, model: Case | Family | None = None) -> Figure:
 
     Parameters
     ----------
-    result : Orbit, Aperiodic, Motion, Sweep, Zones, PlaneMap, Branch, Curve, or sequence of the like
+    result : Orbit, Aperiodic, Motion, Sweep, Zones, PlaneMap, Branch, Curve, Atlas, or sequence of the like
         A motion is drawn as its phase portrait, sweeps and zones as a bifurcation diagram, a map as a plane,
         branches over their parameter, curves in the plane of theirs. There may be several sweeps, branches or
         curves.
@@ -64,13 +66,15 @@ def draw(result: Any, model: Case | Family | None = None) -> Figure:
     if isinstance(result, Motion):
         return portrait(result, units)
     sweeps, branches, curves = _sweeps(result), _several(result, Branch), _several(result, Curve)
-    if not (sweeps or branches or curves or isinstance(result, PlaneMap)):
-        expected = "an attractor, a Motion, sweeps, Zones, a PlaneMap, branches or curves"
+    if not (sweeps or branches or curves or isinstance(result, PlaneMap | Atlas)):
+        expected = "an attractor, a Motion, sweeps, Zones, a PlaneMap, branches, curves or an Atlas"
         raise GearlashError(f"nothing to draw: expected {expected}, not {given.kind_of(result)}")
     if model is None:
         raise GearlashError(f"{given.kind_of(result)} is drawn with its case or family: draw(result, case)")
     if isinstance(result, PlaneMap):
         return plane(plane_dataset(model, result), units)
+    if isinstance(result, Atlas):
+        return atlas_diagram(result, model)
     if branches:
         return branch_diagram([branch_dataset(model, each) for each in branches], units=units)
     if curves:

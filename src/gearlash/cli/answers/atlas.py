@@ -6,11 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
-from gearlash.branches.continuation import SpecialKind
-from gearlash.branches.curves import CodimTwoKind, CurveEndKind
 from gearlash.case import Case
-from gearlash.results.atlas import LabelChangeKind
-from gearlash.system import Label, Signature, Status
+from gearlash.system import Label, Status
 
 from .excitation import idle_study
 from .outcome import PIXELS, study_status
@@ -27,7 +24,7 @@ Place = Annotated[tuple[float, float], "values of the two parameters, dimensionl
 class CurveEnd:
     """Why a curve is not followed farther."""
 
-    kind: CurveEndKind
+    kind: Annotated[str, "such as limit of a parameter, or closed loop"]
     values: Place
     note: str
 
@@ -47,9 +44,9 @@ class CurveFound:
     """A curve; its orbits are in curve-N.json of --out."""
 
     number: int
-    kind: SpecialKind
+    kind: Annotated[str, "grazing, fold, doubling or Neimark-Sacker"]
     period: Annotated[int, "of its orbits, in mesh cycles"]
-    labels: Annotated[tuple[Signature, ...], "of its orbits in order, each once; what touches is not counted"]
+    labels: Annotated[tuple[Label, ...], "of its orbits in order, each once; what touches is not counted"]
     points: Annotated[int, "orbits that were solved for"]
     attracting: Annotated[int, "those of them that no multiplier outside the unit circle makes unstable"]
     ends: tuple[CurveEnd, ...]
@@ -62,10 +59,10 @@ class PointFound:
     """A point at which two things happen at once."""
 
     number: Annotated[str, "that of the first curve with it, and its own on that curve"]
-    kind: CodimTwoKind
+    kind: Annotated[str, "what two things happen"]
     values: Place
     errors: Annotated[tuple[float, float], "estimates of their errors"]
-    label: Annotated[Signature, "of its orbit; what touches is not counted"]
+    label: Annotated[Label, "of its orbit; what touches is not counted"]
     solved: Annotated[bool, "whether both conditions were solved for together"]
     curves: Annotated[tuple[int, ...], "numbers of the curves on which it was found"]
 
@@ -74,9 +71,9 @@ class PointFound:
 class ChangeFound:
     """Neighbouring pixels whose motions differ, unexplained or with special points that have no curve."""
 
-    kind: LabelChangeKind
+    kind: Annotated[str, "unexplained, or special point without a curve"]
     values: Annotated[tuple[Place, Place], "of both pixels"]
-    labels: Annotated[tuple[Label | None, Label | None], "of both"]
+    labels: Annotated[tuple[str, str], "of both; empty without a motion"]
     note: Annotated[str, "what else is known"]
 
 
@@ -85,7 +82,7 @@ class LeftUndone:
     """What was left undone."""
 
     what: str
-    label: Annotated[Label | None, "of the motion"]
+    label: Annotated[str, "of the motion; empty where none is told"]
     values: Place
     why: str
 
@@ -109,7 +106,7 @@ class AtlasAnswer:
     curves: tuple[CurveFound, ...]
     points: Annotated[tuple[PointFound, ...], "where two things happen at once"]
     changes: Annotated[
-        dict[LabelChangeKind, int],
+        dict[str, int],
         "pairs of neighbouring pixels with different labels, by what explains them",
     ]
     not_explained: Annotated[tuple[ChangeFound, ...], "those that no curve and no coexistence explains"]
@@ -127,6 +124,8 @@ def atlas_answer(
     start: Mapping[str, float] | None = None,
 ) -> AtlasAnswer:
     """The record of an atlas; ``named`` are the parameters as typed, ``units`` what they were typed in."""
+    from gearlash.results.atlas import LabelChangeKind
+
     axes = found.plane.x, found.plane.y
     x, y = (axis_used(case, a, n, u) for a, n, u in zip(axes, named, units, strict=True))
     idle = idle_study(case, parameters, list(axes))
@@ -143,13 +142,15 @@ def atlas_answer(
         tried=found.tried,
         curves=tuple(_curve(i, each) for i, each in enumerate(found.curves, 1)),
         points=tuple(_point(found, each) for each in found.points),
-        changes=found.counts,
+        changes={str(kind): count for kind, count in found.counts.items()},
         not_explained=tuple(
-            ChangeFound(each.kind, each.values, each.labels, each.note)
+            ChangeFound(str(each.kind), each.values, _texts(*each.labels), each.note)
             for each in found.changes
             if each.kind in (LabelChangeKind.NONE, LabelChangeKind.POINT)
         ),
-        undone=tuple(LeftUndone(each.what, each.label, each.values, each.why) for each in found.undone),
+        undone=tuple(
+            LeftUndone(each.what, _text(each.label), each.values, each.why) for each in found.undone
+        ),
     )
 
 
@@ -157,12 +158,12 @@ def _curve(number: int, each: AtlasCurve) -> CurveFound:
     points = each.curve.points
     return CurveFound(
         number,
-        each.kind,
+        str(each.kind),
         points[0].period,
         tuple(dict.fromkeys(point.signature for point in points)),
         len(points),
         sum(point.admissible and point.unstable == 0 for point in points),
-        tuple(CurveEnd(end.kind, end.values, end.note) for end in each.curve.ends),
+        tuple(CurveEnd(str(end.kind), end.values, end.note) for end in each.curve.ends),
         tuple(StraightFound(s.name, s.lower, s.upper, s.value) for s in each.straight),
         each.way,
     )
@@ -174,13 +175,21 @@ def _point(found: Atlas, each: AtlasPoint) -> PointFound:
     own = next((i for i, other in enumerate(on_curve, 1) if other is special), 0)
     return PointFound(
         f"{first + 1}.{own}",
-        special.kind,
+        str(special.kind),
         special.values,
         special.errors,
         special.point.signature,
         special.solved,
         tuple(i + 1 for i in each.curves),
     )
+
+
+def _text(label: Label | None) -> str:
+    return "" if label is None else str(label)
+
+
+def _texts(one: Label | None, other: Label | None) -> tuple[str, str]:
+    return _text(one), _text(other)
 
 
 def _ends(axes: tuple[AxisUsed, AxisUsed]) -> str:
@@ -192,6 +201,9 @@ def _sentence(found: Atlas, axes: tuple[AxisUsed, AxisUsed]) -> str:
 
 
 def _found(found: Atlas) -> Iterator[str]:
+    from gearlash.branches.continuation import SpecialKind
+    from gearlash.results.atlas import LabelChangeKind
+
     curves = [f"{len(found.of_kind(kind))} of kind {kind}" for kind in SpecialKind if found.of_kind(kind)]
     count = len(found.curves)
     yield f"{count} curve{'' if count == 1 else 's'} found" + (f" ({', '.join(curves)})" if curves else "")

@@ -10,7 +10,6 @@ from rich.text import Text
 from gearlash.case.units import pretty
 from gearlash.cli.answers.asked import Asked
 from gearlash.cli.answers.atlas import AtlasAnswer, CurveFound, StraightFound
-from gearlash.results.atlas import LabelChangeKind
 
 from .layout import facts, headline, note, table
 from .numbers import number
@@ -18,11 +17,11 @@ from .numbers import number
 MOST_CURVES, MOST_POINTS, MOST_LEFT = 60, 60, 20  # lines; all of them are in --json
 DIGITS = 8  # of what was solved for
 MEANING = {
-    LabelChangeKind.CURVE: "a curve of these motions lies between the two pixels",
-    LabelChangeKind.COEXIST: "both attract at one of the two pixels, certified",
-    LabelChangeKind.POINT: "special points were solved for between them, whose curves are not drawn",
-    LabelChangeKind.APERIODIC: "on one side nothing periodic was proved",
-    LabelChangeKind.NONE: "nothing that was found says why",
+    "curve": "a curve of these motions lies between the two pixels",
+    "coexistence": "both attract at one of the two pixels, certified",
+    "special point without a curve": "special points were solved for between them that have no curve here",
+    "aperiodic": "on one side nothing periodic was proved",
+    "unexplained": "nothing that was found says why",
 }
 
 
@@ -132,7 +131,7 @@ def _undone(answer: AtlasAnswer, width: int) -> Iterator[Text]:
     first = {(each.what, each.why): each for each in reversed(answer.undone)}
     shown = list(alike.items())[:MOST_LEFT]
     rows = [
-        [str(count), what, f"{first[what, why].label or ''}", _place(answer, first[what, why].values), why]
+        [str(count), what, first[what, why].label, _place(answer, first[what, why].values), why]
         for (what, why), count in shown
     ]
     columns = [("count", "right"), ("what", "left"), ("the first", "left"), ("at", "left"), ("why", "left")]

@@ -1,5 +1,5 @@
 """An atlas of a rectangle of two parameters: its curves, where they meet, and the map that checks them."""
 
-from .atlas import atlas
+from .whole import atlas
 
 __all__ = ["atlas"]
