@@ -88,9 +88,9 @@ Coordinates and attributes are those of a sweep; `reasons` (JSON) lists row, col
 failed pixel.
 """
 BRANCHES = """\
-`atlas.nc` is the map behind the atlas (as `map.nc`) with two more dimensions: along `curve_point` lie the orbits of all
-curves (`curve` is the number, `curve_x` and `curve_y` are the parameters), along `two` the points where two things
-happen at once. `curve-N.json` is what `gearlash.load_curve` reads.
+`atlas.nc` is the map behind the atlas (as `map.nc`) with two more dimensions: along `curve_point` lie the
+orbits of all curves (`curve` is the number, `curve_x` and `curve_y` are the parameters), along `two` the
+points where two things happen at once. `curve-N.json` is what `gearlash.load_curve` reads.
 
 `branch-N.nc` has the dimension `point`, the orbits in their order along the branch: the parameter, a
 coordinate, may turn round. Further ones are `state_name`, `strobe`, `multiplier`, and `special` and `end`
