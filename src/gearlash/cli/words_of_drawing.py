@@ -101,6 +101,18 @@ WORDS = (
     Word("inertia", "{gear}.inertia", "0.001kg*m^2/0.03kg*m^2", "Moment of inertia."),
     Word("mean_stiffness", "mesh.mean_stiffness", "8e8N/m", "Mean mesh stiffness along the normal."),
     Word("error", "mesh.error", "6um", "Zero-to-peak unloaded transmission error at the mesh frequency."),
+    Word(
+        "loaded_error",
+        "mesh.loaded_error",
+        "8um",
+        "The same under load, in place of that: what the stiffness makes of it is taken out.",
+    ),
+    Word(
+        "loaded_error_torque",
+        "mesh.loaded_error_torque",
+        "150Nm",
+        "Torque of the pinion that it was found at.",
+    ),
     Word("damping_ratio", "mesh.damping_ratio", "0.07", "Damping ratio of the mesh."),
     Word(
         "bearing_y",

@@ -8,9 +8,10 @@ from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.units import LENGTH, POWER, SPEED, TORQUE
 from gearlash.gears import basic_rack, gear_fits
 from gearlash.gears.materials import MATERIALS
+from gearlash.gears.mesh import harmonic_name
 
 from .keys import GEARS
-from .shared import number, positive
+from .shared import HIGHEST_HARMONIC, number, positive
 
 RACKS = {
     "ISO53-A": basic_rack.ISO53_A,
@@ -38,9 +39,15 @@ SAME: tuple[tuple[str, ...], ...] = (
 )
 """Keys of which one is stated; another one takes its place."""
 
+_ORDERS = range(1, HIGHEST_HARMONIC + 1)
+ERRORS = frozenset(harmonic_name("error", n) for n in _ORDERS)
+LOADED = frozenset(harmonic_name("mesh.loaded_error", n) for n in _ORDERS)
+
 
 def rivals(key: str) -> tuple[str, ...]:
     """The other keys that say the same."""
+    if key in ERRORS or key in LOADED:  # one of them takes the place of all of the other
+        return tuple(LOADED if key in ERRORS else ERRORS)
     return next((tuple(k for k in group if k != key) for group in SAME if key in group), ())
 
 

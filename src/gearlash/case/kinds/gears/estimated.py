@@ -21,6 +21,7 @@ from gearlash.system import GearlashError
 from . import drawn
 from .curves import STEMS
 from .keys import EQUIVALENT_MASS, GEARS, REFERENCE
+from .loaded import is_loaded
 from .rules import EntriesByKey, PairRules
 from .shared import HIGHEST_HARMONIC
 from .teeth import Teeth
@@ -28,11 +29,13 @@ from .teeth import Teeth
 
 @dataclass(frozen=True)
 class Completed:
-    """Stated values and what was estimated beside them; the pair of teeth where it is known."""
+    """Stated values and what was estimated beside them; the pair of teeth where it is known. ``problems`` are
+    why nothing could be estimated, ``refused`` why an error could not be used."""
 
     entries: EntriesByKey
     drawing: Drawing | None = None
     problems: tuple[Problem, ...] = ()
+    refused: tuple[Problem, ...] = ()
 
     @property
     def follows_torque(self) -> bool:
@@ -134,6 +137,7 @@ def _wanted(
         named = {stem for stem in ("ripple", "error") if any(_is_harmonic(key, stem) for key in entries)} | {
             STEMS[name] for name in curves
         }
+        named |= {"error"} if is_loaded(entries) else set()
         found |= {"ripple", "error"} - named
     if "error" in found and "error_phase" not in entries:
         found.add("error_phase")

@@ -143,7 +143,7 @@ def _unloaded(
     force = float(scales.force_N(scales.load_from_torque(stated["torque"]) / c_t**2))
     phases = 2.0 * np.pi * np.array(stated["phases"])
     cycles = teeth_of(entries).get(str(stated["over"]).partition(" ")[0], 1)
-    shape = evaluate(_named_stiffness(entries), cycles * phases)
+    shape = evaluate(named_stiffness(entries), cycles * phases)
     if stiffness is not None:
         own = stiffness.series.copy()
         own[0] = 0.0
@@ -153,7 +153,7 @@ def _unloaded(
     return unloaded_error_of(values, mean * shape, force)
 
 
-def _named_stiffness(entries: EntriesByKey) -> Fourier:
+def named_stiffness(entries: EntriesByKey) -> Fourier:
     """1 and the ripples that are named."""
     values = {key: entry.number for key, entry in entries.items() if key.startswith("ripple")}
     count = harmonic_count(values, "ripple")

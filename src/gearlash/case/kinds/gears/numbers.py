@@ -58,8 +58,8 @@ def _get(entries: EntriesByKey, key: str) -> float | None:
 
 
 def _physical(rules: PairRules, entries: EntriesByKey, teeth: CylindricalPair | None) -> tuple[Body, Scales]:
-    geometry = _geometry(rules, entries)
-    line = _at_work(_line(rules, entries, geometry), teeth, rules.y_axis(entries))
+    geometry = geometry_of(rules, entries)
+    line = _at_work(line_of(rules, entries, geometry), teeth, rules.y_axis(entries))
     inertias = _inertias(entries, geometry)
     mass = _get(entries, EQUIVALENT_MASS)
     if mass is None:
@@ -81,7 +81,8 @@ def _physical(rules: PairRules, entries: EntriesByKey, teeth: CylindricalPair | 
     return Body(geometry, line, inertias, min(widths) if len(widths) == 2 else None, teeth), scales
 
 
-def _geometry(rules: PairRules, entries: EntriesByKey) -> ToothGeometry | None:
+def geometry_of(rules: PairRules, entries: EntriesByKey) -> ToothGeometry | None:
+    """The teeth as far as a model needs them; None where they are not stated."""
     if not all(key in entries for key in ("pinion.teeth", "gear.teeth", rules.module, "mesh.pressure_angle")):
         return None
     return ToothGeometry(
@@ -92,7 +93,8 @@ def _geometry(rules: PairRules, entries: EntriesByKey) -> ToothGeometry | None:
     )
 
 
-def _line(rules: PairRules, entries: EntriesByKey, geometry: ToothGeometry | None) -> LineOfAction | None:
+def line_of(rules: PairRules, entries: EntriesByKey, geometry: ToothGeometry | None) -> LineOfAction | None:
+    """Radii and direction factors; None where neither teeth nor base radii are stated."""
     if geometry is not None:
         projection = Projection(rules.places.chosen(entries, PROJECTION))
         return line_of_action(geometry, projection, rules.y_axis(entries))

@@ -18,6 +18,7 @@ from gearlash.system import Family
 from .checks import contradictions, missing
 from .estimated import Completed, complete, is_drawn, is_estimable
 from .excitation import Curves, Reconstructed, reconstructed
+from .loaded import unloaded
 from .numbers import numbers
 from .places import Places
 from .recomputed import Pair, recomputed
@@ -43,7 +44,9 @@ class GearPair:
     @cached_property
     def completed(self) -> Completed:
         """With what is estimated."""
-        return complete(self.rules, self.stated, self.curves)
+        found = complete(self.rules, self.stated, self.curves)
+        entries, problems = unloaded(self.rules, found.entries, self.curves)
+        return replace(found, entries=entries, refused=tuple(problems))
 
     @property
     def entries(self) -> EntriesByKey:
@@ -56,7 +59,7 @@ class GearPair:
         found = missing(self.rules, self.entries, present)
         if self.completed.problems or is_drawn({*self.stated, *present}):
             found = [p for p in found if not is_estimable(p.path)]
-        return [*self.completed.problems, *found]
+        return [*self.completed.problems, *self.completed.refused, *found]
 
     def contradicted(self) -> list[Problem]:
         """What of a pair that lacks nothing contradicts what else it states."""

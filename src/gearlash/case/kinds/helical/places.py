@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gearlash.case.kinds.gears import drawn, shared
+from gearlash.case.kinds.gears import drawn, loaded, shared
 from gearlash.case.kinds.gears.keys import GEARS, PROJECTION
 from gearlash.case.kinds.gears.places import Places
 from gearlash.case.kinds.gears.shared import RIGHT_ANGLE, number, positive, ratio
@@ -32,6 +32,7 @@ def _quantities() -> Iterator[Quantity]:
     yield ratio("bearings.damping_ratio", "damping ratio ξ of all four bearing directions")
     yield from shared.of_mesh()
     yield from drawn.of_mesh()
+    yield from loaded.quantities()
     yield from shared.of_operation()
     yield from drawn.of_operation()
     yield from shared.of_numbers()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gearlash.case.kinds.gears import drawn, shared
+from gearlash.case.kinds.gears import drawn, loaded, shared
 from gearlash.case.kinds.gears.keys import EQUIVALENT_MASS, GEARS, PROJECTION
 from gearlash.case.kinds.gears.places import Places
 from gearlash.case.kinds.gears.shared import positive
@@ -25,6 +25,7 @@ def _quantities() -> Iterator[Quantity]:
     yield positive(EQUIVALENT_MASS, MASS, "kg", "0.23 kg", "mass m_e of relative rotation", 1e6)
     yield from shared.of_mesh()
     yield from drawn.of_mesh()
+    yield from loaded.quantities()
     yield from shared.of_operation()
     yield from drawn.of_operation()
     yield from shared.of_numbers()
