@@ -27,6 +27,7 @@ NOT_LOOKED_FOR = (
     "special orbits through which none of these curves goes",
     "curves that begin at the points of the table (--resume with --at follows one)",
 )
+NO_POINT = "no point at which two things happen at once"
 MOST_NAMED = 3
 
 
@@ -139,9 +140,7 @@ def _sentence(
         what += f" and {len(curves) - MOST_NAMED} more"
     many = f"{len(curves)} curves, " if len(curves) > 1 else ""
     kinds = Counter(point.kind for each in curves for point in each.special)
-    points = (
-        ", ".join(f"{count} {kind}" for kind, count in kinds.items()) or "no point where two things happen"
-    )
+    points = ", ".join(f"{count} {kind}" for kind, count in kinds.items()) or NO_POINT
     orbits = [orbit for each in curves for orbit in each.orbits]
     real = sum(orbit.admissible for orbit in orbits)
     share = f"all {real}" if real == len(orbits) else f"{real} of {len(orbits)}"

@@ -10,7 +10,7 @@ from rich.text import Text
 from gearlash.case.units import pretty
 from gearlash.cli.answers.branch_parts import LimitsUsed
 from gearlash.cli.answers.curve import CurveAnswer
-from gearlash.cli.answers.curve_parts import CodimTwoFound, CurveFound
+from gearlash.cli.answers.curve_parts import CodimTwoFound, CurveEnd, CurveFound
 
 from .layout import Column, facts, headline, note, table
 from .numbers import Marks, number
@@ -73,7 +73,7 @@ def _row(point: CodimTwoFound, axes: tuple[LimitsUsed, ...], marks: Marks) -> li
         rests = own[0].rests_on if own and asked.unit else ()
         cells.append(marks.of(f"{point.values_asked[i]:.{DIGITS}g}", rests))
         cells.append("–" if error is None else f"{abs(error * asked.factor):.0e}")
-    kind = point.kind if point.solved else f"{point.kind} (not solved for: a zero along the curve)"
+    kind = point.kind if point.solved else f"{point.kind} (a zero along the curve)"
     return [*cells, f"{point.label_before} | {point.label_after}", kind]
 
 
@@ -88,11 +88,18 @@ def _facts(answer: CurveAnswer, curve: CurveFound) -> Iterator[tuple[str, str]]:
     )
     yield "admissible", _admissible(answer, curve)
     for end, name in zip(curve.ends, ("begins", "ends"), strict=True):
-        why = f"{end.kind}{f' ({end.note})' if end.note else ''}"
-        yield name, f"{_place(answer, end.values)}: {why}"
+        yield name, f"{_place(answer, end.values)}: {_why(answer, end)}"
     noted = [each for each in curve.special if each.note and each.note != each.kind]
     for i, each in enumerate(noted):
         yield "" if i else "to note", f"at {each.number}: {each.note}"
+
+
+def _why(answer: CurveAnswer, end: CurveEnd) -> str:
+    """A limit is one of the parameters that were asked for, by its name."""
+    limit = next((each for each in answer.axes if end.note.startswith(f"{each.name} = ")), None)
+    if limit is not None:
+        return f"limit of {limit.asked.title}"
+    return f"{end.kind} ({end.note})" if end.note else end.kind
 
 
 def _admissible(answer: CurveAnswer, curve: CurveFound) -> str:
