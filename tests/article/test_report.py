@@ -119,6 +119,21 @@ def test_zones_stand_in_rpm_and_micrometres(page: Reading) -> None:
             assert re.search(rf"{re.escape(ends)} µm ?†", page.text)
 
 
+def test_margins_of_the_operating_point_stand_in_both_units(page: Reading) -> None:
+    zone = small().window_plane
+    assert zone is not None
+    assert zone.complete
+    assert [margin.bounded for margin in zone.margins] == [True, True, False, False]
+    for margin, edge in zip(zone.margins[:2], (0.9725, 1.112), strict=True):
+        assert round(margin.value, 4) == edge
+        rpm = float(small().case.scales.pinion_rpm(margin.distance))
+        assert f"{margin.distance:.4g} ({rpm:.1f} rpm)" in page.text
+        assert folded(margin.event) in page.text
+    data = json.loads(as_json(small()))["window_plane"]
+    assert data["margins"][0]["value"] == zone.margins[0].value
+    assert len(data["boundary"]) == len(zone.parts)
+
+
 def test_contact_rules_are_compared_as_computed(page: Reading) -> None:
     assert [e.rule for e in small().rules] == ["always", "in-contact", "no-tension"]
     for effect in small().rules:

@@ -21,6 +21,7 @@ from gearlash.studies.point import point
 from gearlash.studies.transition import Transition
 from gearlash.system import Family, GearlashError, Label, MotionKind, given
 
+from . import plane
 from .bearing import bearing_modes
 from .branching import Following
 from .centre import centres
@@ -160,6 +161,7 @@ def reproduce(
             Following.begun(case, "omega", {"D": at["D"]}, frequency, executor),
             Following.begun(case, "D", {"omega": at["omega"]}, backlash, executor),
         )
+        in_plane = plane.begun(case, scope.omega[:2], {"D": scope.fixed_backlash}, executor)
         by_axis = {"omega": (omega, frequency), "D": (gap, backlash)}
         tell(STAGES[2], None)
         zones = tuple(
@@ -181,6 +183,7 @@ def reproduce(
             for name, scan in scans.items()
             for point in centres(case, claims, scan, beside[name], executor)
         )
+        window_plane = in_plane.result()
         clock.lap(STAGES[6])
     tell(STAGES[3], None)
     family, _ = case.family()
@@ -223,6 +226,7 @@ def reproduce(
         coincidences=tuple(both for pairs in beside.values() for both, _ in pairs),
         scans=tuple(scans.values()),
         centres=points,
+        window_plane=window_plane,
     )
 
 

@@ -14,11 +14,13 @@ import xarray as xr
 from gearlash.branches.continuation import Branch, Extremum
 from gearlash.case import Case
 from gearlash.studies.motion import Motion
+from gearlash.studies.plane_zone import PlaneZone
 from gearlash.system import GearlashError, Signature
 
 FORMAT = 1
 MOST_SAMPLES = 400  # of a curve; the whole of it is in the figures
 DIGITS = 10  # of samples of curves; results keep all theirs
+MARGIN = ("name", "upward", "distance", "percent", "value", "event", "bounded", "physical")
 PADDED = ("strobe", "drive_hit", "back_hit", "back_release")
 
 
@@ -86,6 +88,8 @@ def plain_data(thing: Any) -> Any:
             return _dataset(thing)
         case Branch():
             return _branch(thing)
+        case PlaneZone():
+            return _plane_zone(thing)
         case Mapping():
             return {str(key): plain_data(value) for key, value in thing.items()}
         case Extremum():
@@ -120,6 +124,26 @@ def _branch(branch: Branch) -> dict[str, Any]:
     kept = ("name", "values", "lower", "upper", "special", "ends", "unexplained")
     columns = {name: [plain_data(getattr(point, name)) for point in branch.points] for name in names}
     return {**{name: plain_data(getattr(branch, name)) for name in kept}, "points": columns}
+
+
+def _plane_zone(zone: PlaneZone) -> dict[str, Any]:
+    """Without its orbits: values of the parameters tell where its boundary lies."""
+    kept = (
+        "names",
+        "at",
+        "lower",
+        "upper",
+        "quiet",
+        "label",
+        "outline",
+        "holes",
+        "lines",
+        "complete",
+        "notes",
+    )
+    margins = [{name: plain_data(getattr(margin, name)) for name in MARGIN} for margin in zone.margins]
+    parts = [{"kind": str(p.kind), "event": p.event, "values": plain_data(p.values)} for p in zone.parts]
+    return {**{name: plain_data(getattr(zone, name)) for name in kept}, "margins": margins, "boundary": parts}
 
 
 def _short(values: np.ndarray) -> list[Any]:

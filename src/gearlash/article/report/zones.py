@@ -14,6 +14,7 @@ from gearlash.report.numbers import NOTHING, interval, number, percent, uncertai
 from gearlash.report.pictures import Picture
 from gearlash.system import Label
 
+from . import margins
 from .quantities import Quantities, fixed_words, symbol
 from .words import plural, verdict
 
@@ -48,6 +49,9 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
     if done.window:
         made, picture = _window(done, quantities)
         inner, pictures = (made,), [*pictures, picture]
+    if done.window_plane is not None:
+        made, picture = margins.section(done, done.window_plane, quantities)
+        inner, pictures = (*inner, made), [*pictures, picture]
     return Section("zones", "Stable zones", tuple(blocks), inner), pictures
 
 

@@ -20,6 +20,8 @@ from .zones import ReportedZone
 if TYPE_CHECKING:
     import xarray
 
+    from gearlash import PlaneZone
+
 
 @dataclass(frozen=True)
 class DiagramMark:
@@ -141,6 +143,8 @@ class Reproduction(Record):
         The two sweeps as branches of periodic orbits: over ω, over D.
     centres : tuple of Centre
         Of every claim of a coincidence: the point of two parameters beside it.
+    window_plane : PlaneZone or None
+        The zone without impacts around the case's own speed and load; None where it has impacts there.
     """
 
     case: Case
@@ -158,3 +162,4 @@ class Reproduction(Record):
     coincidences: tuple[Coincidence, ...] = ()
     scans: tuple[Scan, ...] = ()
     centres: tuple[Centre, ...] = ()
+    window_plane: PlaneZone | None = None

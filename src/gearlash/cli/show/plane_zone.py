@@ -14,10 +14,8 @@ from .layout import facts, headline, note, table
 def plane_zone_view(answer: PlaneZoneAnswer, width: int) -> Iterator[Text]:
     """Sentence, margins, the curves of the boundary, and what was looked at."""
     yield from headline(answer.sentence, width)
-    if answer.status != "ok":
-        yield from facts(
-            "", [("status", answer.status), *(("missing", each) for each in answer.notes)], width
-        )
+    if answer.status != "ok" or answer.notes:
+        yield from facts("", [("status", answer.status), *(("note", each) for each in answer.notes)], width)
     yield from facts(f"Margins of the operating point, {answer.label}", list(_margins(answer)), width)
     if answer.boundary:
         rows = [
