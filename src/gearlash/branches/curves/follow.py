@@ -15,6 +15,7 @@ import numpy as np
 from gearlash.branches.continuation.extrema import Extremum
 from gearlash.branches.continuation.settings import ContinuationSettings
 
+from .conditions import At
 from .locate import Met, touch_along, touch_on
 from .met import Happened, between
 from .motion import is_clear
@@ -34,6 +35,7 @@ SOON = 3.0  # steps: an extremum that would touch within so many is kept from cr
 AHEAD = 2.0  # steps: a depth that would vanish within so many is looked for
 TINY, FAR = 1e-5, 0.3  # scaled: a depth so small makes steps short, and is looked for so far ahead
 SHORT = 0.01  # the longest step that is called short
+GROWN, LARGEST = 10.0, 1e4  # times the states of the first orbit: steps grow with them, and the curve ends
 HALF = 3e-4  # scaled: halves of an orbit so near to each other are one
 NEAR = 4.0  # times as far as foretold may a touch lie
 LOOP_CLOSES = 0.5  # of a step: how near the first parameters are passed where a loop may close
@@ -61,11 +63,9 @@ class Follower:
         for count in range(self.settings.most_points):
             touch = self.vanishing(before, node, length)
             if touch is not None and node.problem.plane.inside(touch.place):
-                if halves(touch.here) <= HALF:
-                    yield EndOfCurve(CurveEndKind.HALF_PERIOD, _values(touch.place))
-                    return
-                if self.closes(node.place, touch.place, node):
-                    yield EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place))
+                ended = self.at_touch(node, touch)
+                if ended is not None:
+                    yield ended
                     return
                 after = clear_side(touch)
                 yield from self.over(touch, after)
@@ -93,30 +93,42 @@ class Follower:
                 yield from known
                 before, node, length = None, known[-1], 0.5 * _apart(known[-1], happened.touch)
                 continue
-            resonance = [
-                m for m in happened.met if m.kind in TURNS and node.problem.conditions[0].at.name == "CIRCLE"
-            ]
-            if any(abs(TURNS[m.kind]) == 1.0 for m in resonance):
-                yield EndOfCurve(CurveEndKind.RESONANCE, _values(resonance[-1].place))
-                return
-            if halves(after.here) <= min(HALF, halves(node.here)):
-                yield after
-                yield EndOfCurve(
-                    CurveEndKind.HALF_PERIOD,
-                    _values(after.place),
-                    f"its halves differ by {halves(after.here):.0e} of the motion",
-                )
-                return
-            if closing:
-                yield after
-                yield EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place))
+            resonance = self.resonance(node, happened.met)
+            if resonance is not None:
+                yield resonance
                 return
             yield after
-            if end is not None:
-                yield end
+            ended = self.last(node, after, closing) or end
+            if ended is not None:
+                yield ended
                 return
             before, node = node, after
         yield EndOfCurve(CurveEndKind.POINTS, _values(node.place), f"{self.settings.most_points} points")
+
+    def at_touch(self, node: Node, touch: Met) -> EndOfCurve | None:
+        """Why the curve ends at or before a touch ahead, if it does."""
+        if halves(touch.here) <= HALF:
+            return EndOfCurve(CurveEndKind.HALF_PERIOD, _values(touch.place))
+        if self.closes(node.place, touch.place, node):
+            return EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place))
+        return None
+
+    def resonance(self, node: Node, met: tuple[Met, ...]) -> EndOfCurve | None:
+        """Whether a pair on the circle has become real."""
+        if not node.problem.conditions or node.problem.conditions[0].at is not At.CIRCLE:
+            return None
+        real = [each for each in met if each.kind in TURNS and abs(TURNS[each.kind]) == 1.0]
+        return EndOfCurve(CurveEndKind.RESONANCE, _values(real[-1].place)) if real else None
+
+    def last(self, node: Node, after: Node, closing: bool) -> EndOfCurve | None:
+        """Why the curve ends with an orbit, if it does."""
+        if halves(after.here) <= min(HALF, halves(node.here)):
+            note = f"its halves differ by {halves(after.here):.0e} of the motion"
+            return EndOfCurve(CurveEndKind.HALF_PERIOD, _values(after.place), note)
+        if self.grown(after) > LARGEST:
+            note = f"its states are {self.grown(after):.0e} times those of the first orbit"
+            return EndOfCurve(CurveEndKind.FAR, _values(after.place), note)
+        return EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place)) if closing else None
 
     def not_again(self, met: tuple[Met, ...], left: Node, right: Node) -> Iterator[Met]:
         """Of what is met on the step that closes a loop, what lies before the first orbit."""
@@ -155,7 +167,7 @@ class Follower:
         guess = node.u + left * node.direction
         for found in (touch_on(node, extremum, guess), touch_along(node, extremum)):
             if found is not None and _distance(found, node) <= NEAR * left and _ahead(found, node):
-                return found
+                return found if comes_from(found, node) else None
         return None
 
     def prepared(self, before: Node | None, node: Node, length: float) -> Node:
@@ -263,7 +275,12 @@ class Follower:
         turn = GOOD_TURN * self.settings.angle / max(angle(node, after), 1e-9)
         contraction = GOOD_CONTRACTION / max(corrected.contraction, 1e-9)
         length *= min(GROW, max(SHRINK, min(turn, contraction)))
-        return min(length, self.settings.longest)
+        return min(length, self.settings.longest * max(1.0, self.grown(after) / GROWN))
+
+    def grown(self, node: Node) -> float:
+        """How many times as large as on the first orbit the states are, where they are larger."""
+        one, two = (float(np.linalg.norm(each.u[: each.problem.states])) for each in (self.start, node))
+        return max(1.0, two / max(one, 1e-300))
 
     def closes(self, left: Array, right: Array, near: Node) -> bool:
         """Whether the first orbit, begun at any of its base periods, lies between two places of the curve:
@@ -316,6 +333,17 @@ def halves(here: Evaluated) -> float:
         return float("inf")
     one, two = (state_at(here, k * 0.5 * here.cycles) for k in (0, 1))
     return float(np.linalg.norm((one - two) / here.problem.size))
+
+
+def comes_from(touch: Met, node: Node) -> bool:
+    """Whether the curve leaves a touch, on the side with the contact, towards a node; else there is a cusp
+    between them."""
+    known = beyond(touch)
+    unit = node.problem.plane.unit
+    return (
+        not known
+        or float(((known[0].place - touch.place) / unit) @ ((node.place - touch.place) / unit)) > 0.0
+    )
 
 
 def _ahead(met: Met, node: Node) -> bool:

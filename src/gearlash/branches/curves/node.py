@@ -97,6 +97,8 @@ def node_of(corrected: Corrected, toward: Array, before: Node | None) -> Node:
 def _with_windows(node: Node) -> Node:
     """With the windows of now around the touches, and the numbers of what touches."""
     touched = node.touched
+    if len(touched) < len(node.problem.touches):
+        raise GearlashError("the extremum that touches is no longer one whose boundary could be held")
     touches = tuple(
         replace(touch, window=node.motion.window(extremum))
         for touch, extremum in zip(node.problem.touches, touched, strict=True)

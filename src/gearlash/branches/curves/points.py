@@ -61,6 +61,7 @@ class CurveEndKind(Named):
     HALF_PERIOD = "joins the curve of the orbit of half its period"
     RESONANCE = "resonance: the multipliers are real beyond it"
     SHORT = "no step is short enough"
+    FAR = "the motion grows without bound"
     UNBUILT = "beyond it no system can be built"
     POINTS = "as many points as were allowed"
     CANCELLED = "cancelled"
