@@ -21,7 +21,7 @@ def test_every_command_prints_what_the_page_shows_and_its_python_runs(
     monkeypatch.chdir(tmp_path)
     text = "".join(re.findall(r"```console\n(.*?)```", PAGE, re.DOTALL))
     commands = re.findall(r"^\$ gearlash (.*)\n((?:(?!\$ ).*\n)*)", text, re.M)
-    assert len(commands) == 6
+    assert len(commands) == 7
     for command, shown in commands:
         ran = gearlash(*shlex.split(command))
         assert ran.code == 0, command

@@ -17,6 +17,7 @@ if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.results.tolerance import Tolerance, ToleranceMember
 
 MOST_TOLD = 3  # bands in the sentence
+SURE = 3.0  # standard errors: what an index is above before the sentence tells it
 
 
 @dataclass(frozen=True)
@@ -143,8 +144,8 @@ def _sentence(case: Case, found: Tolerance) -> str:
     always = f"teeth stay in contact in all combinations tried {bands_text(found, found.always)}"
     never = f"in none {bands_text(found, found.never)}"
     said = [here, always if found.always else "no value of the range holds for all combinations tried", never]
-    if found.influences:
-        first = found.influences[0]
+    first = found.influences[0] if found.influences else None
+    if first is not None and first.total > SURE * first.total_error:
         said.append(
             f"the margin there depends most on {first.path} "
             f"({100.0 * first.total:.0f} ± {100.0 * first.total_error:.0f} % of its variance)"
@@ -160,7 +161,7 @@ def _here(case: Case, found: Tolerance) -> str:
     )
     text = f"{nominal} as the case is, {margin_text(case, found.nominal)}"
     if isfinite(found.here):
-        chance = f"{100.0 * found.here:.3g} ± {100.0 * found.here_error:.1g} %"
+        chance = f"{100.0 * found.here:.3g} ± {100.0 * found.here_error:.2g} %"
         text += f"; with probability {chance} within the limits"
     return text + f"; worst combination found: {margin_text(case, found.worst)}"
 
@@ -168,7 +169,7 @@ def _here(case: Case, found: Tolerance) -> str:
 def margin_text(case: Case, member: ToleranceMember) -> str:
     """The least compression in words."""
     if not isfinite(member.margin):
-        return "where that motion is unstable" if member.margin < 0.0 else "not solved for"
+        return "that motion is unstable" if member.margin < 0.0 else "that motion was not solved for"
     if member.length is None:
         return f"least compression {member.margin:.4g} D_c"
     return f"least compression {1e6 * member.compression:.4g} µm"

@@ -35,6 +35,8 @@ def tolerance_view(answer: ToleranceAnswer, width: int) -> Iterator[Text]:
                ("in all", "right"), ("limits", "left")]  # fmt: skip
     title = "Values with limits, and their share of the variance of the margin at the present value"
     yield from table(title, columns, [_input(one) for one in answer.inputs], width)
+    if any(one.reason != "stated" for one in answer.inputs):
+        yield from note("Where the ranges of what is estimated are from, gearlash check tells.", width)
     settings = " ".join(f"--set '{path}={value}'" for path, value in answer.worst.items())
     yield from facts("The worst combination found, to run", [("", settings)], width)
     yield from note(_examined(answer), width)
@@ -76,4 +78,11 @@ def _input(one: InputFound) -> list[str]:
             f"{100.0 * one.total:.0f} ± {100.0 * (one.total_error or 0.0):.0f} %",
         )
     name = f"{one.path} [{pretty(one.unit)}]" if one.unit else one.path
-    return [name, f"{one.lower:.6g}", f"{one.upper:.6g}", f"{one.worst:.6g}", *shares, one.reason]
+    return [
+        name,
+        f"{one.lower:.6g}",
+        f"{one.upper:.6g}",
+        f"{one.worst:.6g}",
+        *shares,
+        "stated" if one.reason == "stated" else "estimated",
+    ]
