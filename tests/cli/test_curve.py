@@ -151,10 +151,10 @@ def test_where_no_motion_can_be_followed(gearlash: Gearlash):
     assert ran.answer["status"] == "not-excited"
 
 
-@pytest.mark.skipif(os.name == "nt", reason="sends SIGINT to this process")
-def test_ctrl_c_keeps_what_was_found(
-    gearlash: Gearlash, kept: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-):
+@pytest.fixture
+def interrupted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ctrl-C after three orbits."""
+
     @contextmanager
     def interrupting(title: str) -> Iterator[object]:
         def tell(progress: gl.Progress) -> None:
@@ -164,6 +164,11 @@ def test_ctrl_c_keeps_what_was_found(
         yield tell
 
     monkeypatch.setattr("gearlash.cli.progress.progress_bar", interrupting)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="sends SIGINT to this process")
+@pytest.mark.usefixtures("interrupted")
+def test_ctrl_c_keeps_what_was_found(gearlash: Gearlash, kept: str, tmp_path: Path):
     ran = gearlash(
         "curve", "kahraman-singh", *PAIR, "--resume", kept, "--from", "all", "--out", str(tmp_path), "--json"
     )
@@ -173,3 +178,13 @@ def test_ctrl_c_keeps_what_was_found(
     assert "cancelled" in {str(end.kind) for end in found.ends}
     assert gl.load_dataset(tmp_path / "curve-1.nc").attrs["complete"] == 0
     assert not (tmp_path / "curve.svg").exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="sends SIGINT to this process")
+@pytest.mark.usefixtures("interrupted")
+def test_ctrl_c_on_the_way_along_the_branch_keeps_that(gearlash: Gearlash, tmp_path: Path):
+    ran = gearlash(*SPUR, "--from", "fold", "--out", str(tmp_path), "--json")
+    assert ran.code == 130
+    assert (ran.answer["status"], ran.answer["curves"]) == ("incomplete", [])
+    kept = gl.load_branch(tmp_path / "branch-1.json")
+    assert {str(end.kind) for end in kept.ends} == {"cancelled"}

@@ -4,7 +4,7 @@ the branch through a motion of the case, or of a branch or a curve that was kept
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from gearlash.case import Case, CaseError, Problem
 from gearlash.system import Family, GearlashError
 
 from .answers.curve_parts import Begun, CurveStart
+from .answers.outcome import INCOMPLETE
 from .branch_inputs import BranchInputs, check_inside, check_same, near_value
 from .inputs import TypedLimits, read_between, read_case, read_start
 
@@ -137,6 +138,7 @@ class CurveInputs:
 
     def _first(self, search: Settings, steps: ContinuationSettings, execution: Execution) -> Branch | None:
         """The branch over the first parameter, through the motion of the case."""
+        from gearlash.branches.continuation import EndKind
         from gearlash.studies import continue_branch
 
         axis = self.axes[0]
@@ -151,6 +153,9 @@ class CurveInputs:
             self.family, axis.short, begin.start, **limits, steps=steps, execution=execution
         )
         self.start = _told_of(self.branch, curve=False, label=told.label)
+        if any(end.kind is EndKind.CANCELLED for end in self.branch.ends):
+            self.start = replace(self.start, status=INCOMPLETE, message="stopped on the way along the branch")
+            return None
         return self.branch
 
     def _chosen(self, source: Branch | Curve) -> list[int]:

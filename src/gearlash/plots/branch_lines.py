@@ -138,7 +138,7 @@ def edge_lines(panel: Axes, room: Room, edges: Sequence[tuple[str, Array]]) -> N
         if not ((y >= low) & (y <= high)).any():
             continue
         room.fill(x, y)
-        panel.plot(x, y, lw=0.6, ls=(0, (6, 1.5, 1, 1.5)), color=style.BOUNDARY, zorder=1.5)
+        panel.plot(x, y, lw=0.6, ls=(0, (6, 1.5, 1, 1.5)), color=style.GREY, zorder=1.5)
         left, right = panel.get_xlim()
         at = np.interp((right - 0.02 * (right - left), left + 0.02 * (right - left)), x, y)
         places = [
@@ -148,7 +148,7 @@ def edge_lines(panel: Axes, room: Room, edges: Sequence[tuple[str, Array]]) -> N
         ]
         placed = room.place("+D", SMALL, places)
         if placed is not None:
-            panel.text(*room.back(*placed), text, color=style.BOUNDARY, **_TEXT)
+            panel.text(*room.back(*placed), text, color=style.GREY, **_TEXT)
 
 
 _TEXT = {"fontsize": SMALL, "ha": "center", "va": "center", "zorder": 6.0}
