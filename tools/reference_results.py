@@ -51,15 +51,23 @@ of every curve N `curve-N.json` (for `--resume`), `curve-N.nc`, `curve-N.csv` |
 of two axes `zone.json`, the boundary as `zone.csv`, `zone.svg`, `zone.pdf` |
 | tolerance | `tolerance.json`, `tolerance.csv`, and of complete work `tolerance.svg`, `tolerance.pdf` |
 | compare | `compare.json`, `compare.csv`, and of complete work `compare.svg`, `compare.pdf` |
+| report | `report.html`, `report.json`, `verdict.json`, `figures/`, and as data `speed.csv`, `speed.nc` (a \
+row for every point of both sweeps), `history-nominal.csv`, `history-nominal.nc`, `spectrum-nominal.csv`, \
+`spectrum-nominal.nc` (the motion at the present speed), `history-hardest.csv`, `history-hardest.nc`, \
+`spectrum-hardest.csv`, `spectrum-hardest.nc` (the one with the highest mesh force) |
 | reproduce | `report.html`, `report.json`, `reproduce.json`, `figures/`, \
 `sweep-omega.nc`, `sweep-omega.json`, `sweep-D.nc`, `sweep-D.json` |
 
 `.gearlash.json` lists the names that gearlash wrote or was about to write there. Before anything is
 computed, a command stops with exit code 2 if one of its files is already there and is not listed.
 
-`report.json` holds every number of the report: `format` (1), `case`, `frequency` and `backlash` (the two
-sweeps with what was located along them), `events`, `zones`, `window`, `table2`, `claims`, `checks`, `run`,
-`rules` (the small study under each contact rule), `scans` (both sweeps as branches of periodic orbits:
+Columns of the data of `report` have their units in their names (`mesh_force_largest_N`); levels are those
+of rms values, in dB over what stands in the name (1 µN and 1 pm, ISO 1683). CSV has commas and decimal
+points, NetCDF the same columns with the case as attributes.
+
+`report.json` of `reproduce` holds every number of its report: `format` (1), `case`, `frequency` and
+`backlash` (the two sweeps with what was located along them), `events`, `zones`, `window`, `table2`,
+`claims`, `checks`, `run`, `rules` (the small study under each contact rule), `scans` (both sweeps as branches of periodic orbits:
 special points and ends whole, all other orbits in columns).
 Its records have the fields of `gearlash.article.reproduction`; curves are thinned, and complex
 numbers are `{"re", "im"}`.
