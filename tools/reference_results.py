@@ -67,8 +67,8 @@ points, NetCDF the same columns with the case as attributes.
 
 `report.json` of `reproduce` holds every number of its report: `format` (1), `case`, `frequency` and
 `backlash` (the two sweeps with what was located along them), `events`, `zones`, `window`, `table2`,
-`claims`, `checks`, `run`, `rules` (the small study under each contact rule), `scans` (both sweeps as branches of periodic orbits:
-special points and ends whole, all other orbits in columns).
+`claims`, `checks`, `run`, `rules` (the small study under each contact rule), `scans` (both sweeps as
+branches of periodic orbits: special points and ends whole, all other orbits in columns).
 Its records have the fields of `gearlash.article.reproduction`; curves are thinned, and complex
 numbers are `{"re", "im"}`.
 """

@@ -18,6 +18,9 @@ import gearlash as gl
 from gearlash import plots
 from gearlash.gears import CylindricalGear, CylindricalPair
 from gearlash.plots.branch_lines import MARKERS, OTHER_MARKER
+from gearlash.plots.measured import Column, Strip, measured_histories
+from gearlash.plots.over_speed import Curve, SpeedAxis, Stack, over_speed
+from gearlash.plots.spectra import Levels, order_spectra
 from gearlash.plots.units import ASSUMED_MARK
 from gearlash.system import Signature
 from plots.made import (
@@ -58,6 +61,32 @@ def units() -> plots.Units:
     return plots.Units.of(article())
 
 
+def measured() -> tuple[SpeedAxis, list[Stack]]:
+    """Curves over speed with a band, a jump, and a resonance."""
+    speed = np.linspace(2000.0, 6000.0, 41)
+    up = np.where(speed < 4000.0, 1e3, 5e3) + speed
+    down = np.where(speed < 3500.0, 1e3, 5e3) + speed
+    breaks = np.isclose(speed, 4000.0), np.isclose(speed, 3500.0)
+    marks = plots.Mark(2730.0, "resonance", "f3", True), plots.Mark(2550.0, "resonance", "f5/2")
+    axis = SpeedAxis(
+        speed, "pinion speed  [rpm]", breaks, ((3500.0, 6000.0),), ((4500.0, 5000.0),), 4200.0, marks
+    )
+    curves = Curve("peak", up, down), Curve("mean", 0.5 * up, 0.5 * up)
+    return axis, [Stack("mesh force  [N]", curves, (1e3, "$K_v$")), Stack("DTE  [µm]", curves[1:])] * 2
+
+
+def columns() -> list[Column]:
+    time = np.linspace(0.0, 1.0, 101)
+    lines = ("pinion, lateral", np.sin(6.0 * time)), ("gear, lateral", np.cos(6.0 * time))
+    strips = Strip("bearing force  [N]", lines), Strip("DTE  [µm]", lines[:1], 0.5)
+    return [Column(title, time, time > 0.7, strips) for title in ("4000 rpm:  1-0", "4480 rpm:  aperiodic")]
+
+
+def levels() -> list[Levels]:
+    few, many = np.arange(12.0), np.arange(0.0, 12.0, 1 / 64)
+    return [Levels("mesh force", "dB re 1 µN", order, 180.0 - 8.0 * order) for order in (few, many)]
+
+
 FIGURES: dict[str, Callable[[], Figure]] = {
     "around-point": lambda: plots.around_point(
         [
@@ -81,6 +110,13 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     ),
     "diagram": lambda: plots.diagram(dataset(), MARKS, units()),
     "diagram-back": lambda: plots.diagram(dataset("D"), (), units()),
+    "diagram-asked": lambda: plots.diagram(
+        dataset(), MARKS, units(), title="article", present=1.047, asked=plots.Twin(3820.0, "speed", "rpm")
+    ),
+    "over-speed": lambda: over_speed(*measured(), "article, 96.95 N·m"),
+    "measured-histories": lambda: measured_histories(columns(), "time  [ms]"),
+    "order-spectra": lambda: order_spectra([levels(), levels()], ("4000 rpm: 1-0", "4480 rpm: aperiodic")),
+    "plane-present": lambda: plots.plane(plane(), units(), present=(1.0, 1.0), title="article", height=66.0),
     "portrait": lambda: plots.portrait(moving(1.1, 1.0, 1.1), units()),
     "portraits": lambda: plots.portrait_triple(around_grazing(), units()),
     "gallery": lambda: plots.gallery((moving(1.05, 1.0, 1.05), aperiodic()), units()),

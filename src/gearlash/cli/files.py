@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from gearlash.case import Case
+from gearlash.case.units import pretty
 from gearlash.results import PlaneMap, Sweep, plane_dataset, sweep_dataset
 from gearlash.results.store import netcdf, write_together
 
@@ -43,9 +44,15 @@ def write_sweep(folder: OutFolder, case: Case, sweeps: Sequence[Sweep], answer: 
     """Data (NetCDF) and answer (JSON) and, of a complete sweep, the bifurcation diagram as SVG and PDF."""
     dataset = sweep_dataset(case, sweeps)
     write_data(folder, "sweep", dataset, answer, ("sweep.svg", "sweep.pdf"))
-    draw_if(
-        folder, "sweep", _drawable(sweeps), lambda plots: plots.diagram(dataset, units=plots.Units.of(case))
-    )
+    asked, name = answer.axis.asked, sweeps[0].axis.name
+    title, present = f"{case.name}: sweep over {asked.title}", case.family()[0].defaults[name]
+
+    def figure(plots: Any) -> Figure:
+        typed = plots.Twin(asked.factor, asked.title, pretty(asked.unit)) if asked.unit else None
+        units = plots.Units.of(case)
+        return plots.diagram(dataset, units=units, title=title, present=present, asked=typed)
+
+    draw_if(folder, "sweep", _drawable(sweeps), figure)
 
 
 def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: ZonesAnswer) -> None:

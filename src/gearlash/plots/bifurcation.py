@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -11,11 +14,14 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from gearlash.system import Signature
+
 from . import style
 from .marks import LINES, OTHER_LINE, OTHER_TICK, TICKS, Mark, height, lines, texts
+from .regimes import FREE
 from .strip import key, strip
 from .swept import Swept, axis_name, differs, swept
-from .units import ASSUMED, EXPONENT, ForceAxis, Units, second
+from .units import ASSUMED, EXPONENT, ForceAxis, Twin, Units, literal, second
 from .words import words
 
 # How the directions look: colour, marker, size of a point (pt²), order of drawing.
@@ -25,6 +31,11 @@ DIRECTION_STYLES = {
     "down": (style.VERMILION, "v", 3.2, 3.0),
 }
 WIDTH = 146.0  # mm of the panels of a figure of page width: what is left beside the labels
+DENSE = 700  # values of an axis from which points are smallest, and not joined
+LARGEST_DOT = 14.0  # times that size, of the points of a coarse axis
+JUMP = 0.25  # of all values of a panel: neighbours farther apart are not joined
+LEAST_SPAN = 0.02  # per unit of τ: of the axis of exponents, which would show rounding otherwise
+PRESENT: dict[str, Any] = {"color": style.VERMILION, "lw": 1.0, "ls": (0, (5, 2))}
 BACK = ("back_force", "back_release_force")  # impacts, and releases, which are drawn paler
 AGREEING = " (also up and down, where not drawn)"
 
@@ -35,6 +46,9 @@ def diagram(
     marks: Sequence[Mark] = (),
     units: Units | None = None,
     force: ForceAxis | None = None,
+    title: str = "",
+    present: float | None = None,
+    asked: Twin | None = None,
 ) -> Figure:
     """The bifurcation diagram of sweeps: labels, sections and largest exponent over the parameter.
 
@@ -48,6 +62,12 @@ def diagram(
         Second axes in physical units: `Units.of` a case.
     force : ForceAxis, optional
         Symbol and sign of the contact force; Φ where nothing is given.
+    title : str
+        What is swept.
+    present : float, optional
+        The dimensionless value of the case itself, for a line there.
+    asked : Twin, optional
+        The scale that the parameter was asked for in: it takes the place of the dimensionless one.
 
     Returns
     -------
@@ -69,8 +89,9 @@ def diagram(
     6
     """
     force = force or ForceAxis()
-    rows = swept(dataset)
-    axis = axis_name(dataset)
+    axis, factor = axis_name(dataset), 1.0 if asked is None else asked.factor
+    rows = [replace(row, values=factor * row.values) for row in swept(dataset)]
+    marks = [replace(mark, value=factor * mark.value) for mark in marks]
     shown = new_points(rows)
     back = any(np.isfinite(b.back_force).any() for b in rows)
     heights = [height(marks), 4.6 * len(rows), 50.0, 34.0, 34.0 if back else 5.0, 30.0]
@@ -78,22 +99,25 @@ def diagram(
     panels: list[Axes] = list(figure.subplots(6, 1, sharex=True, height_ratios=heights))
     band, bars, *rest = panels
     values = np.concatenate([row.values for row in rows])
-    panels[0].set_xlim(float(values.min()), float(values.max()))
+    panels[0].set_xlim(*sorted((float(values.min()), float(values.max()))))
     texts(band, marks, WIDTH)
+    band.set_title(literal(title), pad=4.0)
     seen = strip(bars, rows, WIDTH)
     _points(rest[0], rows, shown, ("strobes",), r"$X_n$  on  $\sigma_t$")
     _points(rest[1], rows, shown, ("drive_force",), f"{force.symbol}  on  $\\sigma_d$", force.sign)
     _points(rest[2], rows, shown, BACK, f"{force.symbol}  on  $\\sigma_b$", force.sign)
     _exponents(rest[3], rows, shown)
+    _shade(rest, rows)
+    here = list(_present(panels[1:], present, factor))
     lines(panels[1:], marks)
     for panel in rest:
         panel.tick_params(which="both", top=True, right=True)
     bars.tick_params(which="both", bottom=False, top=False)
-    rest[3].set_xlabel(words(dataset, units).name(axis))
-    twin = (units or Units()).of_parameter(axis)
-    second(rest[3], twin, below=9.5)
+    twin = (units or Units()).of_parameter(axis) if asked is None else asked
+    rest[3].set_xlabel(words(dataset, units).name(axis) if asked is None else asked.label)
+    second(rest[3], twin if asked is None else None, below=9.5)
     style.align_labels(rest)
-    handles = [*directions(rows, shown), *_mark_kinds(marks), *key(seen)]
+    handles = [*directions(rows, shown), *_mark_kinds(marks), *here, *key(seen)]
     figure.legend(
         handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4,
         title=ASSUMED if twin is not None and twin.assumed else None, title_fontsize=6.5,
@@ -120,7 +144,8 @@ def _points(
         for array in arrays:
             x, y = way.points(array, keep)
             drawn += len(x)
-            scatter(panel, way.direction, x, sign * y, hollow=array == BACK[1])
+            scatter(panel, way.direction, x, sign * y, hollow=array == BACK[1], larger=dot_size(way))
+            _along(panel, way, array, keep, sign)
     if not drawn:
         _empty(panel, label)
         return
@@ -191,6 +216,58 @@ def scatter(
     )
 
 
+def dot_size(way: Swept) -> float:
+    """By how much, in area, points of a coarse axis are drawn larger: so that they show."""
+    return min(LARGEST_DOT, max(1.0, (DENSE / max(len(way.values), 1)) ** 1.2))
+
+
+def _along(panel: Axes, way: Swept, array: str, keep: NDArray[np.bool_], sign: float) -> None:
+    """On a coarse axis, lines along periodic motions of one label; none where they jump."""
+    periodic = np.array([isinstance(label, Signature) for label in way.labels], dtype=bool)
+    table = np.where((periodic & keep)[:, None], sign * np.sort(getattr(way, array), axis=1), np.nan)
+    table = table[:, np.isfinite(table).any(axis=0)]
+    if len(way.values) > DENSE or not table.size:
+        return
+    far = JUMP * float(np.nanmax(table) - np.nanmin(table))
+    step = np.nan_to_num(np.abs(np.diff(table, axis=0)), nan=0.0).max(axis=1)
+    other = np.array([a != b for a, b in pairwise(way.labels)], dtype=bool)
+    at = np.flatnonzero(other | (step > far)) + 1
+    colour = DIRECTION_STYLES.get(way.direction, DIRECTION_STYLES["cold"])[0]
+    x, y = np.insert(way.values, at, np.nan), np.insert(table, at, np.nan, axis=0)
+    panel.plot(x, y, color=colour, lw=0.5, zorder=1.5)
+
+
+def _shade(panels: Sequence[Axes], rows: list[Swept]) -> None:
+    """Behind the points: values at which every direction found a motion without impacts."""
+    quiet = (
+        np.all(
+            [[isinstance(label, Signature) and label.impacts == 0 for label in row.labels] for row in rows],
+            axis=0,
+        )
+        if len({len(row.values) for row in rows}) == 1
+        else np.zeros(0, dtype=bool)
+    )
+    if not len(quiet):
+        return
+    edges, flags = rows[0].edges(), np.concatenate([[False], quiet, [False]]).astype(np.int8)
+    for low, high in zip(
+        np.flatnonzero(np.diff(flags) == 1), np.flatnonzero(np.diff(flags) == -1), strict=True
+    ):
+        for panel in panels:
+            panel.axvspan(edges[low], edges[high], facecolor=FREE.colour, alpha=0.45, lw=0.0, zorder=0.1)
+
+
+def _present(panels: Sequence[Axes], value: float | None, factor: float) -> Iterator[Line2D]:
+    """A line where the case itself is, if that is in the range."""
+    if value is None:
+        return
+    low, high = panels[0].get_xlim()
+    if low <= factor * value <= high:
+        for panel in panels:
+            panel.axvline(factor * value, zorder=4, **PRESENT)
+        yield Line2D([], [], label="present value", **PRESENT)
+
+
 def _exponents(panel: Axes, rows: list[Swept], shown: list[NDArray[np.bool_]]) -> None:
     panel.axhline(0.0, color=style.INK, lw=0.6)
     panel.set_ylabel(EXPONENT)
@@ -200,15 +277,23 @@ def _exponents(panel: Axes, rows: list[Swept], shown: list[NDArray[np.bool_]]) -
         keep = keep & np.isfinite(way.exponent)
         x, y, bar = way.values[keep], way.exponent[keep], way.exponent_error[keep]
         lowest.append(y)
-        panel.scatter(x, y, s=max(size, 1.2), marker=marker, facecolors=colour, linewidths=0.0, zorder=order)
+        panel.scatter(
+            x,
+            y,
+            s=max(size, 1.2) * dot_size(way) ** 0.5,
+            marker=marker,
+            facecolors=colour,
+            linewidths=0.0,
+            zorder=order,
+        )
         with_bar = bar > 0.0
         panel.errorbar(
             x[with_bar], y[with_bar], bar[with_bar], fmt="none", ecolor=colour, elinewidth=0.5, capsize=0.0
         )
     values = np.concatenate(lowest)
-    low, high = float(np.quantile(values, 0.01)), float(values.max())
-    room = high - low if high > low else max(abs(high), 1e-3)
-    panel.set_ylim(low - 0.08 * room, high + 0.12 * room)
+    low, high = min(float(np.quantile(values, 0.01)), 0.0), max(float(values.max()), 0.0)
+    room = max(high - low, LEAST_SPAN)
+    panel.set_ylim(high - 1.08 * room, high + 0.12 * room)
 
 
 def directions(rows: list[Swept], shown: list[NDArray[np.bool_]] | None = None) -> list[Line2D]:

@@ -192,7 +192,7 @@ def _name(
 
 
 def _rooms(
-    edges: tuple[Array, Array], mask: NDArray[np.bool_], reach: float, height: float
+    edges: tuple[Array, Array], mask: NDArray[np.bool_], reach: float, height: float = HEIGHT
 ) -> Iterator[tuple[float, float]]:
     """A place in every connected part of a mask that holds a circle of this radius (mm): where the widest
     one lies, and of several such places the one nearest to the middle of the part."""

@@ -15,7 +15,7 @@ from gearlash.studies.zone import Zone, Zones
 from gearlash.studies.zone_end import Quiet, ZoneEnd
 
 from . import style
-from .bifurcation import directions, new_points, scatter
+from .bifurcation import directions, dot_size, new_points, scatter
 from .marks import OTHER_TICK, TICKS
 from .regimes import DRIVE, FREE
 from .strip import key, strip
@@ -28,8 +28,6 @@ ROW = 6.0  # mm of a band
 THICK = 0.62  # of a band, of its row
 SOME = "/////"  # hatch of where only some attractors are quiet
 PRESENT = (0, (5, 2))
-DENSE = 250  # values of an axis from which points are drawn as small as in a bifurcation diagram
-LARGEST_DOT = 14.0  # times that size, of the points of a coarse axis
 QUIET_WORDS = {Quiet.IMPACT_FREE: "no impacts", Quiet.DRIVE_SIDE_ONLY: "back side not hit"}
 FILLS = {Quiet.IMPACT_FREE: FREE.colour, Quiet.DRIVE_SIDE_ONLY: DRIVE.colour}
 HALVED = "end found by halving"
@@ -93,9 +91,8 @@ def zone_bands(
     seen = strip(bars, rows, WIDTH)
     _shade(lower, bands)
     shown = new_points(rows)
-    larger = min(LARGEST_DOT, max(1.0, (DENSE / len(rows[0].values)) ** 1.2))
     for way, keep in zip(rows, shown, strict=True):
-        scatter(lower, way.direction, *way.points("strobes", keep), larger=larger)
+        scatter(lower, way.direction, *way.points("strobes", keep), larger=dot_size(rows[0]))
     lower.margins(y=0.08)
     lower.set_ylabel(r"$X_n$  on  $\sigma_t$")
     lower.set_xlabel(words(dataset, units).name(axis))
