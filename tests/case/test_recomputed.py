@@ -72,6 +72,14 @@ def test_estimates_follow_the_torque():
     assert here["force"] / here["rest"] < 0.8 * full["force"] / full["rest"]
 
 
+def test_what_is_the_same_at_every_torque_is_said():
+    assert "estimated for each torque" in DRAWING.held("load")
+    assert "error is the same at every torque" in DRAWING.held("load")
+    assert "ripple and error are" in DRAWING.with_overrides({"ripple": 0.1}).held("load")
+    assert SPUR.held("load").startswith("stiffness and error are the same")
+    assert SPUR.held("omega") == load("kahraman-singh").held("load") == ""
+
+
 def test_parameters_of_the_model_keep_what_they_are_above_the_case():
     family = DRAWING.varying("pinion.teeth").family()[0]
     twice = {**family.defaults, "error": 2 * family.defaults["error"], "pinion.teeth": 26}

@@ -241,6 +241,27 @@ class Case(Record):
         """
         return self.content.physical(short, value)
 
+    def held(self, short: str) -> str:
+        """What is taken to be the same wherever a parameter varies, although it may not be.
+
+        Parameters
+        ----------
+        short : str
+            Short name of the parameter.
+
+        Returns
+        -------
+        str
+            A sentence; empty where there is nothing to say.
+
+        Examples
+        --------
+        >>> import gearlash as gl
+        >>> gl.load_case("article").held("load")[:46]
+        'stiffness and error are the same at every torq'
+        """
+        return self.content.held(short)
+
     def values(self) -> list[Value]:
         """Every value with unit, provenance and reason.
 

@@ -233,6 +233,20 @@ class Content(ABC):
         """
         return []
 
+    def held(self, short: str) -> str:
+        """What is taken to be the same wherever a parameter varies; see `Case.held`.
+
+        Parameters
+        ----------
+        short : str
+            Short name.
+
+        Returns
+        -------
+        str
+        """
+        return ""
+
     def values(self) -> list[Value]:
         """Every value with unit, provenance and reason.
 

@@ -34,6 +34,7 @@ class AxisUsed:
     physical_lower: tuple[PhysicalValue, ...]
     physical_upper: tuple[PhysicalValue, ...]
     asked: Annotated[Asked, "the unit that sentences and tables tell values in"]
+    held: Annotated[str, "what is taken to be the same all along it, although it may not be"] = ""
 
 
 @dataclass(frozen=True)
@@ -142,7 +143,9 @@ def axis_used(case: Case, axis: Axis, named: str, unit: str = "") -> AxisUsed:
         for end in ends
     ]
     asked = Asked.of(case, axis.name, named, unit)
-    return AxisUsed(axis.name, named, ends[0], ends[1], len(axis), physical[0], physical[1], asked)
+    return AxisUsed(
+        axis.name, named, ends[0], ends[1], len(axis), physical[0], physical[1], asked, case.held(axis.name)
+    )
 
 
 def _way(sweep: Sweep) -> SweepWay:

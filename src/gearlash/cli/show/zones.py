@@ -32,6 +32,8 @@ def zones_view(answer: ZonesAnswer, width: int) -> Iterator[Text]:
         ends = answer.asked.between(*_edges(answer, zone))
         yield from facts(f"{TITLES[zone.kind]}, {who}: {ends}", list(_facts(answer, zone, marks)), width)
     yield from note(_examined(answer), width)
+    if answer.axis.held:
+        yield from note(f"Assumed: {answer.axis.held}.", width)
     footnote = marks.footnote()
     if footnote:
         yield from note(footnote, width)

@@ -20,6 +20,7 @@ from .curves_schema import curves_schema
 from .entries import collect, freeze_reference, override
 from .estimated import Completed, complete
 from .excitation import Curves, teeth_of
+from .held import held
 from .mean_stiffness import KEY as MEAN_STIFFNESS
 from .mean_stiffness import with_mean_stiffness
 from .naming import named, resolve, to_vary
@@ -93,6 +94,9 @@ class GearContent(Content):
 
     def physical(self, short: str, value: ArrayLike) -> list[tuple[str, NDArray[np.float64], str]]:
         return self.pair.physical(short, value)
+
+    def held(self, short: str) -> str:
+        return held(self.pair, short)
 
     def values(self) -> list[Value]:
         return values(self.pair)
