@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from functools import cache
 
 import numpy as np
@@ -207,3 +208,21 @@ def test_a_zone_that_lies_over_itself_behind_a_cusp():
     assert zone.contains(0.711, 0.1205)
     (note,) = zone.notes
     assert "cusp at omega = 0.717375, load = 0.12553" in note
+
+
+def test_a_search_that_is_stopped_keeps_what_it_has():
+    cancel, orbits = threading.Event(), []
+
+    def hear(progress: gl.Progress) -> None:
+        orbits.append(progress.done)
+        if progress.done == 6:
+            cancel.set()
+
+    zone = gl.plane_zone(
+        gl.load_case("kahraman-singh"), ("omega", "D"), lower=(0.78, 0.9), upper=(0.85, 1.1),
+        values={"omega": 0.8}, execution=gl.Execution(progress=hear, cancel=cancel),
+    )  # fmt: skip
+    assert not zone.complete
+    assert "stopped" in zone.notes
+    assert not all(margin.bounded for margin in zone.margins)
+    assert len(orbits) < 12

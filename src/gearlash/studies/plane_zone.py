@@ -75,7 +75,8 @@ class AxisMargin(Record):
     event : str
         What happens there.
     bounded : bool
-        Whether something does: False where only the rectangle ends, so that the margin is at least this.
+        Whether something does: False where only the rectangle ends, or the search was stopped, so that the
+        margin is at least this.
     physical : tuple of (str, float, str)
         Name, distance and unit, for every physical way to name the parameter.
     point : SpecialPoint or None

@@ -23,7 +23,7 @@ from .limits import Limits
 from .model import Model, Source
 from .plane_zone import AxisMargin, PlaneZone
 from .zone_end import RANGE, Quiet
-from .zone_lines import Line, Seen
+from .zone_lines import STOPPED, Line, Seen
 from .zone_nearest import BOX, ELLIPSE, Nearest
 from .zone_search import Search
 
@@ -185,7 +185,7 @@ def _margin(model: Model, plane: Plane, at: Array, line: Line) -> AxisMargin:
         percent=100.0 * abs(there - here) / abs(here) if here else np.inf,
         value=there,
         event=event,
-        bounded=not end.at_limit,
+        bounded=not end.at_limit and end.reason != STOPPED,
         physical=tuple(
             (path.rpartition(".")[2], float(abs(both[1] - both[0])), unit) for path, both, unit in units
         ),

@@ -16,6 +16,8 @@ from gearlash.system import GearlashError
 from .zone_end import Quiet
 
 Array = NDArray[np.float64]
+STOPPED = "stopped"
+"""Why a line ends where it was told to."""
 LOST = (
     SpecialKind.FOLD,
     SpecialKind.DOUBLING,
@@ -101,7 +103,7 @@ class Lines:
             if isinstance(item, Node):
                 self.tell(item.value)
                 if self.stop():
-                    return ended(item.value, None, "stopped")
+                    return ended(item.value, None, STOPPED)
                 label = item.orbit.signature
                 if not self.quiet.holds_signature(label):
                     return ended(item.value, None, f"becomes {label}, with no touch that was solved for")

@@ -24,7 +24,7 @@ from gearlash.system import GearlashError
 from .following import Following
 from .plane_zone import encloses
 from .zone_end import Quiet
-from .zone_lines import Line, Lines, Seen
+from .zone_lines import STOPPED, Line, Lines, Seen
 from .zone_outline import Border, Tracer, apart, area
 from .zone_parts import Part, parts_of
 
@@ -126,6 +126,9 @@ class Search:
 
     def follow(self, seen: Seen, axis: int, upward: bool) -> Line | None:
         """One line, and the curve through its end."""
+        if len(self.axes) == 4 and self.following.stop():
+            self.notes[STOPPED] = None
+            return None
         try:
             line = self.follower.line(seen, axis, upward)
         except GearlashError as error:

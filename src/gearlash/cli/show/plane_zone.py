@@ -10,6 +10,8 @@ from gearlash.cli.answers.plane_zone import WORDS, MarginAlong, PlaneZoneAnswer,
 
 from .layout import facts, headline, note, table
 
+RANGE_END = "end of the range"
+
 
 def plane_zone_view(answer: PlaneZoneAnswer, width: int) -> Iterator[Text]:
     """Sentence, margins, the curves of the boundary, and what was looked at."""
@@ -42,7 +44,13 @@ def _margins(answer: PlaneZoneAnswer) -> Iterator[tuple[str, str]]:
 
 
 def _event(margin: MarginAlong) -> str:
-    return margin.event if margin.bounded else "nothing within the range, which ends"
+    if margin.bounded:
+        return margin.event
+    return (
+        "nothing within the range, which ends"
+        if margin.event == RANGE_END
+        else f"{margin.event}, nothing until"
+    )
 
 
 def _others(margin: MarginAlong, name: str) -> str:
