@@ -10,12 +10,16 @@ from .pixels import AIM
 from .pixels import TASK as PIXELS
 from .questions import DIFFERENT, LOOP, MARCH, TOUCH
 from .results import OWN, Bar, Row
+from .special_curves import ASKED as CURVES
+from .special_curves import POINTS as CURVE_POINTS
+from .special_curves import TASK as CURVE
 from .startup import FRESH, IMPORT, RUN, STUDY, TASK
 from .trajectories import MANY, ONE
 from .works import Work
 
 ERROR = 1e-11
 MOST = 1.0, 4.0  # seconds of the branches
+MOST_OF_CURVES = 2.0, 10.0  # seconds
 
 
 def bars(rows: Sequence[Row], found: Sequence[Work], threads: Mapping[str, float]) -> tuple[Bar, ...]:
@@ -35,6 +39,7 @@ def bars(rows: Sequence[Row], found: Sequence[Work], threads: Mapping[str, float
         _ratio("a grazing located: times a secant on heyoka", 1.0, _ratios(rows, TOUCH)),
         *(_branch(rows, asked.period, asked.work, most) for asked, most in zip(ASKED, MOST, strict=True)),
         _ratio("a branch: times an arclength loop on heyoka", 3.0, _ratios(rows, BRANCH)),
+        *(_curve(rows, a.period, a.work, most) for a, most in zip(CURVES, MOST_OF_CURVES, strict=True)),
         _threads(threads),
         Bar.judged("bytes that differ between one thread and two", 0.0, threads[DIFFERENT], False),
         Bar.judged("largest error of any row of gearlash", ERROR, worst, False, where),
@@ -52,6 +57,14 @@ def _branch(rows: Sequence[Row], period: int, work: str, most: float) -> Bar:
     return Bar.judged(
         f"{POINTS} points of a branch of the article, P = {period}, seconds", most, spent, False
     )
+
+
+def _curve(rows: Sequence[Row], period: int, work: str, most: float) -> Bar:
+    """Seconds of so many points."""
+    found = [r.seconds for r in rows if (r.task, r.work, r.solver) == (CURVE, work, OWN)]
+    spent = None if not found or found[0] is None else CURVE_POINTS * found[0]
+    sentence = f"{CURVE_POINTS} points of a curve of the article, P = {period}, seconds"
+    return Bar.judged(sentence, most, spent, False)
 
 
 def _threads(threads: Mapping[str, float]) -> Bar:

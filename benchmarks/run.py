@@ -14,6 +14,7 @@ from .pixels import pixel_rows
 from .questions import grazing_rows, multiplier_rows, thread_speedup
 from .results import OWN, Benchmark, Row
 from .sizes import curves
+from .special_curves import curve_rows
 from .startup import long_rows, start_rows
 from .trajectories import trajectory_rows
 from .works import works
@@ -43,6 +44,8 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
     threads = thread_speedup(found[1], repeats, 1_000 if quick else 20_000)
     progress("branches")
     branches, spent_on = branch_rows(1 if quick else MAPPED, quick)
+    progress("curves in two parameters")
+    followed = curve_rows(1 if quick else MAPPED, quick)
     progress("map")
     mapped, facts = pixel_rows(10 if quick else 400, 1 if quick else MAPPED)
     progress("start-up")
@@ -50,7 +53,7 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
     if not quick:
         progress("first run and whole study")
         starts += long_rows()
-    rows = [*one, *many, *questions, *branches, *mapped, *starts]
+    rows = [*one, *many, *questions, *branches, *followed, *mapped, *starts]
     progress("sizes")
     sizes = curves(repeats, quick)
     progress("limits")

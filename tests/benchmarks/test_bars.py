@@ -13,6 +13,8 @@ from benchmarks.branches import ASKED
 from benchmarks.branches import TASK as BRANCH
 from benchmarks.pixels import TASK
 from benchmarks.questions import DIFFERENT, LOOP, MARCH, TOUCH
+from benchmarks.special_curves import ASKED as CURVES
+from benchmarks.special_curves import TASK as CURVE
 from benchmarks.trajectories import MANY, ONE
 
 
@@ -39,6 +41,8 @@ ROWS = [
     Row(BRANCH, ASKED[0].work, "heyoka", "point", 6e-3, ratio=2.0),
     Row(BRANCH, ASKED[1].work, OWN, "point", 2e-2),
     Row(BRANCH, ASKED[1].work, "heyoka", "point", 8e-2, ratio=4.0),
+    Row(CURVE, CURVES[0].work, OWN, "point", 1.2e-2),
+    Row(CURVE, CURVES[1].work, OWN, "point", 2.5e-2),
     Row("start-up", "import gearlash", OWN, "process", 0.1),
 ]
 
@@ -69,6 +73,13 @@ def test_a_branch_is_told_in_seconds_and_against_a_loop(found: dict[str, Bar]):
     against = found["a branch: times an arclength loop on heyoka"]
     assert (against.measured, against.met, against.where) == (2.0, False, ASKED[0].work)
     assert found["a grazing located: times a secant on heyoka"].met
+
+
+def test_curves_are_told_in_seconds(found: dict[str, Bar]):
+    one = found["200 points of a curve of the article, P = 1, seconds"]
+    six = found["200 points of a curve of the article, P = 6, seconds"]
+    assert (one.measured, one.met) == (pytest.approx(2.4), False)
+    assert (six.measured, six.met) == (pytest.approx(5.0), True)
 
 
 def test_what_was_not_measured_is_neither_met_nor_missed(found: dict[str, Bar]):
