@@ -151,6 +151,17 @@ def test_where_no_motion_can_be_followed(gearlash: Gearlash):
     assert ran.answer["status"] == "not-excited"
 
 
+def test_what_the_point_brings_with_it_is_told(gearlash: Gearlash, kept: str):
+    """A branch over omega, a curve over others: omega is that of the point."""
+    over = ("--over", "D=0.9:1.1", "--over", "load=0.09:0.11")
+    ran = gearlash("curve", "kahraman-singh", *over, "--resume", kept, "--from", "grazing=0.82", "--json")
+    (curve,) = ran.answer["curves"]
+    assert list(curve["fixed"]) == ["omega"]
+    assert curve["fixed"]["omega"] == pytest.approx(0.8206310877, abs=1e-9)
+    shown = gearlash("curve", "kahraman-singh", *over, "--resume", kept, "--from", "grazing=0.82").out
+    assert "omega = 0.8206310877, as at the point that it begins at" in shown
+
+
 @pytest.fixture
 def interrupted(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ctrl-C after three orbits."""

@@ -17,6 +17,8 @@ if TYPE_CHECKING:  # answers are described without the engine
 
     from .branch_parts import LimitsUsed
 
+SAME = 1e-9  # relative: values of a parameter that differ by less are one
+
 
 @dataclass(frozen=True, eq=False)
 class Begun:
@@ -91,6 +93,10 @@ class CurveFound:
     touches: Annotated[str, "of a grazing: which boundary is touched, and the gap"]
     period: Annotated[int, "of its first orbit, in mesh cycles"]
     labels: Annotated[tuple[str, ...], "that occur on it, that of its first orbit first"]
+    fixed: Annotated[
+        dict[str, float],
+        "other parameters by short name that have another value than in the case: that of the point begun at",
+    ]
     special: Annotated[tuple[CodimTwoFound, ...], "in the order of the curve"]
     ends: Annotated[tuple[CurveEnd, ...], "the first and the last"]
     lowest: Annotated[tuple[float, float], "least value of either parameter on it"]
@@ -127,6 +133,7 @@ def curve_found(
         touches=_touches(first, gaps),
         period=first.period,
         labels=tuple(dict.fromkeys(str(point.signature) for point in (first, *curve.points))),
+        fixed=_fixed(case, curve),
         special=tuple(_special(case, i, each, curve, limits) for i, each in enumerate(curve.special, 1)),
         ends=tuple(CurveEnd(str(end.kind), end.values, end.note) for end in curve.ends),
         lowest=(float(low[0]), float(low[1])),
@@ -137,6 +144,16 @@ def curve_found(
             for each in curve.points
         ),
     )
+
+
+def _fixed(case: Case, curve: Curve) -> dict[str, float]:
+    """What the point of a file brought with it, which was followed in another parameter."""
+    own = case.family()[0].complete()
+    return {
+        name: value
+        for name, value in curve.values.items()
+        if name not in curve.names and abs(value - own[name]) > SAME * max(abs(value), abs(own[name]))
+    }
 
 
 def _touches(first: CurvePoint, gaps: Sequence[str]) -> str:

@@ -78,6 +78,9 @@ def _row(point: CodimTwoFound, axes: tuple[LimitsUsed, ...], marks: Marks) -> li
 
 
 def _facts(answer: CurveAnswer, curve: CurveFound) -> Iterator[tuple[str, str]]:
+    if curve.fixed:
+        parts = ", ".join(f"{name} = {value:.10g}" for name, value in curve.fixed.items())
+        yield "where", f"{parts}, as at the point that it begins at"
     if curve.touches:
         yield "touches", curve.touches
     stable = sum(orbit.unstable == 0 for orbit in curve.orbits)
