@@ -138,8 +138,8 @@ curve_family = {
 }
 
 
-def between_two_stops() -> Family:
-    """An oscillator between two stops, each a clearance of its own."""
+def between_two_stops(one: bool = False) -> Family:
+    """An oscillator between two stops, each a clearance of its own, or both sides of one."""
 
     def build(p: Mapping[str, float]) -> System:
         h, g, none, hard = np.array([1.0, 0.0]), np.array([0.0, -1.0]), np.zeros(1), np.array([8.0])
@@ -147,6 +147,8 @@ def between_two_stops() -> Family:
             Clearance(h, g, p["gap"], 9.0, hard, none, name="right"),
             Clearance(h, g, 9.0, p["other"], none, hard, name="left"),
         )
+        if one:
+            stops = (Clearance(h, g, p["gap"], p["other"], hard, hard, name="stops"),)
         forcing = np.array([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
         return System(p["omega"], np.array([[0.0, 1.0], [-1.0, -0.1]]), forcing, stops)
 
