@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 
 import matplotlib as mpl
 import numpy as np
@@ -114,6 +115,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
         dataset(), MARKS, units(), title="article", present=1.047, asked=plots.Twin(3820.0, "speed", "rpm")
     ),
     "over-speed": lambda: over_speed(*measured(), "article, 96.95 N·m"),
+    "over-speed-alone": lambda: over_speed(replace(measured()[0], resonances=()), measured()[1], ""),
     "measured-histories": lambda: measured_histories(columns(), "time  [ms]"),
     "order-spectra": lambda: order_spectra([levels(), levels()], ("4000 rpm: 1-0", "4480 rpm: aperiodic")),
     "plane-present": lambda: plots.plane(plane(), units(), present=(1.0, 1.0), title="article", height=66.0),

@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 PANEL = 33.0  # mm of a panel
 LOW_PANEL = 27.0  # of three or more
 WIDTH = 150.0  # mm of the panels, beside the labels
+LEAST_ABOVE = 6.0  # mm above the panels, where there is no resonance
 SEPARATING, BACK = "#f6d9c8", "#e8c9dd"
 LOOKS = (
     (style.BLUE, "o"),
@@ -109,7 +110,7 @@ def over_speed(axis: SpeedAxis, stacks: Sequence[Stack], title: str = "") -> Fig
     -------
     matplotlib.figure.Figure
     """
-    above, each = height(axis.resonances), PANEL if len(stacks) < 3 else LOW_PANEL
+    above, each = max(height(axis.resonances), LEAST_ABOVE), PANEL if len(stacks) < 3 else LOW_PANEL
     figure = style.figure(style.PAGE, above + each * len(stacks) + 26.0)
     panels = list(
         figure.subplots(len(stacks) + 1, 1, sharex=True, height_ratios=[above, *[each] * len(stacks)])

@@ -21,6 +21,7 @@ from .motion import Motion
 Array = NDArray[np.float64]
 
 PER_CYCLE = 256  # samples of a mesh cycle: orders up to 128
+MOST, LEAST = 65_536, 32  # samples in all, of a long period fewer a mesh cycle, but not below the second
 IN_GAP = 400  # samples of a mesh cycle of a phase portrait
 CYCLES = 64  # mesh cycles of a motion that is not periodic
 FORCE = Readout("mesh_force", "mesh force", "force", np.zeros(0))
@@ -29,7 +30,8 @@ GAP = Readout("gap", "relative displacement of the flanks X", "length", np.zeros
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """One period of an orbit, or 64 mesh cycles of another motion, in 256 equal steps a mesh cycle.
+    """One period of an orbit, or 64 mesh cycles of another motion, in 256 equal steps a mesh cycle; in fewer
+    where a period is longer than 256 mesh cycles.
 
     Parameters
     ----------
@@ -37,6 +39,8 @@ class History:
     label : Signature or MotionKind
     period : int
         In mesh cycles; 0 where none was proved.
+    cycles : int
+        How long it is, in mesh cycles.
     phase : ndarray of shape (m,)
         In mesh cycles, from 0, without the end.
     what : tuple of Readout
@@ -52,16 +56,12 @@ class History:
     omega: float
     label: Label | None
     period: int
+    cycles: int
     phase: Array
     what: tuple[Readout, ...]
     values: Array
     signals: Signals
     motion: Motion
-
-    @property
-    def cycles(self) -> int:
-        """How long it is, in mesh cycles."""
-        return len(self.phase) // PER_CYCLE
 
     def row(self, name: str) -> Array:
         """One of the quantities by name, shape (m,)."""
@@ -74,23 +74,25 @@ def history(case: Case, fixed: Mapping[str, float], point: Point) -> History:
     values = family.complete({**fixed, "omega": point.value})
     trace = trace_of(family, values, point, None)
     readouts = readouts_of(case, values)
-    phase, rows = _sampled(trace, readouts, point.period or CYCLES)
+    cycles = point.period or CYCLES
+    phase, rows = _sampled(trace, readouts, cycles)
     figures = signals(trace, readouts)
     shown = _in_gap(trace, point)
     return History(
-        point.value, point.label, point.period, phase, (FORCE, GAP, *readouts), rows, figures, shown
+        point.value, point.label, point.period, cycles, phase, (FORCE, GAP, *readouts), rows, figures, shown
     )
 
 
 def _sampled(trace: Trace, readouts: tuple[Readout, ...], cycles: int) -> tuple[Array, Array]:
-    phase = np.arange(cycles * PER_CYCLE) / PER_CYCLE
+    per_cycle = max(LEAST, min(PER_CYCLE, MOST // cycles))
+    phase = np.arange(cycles * per_cycle) / per_cycle
     return phase, read(trace, readouts, 0, phase)
 
 
 def _in_gap(trace: Trace, point: Point) -> Motion:
     """The motion in its gap as far as its history goes, with its contacts."""
     system, cycles = trace.propagators.system, float(point.period or CYCLES)
-    even = np.linspace(0.0, cycles, round(cycles) * IN_GAP + 1)
+    even = np.linspace(0.0, cycles, min(round(cycles) * IN_GAP, MOST) + 1)
     special = np.concatenate([trace.events.phase, trace.extrema.phase])
     samples = trace.at(np.unique(np.concatenate([even, special[special <= cycles]])))
     hits = np.flatnonzero(trace.events.phase <= cycles)

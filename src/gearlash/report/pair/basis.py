@@ -30,7 +30,7 @@ def section(contents: Contents) -> Section:
         head = ("value", "is", "range", "origin", "source or reason")
         caption = (
             "Values that the case does not give: every number of this report rests on them. Ranges are "
-            "those of the estimates; they were not varied here."
+            "those of the estimates; they were not varied here, which gearlash tolerance does."
         )
         blocks.append(Table("assumed", caption, head, tuple(rows), widths=(25, 15, 17, 10, 33)))
     else:
