@@ -212,3 +212,27 @@ def test_the_doubled_orbit_changes_sides():
         (beside,) = switched(bundled(), branch, doubling)
         sides.append(beside.value - doubling.value)
     assert sides[0] * sides[1] < 0.0
+
+
+def test_orbits_of_a_torus_curve_by_an_evaluation_that_shares_no_code():
+    """In 80 bits: the orbit closes, and the product of its two multipliers is 1."""
+    pytest.importorskip("heyoka", reason="heyoka has wheels for Linux only")
+    from oracles import region_oracle
+
+    clear = [p for p in torus().points if min(abs(e.distance) for e in p.extrema) > 1e-6]
+    for point in clear[::8]:
+        values = {**torus().values, **dict(zip(torus().names, point.values, strict=True))}
+        walk = region_oracle.run(fed().system(values), point.state, point.period, variational=True)
+        assert np.abs(walk.state - point.state).max() < 1e-10
+        assert walk.jacobian is not None
+        assert abs(np.linalg.det(np.asarray(walk.jacobian, dtype=np.float64)) - 1.0) < 1e-10
+
+
+def test_the_same_closed_curve_from_another_of_its_orbits():
+    ring = doubled_ring()
+    start = ring.points[len(ring.points) // 3]
+    values = {**ring.values, **dict(zip(ring.names, start.values, strict=True))}
+    again = followed(fed(), values, ring.names, start, ring.lower, ring.upper, ring.kind, steps=WIDE)
+    assert {end.kind for end in (*ring.ends, *again.ends)} == {CurveEndKind.CLOSED}
+    one, two = (sorted(each.values for each in curve.special) for curve in (ring, again))
+    assert np.abs(np.subtract(one, two)).max() < 1e-10
