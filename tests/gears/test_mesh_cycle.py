@@ -10,8 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from gearlash.gears import CylindricalGear, CylindricalPair, ToothGeometry, contact_lines
-from gearlash.gears.basic_rack import BasicRack
+from gearlash.gears import CylindricalGear, CylindricalPair
 from gearlash.gears.mesh_cycle import MeshCycle, ripple_ranges
 from gearlash.gears.pair_shape import PairShape
 from gearlash.system import GearlashError
@@ -78,16 +77,6 @@ def test_equal_stiffness_per_length_has_the_ratio_of_maatar_and_velex(transverse
     first, second = MeshCycle(transverse, overlap, PairShape.CONSTANT).harmonics(2)
     assume(abs(first) > 1e-3)
     assert second / first == pytest.approx(cos(pi * transverse) * cos(pi * overlap), abs=1e-9)
-
-
-@given(st.floats(0.005, 0.2), st.floats(5.0, 35.0))
-def test_equal_stiffness_per_length_is_the_length_of_the_contact_lines(width, helix):
-    plain = ToothGeometry((28, 70), 4e-3, radians(20), radians(helix))
-    sharp = BasicRack(dedendum=1.0, root_radius=0.0)
-    first, second = (CylindricalGear(z, 4e-3, radians(helix), rack=sharp) for z in (28, 70))
-    cycle = MeshCycle.of_pair(CylindricalPair(first, second, None, width), PairShape.CONSTANT)
-    lengths = [contact_lines.ripple(plain, width, n) for n in (1, 2, 3)]
-    assert np.abs(cycle.harmonics(3)) == pytest.approx(lengths, abs=1e-9)
 
 
 @given(cycles)

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:  # the same names for type checkers; a test keeps the lists equal
     from . import backlash as backlash
     from . import bearings as bearings
-    from . import contact_lines as contact_lines
     from . import dynamic_factor as dynamic_factor
     from . import estimates as estimates
     from . import flank_tolerances as flank_tolerances
@@ -20,7 +19,6 @@ if TYPE_CHECKING:  # the same names for type checkers; a test keeps the lists eq
     from . import gear_fits as gear_fits
     from . import helical as helical
     from . import inspection as inspection
-    from . import iso6336 as iso6336
     from . import materials as materials
     from . import mesh_cycle as mesh_cycle
     from . import mesh_stiffness as mesh_stiffness
@@ -74,7 +72,6 @@ __all__ = [
     "YAxis",
     "backlash",
     "bearings",
-    "contact_lines",
     "disc_face_width",
     "dynamic_factor",
     "equivalent_mass",
@@ -84,7 +81,6 @@ __all__ = [
     "gear_fits",
     "helical",
     "inspection",
-    "iso6336",
     "line_of_action",
     "materials",
     "mesh_cycle",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gearlash.article import Reproduction
 from gearlash.case import Case, Value
-from gearlash.gears import contact_lines
+from gearlash.gears.mesh_cycle import MeshCycle, PairShape
 from gearlash.report.blocks import Block, Cell, Marked, Note, Section, Table, Text
 from gearlash.report.numbers import number
 
@@ -54,7 +54,8 @@ def _ripple(case: Case) -> list[Note]:
     if body.geometry is None or body.face_width is None:
         return []
     used = [abs(own.get(name, 0.0)) for name in ("ripple", "ripple_2")]
-    lines = [contact_lines.ripple(body.geometry, body.face_width, n) for n in (1, 2)]
+    ratios = body.geometry.transverse_contact_ratio, body.geometry.overlap_ratio(body.face_width)
+    lines = [abs(float(each)) for each in MeshCycle(*ratios, PairShape.CONSTANT).harmonics(2)]
     said = (
         f"The stiffness used varies by {_per_cent(used[0])} once and {_per_cent(used[1])} twice a mesh "
         "cycle. The "

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from gearlash.case.kinds.sides import notes_on_sides
 from gearlash.case.note import Note
-from gearlash.gears import iso6336
+from gearlash.gears import mesh_stiffness
 
 from .curves import TABLE
 from .pair import GearPair
@@ -39,16 +39,18 @@ def _cycles(pair: GearPair) -> Iterator[Note]:
 
 def _stiffness(pair: GearPair) -> Iterator[Note]:
     body, stated = pair.numbers.body, pair.scales.mean_stiffness
-    if body.geometry is None or body.face_width is None or stated is None:
+    teeth = body.drawn
+    if teeth is None or body.face_width is None or stated is None:
         return
-    estimate = iso6336.mesh_stiffness(body.geometry, body.face_width)
+    solid = mesh_stiffness.SOLID, mesh_stiffness.SOLID
+    estimate = mesh_stiffness.method_b(teeth, rims=solid).along_normal(body.face_width)
     ratio = estimate / stated
     if 1.0 / TOLERATED <= ratio <= TOLERATED:
         return
     more, factor = ("stiffer", ratio) if ratio > 1.0 else ("softer", 1.0 / ratio)
     yield Note(
         "mesh.mean_stiffness",
-        f"stated {stated:.3g} N/m; {iso6336.REFERENCE}, gives {estimate:.3g} N/m for solid steel gears with "
-        f"{1e3 * body.face_width:g} mm of common face width, {factor:.1f} times {more}. "
+        f"stated {stated:.3g} N/m; {mesh_stiffness.REFERENCE}, gives {estimate:.3g} N/m for solid steel "
+        f"gears with {1e3 * body.face_width:g} mm of common face width, {factor:.1f} times {more}. "
         "The stated value is used.",
     )
