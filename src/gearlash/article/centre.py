@@ -40,7 +40,7 @@ ASIDE: Mapping[str, tuple[float, float]] = {
 """Second parameters, and between which multiples of their value in the case the point is looked for."""
 FIRST = (0.9, 1.12)  # the same of the first parameter, in the value of the doubling
 STEPS = ContinuationSettings(longest=0.06, certify=False)
-SHORT = ContinuationSettings(longest=0.02, certify=False)  # where curves are compared with each other
+SHORT = ContinuationSettings(longest=0.03, certify=False)  # where curves are compared with each other
 SAME = 1e-9  # relative distance of two values of one point
 
 

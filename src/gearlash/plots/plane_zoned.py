@@ -127,10 +127,12 @@ def _arrow(panel: Axes, zone: PlaneZone, margin: AxisMargin) -> None:
     arrow = {"arrowstyle": "-|>", "color": colour, "lw": 0.8, "shrinkA": 2.5, "shrinkB": 0.0}
     panel.annotate("", end, zone.at, arrowprops=arrow, zorder=4.0)
     middle = 0.5 * (end[0] + zone.at[0]), 0.5 * (end[1] + zone.at[1])
+    above = not margin.upward  # the two along x: one above its arrow, one below, where both are short
     panel.annotate(
-        literal(_said(margin)), middle, (0.0, 2.5) if across else (3.0, 0.0), textcoords="offset points",
-        ha="center" if across else "left", va="bottom" if across else "center", fontsize=6.5, color=colour,
-        zorder=6.0, bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8},
+        literal(_said(margin)), middle, (0.0, 2.5 if above else -2.5) if across else (3.0, 0.0),
+        textcoords="offset points", ha="center" if across else "left",
+        va="center" if not across else "bottom" if above else "top", fontsize=6.5, color=colour, zorder=6.0,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8},
     )  # fmt: skip
 
 
