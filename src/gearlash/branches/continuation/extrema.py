@@ -18,7 +18,7 @@ from gearlash.orbits import GrazingCheck, Orbit, grazing_checks
 from gearlash.orbits.extrema import gap_extrema
 from gearlash.system import ContactRule
 
-from .seam import lost_at_seam, twice_at_seam
+from .seam import lost_at_seam, near_seam, twice_at_seam
 
 LARGEST_MOVE = 0.5  # of the way to the next extremum of its kind: how far one may move in a step, in phase
 TIED = 1e-6  # of the orbit's period: extrema of one kind so near in phase cannot be told apart
@@ -169,10 +169,14 @@ def _at_seam(orbit: Orbit) -> Iterator[Extremum]:
 def _once(found: list[Extremum], length: float) -> list[Extremum]:
     """Without those at the end of the orbit that are at its beginning, too."""
     kept: list[Extremum] = []
+    at_seam: list[Extremum] = []  # of those that are kept
     for each in found:
-        same = (other for other in kept if other.group == each.group)
-        if not any(twice_at_seam(each.phase, other.phase, length) for other in same):
-            kept.append(each)
+        if near_seam(each.phase, length):
+            same = (other for other in at_seam if other.group == each.group)
+            if any(twice_at_seam(each.phase, other.phase, length) for other in same):
+                continue
+            at_seam.append(each)
+        kept.append(each)
     return kept
 
 

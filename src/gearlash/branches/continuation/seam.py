@@ -17,7 +17,7 @@ ASIDE = 1e-4  # mesh cycles: where the velocity is read for the curvature
 def lost_at_seam(orbit: Orbit, clearance: int, phases: list[float]) -> tuple[float, float] | None:
     """X and X″ of an extremum at phase zero that is not among those of these phases; None as a rule."""
     system, length = orbit.propagators.system, float(orbit.period)
-    if any(min(phase, length - phase) <= SEAM for phase in phases):
+    if any(near_seam(phase, length) for phase in phases):
         return None
     places = np.array([0.0, length, ASIDE, length - ASIDE])
     states = orbit.trace.at(places).state
@@ -26,6 +26,11 @@ def lost_at_seam(orbit: Orbit, clearance: int, phases: list[float]) -> tuple[flo
         return None
     x = float(gap_displacement(system, places[:1], states[:1], clearance)[0])
     return x, (after - before) / (2.0 * ASIDE * system.period / system.cycles)
+
+
+def near_seam(phase: float, length: float) -> bool:
+    """Whether a phase is that of the beginning or of the end of the trace."""
+    return min(phase, length - phase) <= SEAM
 
 
 def twice_at_seam(one: float, other: float, length: float) -> bool:
