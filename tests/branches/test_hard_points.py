@@ -90,6 +90,24 @@ def test_a_symmetric_orbit_touches_both_sides_at_once():
     assert not branch.unexplained
 
 
+@pytest.mark.parametrize(("damping", "breaking"), [(0.05, 0.417700388163), (0.02, 0.428346205581)])
+def test_a_step_over_the_breaking_of_a_symmetry_stays_on_its_branch(damping, breaking):
+    """Where a wide step is cut beside a point at which two branches meet, the other one is near, too."""
+    family, values = one_dof(load=0.0, error=3.0, mesh_damping=damping), {"omega": 0.6}
+    branch = continue_orbit(family, values, "omega", orbit(family, **values), 0.3, 0.8, PLAIN)
+    (met,) = branch.special
+    assert met.kind is SpecialKind.BRANCH_POINT
+    assert met.value == pytest.approx(breaking, abs=1e-11)
+    assert met.error < 1e-12
+    assert not branch.unexplained
+    for point in branch.points:
+        sides = {1: 0.0, -1: 0.0}
+        for extremum in point.extrema:
+            side = extremum.boundary
+            sides[side] = max(sides[side], side * extremum.distance)
+        assert sides[1] == pytest.approx(sides[-1], abs=1e-10)
+
+
 def test_a_doubling_right_behind_a_touch():
     """A stiff stop with little damping: chaos begins 1e-4 behind the touch, the orbit itself goes on."""
     family, values = shaken(), {"omega": 0.79, "a": 0.7 / 1.26}

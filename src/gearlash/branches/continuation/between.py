@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
+from math import acos
 
 import numpy as np
 
@@ -16,6 +17,10 @@ SHARP = 1e-13  # of the way: where a zero is bracketed so closely, it is found
 JUMP = 1e-10  # of the way: where a bracket so small has large values at both ends, the function jumps
 AGREE = 0.1  # least progress of a place along the direction of the branch
 CLOSE_ENOUGH = 1e-2  # of the way: a bracket that is kept where the orbits in it cannot be had
+BOW = 0.1  # of the chord: how far beside it an orbit of a straight piece may lie
+PART_OF_ANGLE = (
+    0.5  # how much farther for each rad of turning: a circle's bow is an eighth, a corner's a quarter
+)
 WELL = 0.1  # least component of the direction for the parameter to tell a place
 
 
@@ -51,14 +56,31 @@ class Between:
         between = self._guess(left, right, place), (1.0 - part) * left.slope + part * right.slope
         # Where a contact is born on the way the curve is bent sharply there: it is straight up to there.
         straight = ((self._along(node, place), node.slope) for node in (left, right))
+        # Beside a point where two branches meet directions are not known, and only the chord is left.
+        chord = (1.0 - part) * left.u + part * right.u, between[1]
         target = float(self.row @ self.left.u) + place
-        for guess, slope in (between, *straight):
+        for guess, slope in (between, *straight, chord):
             found = node_near(left.equations, guess, self.row, target, left, slope, exact=False)
             # A longer orbit has itself, begun at another base period, for a neighbour too.
-            if found.node is not None and float(np.linalg.norm(found.node.u - guess)) <= self.length:
+            if found.node is None or float(np.linalg.norm(found.node.u - guess)) > self.length:
+                continue
+            if self.bow(found.node) <= BOW + PART_OF_ANGLE * self.turned:
                 self._known[place] = found.node.linked(self.left)
                 return self._known[place]
         return None
+
+    def bow(self, node: Node) -> float:
+        """How far beside the chord an orbit lies, in lengths of it. Of an orbit of this branch that is a part
+        of the angle by which the branch turns from end to end; one of another branch that crosses this one
+        may lie as far aside as the chord is long."""
+        chord = (self.right.u - self.left.u) / self.length
+        way = node.u - self.left.u
+        return float(np.linalg.norm(way - (way @ chord) * chord)) / self.length
+
+    @cached_property
+    def turned(self) -> float:
+        """The angle between the directions at both ends, rad."""
+        return acos(min(1.0, max(-1.0, float(self.left.direction @ self.right.direction))))
 
     def place(self, node: Node) -> float:
         return float(self.row @ (node.u - self.left.u))
