@@ -1,5 +1,6 @@
 """Whether motion stays quiet between neighbouring quiet points of a sweep: it is followed there in smaller
-steps, and looked at more closely where it comes nearest to an impact.
+steps, and looked at more closely where it comes nearest to an impact. Of motion from cold starts, too, which
+follows no branch (`scanned`).
 """
 
 from __future__ import annotations

@@ -1,5 +1,6 @@
 """From sweeps to intervals of quiet motion: what lies between their points is looked at, then every end is
-located, then whether the ends of one sweep's intervals bound those of another.
+located, then whether the ends of one sweep's intervals bound those of another. That is asked of one way of
+scanning (`scanned`), whose intervals end at edges of basins, too: no branch has these.
 """
 
 from __future__ import annotations
