@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -216,3 +217,26 @@ def test_links_lead_from_motion_to_motion():
     assert connected(one, three, [Link(one, 2)])
     assert not connected(one, two, [Link(one, 2)])
     assert SpecialKind.FOLD.value == "fold"
+
+
+def test_the_numbers_of_its_page_are_those_of_the_atlas():
+    page = (Path(__file__).resolve().parents[2] / "docs" / "atlas.md").read_text(encoding="utf-8")
+    for each in below().curves:
+        for piece in each.straight:
+            if piece.upper - piece.lower > 0.97:
+                assert f"straight: omega = {piece.value:.8g} for D from 0.12 to 1.1" in page
+    (point,) = (each for each in below().points if each.kind is gl.CodimTwoKind.GRAZING_FOLD)
+    assert "{:.8f}  {:.8f}".format(*point.values) in page
+    assert f"\n  {below().counts[CURVE]}  a curve of these motions" in page
+
+
+def test_at_a_corner_both_grazing_curves_are_drawn():
+    """Where the forcing is orthogonal two grazing curves of the motion in contact cross."""
+    case = gl.load_case(KS, {"ripple": 0.95, "error_phase": 0.0})
+    x, y = gl.Axis.even("omega", 1.0, 1.04, 2), gl.Axis.even("error", 0.08, 0.1, 2)
+    found = gl.atlas(case, x, y, lines=1, longest=1, curves=12)
+    corners = [each for each in found.points if each.kind is gl.CodimTwoKind.CORNER]
+    for each in corners:
+        assert each.values == pytest.approx((1.0219614962, 0.0909609), abs=1e-7)
+        assert len(each.curves) == 2
+    assert corners

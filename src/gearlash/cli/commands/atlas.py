@@ -77,7 +77,7 @@ def atlas(
     over: Over,
     settings: Settings = None,
     initial: Initial = None,
-    curves: Curves = 80,
+    curves: Curves = 60,
     lines: Lines = 3,
     depth: Depth = 2,
     longest: Longest = 12,

@@ -95,6 +95,8 @@ class Drawn:
         """The number of the curve on which a seed lies, or -1. What is doubled begins beside its seed."""
         if seed.doubled:
             return self._doubled(seed)
+        if seed.elsewhere:
+            return -1
         place = (np.array(seed.place(self.names)) - self.lower) / self.width
         for i, line in enumerate(self.lines):
             alike = line.curve.kind is seed.kind and line.period == seed.period

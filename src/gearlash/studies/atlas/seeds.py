@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.branches.continuation import Extremum, SpecialKind, SpecialPoint
-from gearlash.branches.curves import CodimTwoKind, CodimTwoPoint, CurvePoint
+from gearlash.branches.curves import CodimTwoKind, CodimTwoPoint, Curve, CurvePoint
 from gearlash.system import Family, Signature
 
 Array = NDArray[np.float64]
@@ -32,6 +32,7 @@ BY_TWO = {
     CodimTwoKind.NO_ROOT: (SpecialKind.GRAZING,),
 }
 """The curves that pass through a point where two things happen."""
+CROSSING = 2  # curves of grazings that cross where two extrema touch, or at a corner
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +53,12 @@ class Seed:
     number: int = 0
     doubled: bool = False
 
+    @property
+    def elsewhere(self) -> bool:
+        """Whether its orbit is another one than that of its start: at a corner there is one of every size."""
+        corner = isinstance(self.start, CodimTwoPoint) and self.start.kind is CodimTwoKind.CORNER
+        return corner and self.number > 0
+
     def place(self, names: tuple[str, str]) -> tuple[float, float]:
         return self.values[names[0]], self.values[names[1]]
 
@@ -70,16 +77,21 @@ def seed_of_special(special: SpecialPoint, way: str) -> Seed | None:
     return Seed(special, kind, period, label, special.point.strobes, touch, special.values, way)
 
 
-def seeds_of_two(family: Family, special: CodimTwoPoint, values: Mapping[str, float]) -> Iterator[Seed]:
-    """All curves that pass through a point where two things happen, or begin there."""
+def seeds_of_two(
+    family: Family, special: CodimTwoPoint, values: Mapping[str, float], known: Sequence[Curve]
+) -> Iterator[Seed]:
+    """The curves that pass through a point where two things happen, but for those that are ``known``."""
     point, way = special.point, f"through a point: {special.kind}"
     about = point.period, point.signature, strobes_of(family, values, point)
-    for i, touch in enumerate(point.touches):
-        if special.kind in (CodimTwoKind.TWO_GRAZINGS, CodimTwoKind.CORNER):
+    kinds = [curve.kind for curve in known if curve.points[0].period == point.period]
+    crossing = special.kind in (CodimTwoKind.TWO_GRAZINGS, CodimTwoKind.CORNER)
+    if crossing and kinds.count(SpecialKind.GRAZING) < CROSSING:
+        for i in range(CROSSING):
+            touch = point.touches[min(i, len(point.touches) - 1)]
             yield Seed(special, SpecialKind.GRAZING, *about, touch, values, way, i)
     for kind in BY_TWO.get(special.kind, ()):
         touch = point.touches[0] if kind is SpecialKind.GRAZING and point.touches else None
-        if kind is not SpecialKind.GRAZING or touch is not None:
+        if kind not in kinds and (kind is not SpecialKind.GRAZING or touch is not None):
             yield Seed(special, kind, *about, touch, values, way)
 
 

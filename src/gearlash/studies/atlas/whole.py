@@ -28,8 +28,8 @@ from .lines import OnLine, follow_line, line_chains
 from .made import curves_of, points_of, undone_of
 from .seeds import Seed, doubled_seed, seed_of_special, seeds_of_two
 
-CURVES, LINES, DEPTH, LONGEST = 80, 3, 2, 12
-STEPS = ContinuationSettings(first=0.01, longest=0.1, most_points=150, certify=False)
+CURVES, LINES, DEPTH, LONGEST = 60, 3, 2, 12
+STEPS = ContinuationSettings(first=0.01, longest=0.1, most_points=100, certify=False)
 FEWEST = 2  # values of an axis
 OUTSIDE = 1e-6  # how far outside the unit circle a multiplier of a point where two things happen is
 TIME = "the time that was given is over"
@@ -67,7 +67,7 @@ def atlas(
         to the last. A case takes names and units as in its file.
     values : mapping of str to float or str, optional
         Other parameters, over those of the model.
-    curves : int, default 80
+    curves : int, default 60
         Budget: curves that are followed at the most, 0 or more, those that turn out to be known among them.
         It counts work and no time, so that the answer is the same on any machine.
     lines : int, default 3
@@ -256,7 +256,8 @@ class _Maker:
                 continue
             looked.add(id(special))
             values = {**self._values(), **dict(zip(drawn.names, special.values, strict=True))}
-            yield from seeds_of_two(self.family, special, values)
+            known = [drawn.lines[i].curve for i in point.curves]
+            yield from seeds_of_two(self.family, special, values, known)
             doubled = doubled_seed(self.family, special, values)
             if doubled is not None:
                 yield doubled
