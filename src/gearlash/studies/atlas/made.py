@@ -19,7 +19,13 @@ from .seeds import Seed
 SAME_POINT = 1e-6  # of the rectangle: points of one kind so near to each other are one
 STAYS = 1e-9  # of the rectangle: what moves less does not change
 SHORT = 0.02  # of the rectangle: what is straight on a shorter piece is not told
-NATURAL = (CurveEndKind.LIMIT, CurveEndKind.CLOSED, CurveEndKind.HALF_PERIOD, CurveEndKind.RESONANCE)
+NATURAL = (
+    CurveEndKind.LIMIT,
+    CurveEndKind.CLOSED,
+    CurveEndKind.HALF_PERIOD,
+    CurveEndKind.RESONANCE,
+    CurveEndKind.FAR,
+)
 """Ends at which nothing is left to be followed."""
 
 
