@@ -95,6 +95,13 @@ def test_what_does_not_fit_is_refused_in_words():
     follow = partial(gl.continue_curve, lower=(0.6, 0.13), upper=(0.8, 1.1))
     with pytest.raises(gl.GearlashError, match="one parameter"):
         follow(case, ("omega", "omega"), fold)
+    with pytest.raises(gl.GearlashError, match="the special point is a fold"):
+        follow(case, ("omega", "D"), fold, kind="grazing")
+    with pytest.raises(gl.GearlashError, match="no curve of this kind is followed: branch point"):
+        follow(case, ("omega", "D"), curve().special[0], kind="branch point")
+    touch = next(each for each in branch().special if each.kind is gl.SpecialKind.GRAZING)
+    with pytest.raises(gl.GearlashError, match="the special point is a grazing"):
+        follow(case, ("omega", "D"), touch, kind="fold", lower=(0.4, 0.13), upper=(1.6, 1.1))
     with pytest.raises(gl.GearlashError, match="two names"):
         follow(case, ("omega",), fold)  # pyright: ignore[reportArgumentType]
     with pytest.raises(gl.GearlashError, match="no periodic motion at"):

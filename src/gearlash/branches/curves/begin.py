@@ -60,6 +60,8 @@ def beginning(
     doubled: bool = False,
 ) -> Beginning:
     """Raises `GearlashError` where no curve begins there."""
+    if kind is not None and kind is not SpecialKind.GRAZING and kind not in OF_KIND:
+        raise GearlashError(f"no curve of this kind is followed: {kind}")
     point = start if isinstance(start, CurvePoint) else start.point
     props = plane.system_at(place)
     period = point.period // props.system.cycles
@@ -87,15 +89,16 @@ def beginning(
 def _kind_of(
     start: SpecialPoint, kind: SpecialKind | None, period: int
 ) -> tuple[SpecialKind, int, tuple[Extremum, ...]]:
-    if start.kind is SpecialKind.JOINS:
-        return SpecialKind.DOUBLING, period // 2, ()
-    if start.kind is SpecialKind.GRAZING and start.extremum is not None:
-        return SpecialKind.GRAZING, period, (start.extremum,)
-    if start.kind not in OF_KIND:
-        raise GearlashError(f"no curve of this kind is followed: {start.kind}")
-    if kind is not None and kind is not start.kind:
+    own, extrema = start.kind, ()
+    if own is SpecialKind.JOINS:
+        own, period = SpecialKind.DOUBLING, period // 2
+    elif own is SpecialKind.GRAZING and start.extremum is not None:
+        extrema = (start.extremum,)
+    elif own not in OF_KIND:
+        raise GearlashError(f"no curve of this kind is followed: {own}")
+    if kind is not None and kind is not own:
         raise GearlashError(f"kind = {kind}: the special point is a {start.kind}")
-    return start.kind, period, ()
+    return own, period, extrema
 
 
 def orbit_alone(plane: Plane, place: Array, state: Array, period: int) -> Evaluated:
