@@ -13,7 +13,7 @@ import gearlash as gl
 from case.corpus import SPUR
 from cli.conftest import Gearlash
 from gearlash.cli.terminal import harmless
-from gearlash.plots import units
+from gearlash.plots.words import ANY
 
 HOSTILE = [
     "<script>alert(1)</script>",
@@ -139,7 +139,7 @@ def test_a_parameter_of_that_name_is_drawn_letter_by_letter(name: str):
         figure.draw_without_rendering()
         return label.get_window_extent().width
 
-    assert width(units.name(name), True) == width(name.replace("_", " "), False) > 0.0
+    assert width(ANY.name(name), True) == width(name.replace("_", " "), False) > 0.0
 
 
 def test_the_program_starts_no_shell():
