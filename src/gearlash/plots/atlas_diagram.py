@@ -54,8 +54,8 @@ def atlas_diagram(
     >>> case = gl.load_case("kahraman-singh")
     >>> x, y = gl.Axis.even("omega", 0.81, 0.83, 2), gl.Axis.even("D", 0.9, 1.1, 2)
     >>> figure = plots.atlas_diagram(gl.atlas(case, x, y, lines=1), case)
-    >>> figure.axes[0].get_xlim()
-    (0.81, 0.83)
+    >>> [round(float(end), 6) for end in figure.axes[0].get_xlim()]
+    [0.81, 0.83]
     """
     given.instance("atlas", atlas, Atlas, "an atlas, as from gearlash.atlas")
     ends = [(float(axis.values[0]), float(axis.values[-1])) for axis in (atlas.plane.x, atlas.plane.y)]
