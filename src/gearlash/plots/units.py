@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.font_manager import findfont, get_font
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash.case import Case
@@ -27,9 +29,18 @@ EXPONENT = r"$\lambda_1$  [per $\tau$]"
 
 def literal(text: str) -> str:
     """Somebody's own words as matplotlib is to draw them: a dollar sign begins no formula, and what cannot be
-    printed is shown as such."""
-    shown = "".join(each if each.isprintable() or each == "\n" else "\ufffd" for each in text)
+    printed, or has no letter in the font, is shown as such."""
+    letters = _letters()
+    shown = "".join(
+        each if each == "\n" or (each.isprintable() and ord(each) in letters) else "\ufffd" for each in text
+    )
     return shown.replace("$", r"\$")
+
+
+@cache
+def _letters() -> frozenset[int]:
+    """Of the font that figures are set in, which comes with matplotlib."""
+    return frozenset(get_font(findfont("DejaVu Sans")).get_charmap())
 
 
 @dataclass(frozen=True)
