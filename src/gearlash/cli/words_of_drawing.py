@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 GEARS = ("pinion", "gear")
+_OF_BEARINGS = re.compile(r"\.(bearing|shaft|housing)_stiffness_")
 
 
 @dataclass(frozen=True)
@@ -121,6 +122,17 @@ WORDS = (
         "Lateral bearing stiffness; makes the bearings part of a spur pair too.",
     ),
     Word("bearing_z", "{gear}.bearing_stiffness_z", "1e8N/m", "Axial bearing stiffness."),
+    Word(
+        "shaft_y",
+        "{gear}.shaft_stiffness_y",
+        "5e8N/m",
+        "Lateral shaft stiffness, in series with the bearing.",
+    ),
+    Word(
+        "shaft_z", "{gear}.shaft_stiffness_z", "2e9N/m", "Axial shaft stiffness, in series with the bearing."
+    ),
+    Word("housing_y", "{gear}.housing_stiffness_y", "9e8N/m", "Lateral housing stiffness, in series too."),
+    Word("housing_z", "{gear}.housing_stiffness_z", "6e8N/m", "Axial housing stiffness, in series too."),
     Word("speed", "operation.pinion_speed", "4200rpm", "Speed of the pinion.", True, True),
     Word("gear_speed", "operation.gear_speed", "1842rpm", "Speed of the gear, in place of that."),
     Word("torque", "operation.torque", "150N*m", "Torque of the pinion.", True, True),
@@ -156,7 +168,7 @@ def is_helical(texts: Mapping[str, str]) -> bool:
     """Whether bearings are part of the model: where teeth at an angle press on them, or they are stated."""
     angle = texts.get("mesh.helix_angle", "0")
     turned = any(digit in angle for digit in "123456789") or not any(c.isdigit() for c in angle)
-    return turned or any("bearing_stiffness" in path for path in texts)
+    return turned or any(_OF_BEARINGS.search(path) for path in texts)
 
 
 def lacking(words: Iterable[str]) -> list[Word]:

@@ -28,6 +28,7 @@ def derived(pair: GearPair) -> Iterator[Derived]:
         yield from _derived_geometry(pair)
         yield from _derived_inertia(pair)
         yield from _counterparts(pair)
+        yield from pair.rules.support_stiffnesses(pair.entries)
     yield from _derived_frequencies(pair)
 
 

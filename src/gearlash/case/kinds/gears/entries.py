@@ -14,6 +14,7 @@ from gearlash.case.words import nearest_name
 from .drawn import contradicted, rivals
 from .keys import REFERENCE
 from .places import Places
+from .supports import no_bearings
 
 
 def collect(places: Places, stated: Mapping[str, Stated]) -> tuple[Entries, list[Problem]]:
@@ -69,6 +70,9 @@ def place_of(places: Places, name: str) -> Quantity | Choice | Problem:
         return known[ending[0]]
     if ending:
         return Problem(name, None, f"one of {', '.join(ending)}")
+    why = no_bearings(places, name)
+    if why is not None:
+        return Problem(name, None, why)
     names = {*known, *places.two_way, *(path.rpartition(".")[2] for path in known)}
     return Problem(name, None, "a path or short name that exists here", nearest_name(name, names))
 

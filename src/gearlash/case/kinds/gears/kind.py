@@ -28,6 +28,7 @@ from .notes import notes
 from .pair import GearPair
 from .records import Numbers
 from .rules import PairRules
+from .supports import no_bearings
 from .values import values
 
 if TYPE_CHECKING:
@@ -127,7 +128,13 @@ class GearKind(Kind):
         completed = complete(self.rules, entries, curves).entries
         content = self.content(freeze_reference(entries, completed), {TABLE: curves} if curves else {})
         lost = {MEAN_STIFFNESS} if any(p.path.startswith(f"{TABLE}.stiffness") for p in wrong) else set()
-        return Draft(content, [*found.problems, *clashes, *twice, *wrong], found.present | lost)
+        told = [self._told(problem) for problem in found.problems]
+        return Draft(content, [*told, *clashes, *twice, *wrong], found.present | lost)
+
+    def _told(self, problem: Problem) -> Problem:
+        """With the reason why a word of bearings has no place in this kind."""
+        why = None if problem.path in self.places else no_bearings(self.rules.places, problem.path)
+        return problem if why is None else Problem(problem.path, problem.value, why)
 
     def schema(self, source: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
         found = self.tables.schema(source)

@@ -58,6 +58,10 @@ class PairRules(ABC):
     def frequency_inputs(self, entries: EntriesByKey) -> tuple[str, ...]:
         """What these were computed from, beside masses and mean stiffness."""
 
+    def support_stiffnesses(self, entries: EntriesByKey) -> Iterator[Derived]:
+        """Stiffnesses of bearings in series with other parts."""
+        return iter(())
+
     def directions(self, line: LineOfAction, angles: tuple[str, ...]) -> Iterator[Derived]:
         """How motion of the bearings enters the mesh, which follows from the angles."""
         return iter(())

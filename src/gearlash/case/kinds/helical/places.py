@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gearlash.case.kinds.gears import drawn, loaded, shared
+from gearlash.case.kinds.gears import drawn, loaded, shared, supports
 from gearlash.case.kinds.gears.keys import GEARS, PROJECTION
 from gearlash.case.kinds.gears.places import Places
 from gearlash.case.kinds.gears.shared import RIGHT_ANGLE, number, positive, ratio
@@ -22,10 +22,11 @@ def _quantities() -> Iterator[Quantity]:
     for gear in GEARS:
         yield from shared.of_gear(gear)
         yield from drawn.of_gear(gear)
-        for axis, way in (("y", "lateral"), ("z", "axial")):
+        for axis, way in supports.WAYS.items():
             what = f"{way} bearing stiffness of the {gear}"
             yield positive(f"{gear}.bearing_stiffness_{axis}", STIFFNESS, "N/m", "8e8 N/m", what, 1e13)
             yield ratio(f"{gear}.bearing_damping_{axis}", f"{way} bearing damping ratio ξ of the {gear}")
+            yield from supports.of_gear(gear, axis)
     yield from shared.of_teeth(MODULE, OTHER_MODULE)
     what = "helix angle β at the pitch cylinder"
     yield Quantity("mesh.helix_angle", ANGLE, "deg", "18 deg", what, -RIGHT_ANGLE, RIGHT_ANGLE)

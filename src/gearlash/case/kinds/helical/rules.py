@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from math import sqrt
 
+from gearlash.case.kinds.gears import supports
+from gearlash.case.kinds.gears.keys import GEARS
 from gearlash.case.kinds.gears.records import Body, Derived, Numbers
 from gearlash.case.kinds.gears.rules import EntriesByKey, PairRules
 from gearlash.case.scales import Scales
@@ -36,6 +38,7 @@ class HelicalRules(PairRules):
         for key in FACTORS:
             if key in entries:
                 yield key, "it follows from the angles and masses of this physical case"
+        yield from supports.redundant(entries)
 
     def y_axis(self, entries: EntriesByKey) -> YAxis:
         return YAxis(self.places.chosen(entries, Y_AXIS))
@@ -50,9 +53,14 @@ class HelicalRules(PairRules):
             c_t2, c_y, c_z = body.line.c_t**2, body.line.c_y, body.line.c_z
             m_p, m_g = entries["pinion.mass"].number, entries["gear.mass"].number
             ratios = scales.equivalent_mass / m_p, scales.equivalent_mass / m_g
+            sides = [
+                (gear, mass, axis) for gear, mass in zip(GEARS, (m_p, m_g), strict=True) for axis in "yz"
+            ]
             frequencies = [
-                entry.number if entry.dimensionless else sqrt(entry.number / mass) / scales.omega_n
-                for entry, mass in zip(kappa, (m_p, m_p, m_g, m_g), strict=True)
+                entry.number
+                if entry.dimensionless
+                else sqrt(supports.stiffness(entries, gear, axis) / mass) / scales.omega_n
+                for entry, (gear, mass, axis) in zip(kappa, sides, strict=True)
             ]
         yp, zp, yg, zg = frequencies
         return HelicalPair(c_t2, c_y, c_z, ratios, (yp, zp, yg, zg), contact)
@@ -67,7 +75,18 @@ class HelicalRules(PairRules):
 
     def frequency_inputs(self, entries: EntriesByKey) -> tuple[str, ...]:
         bearings = [key for key in entries if key.startswith(("bearing_frequency", "mass_ratio"))]
-        return "derived.c_y", "derived.c_z", "rotation_factor", "y_factor", "z_factor", *bearings
+        return (
+            "derived.c_y",
+            "derived.c_z",
+            "rotation_factor",
+            "y_factor",
+            "z_factor",
+            *bearings,
+            *supports.inputs(entries),
+        )
+
+    def support_stiffnesses(self, entries: EntriesByKey) -> Iterator[Derived]:
+        return supports.derived(entries)
 
     def directions(self, line: LineOfAction, angles: tuple[str, ...]) -> Iterator[Derived]:
         yield Derived("derived.c_y", line.c_y, "", Y_AXIS, angles, "factor of lateral displacement")
