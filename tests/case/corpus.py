@@ -124,7 +124,7 @@ VALUES = [
     Bad("an unseen separator", MODULE, '"4 mm\\u001f"', NM, "x1f", "a control character"),
     Bad("the square of a unit", MODULE, '"4 mm²"', NM, "mm²", "a length with its unit"),
     Bad("an unknown unit", MODULE, '"4 furlongish"', NM, "furlongish", "'furlongish' is no unit"),
-    Bad("a temperature", '"20 deg"', '"20 degC"', "mesh.pressure_angle", "degC", "'degC' is no unit"),
+    Bad("a temperature", '"20 deg"', '"20 degC"', "mesh.pressure_angle", "degC", "an angle with its unit"),
     Bad("beyond the range", MODULE, '"4 m"', NM, "4 m", "up to 200 mm"),
     Bad("a prefix in the wrong case", MODULE, '"4 Mm"', NM, "4 Mm", "up to 200 mm"),
     Bad("a negative length", MODULE, '"-4 mm"', NM, "-4", "above 0 mm"),

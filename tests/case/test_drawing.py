@@ -9,6 +9,7 @@ import pytest
 
 from gearlash.case import Case, CaseError, load, loads
 from gearlash.gears import CylindricalGear, CylindricalPair, inspection
+from gearlash.system import UnknownNameError
 
 TEXT = (Path(__file__).parents[1] / "cases" / "drawing.toml").read_text(encoding="utf-8")
 
@@ -146,3 +147,16 @@ def test_files_without_words_of_a_drawing_mean_what_they_meant():
     case = load(Path(__file__).parents[1] / "cases" / "drive.toml")
     assert not [v.path for v in case.values() if v.least is not None]
     assert case.numbers.body.teeth is None
+
+
+def test_a_range_of_speed_has_two_ends_in_order_and_does_not_vary():
+    ends = {"least_speed": "2000 rpm", "greatest_speed": "5000 rpm"}
+    case = loads(TEXT, ends)
+    assert values(case)["operation.greatest_speed"].value == pytest.approx(5000)
+    assert case.family()[0].defaults == loads(TEXT).family()[0].defaults
+    with pytest.raises(UnknownNameError):
+        case.varying("least_speed")
+    with pytest.raises(CaseError, match=r"operation\.greatest_speed beside it"):
+        loads(TEXT, {"least_speed": "2000 rpm"})
+    with pytest.raises(CaseError, match=r"more than operation\.least_speed = 6000 rpm"):
+        loads(TEXT, {**ends, "least_speed": "6000 rpm"})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from math import atan, cos, radians, sin, sqrt, tan
 from pathlib import Path
@@ -13,6 +14,7 @@ import gearlash as gl
 from gearlash.gears import flank_tolerances, mesh_stiffness
 from gearlash.report.pair.iso import band_of_grades, method_b, pair_of, stated_grades
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
+from gearlash.report.pair.verdict import verdict
 from gearlash.report.pair.words import Words
 from gearlash.results import Axis
 from gearlash.results.pair_question import speeds_around
@@ -118,3 +120,28 @@ def test_speeds_of_bearing_modes_are_among_those_measured():
     values = with_modes(case, speeds_around(case, 5)).values
     assert len(values) == 5 + sum(values[0] < mode < values[-1] for mode in modes)
     assert all(mode in values for mode in modes if values[0] < mode < values[-1])
+
+
+def test_the_range_of_speed_that_a_case_states_is_examined_and_judged(window: tuple[Assessment, SpeedRun]):
+    found, _ = window
+    case = found.case
+
+    def over_its_range(least: float, greatest: float) -> str:
+        stated = {"operation.least_speed": f"{least} rpm", "operation.greatest_speed": f"{greatest} rpm"}
+        ranged = case.with_overrides(stated)
+        speeds = ranged.scales.pinion_rpm(speeds_around(ranged, 5).values)
+        assert speeds == pytest.approx(np.linspace(least, greatest, 5))
+        said = {line.title: line.text for line in verdict(replace(found, case=ranged)).lines}
+        return said["Over its speed range"]
+
+    zone = next(z for z in found.impact_free.zones if z.lower.value < found.here < z.upper.value)
+    low, high = (float(case.scales.pinion_rpm(end.value)) for end in (zone.lower, zone.upper))
+    assert over_its_range(low + 1, high - 1).endswith("no motion was found in which teeth separate.")
+    below = over_its_range(low - 60, high - 1)
+    assert below.startswith("Not at every speed from")
+    assert "teeth separate at" in below
+    first, last = (float(case.scales.pinion_rpm(found.axis.values[i])) for i in (0, -1))
+    if high < last - 1:
+        assert over_its_range(high + 1, last + 500).startswith("Not at every speed from")
+    assert first < low
+    assert all(line.title != "Over its speed range" for line in verdict(found).lines)

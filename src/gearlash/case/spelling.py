@@ -14,12 +14,14 @@ _POWER = re.compile(
     r"([+-]?)(?:(\d+(?:\.\d*)?|\.\d+)\s*[*xX]\s*)?10\s*(?:\^|\*\*)\s*(\(?)([+-]?\d+)(\)?)", re.ASCII
 )
 _PER = re.compile(r"/\s*(?=(?:min|s|h)$)")
+_CELSIUS = re.compile(r"℃|°\s*C\b")
 _HYPHEN = re.compile(r"(?<=[A-Za-z])[-.](?=[A-Za-z])")
 
 
 def plain(text: str) -> str:
     """A text with ASCII signs: superscripts as ``^2``, products as ``*``, spaces as such."""
-    raised = _SUPERSCRIPT.sub(lambda m: f"^{m[0].translate(_RAISED)}", text)
+    celsius = _CELSIUS.sub("degC", text)
+    raised = _SUPERSCRIPT.sub(lambda m: f"^{m[0].translate(_RAISED)}", celsius)
     return raised.translate(_SIGNS).strip()
 
 

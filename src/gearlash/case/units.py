@@ -18,12 +18,13 @@ from .spelling import plain_unit, plain_value
 
 
 class Dimension(NamedTuple):
-    """Exponents of length, mass, time and angle."""
+    """Exponents of length, mass, time, angle and temperature."""
 
     length: int = 0
     mass: int = 0
     time: int = 0
     angle: int = 0
+    temperature: int = 0
 
 
 NUMBER = Dimension()
@@ -37,6 +38,8 @@ TORQUE = Dimension(2, 1, -2)
 POWER = Dimension(2, 1, -3)
 STIFFNESS = Dimension(0, 1, -2)
 INERTIA = Dimension(2, 1)
+TEMPERATURE = Dimension(temperature=1)
+"""Read off a thermometer: in °C everywhere, as a drawing counts from 20 °C."""
 
 DIMENSION_NAMES = {
     NUMBER: "a number without unit",
@@ -50,6 +53,7 @@ DIMENSION_NAMES = {
     POWER: "a power",
     STIFFNESS: "a stiffness",
     INERTIA: "a moment of inertia",
+    TEMPERATURE: "a temperature in °C",
 }
 
 
@@ -106,6 +110,7 @@ UNIT_WORDS: dict[str, Unit] = {
     "W": _unit(1, POWER),
     "kW": _unit(1000, POWER),
     "MW": _unit(1_000_000, POWER),
+    "degC": _unit(1, TEMPERATURE),
 }
 """Unit words that need no library; a test holds every one against pint."""
 
@@ -238,7 +243,7 @@ def _registry():
     return pint.UnitRegistry(cache_folder=None)
 
 
-PRETTY = {"um": "µm", "N*m": "N·m", "kg*m^2": "kg·m²", "deg": "°"}
+PRETTY = {"um": "µm", "N*m": "N·m", "kg*m^2": "kg·m²", "deg": "°", "degC": "°C"}
 
 
 def pretty(unit: str) -> str:

@@ -129,6 +129,9 @@ def known_of(case: Case) -> dict[str, str]:
 
 def _of(case: Case, path: str) -> float:
     """A value of the case in its unit."""
+    for value in case.values():
+        if value.path == path:
+            return float(value.value)
     family, _ = case.family()
     short = {"operation.pinion_speed": "omega", "operation.torque": "load", "mesh.backlash": "D"}[path]
     return next(float(v) for p, v, _ in case.physical(short, family.defaults[short]) if p == path)

@@ -98,6 +98,15 @@ WORDS = (
         "85um",
         "Whole backlash j_wt on the working circle.",
     ),
+    Word("temperature", "{gear}.temperature", "60degC", "Temperature at work; 20 °C where none is given."),
+    Word("housing_temperature", "mesh.housing_temperature", "50degC", "Temperature of the housing at work."),
+    Word("housing_material", "mesh.housing_material", "aluminium", "Material of the housing."),
+    Word(
+        "centre_distance_deviation",
+        "mesh.centre_distance_deviation",
+        "20um",
+        "How much the centre distance is above the nominal one.",
+    ),
     Word("mass", "{gear}.mass", "1.5kg/7kg", "Mass."),
     Word("inertia", "{gear}.inertia", "0.001kg*m^2/0.03kg*m^2", "Moment of inertia."),
     Word("mean_stiffness", "mesh.mean_stiffness", "8e8N/m", "Mean mesh stiffness along the normal."),
@@ -135,6 +144,10 @@ WORDS = (
     Word("housing_z", "{gear}.housing_stiffness_z", "6e8N/m", "Axial housing stiffness, in series too."),
     Word("speed", "operation.pinion_speed", "4200rpm", "Speed of the pinion.", True, True),
     Word("gear_speed", "operation.gear_speed", "1842rpm", "Speed of the gear, in place of that."),
+    Word("least_speed", "operation.least_speed", "1500rpm", "Least speed that the pinion is to run at."),
+    Word(
+        "greatest_speed", "operation.greatest_speed", "4500rpm", "Greatest one; `report` examines the range."
+    ),
     Word("torque", "operation.torque", "150N*m", "Torque of the pinion.", True, True),
     Word("gear_torque", "operation.gear_torque", "342N*m", "Torque of the gear, in place of that."),
     Word("power", "operation.power", "66kW", "Power, in place of a torque."),

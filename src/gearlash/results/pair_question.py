@@ -32,8 +32,21 @@ def check_pair(case: Case) -> None:
         )
 
 
+def stated_speeds(case: Case) -> tuple[float, float] | None:
+    """The range of speed ω that the case states; None where it states none."""
+    ends = [case.entries.get(path) for path in ("operation.least_speed", "operation.greatest_speed")]
+    if ends[0] is None or ends[1] is None:
+        return None
+    low, high = (float(case.scales.omega_from_pinion_speed(end.number)) for end in ends if end is not None)
+    return low, high
+
+
 def speeds_around(case: Case, count: int) -> Axis:
-    """Speeds from half the present one to half more, as far as the family goes."""
+    """Speeds of the range that the case states; else from half the present one to half more, as far as the
+    family goes."""
+    stated = stated_speeds(case)
+    if stated is not None:
+        return Axis.even(SPEED, *stated, count)
     family = case.family()[0]
     here, place = family.defaults[SPEED], next(p for p in family.parameters if p.name == SPEED)
     return Axis.even(SPEED, max(REACH[0] * here, place.lower), min(REACH[1] * here, place.upper), count)

@@ -30,8 +30,8 @@ def report(
         str | None,
         typer.Option(
             metavar="SPEED=FROM:TO:COUNT",
-            help="Speeds to examine, such as pinion_speed=1000:6000rpm:201. [default: from half the case's "
-            "own to half more, 201]",
+            help="Speeds to examine, such as pinion_speed=1000:6000rpm:201. [default: from least_speed to "
+            "greatest_speed of the case, else from half its own to half more, 201]",
         ),
     ] = None,
     settings: Settings = None,
@@ -95,7 +95,7 @@ def report(
 
 
 def _over(case: Case, over: str | None) -> Over:
-    """The speeds as typed, or those around the case's own, which may lie anywhere among them."""
+    """The speeds as typed, or the case's range, or those around its own, which may lie anywhere."""
     from gearlash.cli.inputs import Over, read_over
     from gearlash.results.pair_question import SPEED, check_pair, speeds_around
     from gearlash.system import GearlashError

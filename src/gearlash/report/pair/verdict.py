@@ -11,6 +11,7 @@ from gearlash.case import Case
 from gearlash.orbits import Neutral, Unresolved
 from gearlash.plots.regimes import short
 from gearlash.results.beside import Beside
+from gearlash.results.pair_question import stated_speeds
 from gearlash.results.pair_units import PairUnits
 from gearlash.studies.assessment import Assessment
 from gearlash.studies.bands import zone_with
@@ -58,6 +59,7 @@ def verdict(found: Assessment) -> Verdict:
     kind, text, answer = _answer(found, words)
     lines = (
         Line("May it run there", answer),
+        *_over_its_range(found, words),
         Line("Teeth separate", _separating(found, words)),
         Line("Back side", _back(found, words)),
         Line("Margin", _margin(found, words)),
@@ -107,6 +109,26 @@ def _answer(found: Assessment, words: Words) -> tuple[Kind, str, str]:
         f"At {at} teeth separate ({short(label)}): without contact {gone}"
         + (", and the back side is hit." if found.signals.back_velocity > 0.0 else ".")
     )  # fmt: skip
+
+
+def _over_its_range(found: Assessment, words: Words) -> list[Line]:
+    """Whether it may run at every speed that the case states."""
+    stated = stated_speeds(found.case)
+    if stated is None:
+        return []
+    low, high = stated
+    reach = words.reach(low, high)
+    first, last = (float(found.axis.values[i]) for i in (0, -1))
+    bands = [b for b in found.separating if b.upper.value > low and b.lower.value < high]
+    if not found.complete:
+        text = f"Not looked for to the end in {reach}."
+    elif bands:
+        text = f"Not at every speed from {reach}: teeth separate at {words.bands(bands)}."
+    elif first > low or last < high:
+        text = f"Not told for all of {reach}: examined was {words.reach(first, last)}, where none separate."
+    else:
+        text = f"From {reach} no motion was found in which teeth separate."
+    return [Line("Over its speed range", text)]
 
 
 def _separating(found: Assessment, words: Words) -> str:

@@ -13,6 +13,7 @@ from gearlash.gears.mesh import harmonic_count, series
 from gearlash.system import evaluate
 
 from .curve_checks import about_curves
+from .drawn import SPEED_RANGE
 from .excitation import Curves
 from .keys import REFERENCE
 from .places import stated_paths
@@ -58,6 +59,7 @@ def contradictions(rules: PairRules, entries: EntriesByKey, curves: Curves) -> l
             entry = entries[key]
             problems.append(Problem(entry.path, repr(entry.text), f"nothing here: {because}"))
     problems += about_curves(rules, entries, curves)
+    problems += _speed_range(entries)
     ripples = {
         k: e.number
         for k, e in entries.items()
@@ -68,6 +70,16 @@ def contradictions(rules: PairRules, entries: EntriesByKey, curves: Curves) -> l
         expected = "ripples that leave the mesh stiffness positive all round a mesh cycle"
         problems.append(Problem(entry.path, repr(entry.text), expected))
     return problems
+
+
+def _speed_range(entries: EntriesByKey) -> Iterator[Problem]:
+    """A range of speed has two ends, the least one first."""
+    stated = [entries[path] for path in SPEED_RANGE if path in entries]
+    if len(stated) == 1:
+        other = next(path for path in SPEED_RANGE if path != stated[0].path)
+        yield Problem(stated[0].path, repr(stated[0].text), f"{other} beside it, the other end of the range")
+    if len(stated) == 2 and not stated[0].number < stated[1].number:
+        yield Problem(stated[1].path, repr(stated[1].text), f"more than {stated[0].path} = {stated[0].text}")
 
 
 def _least_stiffness(ripples: dict[str, float]) -> float:

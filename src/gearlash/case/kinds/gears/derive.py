@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from . import play
 from .keys import BODY, EQUIVALENT_MASS, GEARS, REFERENCE
 from .pair import GearPair
 from .records import Derived
@@ -94,7 +95,9 @@ def _counterparts(pair: GearPair) -> Iterator[Derived]:
     torque = ("mesh.mean_stiffness", REFERENCE, "derived.c_t", "derived.radius_pinion", "pinion.base_radius")
     inputs = {
         "omega": ("omega", "derived.omega_n", "pinion.teeth"),
-        "D": () if _half_of_own_backlash(pair.entries) else ("D", REFERENCE),
+        "D": ()
+        if not play.stated(pair.entries) and _half_of_own_backlash(pair.entries)
+        else ("D", REFERENCE),
         "load": ("load", *torque),
     }
     for short, value in parameters.items():
@@ -104,11 +107,14 @@ def _counterparts(pair: GearPair) -> Iterator[Derived]:
         needs = inputs.get(short, (short, REFERENCE))
         place = pair.places.quantities[f"dimensionless.{short}"]
         if not entry.dimensionless:
-            yield Derived(place.path, value, "", "from " + entry.path, needs, place.description, short)
+            origin = play.AT_WORK if short == "D" and play.act_on(pair.entries) else entry.path
+            yield Derived(place.path, value, "", f"from {origin}", needs, place.description, short)
         for path, number, unit in pair.physical(short, value):
             if path != entry.path:
-                text = pair.places.quantities[path].description
-                yield Derived(path, float(number), unit, "from " + entry.path, needs, text, short)
+                text, formula = pair.places.quantities[path].description, f"from {entry.path}"
+                if path == play.AT_WORK:
+                    formula, needs = play.FORMULA, play.inputs(pair.entries)
+                yield Derived(path, float(number), unit, formula, needs, text, short)
     if pair.scales.radii is not None:
         force = float(pair.scales.torque(parameters["load"])) / pair.scales.radii[0]
         yield Derived(

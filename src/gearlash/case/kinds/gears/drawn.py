@@ -24,6 +24,7 @@ FITS = tuple(
     f"{tolerance}{allowance}" for tolerance in range(21, 31) for allowance in gear_fits.ALLOWANCE_SERIES
 )
 GEAR_SPEED, GEAR_TORQUE, POWERED = "operation.gear_speed", "operation.gear_torque", "operation.power"
+SPEED_RANGE = "operation.least_speed", "operation.greatest_speed"
 PLAY = "mesh.backlash_circumferential"
 WIDTH = "mesh.face_width"
 BOTH_WIDTHS = {WIDTH: ("pinion.face_width", "gear.face_width")}
@@ -102,6 +103,8 @@ def of_operation() -> Iterator[Quantity]:
     yield Quantity(GEAR_TORQUE, TORQUE, "N*m", "900 N·m", what, -1e9, 1e9)
     what = "power at the stated speed; the torque that follows is kept where the speed varies"
     yield Quantity(POWERED, POWER, "kW", "45 kW", what, -1e12, 1e12)
+    for path, name, example in zip(SPEED_RANGE, ("least", "greatest"), ("1500 rpm", "4500 rpm"), strict=True):
+        yield positive(path, SPEED, "rpm", example, f"{name} speed that the pinion is to run at", 1e6)
 
 
 def options() -> Iterator[Choice]:
@@ -117,5 +120,5 @@ KEYS = frozenset(
     for place in (*(q for gear in GEARS for q in of_gear(gear)), *of_mesh(), *of_operation(), *options())
 )
 """Words of a drawing."""
-GEOMETRY = KEYS - {GEAR_SPEED, GEAR_TORQUE, POWERED, WIDTH}
+GEOMETRY = KEYS - {GEAR_SPEED, GEAR_TORQUE, POWERED, WIDTH, *SPEED_RANGE}
 """Those that say something of the teeth or their bodies."""

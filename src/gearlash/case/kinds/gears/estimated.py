@@ -18,7 +18,7 @@ from gearlash.gears.materials import named
 from gearlash.gears.mesh_stiffness import SOLID, Rim
 from gearlash.system import GearlashError
 
-from . import drawn
+from . import drawn, play
 from .curves import STEMS
 from .keys import EQUIVALENT_MASS, GEARS, REFERENCE
 from .loaded import is_loaded
@@ -30,12 +30,14 @@ from .teeth import Teeth
 @dataclass(frozen=True)
 class Completed:
     """Stated values and what was estimated beside them; the pair of teeth where it is known. ``problems`` are
-    why nothing could be estimated, ``refused`` why an error could not be used."""
+    why nothing could be estimated, ``refused`` why an error could not be used; ``play_added`` is what the
+    backlash has more at work than as stated, m."""
 
     entries: EntriesByKey
     drawing: Drawing | None = None
     problems: tuple[Problem, ...] = ()
     refused: tuple[Problem, ...] = ()
+    play_added: float = 0.0
 
     @property
     def follows_torque(self) -> bool:
@@ -66,14 +68,13 @@ def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = 
     """
     geometry = ("pinion.teeth", "gear.teeth", rules.module, *rules.angles)
     if not all(key in entries for key in geometry) or drawn.contradicted(entries):
-        return Completed(entries)
+        return Completed(entries, problems=play.unusable(entries))
     widths = all(f"{gear}.face_width" in entries for gear in GEARS) and "mesh.pressure_angle" in entries
     has_drawing = is_drawn(entries)
     known = {**entries, **{e.key: e for e in _converted(entries)}}
-    if not (has_drawing or widths):
-        return Completed(known)
-    wanted = _wanted(rules, known, has_drawing, curves)
-    if not (has_drawing or wanted):
+    moved = bool(play.stated(entries))
+    wanted = _wanted(rules, known, has_drawing, curves) if has_drawing or widths else frozenset[str]()
+    if not (has_drawing or wanted or moved):
         return Completed(known)
     teeth = Teeth(rules, known)
     try:
@@ -83,11 +84,12 @@ def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = 
             known |= {e.key: e for e in _play(known, pair)}
             wanted = _wanted(rules, known, has_drawing, curves)
         drawing = _drawing(rules, known, pair)
-        found = _estimates(drawing, wanted)
+        known |= {e.key: e for e in _entries(rules, _estimates(drawing, wanted)) if not _stated(known, e.key)}
+        more = play.added(rules.places, known, pair)
+        play.checked(known, more)
     except GearlashError as error:
         return Completed(known, problems=(Problem("mesh", None, f"teeth that mesh ({error})"),))
-    known |= {e.key: e for e in _entries(rules, found) if not _stated(known, e.key)}
-    return Completed(known, drawing, tuple(_refused(known, entries)))
+    return Completed(known, drawing, tuple(_refused(known, entries)), play_added=more)
 
 
 def _converted(entries: EntriesByKey) -> Iterator[Entry]:
@@ -116,9 +118,9 @@ def _converted(entries: EntriesByKey) -> Iterator[Entry]:
 def _play(entries: EntriesByKey, pair: CylindricalPair) -> Iterator[Entry]:
     """Backlash on the working circle as the normal one."""
     if drawn.PLAY in entries:
-        play = Backlash.from_circumferential(pair, entries[drawn.PLAY].number)
+        gap = Backlash.from_circumferential(pair, entries[drawn.PLAY].number)
         how = "backlash on the working circle times cos α_wt cos β_b"
-        yield Entry("D", "mesh.backlash", play.normal, "", Provenance.INFERRED, how)
+        yield Entry("D", "mesh.backlash", gap.normal, "", Provenance.INFERRED, how)
 
 
 def _wanted(
@@ -262,8 +264,8 @@ def _stated(entries: EntriesByKey, key: str) -> bool:
 
 def _refused(entries: EntriesByKey, stated: EntriesByKey) -> Iterator[Problem]:
     """Estimates that no pair can have."""
-    play = entries.get("D")
-    if play is not None and play.least is not None and not (isfinite(play.number) and play.number > 0.0):
+    gap = entries.get("D")
+    if gap is not None and gap.least is not None and not (isfinite(gap.number) and gap.number > 0.0):
         words = [
             k
             for k in (
@@ -277,5 +279,5 @@ def _refused(entries: EntriesByKey, stated: EntriesByKey) -> Iterator[Problem]:
         yield Problem(
             path,
             shown,
-            f"teeth with play; these have {play.number * 1e6:.4g} um of backlash at this centre distance",
+            f"teeth with play; these have {gap.number * 1e6:.4g} um of backlash at this centre distance",
         )

@@ -9,6 +9,8 @@ from gearlash.case.quantity import Quantity
 from gearlash.case.stated import ValueRefusedError, read_stated
 from gearlash.system import UnknownNameError
 
+from . import play
+from .drawn import SPEED_RANGE
 from .entries import place_for, place_of
 from .keys import REFERENCE
 from .pair import GearPair
@@ -22,14 +24,20 @@ def resolve(pair: GearPair, label: str, name: str, value: object) -> tuple[str, 
     if isinstance(place, Problem):
         raise CaseError(label, [place])
     known = pair.family().defaults
-    short = place.key if isinstance(place, Quantity) and place.key in known else place.path
+    cold = place.path == play.STATED and play.act_on(pair.entries) and place.path in known
+    short = place.path
+    if isinstance(place, Quantity) and place.key in known and not cold:
+        short = place.key
     if short not in known or not isinstance(place, Quantity):
         raise UnknownNameError("parameter to vary", name, {*known, *_physical_names(pair, known)})
     try:
         stated = read_stated(value, place)
     except ValueRefusedError as error:
         raise CaseError(label, [Problem(name, shown(value), error.expected, error.nearest)]) from None
-    return short, to_dimensionless(pair.scales, place.path, float(stated.value))
+    if cold:
+        return short, float(stated.value)
+    more = pair.completed.play_added if place.path == play.STATED else 0.0
+    return short, to_dimensionless(pair.scales, place.path, float(stated.value) + more)
 
 
 def to_vary(pair: GearPair, name: str) -> str | None:
@@ -39,10 +47,15 @@ def to_vary(pair: GearPair, name: str) -> str | None:
     place = place_of(pair.places, name)
     if isinstance(place, Problem):
         raise CaseError(name, [place])
-    if place.path in known or (isinstance(place, Quantity) and place.key in known):
+    cold = place.path == play.STATED and play.act_on(pair.entries)
+    if place.path in known or (isinstance(place, Quantity) and place.key in known and not cold):
         return None
     entry = pair.entries.get(pair.places.keys(place)[0])
-    varies = isinstance(place, Quantity) and place.path not in (REFERENCE, f"dimensionless.{place.key}")
+    varies = isinstance(place, Quantity) and place.path not in (
+        REFERENCE,
+        *SPEED_RANGE,
+        f"dimensionless.{place.key}",
+    )
     if varies and entry is not None and not entry.dimensionless and pair.scales.physical:
         return place.path
     stated = [e.path for e in pair.entries.values() if e.path in pair.places.quantities]

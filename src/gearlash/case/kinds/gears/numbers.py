@@ -21,6 +21,7 @@ from gearlash.system import ContactRule
 from .excitation import Curves, excitation
 from .keys import CONTACT, EQUIVALENT_MASS, GEARS, PROJECTION, REFERENCE
 from .places import stated_paths
+from .play import STATED
 from .records import Body, Both, Numbers
 from .rules import EntriesByKey, PairRules
 from .units import to_dimensionless
@@ -31,15 +32,17 @@ def numbers(
     entries: EntriesByKey,
     teeth: CylindricalPair | None = None,
     curves: Curves | None = None,
+    play_added: float = 0.0,
 ) -> Numbers:
-    """The numbers of a complete case (no `missing` and no `contradictions`); its ``teeth``, where known, and
-    its curves."""
+    """The numbers of a complete case (no `missing` and no `contradictions`); its ``teeth``, where known, its
+    curves, and what its backlash has more at work (m)."""
     places = rules.places
     contact = ContactRule(places.chosen(entries, CONTACT))
     nothing = Body(None, None, None, None), Scales()
     body, scales = _physical(rules, entries, teeth) if places.physical(stated_paths(entries)) else nothing
+    more = {STATED: play_added}
     parameters = {
-        key: to_dimensionless(scales, entry.path, entry.number)
+        key: to_dimensionless(scales, entry.path, entry.number + more.get(entry.path, 0.0))
         for key, entry in entries.items()
         if key in places.two_way and key not in rules.fixed
     }

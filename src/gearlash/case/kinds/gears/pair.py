@@ -15,6 +15,7 @@ from gearlash.case.scales import Scales
 from gearlash.case.units import NUMBER, TORQUE, unit
 from gearlash.system import Family
 
+from . import play
 from .checks import contradictions, missing
 from .estimated import Completed, complete, is_drawn, is_estimable
 from .excitation import Curves, Reconstructed, reconstructed
@@ -70,7 +71,7 @@ class GearPair:
         """Parameters, fixed numbers, scales and body."""
         drawing = self.completed.drawing
         teeth = None if drawing is None else drawing.pair
-        return numbers(self.rules, self.entries, teeth, self.curves)
+        return numbers(self.rules, self.entries, teeth, self.curves, self.completed.play_added)
 
     @property
     def places(self) -> Places:
@@ -100,10 +101,13 @@ class GearPair:
             return []
         ways = [path for path in self.places.two_way.get(short, ()) if not path.startswith("dimensionless.")]
         ways += [path for path in self.varied if path == short]
+        gap = self.entries.get("D")
+        if play.act_on(self.entries) or (gap is not None and gap.path == play.AT_WORK):
+            ways = [play.AT_WORK if path == play.STATED and short == "D" else path for path in ways]
         found = []
         for path in ways:
             place = self.places.quantities[path]
             if place.dimension != NUMBER and (place.dimension != TORQUE or self.scales.radii is not None):
-                si = to_physical(self.scales, path, value)
+                si = np.asarray(value) if path == short else to_physical(self.scales, path, value)
                 found.append((path, np.asarray(si) * float(unit(place.unit).express(1.0)), place.unit))
         return found

@@ -15,7 +15,7 @@ def to_dimensionless(scales: Scales, path: str, value: float) -> float:
         return float(scales.omega_from_pinion_speed(value))
     if leaf == "mesh_frequency":
         return float(scales.omega_from_hz(value))
-    if leaf == "backlash":
+    if leaf in ("backlash", "backlash_at_work"):
         return float(scales.half_backlash_from_m(value))
     if leaf == "torque":
         return float(scales.load_from_torque(value))
@@ -31,7 +31,7 @@ def to_physical(scales: Scales, path: str, value: ArrayLike) -> NDArray[np.float
         return scales.pinion_speed(value)
     if leaf == "mesh_frequency":
         return scales.mesh_hz(value)
-    if leaf == "backlash":
+    if leaf in ("backlash", "backlash_at_work"):
         return scales.backlash_m(value)
     if leaf == "torque":
         return scales.torque(value)

@@ -8,7 +8,7 @@ from gearlash.case.kinds.listed import displayed
 from gearlash.case.stated import Provenance
 from gearlash.case.value import DERIVED, Value
 
-from . import drawn
+from . import drawn, play
 from .curves import STEMS, TABLE
 from .derive import derived, disc_gears
 from .keys import BODY, CONTACT
@@ -79,6 +79,8 @@ def _defaults(pair: GearPair) -> Iterator[Value]:
         if path in drawn.KEYS:
             continue
         takes_effect = path != BODY or disc_gears(pair)
+        if path == play.HOUSING_MATERIAL:
+            takes_effect = play.stated(pair.entries)
         if path not in pair.entries and takes_effect and (pair.scales.physical or path == CONTACT):
             yield Value(path, choice.default, "", assumed, "default", None, choice.description)
     in_curves = {STEMS[name] for name in pair.curves}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gearlash.case.kinds.gears import drawn, loaded, shared, supports
+from gearlash.case.kinds.gears import drawn, loaded, play, shared, supports
 from gearlash.case.kinds.gears.keys import GEARS, PROJECTION
 from gearlash.case.kinds.gears.places import Places
 from gearlash.case.kinds.gears.shared import RIGHT_ANGLE, number, positive, ratio
@@ -22,6 +22,7 @@ def _quantities() -> Iterator[Quantity]:
     for gear in GEARS:
         yield from shared.of_gear(gear)
         yield from drawn.of_gear(gear)
+        yield from play.of_gear(gear)
         for axis, way in supports.WAYS.items():
             what = f"{way} bearing stiffness of the {gear}"
             yield positive(f"{gear}.bearing_stiffness_{axis}", STIFFNESS, "N/m", "8e8 N/m", what, 1e13)
@@ -33,6 +34,7 @@ def _quantities() -> Iterator[Quantity]:
     yield ratio("bearings.damping_ratio", "damping ratio ξ of all four bearing directions")
     yield from shared.of_mesh()
     yield from drawn.of_mesh()
+    yield from play.of_mesh()
     yield from loaded.quantities()
     yield from shared.of_operation()
     yield from drawn.of_operation()
@@ -55,6 +57,7 @@ def _numbers(table: str) -> Iterator[Quantity]:
 def _choices() -> Iterator[Choice]:
     yield from shared.options()
     yield from drawn.options()
+    yield from play.options()
     yield Choice(PROJECTION, tuple(Projection), Projection.PITCH, shared.PROJECTED)
     yield Choice(Y_AXIS, tuple(YAxis), YAxis.PITCH_TANGENT, "direction of the lateral coordinate")
 
@@ -73,5 +76,5 @@ PLACES = Places.of(
     _choices(),
     _ways(),
     {"bearing_damping": tuple(f"bearing_damping_{bearing}" for bearing in BEARINGS), **drawn.BOTH_WIDTHS},
-    {OTHER_MODULE: MODULE},
+    {OTHER_MODULE: MODULE, play.AT_WORK: "D"},
 )

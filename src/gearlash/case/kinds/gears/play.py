@@ -1,0 +1,101 @@
+"""Backlash at work: what temperatures and the deviation of the centre distance add to the stated one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from gearlash.case.errors import Problem
+from gearlash.case.quantity import Choice, Quantity
+from gearlash.case.units import LENGTH, TEMPERATURE
+from gearlash.gears import CylindricalPair
+from gearlash.gears.backlash import Growth, of_pair
+from gearlash.gears.materials import MATERIALS, named
+from gearlash.system import GearlashError
+
+from .keys import GEARS
+from .places import Places
+from .rules import EntriesByKey
+
+OF_DRAWINGS = 20.0
+"""°C."""
+ALL, HOUSING, HOUSING_MATERIAL = "mesh.temperature", "mesh.housing_temperature", "mesh.housing_material"
+STATED, AT_WORK = "mesh.backlash", "mesh.backlash_at_work"
+FORMULA = "mesh.backlash, and what expansion and centre distance add (ISO 21771-1)"
+DEVIATION = "mesh.centre_distance_deviation"
+KEYS = (*(f"{gear}.temperature" for gear in GEARS), ALL, HOUSING, DEVIATION)
+
+
+def of_gear(gear: str) -> Iterator[Quantity]:
+    """What the table [pinion] or [gear] may hold."""
+    yield _temperature(f"{gear}.temperature", f"temperature of the {gear} at work")
+
+
+def of_mesh() -> Iterator[Quantity]:
+    """What the table [mesh] may hold."""
+    yield _temperature(ALL, "temperature at work of gears and housing, where none of their own is stated")
+    yield _temperature(HOUSING, "temperature of the housing at work")
+    what = "whole normal backlash at work, in place of the stated one at 20 °C"
+    yield Quantity(AT_WORK, LENGTH, "um", "100 um", what, 0.0, 0.02)
+    what = "how much the centre distance is above its nominal value, at 20 °C"
+    yield Quantity(DEVIATION, LENGTH, "um", "20 um", what, -0.002, 0.002)
+
+
+def options() -> Iterator[Choice]:
+    """Named options."""
+    yield Choice(HOUSING_MATERIAL, tuple(MATERIALS), "grey-cast-iron", "material of the housing")
+
+
+def _temperature(path: str, what: str) -> Quantity:
+    return Quantity(path, TEMPERATURE, "degC", "60 degC", what, -60.0, 300.0)
+
+
+def stated(entries: EntriesByKey) -> list[str]:
+    """Keys that change the backlash."""
+    return [key for key in KEYS if key in entries]
+
+
+def added(places: Places, entries: EntriesByKey, pair: CylindricalPair) -> float:
+    """What the normal backlash at work has more than the stated one, m. Raises `GearlashError` for teeth that
+    do not mesh."""
+    if not stated(entries):
+        return 0.0
+    rises = [_rise(entries, key) for key in (*(f"{gear}.temperature" for gear in GEARS), HOUSING)]
+    materials = (*(f"{gear}.material" for gear in GEARS), HOUSING_MATERIAL)
+    expansions = [named(places.chosen(entries, key)).expansion for key in materials]
+    growth = Growth(*(a * rise for a, rise in zip(expansions, rises, strict=True)))
+    deviation = entries[DEVIATION].number if DEVIATION in entries else 0.0
+    moved = replace(pair, stated_centre_distance=pair.centre_distance + deviation)
+    return of_pair(moved, growth).normal - of_pair(pair).normal
+
+
+def _rise(entries: EntriesByKey, key: str) -> float:
+    entry = entries.get(key, entries.get(ALL))
+    return 0.0 if entry is None else entry.number - OF_DRAWINGS
+
+
+def unusable(entries: EntriesByKey) -> tuple[Problem, ...]:
+    """Words of this page where no teeth are known that they could act on."""
+    expected = "teeth, module and helix angle beside it, which tell how the backlash follows it"
+    return tuple(Problem(entries[key].path, repr(entries[key].text), expected) for key in stated(entries)[:1])
+
+
+def checked(entries: EntriesByKey, more: float) -> None:
+    """Raises `GearlashError` where no play is left."""
+    play = entries.get("D")
+    if play is not None and play.path == STATED and play.number + more < 0.0:
+        raise GearlashError(
+            f"of {1e6 * play.number:.4g} um of backlash temperatures and centre distance take "
+            f"{-1e6 * more:.4g} um"
+        )
+
+
+def act_on(entries: EntriesByKey) -> bool:
+    """Whether the backlash at work is another one than the stated one."""
+    gap = entries.get("D")
+    return gap is not None and gap.path == STATED and bool(stated(entries))
+
+
+def inputs(entries: EntriesByKey) -> tuple[str, ...]:
+    """What the backlash at work follows from."""
+    return "D", *stated(entries), *(f"{gear}.material" for gear in GEARS), HOUSING_MATERIAL
