@@ -276,3 +276,20 @@ def test_ctrl_c_keeps_what_was_found(gearlash: Gearlash, tmp_path: Path, monkeyp
     assert (dataset.attrs["complete"], dataset.sizes["point"]) == (0, len(kept.points))
     assert not (tmp_path / "branch.svg").exists()
     assert ran.answer["advice"] == "call it again for the rest"
+
+
+def test_what_varies_beside_the_model_is_named_whole_and_resumed_without_over(
+    gearlash: Gearlash, tmp_path: Path
+):
+    case = str(Path(__file__).parents[1] / "cases" / "drawing.toml")
+    out = tmp_path / "out"
+    ran = gearlash("branch", case, "--over", "pinion.face_width=39.9:40.1mm", "--out", str(out), "--json")
+    assert ran.code == 0
+    assert ran.answer["axis"]["asked"]["gear"] == "pinion"
+    assert "over pinion face width" in (out / "branch.svg").read_text(encoding="utf-8")
+    again = gearlash("branch", case, "--resume", str(out / "branch-1.json"), "--json")
+    assert again.code == 0
+    assert again.answer["axis"]["name"] == "pinion.face_width"
+    assert again.answer["axis"]["asked"]["unit"] == "mm"
+    other = gearlash("branch", "article", "--resume", str(out / "branch-1.json"))
+    assert (other.code, "a branch of this case" in other.complaint) == (2, True)

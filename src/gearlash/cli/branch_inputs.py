@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from gearlash.case import Case, CaseError, Problem
 from gearlash.case.units import behind_number
-from gearlash.system import Family, GearlashError
+from gearlash.system import Family, GearlashError, UnknownNameError
 
 from .inputs import TypedLimits, read_between, read_case, read_start
 
@@ -239,6 +239,7 @@ def _resumed(
     from gearlash.results.branch_file import load_branch
 
     kept = load_branch(path)
+    case, family = as_kept(case, kept.values)
     if set(kept.values) != set(family.defaults):
         raise CaseError("--resume", [Problem("--resume", repr(str(path)), "a branch of this case")])
     if at is not None and at > len(kept.special):
@@ -251,10 +252,22 @@ def _resumed(
     parameters = {**kept.values, kept.name: value}
     check_same(case, family.complete(), parameters, {kept.name})
     if between is None:
-        between = TypedLimits(kept.name, kept.name, kept.lower, kept.upper)
+        own = [unit for where, _, unit in case.physical(kept.name, 1.0) if where == kept.name]
+        between = TypedLimits(kept.name, kept.name, kept.lower, kept.upper, "".join(own))
     if point is not None:
         check_inside(case, between, parameters[between.short])
     return BranchInputs(case, family, between, parameters, kept=kept, point=point)
+
+
+def as_kept(case: Case, kept: Iterable[str]) -> tuple[Case, Family]:
+    """The case with what varies in a file beside the parameters of its model, where it has that."""
+    for name in kept:
+        if name not in case.family()[0].defaults:
+            try:
+                case = case.varying(name)
+            except (CaseError, UnknownNameError):
+                break  # it is a file of another case, which is told
+    return case, case.family()[0]
 
 
 def check_same(

@@ -15,7 +15,7 @@ from gearlash.system import Family, GearlashError
 
 from .answers.curve_parts import Begun, CurveStart
 from .answers.outcome import INCOMPLETE
-from .branch_inputs import BranchInputs, check_inside, check_same, near_value
+from .branch_inputs import BranchInputs, as_kept, check_inside, check_same, near_value
 from .inputs import TypedLimits, read_between, read_case, read_start
 
 if TYPE_CHECKING:
@@ -311,6 +311,7 @@ def _resumed(
 ) -> CurveInputs:
     """At points of a branch or a curve that was kept."""
     kept = _kept(path)
+    case, family = as_kept(case, kept.values)
     if set(kept.values) != set(family.defaults):
         raise CaseError(
             "--resume", [Problem("--resume", repr(str(path)), "a branch or a curve of this case")]

@@ -204,7 +204,8 @@ def _others(case: Case, assumed: Mapping[str, bool]) -> dict[str, Twin]:
     found = {}
     for parameter in case.family()[0].defaults:
         for path, value, unit in case.physical(parameter, 1.0)[-1:]:
-            words = path.rpartition(".")[2].replace("_", " ")
+            table, _, leaf = path.rpartition(".")
+            words = (f"{table} {leaf}" if table in ("pinion", "gear") else leaf).replace("_", " ")
             found[parameter] = Twin(float(value), words, pretty(unit), assumed.get(unit, False))
     return found
 

@@ -19,15 +19,17 @@ class Asked:
     name: Annotated[str, "as it was typed"]
     unit: Annotated[str, "that it was typed in; empty where values are dimensionless"]
     factor: Annotated[float, "what dimensionless values are multiplied with"]
+    gear: Annotated[str, "pinion or gear, where the name is that of one of them; else empty"] = ""
 
     @staticmethod
     def of(case: Case, short: str, named: str, unit: str) -> Asked:
         """``named`` is the name as typed, ``unit`` the one typed with it (empty: none)."""
-        leaf = named.rpartition(".")[2]
+        table, _, leaf = named.rpartition(".")
+        gear = table if table in ("pinion", "gear") else ""
         for path, values, own in case.physical(short, 1.0):
             if path.rpartition(".")[2] == leaf and (unit or named != short):
-                return Asked(leaf, *_converted(float(values), own, unit))
-        return Asked(short if leaf == short else leaf, "", 1.0)
+                return Asked(leaf, *_converted(float(values), own, unit), gear)
+        return Asked(short if leaf == short else leaf, "", 1.0, gear)
 
     def value(self, dimensionless: float) -> float:
         return self.factor * dimensionless
@@ -42,7 +44,7 @@ class Asked:
 
     def reach(self, low: float, high: float, digits: int = 6) -> str:
         """How far was looked: ``from 1000 to 3850 rpm``, ``from omega = 0.13 to 0.5``."""
-        return self._ends(low, high, "" if self.unit else f"{self.name} = ", digits)
+        return self._ends(low, high, "" if self.unit else f"{self.title} = ", digits)
 
     def _ends(self, low: float, high: float, before: str, digits: int) -> str:
         ends = f"from {before}{self.value(low):.{digits}g} to {self.value(high):.{digits}g}"
@@ -51,7 +53,8 @@ class Asked:
     @property
     def title(self) -> str:
         """The name as it is written for people."""
-        return self.name.replace("_", " ") if self.unit else self.name
+        name = self.name.replace("_", " ") if self.unit else self.name
+        return f"{self.gear} {name}" if self.gear else name
 
     def edge(self, value: float, inwards: int, beside: float) -> str:
         """The end of an interval, rounded into it; only the number."""
@@ -72,11 +75,11 @@ class Asked:
         return f"{shown} {pretty(self.unit)}" if self.unit else shown
 
     def with_unit(self, shown: str) -> str:
-        return f"{shown} {pretty(self.unit)}" if self.unit else f"{self.name} = {shown}"
+        return f"{shown} {pretty(self.unit)}" if self.unit else f"{self.title} = {shown}"
 
     def between(self, low: str, high: str) -> str:
         """Two numbers as an interval: ``1000 to 3850 rpm``, ``omega from 0.13 to 0.5``."""
-        return f"{low} to {high} {pretty(self.unit)}" if self.unit else f"{self.name} from {low} to {high}"
+        return f"{low} to {high} {pretty(self.unit)}" if self.unit else f"{self.title} from {low} to {high}"
 
 
 def _converted(value: float, own: str, asked: str) -> tuple[str, float]:

@@ -143,7 +143,7 @@ def _place(answer: AtlasAnswer, values: tuple[float, float]) -> str:
 
 
 def _heading(asked: Asked) -> str:
-    return f"{asked.title}, {pretty(asked.unit)}" if asked.unit else asked.name
+    return f"{asked.title}, {pretty(asked.unit)}" if asked.unit else asked.title
 
 
 def _title(what: str, shown: int, every: int) -> str:

@@ -45,7 +45,7 @@ def _branch(answer: BranchAnswer, branch: BranchFound, marks: Marks, width: int)
     if len(branch.labels) > 8:
         title += f" and {len(branch.labels) - 8} more labels"
     shown = branch.special[:MOST_LINES]
-    unit = pretty(asked.unit) if asked.unit else asked.name
+    unit = pretty(asked.unit) if asked.unit else asked.title
     columns = [
         ("", "right"), (unit, "right"), ("error", "right"), ("kind", "left"), ("gap", "left"),
         ("before | after", "left"), ("unstable", "left"),

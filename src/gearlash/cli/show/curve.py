@@ -62,7 +62,7 @@ def _curve(answer: CurveAnswer, curve: CurveFound, marks: Marks, width: int) -> 
 
 
 def _head(limit: LimitsUsed) -> str:
-    return f"{limit.asked.title} [{pretty(limit.asked.unit)}]" if limit.asked.unit else limit.asked.name
+    return f"{limit.asked.title} [{pretty(limit.asked.unit)}]" if limit.asked.unit else limit.asked.title
 
 
 def _row(point: CodimTwoFound, axes: tuple[LimitsUsed, ...], marks: Marks) -> list[str]:

@@ -73,7 +73,7 @@ def _physical(axis: AxisUsed) -> Iterator[tuple[str, str]]:
 
 
 def _heading(asked: Asked) -> str:
-    return f"{asked.title}, {pretty(asked.unit)}" if asked.unit else asked.name
+    return f"{asked.title}, {pretty(asked.unit)}" if asked.unit else asked.title
 
 
 def _span(ends: tuple[float, float], asked: Asked) -> str:
