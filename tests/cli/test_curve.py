@@ -127,7 +127,7 @@ def test_what_cannot_be_asked_is_told(gearlash: Gearlash, arguments: tuple[str, 
 def test_what_the_file_does_not_have_is_told(gearlash: Gearlash, kept: str, tmp_path: Path):
     resumed = ("curve", "kahraman-singh", *PAIR, "--resume", kept)
     assert (
-        "--from = 40: expected a special point, which has 1 grazing, "
+        "--from = 40: expected a special point of a branch which has 1 grazing, "
         in gearlash(*resumed, "--at", "40").complaint
     )
     assert "--from = Neimark-Sacker: " in gearlash(*resumed, "--from", "neimark-sacker").complaint

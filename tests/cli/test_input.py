@@ -181,3 +181,11 @@ def test_a_state_of_another_model_is_refused(gearlash: Gearlash, tmp_path: Path)
     ran = gearlash("run", "article", "--initial", str(path))
     assert ran.code == 2
     assert "Y_p" in ran.err
+
+
+def test_a_falling_interval_is_advised_on_only_where_it_can_be_followed(gearlash: Gearlash):
+    for command in ("zones", "report"):
+        ran = gearlash(command, "article", "--over", "omega=1.4:0.5:9")
+        assert ran.code == 2
+        assert "a rising interval FROM < TO" in ran.err
+        assert "--down" not in ran.err

@@ -10,8 +10,11 @@ import pytest
 import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
+from gearlash.cli.answers.asked import Asked
+from gearlash.cli.answers.plane_zone import MarginAlong, MarginTogether, how_far, times
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
+from gearlash.plots import plane_zoned
 
 OVER = ("--over", "pinion_speed=4000:4300rpm", "--over", "torque=90:105N*m")
 TOLERANCES = ("--tolerance", "pinion_speed=50rpm", "--tolerance", "torque=2N*m")
@@ -74,8 +77,10 @@ def test_in_words(gearlash: Gearlash):
         (("--over", "omega=1:1.1:5", "--over", "D=0.5:1.5"), "NAME=FROM:TO"),
         (("--over", "omega=1:1.1", "--over", "D=0.5:1.5", "--tolerance", "omega=0.1"), "both parameters"),
         (("--over", "omega=1:1.1", "--over", "D=0.5:1.5", "--tolerance", "omega"), "NAME=VALUE"),
-        (("--over", "omega=1:1.1", "--tolerance", "omega=0.1"), "two for a zone in a plane"),
-        (("--over", "omega=1.2:1.3", "--over", "D=0.5:1.5"), "outside the interval"),
+        (("--over", "omega=1:1.1:11", "--tolerance", "omega=0.1"), "--tolerance needs two --over"),
+        (("--over", "omega=1:1.1", "--tolerance", "omega=0.1"), "--tolerance needs two --over"),
+        (("--over", "omega=1.2:1.3", "--over", "D=0.5:1.5"), "from omega = 1.2 to 1.3"),
+        (("--over", "pinion_speed=5000:6500rpm", "--over", "torque=20:120N*m"), "from 5000 to 6500 rpm"),
     ],
 )
 def test_what_cannot_be_used_is_named(gearlash: Gearlash, options: tuple[str, ...], said: str):
@@ -89,3 +94,17 @@ def test_a_motion_that_is_not_quiet_is_said_to_be_none(gearlash: Gearlash):
     ran = gearlash("zones", "kahraman-singh", "--set", "omega=0.9", *limits)
     assert ran.code == 2
     assert "which is not impact-free" in ran.err
+
+
+@pytest.mark.parametrize(("upward", "value"), [(True, 0.8399996), (False, 0.7600004)])
+def test_a_margin_is_never_told_as_more_than_it_is(upward: bool, value: float):
+    far = abs(value - 0.8)
+    margin = MarginAlong("omega", upward, far, far, 100.0 * far / 0.8, (), value, "fold", True)
+    shown, share = how_far(margin, Asked("omega", "", 1.0), 0.8).split(" (")
+    assert shown.startswith("0.0399")
+    assert float(shown) <= far
+    assert share == f"4.99 %) {'above' if upward else 'below'}"
+    assert times(MarginTogether("box", 1.99999, (0.0, 0.0), (0.0, 0.0), "fold", True)) == "1.999 times"
+    speed = ("pinion_speed", 99.9999, "rpm")
+    axis = gl.AxisMargin("omega", upward, far, 5.0, value, "fold", True, (speed,))
+    assert plane_zoned._said(axis)[1:] == "99.99 rpm"

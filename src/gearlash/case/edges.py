@@ -38,6 +38,14 @@ def shown_distance(value: float, edge: float, inwards: int) -> str:
     return _text(_rounded(apart, -1, places), places)
 
 
+def at_most(value: float, digits: int = DIGITS) -> str:
+    """A size, of zero or more, to so many significant digits: never more than it is."""
+    if not isfinite(value) or value == 0.0:
+        return f"{value:g}"
+    places = digits - 1 - floor(log10(value))
+    return _text(_rounded(value, -1, places), max(0, places))
+
+
 def decimals(value: float, beside: float | None = None) -> int:
     """How many of them an end is shown with."""
     if not isfinite(value) or value == 0.0:

@@ -222,9 +222,13 @@ def _told_of(source: Branch | Curve, curve: bool, label: str = "") -> CurveStart
 
 
 def _no_such(source: Branch | Curve, wanted: str) -> CaseError:
+    from gearlash.branches.curves import Curve
+
     kinds = [f"{i} {special.kind}" for i, special in enumerate(source.special, 1)]
-    has = f"which has {', '.join(kinds[:12])}" if kinds else "which has none"
-    return CaseError("--from", [Problem("--from", wanted, f"a special point, {has}")])
+    what = "curve" if isinstance(source, Curve) else "branch"
+    left = f" and {len(kinds) - 12} more" if len(kinds) > 12 else ""
+    has = f"which has {', '.join(kinds[:12])}{left}" if kinds else "which has none"
+    return CaseError("--from", [Problem("--from", wanted, f"a special point of a {what} {has}")])
 
 
 def _together(

@@ -95,9 +95,9 @@ def read_start(
     return start
 
 
-def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> Over:
+def read_over(case: Case, text: str, settings: Iterable[str] | None = None, hint: str = "") -> Over:
     """``NAME=FROM:TO:COUNT``, ends as they would stand in the case: ``pinion_speed=1000rpm:6000rpm:500``; a
-    unit behind TO holds for FROM too."""
+    unit behind TO holds for FROM too. ``hint``: what the command has for a falling interval."""
     import numpy as np
 
     name, parts = _span(
@@ -111,7 +111,7 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None) -> O
         expected = f"a number of points from 2 to {MOST_POINTS:,}, in digits, such as 200"
         problems.append(Problem(here, repr(parts[2]), expected))
     if not first < last:
-        expected = "a rising interval FROM < TO (sweep --down follows it downwards)"
+        expected = "a rising interval FROM < TO" + hint
         problems.append(Problem(here, repr(f"{parts[0]}:{parts[1]}"), expected))
     problems += twice_named(case, name, short, settings)
     if problems:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case, CaseError, Problem
+from gearlash.system import GearlashError
 
 from .exits import ExitCode
 
@@ -40,6 +41,7 @@ def zone_in_plane(
     """Reads, computes, keeps and shows it."""
     from .answers.asked import Asked
     from .answers.plane_zone import plane_zone_answer
+    from .branch_inputs import check_inside
     from .frame import StudyInputs, deliver
     from .interrupt import signalled
 
@@ -52,8 +54,10 @@ def zone_in_plane(
     asked = StudyInputs.read(case, settings, initial, over, read_axes)
     tolerances = _tolerances(asked.case, limits, tolerance)
     folder = asked.made_ready(out, FILES)
-    zone = _zone(asked, limits, kind, tolerances, asked.search(*search))
     units = tuple(Asked.of(asked.case, each.short, each.named, each.unit) for each in limits)
+    for each in limits:
+        check_inside(asked.case, each, asked.parameters[each.short], " (--set gives another one)")
+    zone = _zone(asked, limits, kind, tolerances, asked.search(*search))
     answer = plane_zone_answer(asked.case, zone, (units[0], units[1]), bool(signalled()))
 
     def keep() -> None:
@@ -67,6 +71,11 @@ def _limits(case: Case, over: Sequence[str], settings: list[str] | None) -> list
     from .inputs import read_between
 
     found, problems = [], []
+    if len(over) == 1:  # it comes here for its --tolerance alone
+        raise GearlashError(
+            "--tolerance needs two --over, without numbers of points, such as --over omega=0.9:1.1 "
+            "--over D=0.5:1.5: by what all tolerances together can be multiplied is told in a plane"
+        )
     for text in over:
         try:
             found.append(read_between(case, text))

@@ -12,6 +12,7 @@ from matplotlib.patches import Ellipse, Patch, PathPatch, Rectangle
 from matplotlib.path import Path
 
 from gearlash.case import Case
+from gearlash.case.edges import at_most
 from gearlash.case.units import pretty
 from gearlash.studies.plane_zone import AxisMargin, PlaneZone, ToleranceMargin
 from gearlash.system import Family, given
@@ -137,11 +138,12 @@ def _arrow(panel: Axes, zone: PlaneZone, margin: AxisMargin) -> None:
 
 
 def _said(margin: AxisMargin) -> str:
+    """How far, never more than it is."""
     sign, least = ("+" if margin.upward else "−"), "" if margin.bounded else "≥ "
     if margin.physical:
         _, distance, unit = margin.physical[0]
-        return f"{least}{sign}{distance:.4g} {pretty(unit)}"
-    return f"{least}{sign}{margin.distance:.4g}"
+        return f"{least}{sign}{at_most(distance)} {pretty(unit)}"
+    return f"{least}{sign}{at_most(margin.distance)}"
 
 
 def _tolerance(panel: Axes, zone: PlaneZone, margin: ToleranceMargin) -> Line2D:
@@ -158,7 +160,7 @@ def _tolerance(panel: Axes, zone: PlaneZone, margin: ToleranceMargin) -> Line2D:
     if margin.bounded:
         panel.plot(*margin.values, ls="none", marker="s" if box else "D", ms=3.6, color=style.INK, zorder=6.0)
     least = "" if margin.bounded else "≥ "
-    text = f"{margin.norm} of {least}{margin.multiple:.3g} times the tolerances"
+    text = f"{margin.norm} of {least}{at_most(margin.multiple, 3)} times the tolerances"
     colour = style.INK if box else style.GREY
     return Line2D([], [], color=colour, lw=0.8, ls=TOLERANCE, marker="s" if box else "D", ms=3.6, label=text)
 

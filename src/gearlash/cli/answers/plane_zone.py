@@ -8,6 +8,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
+from gearlash.case.edges import at_most
 from gearlash.case.units import pretty
 
 from .asked import Asked
@@ -160,16 +161,17 @@ def _together(margin: ToleranceMargin, asked: tuple[Asked, Asked]) -> MarginToge
     return MarginTogether(margin.norm, margin.multiple, margin.values, there, margin.event, margin.bounded)
 
 
-def how_far(margin: MarginAlong, asked: Asked) -> str:
-    """``248 rpm (6.2 %) above``."""
-    far = asked.with_unit(f"{margin.asked:.4g}") if asked.unit else f"{margin.asked:.4g}"
-    share = "" if margin.percent is None else f" ({margin.percent:.3g} %)"
-    return f"{far}{share} {'above' if margin.upward else 'below'}"
+def how_far(margin: MarginAlong, asked: Asked, here: float) -> str:
+    """``248 rpm (6.2 %) above``: never farther than the zone reaches, see `Asked.distance`."""
+    far = asked.distance(here, margin.value, -1 if margin.upward else 1)
+    share = "" if margin.percent is None else f" ({at_most(margin.percent, 3)} %)"
+    side = "above" if margin.upward == (asked.factor > 0.0) else "below"
+    return f"{far}{share} {side}"
 
 
 def times(margin: MarginTogether) -> str:
     """``3.71 times``."""
-    return f"{'' if margin.bounded else 'at least '}{margin.multiple:.4g} times"
+    return f"{'' if margin.bounded else 'at least '}{at_most(margin.multiple, 4)} times"
 
 
 def _sentence(
@@ -185,8 +187,9 @@ def _sentence(
     ]
     met = [margin for margin in margins if margin.bounded]
     for margin in met:
-        unit = asked[zone.names.index(margin.parameter)]
-        said.append(f"{unit.title}: {margin.event} {how_far(margin, unit)}")
+        which = zone.names.index(margin.parameter)
+        far = how_far(margin, asked[which], zone.at[which])
+        said.append(f"{asked[which].title}: {margin.event} {far}")
     if not met:
         said.append("nothing bounds it along either parameter within the range")
     for margin in together[:1]:

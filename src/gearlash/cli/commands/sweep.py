@@ -19,6 +19,8 @@ from gearlash.cli.options import (
     Workers,
 )
 
+FALLING = " (--down follows it downwards)"  # what to do instead of typing a falling interval
+
 
 @command
 def sweep(
@@ -46,7 +48,9 @@ def sweep(
     from gearlash.cli.frame import StudyInputs, deliver
     from gearlash.cli.inputs import read_over
 
-    asked = StudyInputs.read(case, settings, initial, [over], lambda case: (read_over(case, over, settings),))
+    asked = StudyInputs.read(
+        case, settings, initial, [over], lambda case: (read_over(case, over, settings, FALLING),)
+    )
     chosen = {"cold": cold, "up": up, "down": down}
     ways = [name for name, wanted in chosen.items() if wanted] or list(chosen)
     folder = asked.made_ready(out, ["sweep.nc", "sweep.json", "sweep.svg", "sweep.pdf"])

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
+from gearlash.case.edges import at_most
+from gearlash.case.units import pretty
 from gearlash.cli.answers.plane_zone import WORDS, MarginAlong, PlaneZoneAnswer, how_far, times
 
 from .layout import facts, headline, note, table
@@ -37,7 +39,8 @@ def plane_zone_view(answer: PlaneZoneAnswer, width: int) -> Iterator[Text]:
 def _margins(answer: PlaneZoneAnswer) -> Iterator[tuple[str, str]]:
     for margin in answer.margins:
         asked = answer.asked[answer.names.index(margin.parameter)]
-        yield asked.title, f"{_event(margin)} {how_far(margin, asked)}{_others(margin, asked.name)}"
+        here = answer.at[answer.names.index(margin.parameter)]
+        yield asked.title, f"{_event(margin)} {how_far(margin, asked, here)}{_others(margin, asked.name)}"
     for each in answer.together:
         where = f"{each.event} at {_place(answer, each.values)}" if each.bounded else "the range ends first"
         yield f"tolerances, {each.norm}", f"{times(each)} their size: {where}"
@@ -54,7 +57,7 @@ def _event(margin: MarginAlong) -> str:
 
 
 def _others(margin: MarginAlong, name: str) -> str:
-    others = [f"{each.value:.4g} {each.unit}" for each in margin.physical if each.name != name]
+    others = [f"{at_most(each.value)} {pretty(each.unit)}" for each in margin.physical if each.name != name]
     return f"; {', '.join(others)}" if others else ""
 
 
