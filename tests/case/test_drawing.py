@@ -41,6 +41,62 @@ def test_what_is_stated_is_not_estimated():
     assert found["gear.inertia"].least is not None
 
 
+@pytest.mark.parametrize("name", ["mesh.error", "error"])
+def test_a_stated_amplitude_of_the_error_leaves_its_phase_unknown(name: str):
+    shown = {"mesh.error": "21.9 um", "error": 0.5}[name]
+    case = loads(TEXT, {name: shown})
+    phase = values(case)["mesh.error_phase"]
+    assert (phase.value, phase.least, phase.greatest) == pytest.approx((90.0, -180.0, 180.0))
+    assert phase.provenance == "assumed"
+    assert values(case)["mesh.error"].least is None
+    known = values(loads(TEXT, {name: shown, "mesh.error_phase": "30 deg"}))["mesh.error_phase"]
+    assert (known.value, known.provenance) == (pytest.approx(30.0), "given")
+
+
+def test_contact_ratios_are_those_of_the_shifted_teeth():
+    case = loads(TEXT, {"pinion.profile_shift": 0.4, "gear.profile_shift": 0.3})
+    teeth, found = case.numbers.body.teeth, values(case)
+    for what in ("transverse_contact_ratio", "overlap_ratio", "total_contact_ratio"):
+        assert found[f"derived.{what}"].value == pytest.approx(getattr(teeth, what), rel=1e-12), what
+    plain = values(loads(TEXT))["derived.transverse_contact_ratio"].value
+    assert found["derived.transverse_contact_ratio"].value < 0.97 * plain
+
+
+def test_a_mean_stiffness_is_compared_where_it_is_stated_and_with_its_materials():
+    plastic = {"gear.material": "POM"}
+    estimated = loads(TEXT, plastic)
+    assert not [note for note in estimated.notes() if note.path == "mesh.mean_stiffness"]
+    own = values(estimated)["mesh.mean_stiffness"].value
+    same = loads(TEXT, {**plastic, "mesh.mean_stiffness": f"{own} N/m"})
+    assert not [note for note in same.notes() if note.path == "mesh.mean_stiffness"]
+    (note,) = [
+        note
+        for note in loads(TEXT, {**plastic, "mesh.mean_stiffness": "8e8 N/m"}).notes()
+        if note.path == "mesh.mean_stiffness"
+    ]
+    assert "of steel and POM" in note.text
+    assert "softer" in note.text
+
+
+@pytest.mark.parametrize(
+    ("stated", "path", "limit"),
+    [
+        ({"pinion.bore": "60 mm"}, "pinion.bore", "root diameter"),
+        ({"gear.bore": "400 mm"}, "gear.bore", "root diameter"),
+        ({"gear.rim_diameter": "400 mm"}, "gear.rim_diameter", "root diameter"),
+        ({"gear.rim_diameter": "120 mm", "gear.bore": "130 mm"}, "gear.bore", "of its rim, 120 mm"),
+    ],
+)
+def test_a_body_that_leaves_no_gear_is_told_by_its_own_word(stated: dict[str, str], path: str, limit: str):
+    small = {"pinion.bore": "60 mm"}
+    teeth = {"pinion.teeth": 16, "gear.teeth": 57} if stated == small else {}
+    with pytest.raises(CaseError) as refused:
+        loads(TEXT, {**teeth, **stated})
+    (problem,) = refused.value.problems
+    assert problem.path == path
+    assert limit in problem.expected
+
+
 def test_estimates_follow_an_override_and_the_unit_of_length_does_not():
     text = TEXT.replace('backlash = "80 um"\n', "")
     case = loads(text)
@@ -129,7 +185,7 @@ def test_both_names_of_the_module_are_understood(kind, name):
     [
         ('material = "steel"', 'material = "stel"', "pinion.material", "steel"),
         ("quality = 7", "quality = 17", "pinion.quality", "from 1 to 12"),
-        ('bore = "50 mm"', 'bore = "500 mm"', "mesh", "inner diameter"),
+        ('bore = "50 mm"', 'bore = "500 mm"', "gear.bore", "root diameter"),
         ('backlash = "80 um"', 'backlash = "80 um"\ncentre_distance = "100 mm"', "mesh", "base circles"),
         ('backlash = "80 um"', 'shift_sum = 2\ncentre_distance = "130 mm"', "mesh.shift_sum", "one of two"),
     ],

@@ -60,6 +60,23 @@ def test_grades_are_those_of_the_drawing_and_else_a_range():
     assert "does not stand beside it" in band_of_grades(gl.load_case("kahraman-singh"), 0.5)
 
 
+def test_k_v_of_the_standard_has_the_stiffness_of_the_materials_and_is_for_metals():
+    drawn = gl.load_case(CASES / "drawing.toml")
+    bronze = drawn.with_overrides({"gear.material": "tin-bronze"})
+    steel, soft = (method_b(case, 0.3, (7, 7)).resonance_ratio for case in (drawn, bronze))
+    # N goes with the root of the reduced mass over the stiffness; both are of the material
+    mass = [gl.gears.equivalent_mass(c.numbers.body.geometry.base_radii, c.numbers.body.inertias)
+            for c in (drawn, bronze)]  # fmt: skip
+    speed = [float(c.scales.pinion_speed(0.3)) for c in (drawn, bronze)]
+    modulus = 2.0 * 103.0 / (206.0 + 103.0)
+    expected = steel * speed[1] / speed[0] * sqrt(mass[1] / mass[0] / modulus)
+    assert soft == pytest.approx(expected, rel=1e-9)
+    said = band_of_grades(drawn.with_overrides({"gear.material": "POM"}), 0.3)
+    assert said.startswith("K_v of ISO 6336-1 does not stand beside it")
+    assert "for metals" in said
+    assert "POM" in said
+
+
 @pytest.fixture(scope="module")
 def window() -> tuple[Assessment, SpeedRun]:
     """The article's pair around its window without impacts."""

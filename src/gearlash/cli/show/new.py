@@ -29,6 +29,7 @@ def new_view(answer: NewAnswer, width: int) -> Iterator[Text]:
         ("all of it", f"gearlash check {file}"),
         ("here", f"gearlash run {file}"),
         ("where is it quiet", f"gearlash zones {file} --over pinion_speed={low}:{high}rpm:41"),
+        ("all on one page", f"gearlash report {file}"),
     ]
     yield from facts("Next", rows, width)
     yield from note("An estimate is no measurement; state what is known better.", width)

@@ -8,7 +8,6 @@ from gearlash.report.numbers import number
 from gearlash.results.provenance import package_version
 
 from .contents import Contents
-from .verdict import NO_APPROVAL
 
 
 def section(contents: Contents) -> Section:
@@ -51,7 +50,7 @@ def section(contents: Contents) -> Section:
     )
     if contents.missing:
         blocks.append(Text.of(f"The report was stopped early; not computed: {', '.join(contents.missing)}."))
-    blocks.append(Text.of(f"{NO_APPROVAL} Made by gearlash {package_version()}; case {case.hash[:12]}."))
+    blocks.append(Text.of(f"Made by gearlash {package_version()}; case {case.hash[:12]}."))
     return Section("basis", "What this rests on", tuple(blocks))
 
 

@@ -6,10 +6,15 @@ from gearlash.case import Case
 from gearlash.gears import CylindricalGear, CylindricalPair, equivalent_mass, mesh_stiffness
 from gearlash.gears.basic_rack import ISO53_A, BasicRack
 from gearlash.gears.dynamic_factor import DynamicFactor, EffectiveErrors, dynamic_factor
+from gearlash.gears.materials import Material, named
 from gearlash.system import GearlashError
 
 GRADES = (5, 8)
 """Of ISO 1328-1, between which K_v is told, as a case states none."""
+
+
+LEAST_MODULUS = 40e9
+"""Pa, Young's modulus: metals that gears are made of have more, plastics less."""
 
 
 def pair_of(case: Case) -> CylindricalPair:
@@ -33,6 +38,10 @@ def method_b(case: Case, omega: float, grades: tuple[int, int]) -> DynamicFactor
     """K_v at a speed ω for grades of both gears, K_A = 1. Raises `GearlashError` where the case does not
     say enough, or the method does not hold."""
     pair, body, scales = pair_of(case), case.numbers.body, case.scales
+    materials = materials_of(case)
+    for each in materials:
+        if each.youngs_modulus < LEAST_MODULUS:
+            raise GearlashError(f"the standard is for metals, and a gear is of {each.name}")
     if body.inertias is None:
         raise GearlashError("the case does not state inertias")
     base = body.geometry.base_radii
@@ -41,7 +50,7 @@ def method_b(case: Case, omega: float, grades: tuple[int, int]) -> DynamicFactor
     load = torque / body.geometry.pitch_radii[0] / pair.face_width
     speed = float(scales.pinion_speed(omega))
     errors = EffectiveErrors.of_grades(pair, grades)
-    return dynamic_factor(pair, mesh_stiffness.method_b(pair), reduced, speed, load, errors)
+    return dynamic_factor(pair, mesh_stiffness.method_b(pair, materials), reduced, speed, load, errors)
 
 
 def band_of_grades(case: Case, omega: float) -> str:
@@ -62,6 +71,13 @@ def band_of_grades(case: Case, omega: float) -> str:
         f"{first.resonance_ratio:.2f}{stated}): a factor for rating, from tolerances, a line load and the "
         "stiffness of the standard, not from this model's error and bearings."
     )
+
+
+def materials_of(case: Case) -> tuple[Material, Material]:
+    """Of pinion and gear; steel where the case states none."""
+    found = {value.path: value.value for value in case.values()}
+    first, second = (named(str(found.get(f"{gear}.material", "steel"))) for gear in ("pinion", "gear"))
+    return first, second
 
 
 def stated_grades(case: Case) -> tuple[int, int] | None:

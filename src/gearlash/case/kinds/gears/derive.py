@@ -35,7 +35,7 @@ def derived(pair: GearPair) -> Iterator[Derived]:
 
 def _derived_geometry(pair: GearPair) -> Iterator[Derived]:
     body = pair.numbers.body
-    geometry, line, width = body.geometry, body.line, body.face_width
+    geometry, line, width, teeth = body.geometry, body.line, body.face_width, body.teeth
     if line is None or geometry is None:
         return
     angles = ("mesh.pressure_angle", "mesh.helix_angle")
@@ -47,12 +47,13 @@ def _derived_geometry(pair: GearPair) -> Iterator[Derived]:
         "derived.c_t", line.c_t, "", "model.projection", angles, "factor of rotation along the mesh"
     )
     yield from pair.rules.directions(line, angles)
-    ratio = geometry.transverse_contact_ratio
-    yield Derived(
-        "derived.transverse_contact_ratio", ratio, "", "standard addendum and centre distance", radius, "ε_α"
-    )
+    ratio, how = geometry.transverse_contact_ratio, "standard addendum and centre distance"
+    if teeth is not None:
+        ratio, how = teeth.transverse_contact_ratio, "path of contact over transverse base pitch"
+    yield Derived("derived.transverse_contact_ratio", ratio, "", how, radius, "ε_α")
     if width is not None:
-        yield from pair.rules.overlap(geometry, width, (*radius, "pinion.face_width", "gear.face_width"))
+        inputs = (*radius, "pinion.face_width", "gear.face_width")
+        yield from pair.rules.overlap(geometry.overlap_ratio(width), ratio, inputs)
 
 
 def _derived_inertia(pair: GearPair) -> Iterator[Derived]:

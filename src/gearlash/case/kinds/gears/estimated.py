@@ -83,6 +83,9 @@ def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = 
             known |= {e.key: e for e in teeth.found}
             known |= {e.key: e for e in _play(known, pair)}
             wanted = _wanted(rules, known, has_drawing, curves)
+        unfit = tuple(_unfit_bodies(known, pair))
+        if unfit:
+            return Completed(known, problems=unfit)
         drawing = _drawing(rules, known, pair)
         known |= {e.key: e for e in _entries(rules, _estimates(drawing, wanted)) if not _stated(known, e.key)}
         more = play.added(rules.places, known, pair)
@@ -141,7 +144,9 @@ def _wanted(
         }
         named |= {"error"} if is_loaded(entries) else set()
         found |= {"ripple", "error"} - named
-    if "error" in found and "error_phase" not in entries:
+    # an amplitude that is stated says nothing of its phase; files without a drawing keep what they mean
+    amplitude = "error" in found or (has_drawing and "error" in entries)
+    if amplitude and "error_phase" not in entries:
         found.add("error_phase")
     if not _bodies_known(rules, entries):
         found.add("bodies")
@@ -187,6 +192,22 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
         int(stated("mesh.distance_grade") or 7),
         None if load is None or load.dimensionless else load.number,
     )
+
+
+def _unfit_bodies(entries: EntriesByKey, pair: CylindricalPair) -> Iterator[Problem]:
+    """Bores and rims that leave nothing of a body below its teeth."""
+    for gear, one in zip(GEARS, pair.gears, strict=True):
+        limit, what = one.root_diameter, "its root diameter"
+        for leaf in ("rim_diameter", "bore"):
+            key = f"{gear}.{leaf}"
+            if key not in entries:
+                continue
+            entry = entries[key]
+            if not entry.number < limit:
+                expected = f"a diameter below {what}, {limit * 1e3:.4g} mm"
+                yield Problem(entry.path, repr(entry.text), expected)
+            elif leaf == "rim_diameter":
+                limit, what = entry.number, "that of its rim"
 
 
 def _body(

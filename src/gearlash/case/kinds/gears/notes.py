@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from gearlash.case.kinds.sides import notes_on_sides
 from gearlash.case.note import Note
 from gearlash.gears import mesh_stiffness
+from gearlash.gears.materials import named
 
 from .curves import TABLE
 from .pair import GearPair
@@ -42,15 +43,22 @@ def _stiffness(pair: GearPair) -> Iterator[Note]:
     teeth = body.drawn
     if teeth is None or body.face_width is None or stated is None:
         return
+    entry, drawing = pair.entries.get("mesh.mean_stiffness"), pair.completed.drawing
+    if entry is None or entry.least is not None:
+        return  # an estimate needs no comparison with itself
+    materials = named("steel"), named("steel")
+    if drawing is not None:
+        materials = drawing.chosen_materials
     solid = mesh_stiffness.SOLID, mesh_stiffness.SOLID
-    estimate = mesh_stiffness.method_b(teeth, rims=solid).along_normal(body.face_width)
+    estimate = mesh_stiffness.method_b(teeth, materials, solid).along_normal(body.face_width)
+    names = " and ".join(dict.fromkeys(each.name for each in materials))
     ratio = estimate / stated
     if 1.0 / TOLERATED <= ratio <= TOLERATED:
         return
     more, factor = ("stiffer", ratio) if ratio > 1.0 else ("softer", 1.0 / ratio)
     yield Note(
         "mesh.mean_stiffness",
-        f"stated {stated:.3g} N/m; {mesh_stiffness.REFERENCE}, gives {estimate:.3g} N/m for solid steel "
-        f"gears with {1e3 * body.face_width:g} mm of common face width, {factor:.1f} times {more}. "
+        f"stated {stated:.3g} N/m; {mesh_stiffness.REFERENCE}, gives {estimate:.3g} N/m for solid gears "
+        f"of {names} with {1e3 * body.face_width:g} mm of common face width, {factor:.1f} times {more}. "
         "The stated value is used.",
     )

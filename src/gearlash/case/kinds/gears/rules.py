@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from gearlash.case.entries import Entry
 from gearlash.case.scales import Scales
-from gearlash.gears import HelicalPair, LineOfAction, ToothGeometry, YAxis
+from gearlash.gears import HelicalPair, LineOfAction, YAxis
 from gearlash.system import ContactRule, Family
 
 from .places import Places
@@ -66,6 +66,6 @@ class PairRules(ABC):
         """How motion of the bearings enters the mesh, which follows from the angles."""
         return iter(())
 
-    def overlap(self, geometry: ToothGeometry, width: float, inputs: tuple[str, ...]) -> Iterator[Derived]:
-        """Contact ratios that the face width decides."""
+    def overlap(self, overlap: float, transverse: float, inputs: tuple[str, ...]) -> Iterator[Derived]:
+        """Contact ratios that the face width decides: ε_β, and with the transverse one the total."""
         return iter(())

@@ -10,7 +10,7 @@ from gearlash.case.kinds.gears.keys import GEARS
 from gearlash.case.kinds.gears.records import Body, Derived, Numbers
 from gearlash.case.kinds.gears.rules import EntriesByKey, PairRules
 from gearlash.case.scales import Scales
-from gearlash.gears import HelicalPair, LineOfAction, ToothGeometry, YAxis, helical
+from gearlash.gears import HelicalPair, LineOfAction, YAxis, helical
 from gearlash.system import ContactRule, Family
 
 from .places import BEARINGS, FACTORS, MODULE, PLACES, Y_AXIS
@@ -92,7 +92,6 @@ class HelicalRules(PairRules):
         yield Derived("derived.c_y", line.c_y, "", Y_AXIS, angles, "factor of lateral displacement")
         yield Derived("derived.c_z", line.c_z, "", "sin β_b", angles, "factor of axial displacement")
 
-    def overlap(self, geometry: ToothGeometry, width: float, inputs: tuple[str, ...]) -> Iterator[Derived]:
-        overlap, total = geometry.overlap_ratio(width), geometry.total_contact_ratio(width)
+    def overlap(self, overlap: float, transverse: float, inputs: tuple[str, ...]) -> Iterator[Derived]:
         yield Derived("derived.overlap_ratio", overlap, "", "b sin β/(π m_n)", inputs, "ε_β")
-        yield Derived("derived.total_contact_ratio", total, "", "ε_α + ε_β", inputs, "ε_γ")
+        yield Derived("derived.total_contact_ratio", transverse + overlap, "", "ε_α + ε_β", inputs, "ε_γ")
