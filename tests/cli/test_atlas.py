@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import threading
 from pathlib import Path
 
 import pytest
@@ -10,8 +11,12 @@ import pytest
 import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
+from gearlash.cli.answers.atlas import atlas_answer
+from gearlash.cli.atlas_files import write_atlas
+from gearlash.cli.folder import claim
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
+from gearlash.cli.show.atlas import atlas_view
 
 SMALL = ("--over", "omega=0.81:0.83:2", "--over", "D=0.9:1.1:2", "--lines", "1", "--workers", "1")
 SPEED = ("--over", "pinion_speed=3600:3800rpm:2", "--over", "torque=140:160N*m:2")
@@ -66,3 +71,25 @@ def test_axes_that_do_not_fit_are_refused(gearlash: Gearlash, over: tuple[str, .
     ran = gearlash("atlas", "article", *(part for each in over for part in ("--over", each)))
     assert ran.code == 2
     assert expected in ran.complaint
+
+
+def test_an_atlas_that_was_stopped_says_where_and_explains_no_change_that_was_not_looked_at(
+    gearlash: Gearlash, tmp_path: Path
+):
+    case = gl.load_case("kahraman-singh")
+    x, y = gl.Axis.even("omega", 0.65, 0.85, 5), gl.Axis.even("D", 0.5, 1.1, 3)
+    stop = threading.Event()
+
+    def hear(progress: gl.Progress) -> None:
+        if progress.done == progress.total == len(x) * len(y):  # the map
+            stop.set()
+
+    found = gl.atlas(case, x, y, lines=1, execution=gl.Execution(progress=hear, cancel=stop))
+    stopped = "incomplete (cancelled): stopped in motions along lines; done by then: the map"
+    answer = atlas_answer(case, found.values, ("omega", "D"), ("", ""), found, 60)
+    assert answer.sentence.split(": ", 1)[1] == f"{stopped}; no curve was followed to its end by then"
+    assert answer.not_explained == ()
+    assert "nothing that was found" not in " ".join(str(line) for line in atlas_view(answer, 100))
+    folder = claim(tmp_path / "out", ["atlas.nc", "atlas.json", "atlas.svg", "atlas.pdf"])
+    write_atlas(folder, case, found, answer)
+    assert (tmp_path / "out" / "atlas.svg").exists()

@@ -12,7 +12,7 @@ import pytest
 import gearlash as gl
 from branches.shaken import response, shaken
 from gearlash.branches.continuation import SpecialKind
-from gearlash.results.atlas import LabelChangeKind
+from gearlash.results.atlas import STAGES, LabelChangeKind
 from gearlash.studies.atlas.links import Link, connected
 
 CURVE, COEXIST, POINT, NONE = (
@@ -163,7 +163,12 @@ def test_what_is_stopped_keeps_what_is_there():
     found = gl.atlas(gl.load_case(KS), x, y, lines=1, execution=execution)
     assert (found.complete, found.message) == (False, "cancelled")
     assert found.plane.complete
+    assert found.done == STAGES[: len(found.done)]
+    assert found.done[:1] == STAGES[:1]
+    assert 0 < len(found.done) < len(STAGES)
     assert found.changes
+    assert found.counts[LabelChangeKind.UNSEEN] > 0
+    assert found.counts[LabelChangeKind.NONE] == 0
     assert any(each.why == "cancelled" for each in found.undone) or not found.curves
 
 

@@ -8,6 +8,7 @@ from gearlash.case import Case
 from gearlash.case.units import pretty
 from gearlash.results.atlas_dataset import atlas_dataset
 from gearlash.results.curve_file import curve_text
+from gearlash.results.plane_dataset import plane_dataset
 from gearlash.results.store import netcdf, write_together
 
 from .files import draw_if
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 def write_atlas(folder: OutFolder, case: Case, found: Atlas, answer: AtlasAnswer) -> None:
     """Map and curves (NetCDF), the answer (JSON), every curve as a file to go on from (JSON), and the figure
-    as SVG and PDF, where there is a curve."""
+    as SVG and PDF: of the curves over the map, or of the whole map where there is no curve."""
     contents: dict[Any, bytes | memoryview] = {
         folder.file("atlas.nc"): netcdf(atlas_dataset(case, found)),
         folder.file("atlas.json"): text(answer).encode("utf-8"),
@@ -33,10 +34,13 @@ def write_atlas(folder: OutFolder, case: Case, found: Atlas, answer: AtlasAnswer
     older = [path for path in folder.path.glob("curve-*.json") if folder.owns(path.name)]
     gone = [path for path in older if path not in contents]
     write_together(contents, instead_of=[*gone, folder.file("atlas.svg"), folder.file("atlas.pdf")])
-    draw_if(folder, "atlas", bool(found.curves), lambda plots: _figure(plots, case, found, answer))
+    drawn = bool(found.curves) or found.plane.complete
+    draw_if(folder, "atlas", drawn, lambda plots: _figure(plots, case, found, answer))
 
 
 def _figure(plots: Any, case: Case, found: Atlas, answer: AtlasAnswer) -> Any:
+    if not found.curves:
+        return plots.plane(plane_dataset(case, found.plane), units=plots.Units.of(case))
     title = f"Atlas of {case.name} over {answer.x.asked.title} and {answer.y.asked.title}"
     if not found.complete:
         title += " (incomplete)"

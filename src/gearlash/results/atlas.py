@@ -28,6 +28,12 @@ class LabelChangeKind(Named):
     """On one side or both nothing periodic was proved."""
     NONE = "unexplained"
     """Nothing that was found says why."""
+    UNSEEN = "not looked at"
+    """The atlas was stopped before it was looked why."""
+
+
+STAGES = ("the map", "motions along lines", "curves from them", "the check of the map")
+"""What is done for an atlas, in order."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -213,6 +219,8 @@ class Atlas(Record):
         Why it is not complete.
     values : mapping of str to float
         All parameters but the two, dimensionless.
+    done : tuple of str
+        The stages that were done, in order: of one that was stopped perhaps not all.
 
     Examples
     --------
@@ -235,6 +243,7 @@ class Atlas(Record):
     complete: bool
     message: str
     values: Mapping[str, float]
+    done: tuple[str, ...] = STAGES
 
     @property
     def names(self) -> tuple[str, str]:

@@ -17,6 +17,7 @@ from .sweep import AxisUsed, axis_used
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.results.atlas import Atlas, AtlasCurve, AtlasPoint
 
+CURVES = "curves from them"  # the stage in which the first curves are followed
 Place = Annotated[tuple[float, float], "values of the two parameters, dimensionless"]
 
 
@@ -94,6 +95,7 @@ class AtlasAnswer:
     sentence: str
     status: Annotated[str, PIXELS]
     message: Annotated[str, "why it is not complete"]
+    done: Annotated[tuple[str, ...], "stages that were done, in order"]
     case: CaseUsed
     parameters: Annotated[dict[str, float], "every parameter but the two of the axes, by short name"]
     x: Annotated[AxisUsed, "horizontal axis; its count is that of the coarse map"]
@@ -107,7 +109,7 @@ class AtlasAnswer:
     points: Annotated[tuple[PointFound, ...], "where two things happen at once"]
     changes: Annotated[
         dict[str, int],
-        "pairs of neighbouring pixels with different labels, by what explains them",
+        "pairs of neighbouring computed pixels with different labels, by what explains them",
     ]
     not_explained: Annotated[tuple[ChangeFound, ...], "those that no curve and no coexistence explains"]
     undone: Annotated[tuple[LeftUndone, ...], "what was left undone, and why"]
@@ -133,6 +135,7 @@ def atlas_answer(
         sentence=f"{_ends((x, y))}: {idle.cause}; {idle.advice}" if idle else _sentence(found, (x, y)),
         status=study_status(found.complete, found.plane.statuses, idle),
         message=found.message,
+        done=found.done,
         case=case_used(case),
         parameters={name: value for name, value in parameters.items() if name not in found.names},
         x=x,
@@ -202,21 +205,41 @@ def _sentence(found: Atlas, axes: tuple[AxisUsed, AxisUsed]) -> str:
 
 def _found(found: Atlas) -> Iterator[str]:
     from gearlash.branches.continuation import SpecialKind
-    from gearlash.results.atlas import LabelChangeKind
 
+    if not found.complete:
+        yield from _stopped(found)
+        if CURVES not in found.done and not found.curves:
+            yield "no curve was followed to its end by then"
+            return
     curves = [f"{len(found.of_kind(kind))} of kind {kind}" for kind in SpecialKind if found.of_kind(kind)]
     count = len(found.curves)
     yield f"{count} curve{'' if count == 1 else 's'} found" + (f" ({', '.join(curves)})" if curves else "")
     count = len(found.points)
     yield f"{count} point{'' if count == 1 else 's'} where two things happen at once"
+    yield from _checked(found)
+
+
+def _stopped(found: Atlas) -> Iterator[str]:
+    """Where, and what was done before."""
+    from gearlash.results.atlas import STAGES
+
+    missing = found.plane.statuses.get(Status.NOT_COMPUTED, 0)
+    at = f"{STAGES[len(found.done)]}{f', {missing} pixels missing' if missing else ''}"
+    done = ", ".join(found.done) or "no stage"
+    yield f"incomplete ({found.message}): stopped in {at}; done by then: {done}"
+
+
+def _checked(found: Atlas) -> Iterator[str]:
+    """How many changes have a reason."""
+    from gearlash.results.atlas import LabelChangeKind
+
     counts = found.counts
-    apart, told = counts[LabelChangeKind.APERIODIC], sum(counts.values())
-    asked = told - apart
+    apart, unseen = counts[LabelChangeKind.APERIODIC], counts[LabelChangeKind.UNSEEN]
+    asked = sum(counts.values()) - apart - unseen
     rest = counts[LabelChangeKind.NONE] + counts[LabelChangeKind.POINT]
     if asked:
         yield f"changes of motion between neighbouring pixels of the map unexplained: {rest} of {asked}"
     if apart:
         yield f"{apart} more changes have motion without a proved period on one side"
-    if not found.complete:
-        missing = found.plane.statuses.get(Status.NOT_COMPUTED, 0)
-        yield f"incomplete ({found.message})" + (f", {missing} pixels missing" if missing else "")
+    if unseen:
+        yield f"{unseen} more changes were not looked at"

@@ -22,6 +22,7 @@ MEANING = {
     "special point without a curve": "special points were solved for between them that have no curve here",
     "aperiodic": "on one side nothing periodic was proved",
     "unexplained": "nothing that was found says why",
+    "not looked at": "not looked at: it was stopped before",
 }
 
 
@@ -29,7 +30,7 @@ def atlas_view(answer: AtlasAnswer, width: int) -> Iterator[Text]:
     """Sentence, curves, points, the check, and what was left undone."""
     yield from headline(answer.sentence, width)
     if answer.status != "ok":
-        rows = [("status", answer.status), ("message", answer.message)]
+        rows = [("status", answer.status), ("message", answer.message), ("done", ", ".join(answer.done))]
         yield from facts("", [row for row in rows if row[1]], width)
     yield from _curves(answer, width)
     yield from _points(answer, width)

@@ -12,9 +12,9 @@ from gearlash.branches.continuation import SpecialPoint
 from gearlash.jobs import Chain, Execution, run
 from gearlash.orbits import Settings
 from gearlash.results.atlas import LabelChange, LabelChangeKind
-from gearlash.results.plane import CERTIFICATES, PlaneMap
+from gearlash.results.plane import CERTIFICATES, STATUSES, PlaneMap
 from gearlash.studies.model import Source
-from gearlash.system import Signature
+from gearlash.system import Signature, Status
 
 from .between import Between, Walked, walk_between
 from .drawn import Drawn
@@ -42,13 +42,17 @@ class Check:
     reason: str = ""
 
     def pairs(self) -> Iterator[tuple[Pixel, Pixel]]:
-        """Neighbouring pixels with different labels."""
+        """Neighbouring pixels with different labels, both computed."""
         codes = self.plane.label
         for row, column in np.ndindex(codes.shape):
             for other in ((row, column + 1), (row + 1, column)):
                 inside = other[0] < codes.shape[0] and other[1] < codes.shape[1]
-                if inside and codes[row, column] != codes[other]:
+                seen = inside and self._computed((row, column)) and self._computed(other)
+                if seen and codes[row, column] != codes[other]:
                     yield (row, column), other
+
+    def _computed(self, pixel: Pixel) -> bool:
+        return STATUSES[self.plane.status[pixel]] is not Status.NOT_COMPUTED
 
     def walk(self) -> list[Seed]:
         """Goes from either pixel to the other where no curve explains why they differ; what was met there is
@@ -110,7 +114,10 @@ class Check:
                 f"{s.kind} at {s.name} = {s.value:.6g}" for s, number, _ in met if number < 0
             )
             return LabelChange(*about, LabelChangeKind.POINT, numbers, ", ".join(what))
-        why = [self.walks[way].why for way in ((one, other), (other, one)) if way in self.walks]
+        ways = ((one, other), (other, one))
+        if self.reason and any(way not in self.walks for way in ways):
+            return LabelChange(*about, LabelChangeKind.UNSEEN, numbers)
+        why = [self.walks[way].why for way in ways if way in self.walks]
         return LabelChange(*about, LabelChangeKind.NONE, numbers, "; ".join(dict.fromkeys(filter(None, why))))
 
     def _values(self, pixel: Pixel) -> tuple[float, float]:

@@ -14,7 +14,7 @@ from gearlash.jobs import Execution, run
 from gearlash.jobs.stop import NEVER, Cancel
 from gearlash.orbits import Settings
 from gearlash.results import Axis
-from gearlash.results.atlas import Atlas
+from gearlash.results.atlas import STAGES, Atlas
 from gearlash.studies.arguments import checked_execution, checked_settings, checked_start, checked_values
 from gearlash.studies.model import Model, Source
 from gearlash.studies.named import plain_axis
@@ -192,9 +192,12 @@ class _Maker:
         )  # fmt: skip
         drawing = self._drawing()
         drawing.reason = plane.message
+        went_on = [not drawing.reason]
         lines = self._lines(drawing)
+        went_on.append(not drawing.reason)
         attracting, beside = _seeds_of_lines(lines)
         drawing.draw(attracting)
+        went_on.append(not drawing.reason)
         check = Check(
             plane, self.source, self.start, self.settings, self.execution, drawing.drawn, self.asked.longest,
             reason=drawing.reason,
@@ -211,6 +214,7 @@ class _Maker:
             complete=not reason,
             message=self._told(reason),
             values=self._values(),
+            done=tuple(stage for stage, over in zip(STAGES, [*went_on, not reason], strict=True) if over),
         )
 
     def _drawing(self) -> Drawing:
