@@ -149,7 +149,7 @@ def test_columns_as_instruments_write_them(text: str, rows: tuple[tuple[float, .
     [
         ("", "no line of numbers"),
         ("a;b", "names of columns"),
-        ("1;2\n3;x\n4;5", "no columns of numbers"),
+        ("1;2\n3;x\n4;5", "its line 2 is no row of 2 numbers: '3;x'"),
         ("1;2\n3;", "missing"),
     ],
 )

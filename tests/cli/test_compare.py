@@ -94,7 +94,7 @@ def test_lines_and_rms_agree_with_samples(case: gl.Case):
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--value", "y"), "the name or number of a column"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--quantity", "mesh_forc"), "did you mean 'mesh_force'"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--figure", "p2p"), "peak-to-peak"),
-        ("n [rpm];x [um]\n1000;a\n2000;4", (), "no columns of numbers"),
+        ("n [rpm];x [um]\n1000;a\n2000;4", (), "its line 2 is no row of 2 numbers"),
     ],
 )
 def test_what_cannot_be_read_is_said(gearlash: Gearlash, tmp_path: Path, text: str, options: tuple[str, ...],

@@ -58,7 +58,7 @@ def _page(folder: Path) -> None:
         "May it run there?",
         "The backlash does not matter for the motions found",
         "This is an analysis of a model",
-        "Levels refer to 1 µN and 1 pm (ISO 1683)",
+        "refer to 1 µN and 1 pm (ISO 1683)",
         "model.body",
     ):
         assert said in words

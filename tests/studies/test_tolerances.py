@@ -8,6 +8,7 @@ import pytest
 
 import gearlash as gl
 from gearlash.case import loads
+from gearlash.cli.answers.tolerance import chance_text
 from gearlash.studies.impact_free import closed_margin
 from gearlash.studies.tolerances.bands import outside, positive_bands, shared
 from gearlash.studies.tolerances.influence import combinations, influences
@@ -35,12 +36,12 @@ def opens(load: float, error: float) -> tuple[float, float]:
 
 def test_bands_of_a_linear_mesh_are_those_of_the_closed_form():
     case = loads(LINEAR)
-    axis = gl.Axis.even("omega", 0.4, 3.2, 8)
+    axis = gl.Axis.even("omega", 0.5, 3.2, 3)
     limits = {"load": (0.15, 0.3), "error": (0.08, 0.12)}
     found = gl.tolerance(case, axis, limits, samples=2, replicates=2)
     low, high = opens(0.15, 0.12)
     assert found.always == (
-        pytest.approx((0.4, low), abs=1e-9),
+        pytest.approx((0.5, low), abs=1e-9),
         pytest.approx((high, 3.2), abs=1e-9),
     )
     inside, beyond = opens(0.3, 0.08)
@@ -53,7 +54,7 @@ def test_bands_of_a_linear_mesh_are_those_of_the_closed_form():
 
 def test_the_probability_is_that_of_brute_force():
     case = loads(LINEAR)
-    axis = gl.Axis.even("omega", 0.6, 1.0, 4)
+    axis = gl.Axis.even("omega", 0.8, 0.95, 4)
     limits = {"load": (0.1, 0.3), "error": (0.05, 0.15)}
     found = gl.tolerance(case, axis, limits, samples=16, replicates=4)
     middle = (np.arange(400) + 0.5) / 400
@@ -66,12 +67,15 @@ def test_the_probability_is_that_of_brute_force():
 def test_indices_of_a_known_function():
     """x1 + 2 x2: first and total are 1/5 and 4/5."""
     inputs = tuple(gl.ToleranceInput(name, "", 0.0, 1.0, 0.5) for name in ("one", "two", "none"))
-    sets = []
-    for seed in range(8):
-        points = combinations(np.random.default_rng(seed).random((2, 512, 3)))
-        sets.append(points[..., 0] + 2.0 * points[..., 1])
+    sampled = [combinations(np.random.default_rng(seed).random((2, 512, 3))) for seed in range(8)]
+    sets = [points[..., 0] + 2.0 * points[..., 1] for points in sampled]
     first, second, third = influences(inputs, sets)
     assert [first.path, second.path] == ["two", "one"]
+    assert first.total == pytest.approx(0.8, abs=0.1)
+    only = [np.array(each) for each in (points[..., 1] for points in sampled)]
+    alone, *others = influences(inputs, only)
+    assert (alone.path, alone.first, alone.total) == ("two", 1.0, 1.0)  # with any samples
+    assert [(one.first, one.total) for one in others] == [(0.0, 0.0)] * 2
     assert first.total == pytest.approx(0.8, abs=4.0 * first.total_error)
     assert second.first == pytest.approx(0.2, abs=4.0 * second.first_error)
     assert third.total == pytest.approx(0.0, abs=1e-12)
@@ -79,7 +83,7 @@ def test_indices_of_a_known_function():
 
 def test_a_drive_in_its_units_and_the_margin_at_the_corners():
     case = gl.load_case(DRIVE)
-    axis = gl.Axis.even("pinion_speed", "3900 rpm", "4500 rpm", 3)
+    axis = gl.Axis.even("pinion_speed", "4100 rpm", "4300 rpm", 3)
     limits = {"backlash": ("60 um", "120 um"), "torque": ("100 N m", "250 N m")}
     found = gl.tolerance(case, axis, limits, samples=8, replicates=2)
     assert found.present == pytest.approx(4200.0)
@@ -102,7 +106,7 @@ def test_a_drive_in_its_units_and_the_margin_at_the_corners():
 
 def test_ranges_of_what_a_drawing_leaves_open_are_taken_by_themselves():
     case = gl.load_case(Path(__file__).parents[1] / "cases" / "drawing.toml")
-    axis = gl.Axis.even("pinion_speed", "1000 rpm", "1200 rpm", 3)
+    axis = gl.Axis.even("pinion_speed", "1000 rpm", "1030 rpm", 2)
     found = gl.tolerance(case, axis, samples=2, replicates=2)
     assert "mesh.mean_stiffness" in {one.path for one in found.inputs}
     assert all(one.reason for one in found.inputs)
@@ -159,3 +163,18 @@ def test_cases_and_counts_that_do_not_fit_are_refused(case: str, message: str):
     axis = gl.Axis.even("omega", 0.5, 0.9, 3)
     with pytest.raises(gl.GearlashError, match=message):
         gl.tolerance(gl.load_case(case), axis, {"omega": (0.1, 0.2)}, samples=3)
+
+
+def test_a_resonance_between_two_values_of_the_axis_is_seen():
+    """The axis has its two ends only; teeth part around omega = 1 between them."""
+    found = gl.tolerance(
+        loads(LINEAR), gl.Axis("omega", [0.6, 1.6]), {"D": (0.5, 1.0)}, samples=2, replicates=2
+    )
+    low, high = opens(0.2, 0.1)
+    assert found.nominal.bands == (pytest.approx((0.6, low)), pytest.approx((high, 1.6)))
+
+
+def test_what_few_samples_that_agree_bound():
+    assert chance_text(1.0, 0.0, 256) == "of at least 98.8 %"
+    assert chance_text(0.0, 0.0, 8) == "of at most 31.3 %"
+    assert chance_text(0.75, 0.02, 64) == "75 ± 2 %"

@@ -69,8 +69,8 @@ def parse_columns(text: str) -> Columns:
             dtype=float,
             skipinitialspace=True,
         )
-    except (ValueError, pd.errors.ParserError) as error:
-        raise UnreadableError(f"its lines are no columns of numbers ({str(error).splitlines()[0]})") from None
+    except (ValueError, pd.errors.ParserError):
+        raise UnreadableError(_wrong_line(text, lines, named, separator, decimal)) from None
     rows = tuple(tuple(float(value) for value in row) for row in frame.to_numpy())
     for at, row in enumerate(rows, start=1 + named):
         if not all(isfinite(value) for value in row):
@@ -82,6 +82,17 @@ def parse_columns(text: str) -> Columns:
     if len(plain) != count:
         plain, units = tuple(f"column {i}" for i in range(1, count + 1)), ("",) * count
     return Columns(plain, units, rows)
+
+
+def _wrong_line(text: str, lines: list[str], named: bool, separator: str, decimal: str) -> str:
+    """The first line that is no row of numbers, as it stands in the file."""
+    count = len(_parts(lines[named], separator))
+    for line in lines[named:]:
+        parts = _parts(line, separator)
+        if len(parts) != count or not all(_is_number(part, decimal) for part in parts):
+            at = text.splitlines().index(line) + 1
+            return f"its line {at} is no row of {count} numbers: {line[:60]!r}"
+    return "its lines are no columns of numbers"
 
 
 def _separator(lines: list[str]) -> tuple[str, str]:

@@ -70,7 +70,8 @@ def read_measurement(case: Case, name: str, quantity: str, asked: Asked) -> Meas
     level = unit.strip().lower().startswith("db")
     shown = _reference(asked.reference, quantity) if level else (1.0, unit)
     values = 10.0 ** (rows[:, other] / 20.0) * shown[0] if level else rows[:, other]
-    factor = _value_factor(case, quantity, shown[1])
+    where = "--unit" if asked.unit else f"column {found.names[other]}"
+    factor = _value_factor(case, quantity, shown[1], where)
     return Measurement(
         rows[:, at] / speed_factor, values / factor, found.names[at], speed_unit, found.names[other],
         shown[1], speed_factor, factor,
@@ -117,7 +118,7 @@ def _reference(text: str, quantity: str) -> tuple[float, str]:
     return size, unit.strip()
 
 
-def _value_factor(case: Case, quantity: str, unit: str) -> float:
+def _value_factor(case: Case, quantity: str, unit: str, where: str) -> float:
     """Values in this unit over dimensionless ones."""
     scales = case.scales
     if not unit.strip():
@@ -126,25 +127,25 @@ def _value_factor(case: Case, quantity: str, unit: str) -> float:
         expected = f"the unit of the values, such as {EXAMPLES[quantity]}, as the file does not say it"
         raise CaseError("--unit", [Problem("--unit", None, expected, missing=True)])
     if not scales.physical:
-        raise CaseError("--unit", [Problem("--unit", repr(unit), "no unit: this case has numbers only")])
+        raise CaseError(where, [Problem(where, repr(unit), "no unit: this case has numbers only")])
     if quantity == "acceleration":
         plain = unit.strip()
         if plain not in ACCELERATIONS:
             expected = f"a unit of acceleration: {', '.join(ACCELERATIONS)}"
-            raise CaseError("--unit", [Problem("--unit", repr(unit), expected)])
+            raise CaseError(where, [Problem(where, repr(unit), expected)])
         size = float(scales.length_m(1.0)) * float(scales.omega_n or 1.0) ** 2
         return size / ACCELERATIONS[plain]
     dimension, one = (FORCE, scales.force_N(1.0)) if quantity == "force" else (LENGTH, scales.length_m(1.0))
-    return float(one) / _si(unit, dimension, quantity)
+    return float(one) / _si(unit, dimension, quantity, where)
 
 
-def _si(unit: str, dimension: Dimension, quantity: str) -> float:
+def _si(unit: str, dimension: Dimension, quantity: str, where: str) -> float:
     """SI value of one of these units."""
     expected = f"a unit of it, such as {EXAMPLES[quantity]}"
     try:
         number, found = read(f"1 {plain_unit(unit)}")
     except UnitError as error:
-        raise CaseError("--unit", [Problem("--unit", repr(unit), f"{expected} ({error})")]) from None
+        raise CaseError(where, [Problem(where, repr(unit), f"{expected} ({error})")]) from None
     if not takes(dimension, found):
-        raise CaseError("--unit", [Problem("--unit", repr(unit), expected)])
+        raise CaseError(where, [Problem(where, repr(unit), expected)])
     return float(in_si(dimension, number, found))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from gearlash.branches.continuation import SpecialKind, SpecialPoint
 from gearlash.branches.curves import CodimTwoPoint, Curve, CurvePoint
-from gearlash.system import Record, Signature
+from gearlash.system import Record, Signature, given
 
 from .zone_end import Quiet
 
@@ -232,7 +232,7 @@ class PlaneZone(Record):
         -------
         bool
         """
-        place = np.array([first, second])
+        place = np.array([given.number("first", first), given.number("second", second)])
         return encloses(self.outline, place) and not any(encloses(hole, place) for hole in self.holes)
 
 

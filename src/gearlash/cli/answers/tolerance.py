@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import isfinite
+from math import ceil, floor, isfinite
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
@@ -16,6 +16,7 @@ from .parts import CaseUsed, case_used
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.results.tolerance import Tolerance, ToleranceMember
 
+CONFIDENCE = 0.05  # chance that a bound is wrong
 MOST_TOLD = 3  # bands in the sentence
 SURE = 3.0  # standard errors: what an index is above before the sentence tells it
 
@@ -161,9 +162,19 @@ def _here(case: Case, found: Tolerance) -> str:
     )
     text = f"{nominal} as the case is, {margin_text(case, found.nominal)}"
     if isfinite(found.here):
-        chance = f"{100.0 * found.here:.3g} ± {100.0 * found.here_error:.2g} %"
+        chance = chance_text(found.here, found.here_error, found.samples * found.replicates)
         text += f"; with probability {chance} within the limits"
     return text + f"; worst combination found: {margin_text(case, found.worst)}"
+
+
+def chance_text(share: float, error: float, count: int) -> str:
+    """A probability with its error; where all samples agree, what that many samples bound it by (95 %)."""
+    bound = 100.0 * CONFIDENCE ** (1.0 / count)
+    if share >= 1.0:
+        return f"of at least {floor(10.0 * bound) / 10.0:.1f} %"
+    if share <= 0.0:
+        return f"of at most {ceil(10.0 * (100.0 - bound)) / 10.0:.1f} %"
+    return f"{100.0 * share:.3g} ± {100.0 * error:.2g} %"
 
 
 def margin_text(case: Case, member: ToleranceMember) -> str:

@@ -8,11 +8,12 @@ from rich.text import Text
 
 from gearlash.case.edges import shown_interval
 from gearlash.case.units import pretty
-from gearlash.cli.answers.tolerance import BandFound, InputFound, ToleranceAnswer
+from gearlash.cli.answers.tolerance import BandFound, InputFound, ToleranceAnswer, chance_text
 
 from .layout import facts, headline, note, table
 
 SHOWN = 12  # rows of the probability
+NOTHING = 1e-9  # share of the variance of a value that the margin does not depend on
 
 
 def tolerance_view(answer: ToleranceAnswer, width: int) -> Iterator[Text]:
@@ -27,7 +28,7 @@ def tolerance_view(answer: ToleranceAnswer, width: int) -> Iterator[Text]:
     yield from facts("Teeth stay in contact", rows, width)
     yield from table(
         "Probability",
-        [(answer.unit or answer.axis, "right"), ("probability", "right"), ("±", "right")],
+        [(answer.unit or answer.axis, "right"), ("probability", "left")],
         list(_probability(answer)),
         width,
     )
@@ -49,7 +50,8 @@ def _examined(answer: ToleranceAnswer) -> str:
         f"sets of {answer.samples} samples, each value as likely as any other between its limits, and a "
         "search for the worst combination. That no other combination is worse is not proved. The motion is "
         "the one of teeth that never part, where it exists and is stable: other motions at the same values "
-        f"are not looked for (gearlash zones, gearlash run).{unsolved}"
+        f"are not looked for (gearlash zones, gearlash run). Values that were looked at lie no farther apart "
+        f"than 1 %: a narrower gap in contact may have been missed.{unsolved}"
     )
 
 
@@ -65,9 +67,10 @@ def _probability(answer: ToleranceAnswer) -> Iterator[list[str]]:
     for at in sorted({*range(0, count, step), count - 1}):
         share, error = answer.probability[at], answer.probability_error[at]
         if share is None or error is None:
-            yield [f"{answer.values[at]:.6g}", "-", "-"]
+            yield [f"{answer.values[at]:.6g}", "-"]
         else:
-            yield [f"{answer.values[at]:.6g}", f"{100.0 * share:.1f} %", f"{100.0 * error:.1f} %"]
+            told = chance_text(share, error, answer.samples * answer.replicates)
+            yield [f"{answer.values[at]:.6g}", told.removeprefix("of ")]
 
 
 def _input(one: InputFound) -> list[str]:
@@ -77,12 +80,13 @@ def _input(one: InputFound) -> list[str]:
             f"{100.0 * one.first:.0f} ± {100.0 * (one.first_error or 0.0):.0f} %",
             f"{100.0 * one.total:.0f} ± {100.0 * (one.total_error or 0.0):.0f} %",
         )
+    worst = "any" if one.total is not None and one.total < NOTHING else f"{one.worst:.6g}"
     name = f"{one.path} [{pretty(one.unit)}]" if one.unit else one.path
     return [
         name,
         f"{one.lower:.6g}",
         f"{one.upper:.6g}",
-        f"{one.worst:.6g}",
+        worst,
         *shares,
         "stated" if one.reason == "stated" else "estimated",
     ]

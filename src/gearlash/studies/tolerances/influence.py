@@ -1,7 +1,8 @@
 """Which input the margin depends on: Sobol indices, from independent sets of samples.
 
-Estimators of A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, doi:10.1016/j.cpc.2009.09.018, by
-`scipy.stats.sobol_indices`; errors from the spread of the sets.
+Estimators of M. J. W. Jansen, Comput. Phys. Commun. 117 (1999) 35, doi:10.1016/S0010-4655(98)00154-4, of
+several sets together, with errors from leaving each of them out (jackknife). Those of
+`scipy.stats.sobol_indices` divide by the variance of the samples, which is far off where these are few.
 """
 
 from __future__ import annotations
@@ -10,7 +11,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import sobol_indices
 
 from gearlash.results.tolerance import Influence, ToleranceInput
 
@@ -28,20 +28,27 @@ def combinations(both: Points) -> Points:
 
 def influences(inputs: Sequence[ToleranceInput], found: Sequence[Points]) -> tuple[Influence, ...]:
     """From margins (2 + d, n) of each set; none where they do not vary or one was not solved for."""
-    indices = []
-    for each in found:
-        if not np.isfinite(each).all() or not np.ptp(each[:2]) > 0.0:
-            return ()
-        result = sobol_indices(
-            func={"f_A": each[None, 0], "f_B": each[None, 1], "f_AB": each[2:, None]}, n=each.shape[1]
-        )
-        indices.append([np.ravel(result.first_order), np.ravel(result.total_order)])
-    means, errors = mean_and_error(np.array(indices))
+    values = np.array(found)
+    if not np.isfinite(values).all() or not np.ptp(values[:, :2]) > 0.0:
+        return ()
+    whole = indices(values)
+    left_out = np.array([indices(np.delete(values, at, axis=0)) for at in range(len(values))])
+    spread = np.sqrt((len(values) - 1) * left_out.var(axis=0))
     rows = [
-        Influence(one.path, *(float(x) for x in (means[0, i], errors[0, i], means[1, i], errors[1, i])))
+        Influence(one.path, *(float(x) for x in (whole[0, i], spread[0, i], whole[1, i], spread[1, i])))
         for i, one in enumerate(inputs)
     ]
     return tuple(sorted(rows, key=lambda row: -row.total))
+
+
+def indices(values: Points) -> Points:
+    """First and total indices (2, d) of all sets together, values (sets, 2 + d, n). The variance comes from
+    the same differences as they do: where one input makes all of it, its indices are 1 with any samples."""
+    one, other, mixed = values[:, 0], values[:, 1], values[:, 2:]
+    variance = np.square(one - other).mean()
+    first = 1.0 - np.square(other[:, None] - mixed).mean(axis=(0, 2)) / variance
+    total = np.square(one[:, None] - mixed).mean(axis=(0, 2)) / variance
+    return np.array([first, total])
 
 
 def mean_and_error(sets: Points) -> tuple[Points, Points]:

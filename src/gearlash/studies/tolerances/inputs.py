@@ -52,11 +52,11 @@ def _input(case: Case, name: str, ends: Sequence[float | str]) -> ToleranceInput
     if one.path != other.path:
         expected = f"two limits of one quantity ({one.path} and {other.path} are two)"
         raise CaseError("limits", [Problem(name, shown(ends), expected)])
-    lower, upper = sorted((one.number, other.number))
+    lower, upper = one.number, other.number
     if place.integer:
         raise CaseError("limits", [Problem(name, shown(ends), "a quantity that may have any value between")])
     if not lower < upper:
-        raise CaseError("limits", [Problem(name, shown(ends), "two different limits")])
+        raise CaseError("limits", [Problem(name, shown(ends), "two different limits, the smaller one first")])
     size = unit(place.unit)
     low, high = size.express(lower), size.express(upper)
     return ToleranceInput(one.path, place.unit, low, high, _nominal(case, one.path, low, high), STATED)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from math import isnan, nan
+from itertools import pairwise
+from math import ceil, isnan, nan
 
 import numpy as np
 
@@ -18,6 +19,9 @@ from gearlash.studies.model import Source
 from gearlash.system import GearlashError
 
 from .bands import positive_bands
+
+STEP = 0.01  # of a value: between two values that are looked at
+MOST = 4  # near a value of 0 steps do not become smaller than the range makes them: 1/400 of it
 
 
 @dataclass(frozen=True)
@@ -58,9 +62,21 @@ def _member(case: Case, task: Task, values: tuple[float, ...]) -> ToleranceMembe
         unsolved += isnan(found)
         return found
 
-    bands = positive_bands(heard, task.axis.values.tolist()) if task.bands else ()
+    bands = positive_bands(heard, looked_at(task.axis)) if task.bands else ()
     here = heard(task.present)
     return ToleranceMember(values, bands, here, member.scales.length, unsolved)
+
+
+def looked_at(axis: Axis) -> list[float]:
+    """The values of an axis, and so many between them that two neighbours lie no farther apart than `STEP` of
+    the larger one, or of the range: a resonance is wider than that, whatever was asked for."""
+    found: list[float] = []
+    span = float(np.ptp(axis.values))
+    for low, high in pairwise(axis.values.tolist()):
+        widest = max(STEP * max(abs(low), abs(high)), STEP * span / MOST)
+        count = max(1, ceil((high - low) / widest))
+        found += np.linspace(low, high, count, endpoint=False).tolist()
+    return [*found, float(axis.values[-1])]
 
 
 def margin_along(case: Case, axis: Axis) -> Callable[[float], float]:
