@@ -8,7 +8,7 @@ import pytest
 from cli.conftest import Gearlash
 
 DRIVE = str(Path(__file__).parents[1] / "cases" / "drive.toml")
-ASKED = ("tolerance", DRIVE, "--over", "pinion_speed=3900:4500rpm:3", "--samples", "2", "--replicates", "2")
+ASKED = ("tolerance", DRIVE, "--over", "pinion_speed=4150:4250rpm:3", "--samples", "2", "--replicates", "2")
 
 
 def test_an_answer_in_the_units_asked_with_files(gearlash: Gearlash, tmp_path: Path):

@@ -168,7 +168,7 @@ def test_cases_and_counts_that_do_not_fit_are_refused(case: str, message: str):
 def test_a_resonance_between_two_values_of_the_axis_is_seen():
     """The axis has its two ends only; teeth part around omega = 1 between them."""
     found = gl.tolerance(
-        loads(LINEAR), gl.Axis("omega", [0.6, 1.6]), {"D": (0.5, 1.0)}, samples=2, replicates=2
+        loads(LINEAR), gl.Axis.even("omega", 0.6, 1.6, 2), {"D": (0.5, 1.0)}, samples=2, replicates=2
     )
     low, high = opens(0.2, 0.1)
     assert found.nominal.bands == (pytest.approx((0.6, low)), pytest.approx((high, 1.6)))
