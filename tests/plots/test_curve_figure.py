@@ -110,3 +110,20 @@ def test_what_cannot_be_drawn_together_is_refused() -> None:
 def test_curves_are_drawn_as_any_result_is() -> None:
     case = gl.load_case("kahraman-singh")
     assert len(plots.draw(folds(), case).axes) == len(plots.draw([folds()], case).axes) == 1
+
+
+@pytest.mark.parametrize("long", [(0, 1, 2), (0, 3, 6), (0, 5, 10)])
+def test_the_legend_lies_on_the_page_however_long_its_words_are(long: tuple[int, ...]) -> None:
+    curve = folds()
+    (cusp,) = curve.special
+    kinds = sorted(gl.CodimTwoKind, key=lambda kind: len(str(kind)))
+    for place in long:
+        kinds.insert(place, kinds.pop())
+    special = tuple(replace(cusp, kind=kind) for kind in kinds)
+    figure = plots.curve_diagram([replace(curve, special=special)])
+    figure.draw_without_rendering()
+    (legend,) = figure.legends
+    extent = legend.get_window_extent()
+    assert extent.x0 >= 0.0
+    assert extent.x1 <= figure.bbox.x1
+    assert figure.axes[0].get_window_extent().height / figure.dpi * 25.4 > 85.0

@@ -11,6 +11,7 @@ import pytest
 
 import gearlash as gl
 from branches.shaken import response, shaken
+from branches.softening import softening
 from gearlash.branches.continuation import SpecialKind
 from gearlash.results.atlas import STAGES, LabelChangeKind
 from gearlash.studies.atlas.links import Link, connected
@@ -118,6 +119,21 @@ def test_the_budget_leaves_the_rest_and_says_so():
     left = [each for each in found.undone if each.why == "the budget of 1 curve was spent"]
     assert {each.what for each in left} == {"curve of kind fold"}
     assert {round(each.values[0], 4) for each in left} == {0.708, 0.8285}
+
+
+def test_one_missing_curve_is_told_once_however_many_lines_it_crosses():
+    x, y = gl.Axis.even("omega", 0.81, 0.83, 2), gl.Axis.even("D", 0.9, 1.1, 2)
+    found = gl.atlas(gl.load_case(KS), x, y, lines=2, curves=0)
+    assert sorted(each.what for each in found.undone) == ["curve of kind fold", "curve of kind grazing"]
+    assert all("met at 4 places, of one curve or of several" in each.why for each in found.undone)
+
+
+def test_what_has_no_curve_to_follow_is_told_as_undone():
+    axes = gl.Axis.even("kappa", 0.7, 1.2, 4), gl.Axis.even("D", 0.5, 1.0, 2)
+    (left,) = gl.atlas(softening(), *axes, lines=2).undone
+    assert left.what == "curve of kind end of existence"
+    assert left.values[0] == pytest.approx(1.0, abs=1e-12)
+    assert left.why == "no curve of this kind is followed; met at 2 places, of one curve or of several"
 
 
 def test_without_lines_the_check_finds_what_curves_begin_with():

@@ -20,6 +20,7 @@ from gearlash.system import Family, GearlashError, given
 
 from . import style
 from .branch_lines import LEADER, SMALL
+from .legends import legend_below
 from .plane import fill_plane
 from .plane_lines import BETWEEN, LOOKS, OTHER
 from .room import Room, around
@@ -35,6 +36,7 @@ THICK, THIN, PALE_WIDTH = (
     0.7,
 )  # of curves of stable and other orbits, and of none of the real system
 FAINT = 0.35
+LEGEND = 18.0  # mm: height of a legend for which there is room
 ROOM = 0.02  # of the picture, around what is in it
 PALE = 0.4  # how much of the colours of a map behind curves is left
 MARKERS = {
@@ -156,11 +158,8 @@ def curve_diagram(
     if title:
         panel.set_title(literal(title))
     assumed = any(twin is not None and twin.assumed for twin in twins)
-    figure.legend(
-        handles=[*_key(drawn), *_marks(curves), *looks],
-        loc="outside lower center", ncols=3, columnspacing=1.4, title_fontsize=6.5,
-        title=" ".join([*numbered, *([ASSUMED] if assumed else [])]) or None,
-    )  # fmt: skip
+    told = " ".join([*numbered, *([ASSUMED] if assumed else [])]) or None
+    legend_below(figure, [*_key(drawn), *_marks(curves), *looks], told, columns=3, room=LEGEND)
     return figure
 
 

@@ -18,6 +18,7 @@ from gearlash.studies.plane_zone import AxisMargin, PlaneZone, ToleranceMargin
 from gearlash.system import Family, given
 
 from . import style
+from .legends import legend_below
 from .plane_lines import PlaneLine, draw_lines
 from .regimes import DRIVE, FREE, short
 from .scales import scales
@@ -29,6 +30,7 @@ FILLS = {"impact-free": FREE.colour, "drive-side-only": DRIVE.colour}
 WORDS = {"impact-free": "no impacts", "drive-side-only": "back side not hit"}
 TOLERANCE = (0, (1.5, 1.5))
 OUTSIDE = "#f2f2f2"
+LEGEND = 16.0  # mm: height of a legend for which there is room
 
 
 @style.styled
@@ -91,11 +93,8 @@ def zone_in_plane(
     fill = Patch(
         facecolor=FILLS[str(zone.quiet)], edgecolor=style.INK, linewidth=0.4, label=WORDS[str(zone.quiet)]
     )
-    figure.legend(
-        handles=[fill, *key, *_marks(zone)], loc="outside lower center", ncols=2, columnspacing=1.6,
-        title=ASSUMED if any(twin is not None and twin.assumed for twin in twins) else None,
-        title_fontsize=6.5,
-    )  # fmt: skip
+    told = ASSUMED if any(twin is not None and twin.assumed for twin in twins) else None
+    legend_below(figure, [fill, *key, *_marks(zone)], told, columns=2, room=LEGEND)
     return figure
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
@@ -11,14 +12,17 @@ from gearlash.results.atlas import AtlasCurve, AtlasPoint, StraightPiece, Undone
 from gearlash.results.plane import PlaneMap
 from gearlash.system import Signature
 
+from .changes import WAY
 from .drawing import Drawing
 from .drawn import Drawn
 from .lines import OnLine
-from .seeds import Seed
+from .seeds import Seed, seed_of_special
 
 SAME_POINT = 1e-6  # of the rectangle: points of one kind so near to each other are one
 STAYS = 1e-9  # of the rectangle: what moves less does not change
 SHORT = 0.02  # of the rectangle: what is straight on a shorter piece is not told
+BESIDE = "no motion that attracts is seen to end there"
+NO_CURVE = "no curve of this kind is followed"
 NATURAL = (
     CurveEndKind.LIMIT,
     CurveEndKind.CLOSED,
@@ -85,21 +89,49 @@ def undone_of(
                 what = f"end of a curve of kind {line.curve.kind}"
                 why = f"{end.kind}; {end.note}" if end.note else str(end.kind)
                 yield Undone(what, line.curve.points[0].signature, end.values, why)
-    told: list[Seed] = []
-    for seed, why in drawing.left:
-        known = any(_one_seed(seed, other, drawn) for other in told)
-        if drawn.knows(seed) < 0 and not known:
-            told.append(seed)
-            yield Undone(f"curve of kind {seed.kind}", seed.label, seed.place(drawn.names), why)
-    for seed in beside:
-        if drawn.knows(seed) < 0:
-            why = "no motion that attracts is seen to end there"
-            yield Undone(f"curve of kind {seed.kind}", seed.label, seed.place(drawn.names), why)
+    yield from _once(_without_curve(drawing, lines, beside))
     for line in lines:
         for label, value, why in line.missing:
             place = (value, line.value) if line.name == drawn.names[0] else (line.value, value)
             yield Undone("branch", label, place, why)
     yield from _long(plane, drawing.longest)
+
+
+def _without_curve(
+    drawing: Drawing, lines: Iterable[OnLine], beside: Sequence[Seed]
+) -> Iterator[tuple[object, object, Undone]]:
+    """Special points that lie on no curve, each place once: whatever else tells their curves apart, the line
+    on which each was met, and what is said of it."""
+    drawn, told = drawing.drawn, list[Seed]()
+    for seed, why in [*drawing.left, *((seed, BESIDE) for seed in beside)]:
+        known = any(_one_seed(seed, other, drawn) for other in told)
+        if drawn.knows(seed) < 0 and not known:
+            told.append(seed)
+            touch = seed.touch
+            kind = touch and (touch.clearance, touch.surface, touch.boundary)
+            what = Undone(f"curve of kind {seed.kind}", seed.label, seed.place(drawn.names), why)
+            yield (kind, seed.number, seed.doubled), what.values if seed.way == WAY else seed.way, what
+    for line in lines:
+        for special in (each for branch in line.branches for each in branch.special):
+            if seed_of_special(special, line.way) is None:
+                values = {**special.values, special.name: special.value}  # which its last orbit may not have
+                x, y = (values[name] for name in drawn.names)
+                what = Undone(f"curve of kind {special.kind}", special.label_before, (x, y), NO_CURVE)
+                yield None, line.way, what
+
+
+def _once(found: Iterable[tuple[object, object, Undone]]) -> Iterator[Undone]:
+    """What may be one curve, since kind, motion and reason are the same, once, with how often it was met. Two
+    points of one line are not put together: the first ones of all lines are, the second ones, and so on."""
+    alike: dict[object, list[Undone]] = {}
+    ranks = Counter[object]()
+    for about, line, each in found:
+        key = about, each.what, each.label, each.why
+        alike.setdefault((key, ranks[key, line]), []).append(each)
+        ranks[key, line] += 1
+    for first, *others in alike.values():
+        many = f"; met at {1 + len(others)} places, of one curve or of several" if others else ""
+        yield Undone(first.what, first.label, first.values, first.why + many)
 
 
 def _one_seed(one: Seed, other: Seed, drawn: Drawn) -> bool:
