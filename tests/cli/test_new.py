@@ -63,16 +63,24 @@ def test_a_spur_pair_by_power_and_the_speed_of_the_gear(gearlash: Gearlash):
     assert "assumed" in ran.out
 
 
-def test_nothing_stated_is_a_template_that_runs_and_says_what_it_is(gearlash: Gearlash):
+def test_nothing_stated_is_a_template_that_is_no_case_before_it_is_edited(gearlash: Gearlash):
     ran = gearlash("new", "pair.toml")
     assert ran.code == 0
-    assert "with the values of an example" in ran.out
+    assert "with the values of an example as comments; nothing is stated yet" in " ".join(ran.out.split())
+    assert "gearlash report pair.toml" in ran.out
     text = Path("pair.toml").read_text(encoding="utf-8")
-    assert "The values are those of an example" in text
+    assert "A template: nothing is stated yet." in text
     for word in WORDS:
         for path in word.paths:
             assert path.partition(".")[2] in text, path
-    assert gearlash("run", "pair.toml", "--periods", "400").code in (0, 3)
+    for name in ("report", "run", "check"):
+        refused = gearlash(name, "pair.toml")
+        assert refused.code == 2, name
+        assert "pinion.teeth is missing" in refused.err
+    edited = [line.removeprefix("# ") if "# example: " in line else line for line in text.splitlines()]
+    Path("pair.toml").write_text("\n".join(edited), encoding="utf-8")
+    case = load("pair.toml")
+    assert case.scales.pinion_rpm(case.family()[0].defaults["omega"]) == pytest.approx(4200.0)
 
 
 def test_every_comment_of_a_template_can_be_taken_in(gearlash: Gearlash):

@@ -90,3 +90,13 @@ def test_two_aperiodic_motions_are_not_said_to_be_one():
         coexisting(Beside(6, 6, 0, ()), MotionKind.APERIODIC)
         == "6 other starts lead to aperiodic motion, too"
     )
+
+
+def test_a_force_without_contact_is_explained_by_the_rule_of_contact(gearlash: Gearlash):
+    told = "The contact damping acts in the gap too"
+    hits = gearlash("run", "kahraman-singh", "--set", "omega=0.85", "--json").answer["numbers"]
+    assert hits["share_without_contact"] > 0.0
+    assert hits["contact"] == "always"
+    there = ("run", "kahraman-singh", "--set", "omega=0.85")
+    assert told in gearlash(*there).out
+    assert told not in gearlash(*there, "--set", "contact=no-tension").out

@@ -66,6 +66,22 @@ def test_a_map_says_what_it_is_of():
     assert plots.plane(data).axes[0].get_title(loc="left") == r"own\$,  f_m = 0.25,  mass = 3"
 
 
+def test_a_map_asked_in_units_has_them_as_its_own_axes_and_marks_the_others():
+    own = plots.Twin(3820.0, "pinion speed", "rpm", assumed=True)
+    data = plane()
+    x, y = data.attrs["x"], data.attrs["y"]
+    units = plots.Units(speed=own if x == "omega" else None, others={x: own, y: own})
+    asked = plots.Twin(3820.0, "pinion speed", "rpm")
+    (panel,) = plots.plane(data, units, along=(asked, asked)).axes
+    said = [axis.label.get_text() for child in panel.child_axes for axis in (child.xaxis, child.yaxis)]
+    said = [text for text in said if text]
+    assert said.count("pinion speed  [rpm]") == 2
+    assert len(said) == 4
+    assert sum(text.endswith("†") for text in said) == 2
+    (panel,) = plots.plane(data, units).axes
+    assert "†" not in panel.get_xlabel() + panel.get_ylabel()
+
+
 def test_text_can_be_read_on_its_fill():
     orbits = [Signature(p, 1, r) for p in range(1, 9) for r in (0, 1)]
     everything = fills([*orbits, Signature(1, 0), MotionKind.APERIODIC])

@@ -22,7 +22,8 @@ HEAD = """\
 #   gearlash check {name}
 """
 EXAMPLE = """\
-# The values are those of an example: put your own in their place.
+# A template: nothing is stated yet. The lines with "example:" have the values of an example. Put your own in
+# their place, and take their # away.
 """
 ASSUMED_STEEL = '{value = "steel", provenance = "assumed", reason = "not stated"}'
 TEMPLATE = {
@@ -48,7 +49,7 @@ def file_text(
     example: bool = False,
     known: Mapping[str, str] | None = None,
 ) -> str:
-    """The file with these texts by path; ``example`` says that nobody stated them. What is ``known``
+    """The file with these texts by path; an ``example``, which nobody stated, is comments. What is ``known``
     otherwise stands in the comments."""
     kind, known = kind_of(texts), known or {}
     if kind.name == "spur-1dof":  # which has no helix: the angle is 0
@@ -68,8 +69,10 @@ def file_text(
                 continue
             usual = place.example if isinstance(place, Quantity) else place.default
             value = _value(place, texts[path] if stated else known.get(path, usual))
-            origin = ", as computed" if not stated and path in known else ""
-            lines.append(f"{'' if stated else '# '}{leaf} = {value}  # {place.description}{origin}")
+            computed = ", as computed" if not stated and path in known else ""
+            origin = "example: " if example and stated else ""
+            begin = "" if stated and not example else "# "
+            lines.append(f"{begin}{leaf} = {value}  # {origin}{place.description}{computed}")
     return "\n".join(lines) + "\n"
 
 

@@ -76,7 +76,13 @@ def write_map(folder: OutFolder, case: Case, plane: PlaneMap, answer: Any) -> No
     """Data (NetCDF) and answer (JSON) and, of a complete map, the figure as SVG and PDF."""
     dataset = plane_dataset(case, plane)
     write_data(folder, "map", dataset, answer, ("map.svg", "map.pdf"))
-    draw_if(folder, "map", plane.complete, lambda plots: plots.plane(dataset, units=plots.Units.of(case)))
+    asked = answer.x.asked, answer.y.asked
+
+    def figure(plots: Any) -> Figure:
+        typed = [plots.Twin(one.factor, one.title, pretty(one.unit)) if one.unit else None for one in asked]
+        return plots.plane(dataset, units=plots.Units.of(case), along=typed)
+
+    draw_if(folder, "map", plane.complete, figure)
 
 
 def write_motion(folder: OutFolder, case: Case, attractor: Attractor, answer: RunAnswer) -> None:

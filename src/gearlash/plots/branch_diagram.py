@@ -129,7 +129,7 @@ def branch_diagram(
     second(panels[0], up, "y")
     if multipliers:
         _multipliers(panels[1], every, colours)
-    twin = along or units.of_parameter(axis)
+    twin = units.asked(axis, along)
     scales(panels[-1], "x", words(every[0], units).name(axis), twin, first=along is not None)
     if title:
         panels[0].set_title(literal(title))

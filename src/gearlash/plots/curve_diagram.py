@@ -152,7 +152,7 @@ def curve_diagram(
         _label(panel, room, each)
     units = Units.of(model) if isinstance(model, Case) else Units()
     said = GEARS if units.teeth else ANY
-    twins = [own or units.of_parameter(name) for own, name in zip(along, names, strict=True)]
+    twins = [units.asked(name, own) for own, name in zip(along, names, strict=True)]
     for which, name, twin, own in zip("xy", names, twins, along, strict=True):
         scales(panel, which, said.name(name), twin, first=own is not None)
     if title:

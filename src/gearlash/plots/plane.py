@@ -23,7 +23,8 @@ from gearlash.system import GearlashError, Label, Signature, UnknownNameError, r
 from . import style
 from .fills import NONE, Fill, fills, legend_order
 from .regimes import short
-from .units import ASSUMED, Units, literal, second
+from .scales import scales
+from .units import ASSUMED, Twin, Units, literal
 from .words import Words, words
 
 WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
@@ -43,6 +44,7 @@ def plane(
     present: tuple[float, float] | None = None,
     title: str = "",
     height: float = HEIGHT,
+    along: Sequence[Twin | None] = (None, None),
 ) -> Figure:
     """A map of two parameters: a region for every label, named where there is room.
 
@@ -58,6 +60,8 @@ def plane(
         In place of the case and its parameters.
     height : float
         Of the panel, mm.
+    along : sequence of Twin or None
+        The units that the two parameters were asked for in, whose scales then stand first.
 
     Returns
     -------
@@ -89,11 +93,9 @@ def plane(
     _fill(panel, edges, codes, looks)
     _name(panel, edges, codes, names, looks, height)
     said = words(dataset, units)
-    panel.set_xlabel(said.name(x))
-    panel.set_ylabel(said.name(y))
-    twins = units.of_parameter(x), units.of_parameter(y)
-    second(panel, twins[0], below=9.5)
-    second(panel, twins[1], "y")
+    twins = [units.asked(name, own) for own, name in zip(along, (x, y), strict=True)]
+    for which, name, twin, own in zip("xy", (x, y), twins, along, strict=True):
+        scales(panel, which, said.name(name), twin, first=own is not None)
     panel.set_title(literal(title) if title else _title(dataset, said, (x, y)), loc="left", fontsize=7.5)
     handles: list[Patch | Line2D] = [_patch(fill) for fill in legend_order(looks)]
     if present is not None:

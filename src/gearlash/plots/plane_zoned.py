@@ -86,7 +86,7 @@ def zone_in_plane(
         _arrow(panel, zone, margin)
     key += [_tolerance(panel, zone, margin) for margin in zone.tolerance_margins]
     panel.plot(*zone.at, ls="none", marker="o", ms=4.6, color=style.INK, zorder=6.0)
-    twins = [twin or units.of_parameter(name) for twin, name in zip(along, zone.names, strict=True)]
+    twins = [units.asked(name, twin) for twin, name in zip(along, zone.names, strict=True)]
     for which, name, twin, first in zip("xy", zone.names, twins, along, strict=True):
         scales(panel, which, said.name(name), twin, first=first is not None)
     panel.set_title(literal(title or f"around {short(zone.label)}"), fontsize=7.5)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from matplotlib.axes import Axes
 
 from .units import Twin, second
@@ -18,7 +20,8 @@ def scales(panel: Axes, which: str, text: str, twin: Twin | None, *, first: bool
         label(text)
         second(panel, twin, which, below)
         return
-    plain = Twin(1.0, text, "")
+    plain = Twin(1.0, text, "", twin.assumed)  # what was asked in is as given: the other one rests on more
+    twin = replace(twin, assumed=False)
     if which == "x":
         panel.tick_params(axis="x", which="both", bottom=False, labelbottom=False)
         second(panel, twin, "below")

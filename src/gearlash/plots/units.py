@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 
 import numpy as np
@@ -182,6 +182,24 @@ class Units:
         """Does any of them rest on an assumed value?"""
         own = (self.speed, self.backlash, self.length, self.force, self.milliseconds)
         return any(scale.assumed for scale in (*own, *self.others.values()) if scale is not None)
+
+    def asked(self, parameter: str, own: Twin | None) -> Twin | None:
+        """The unit that a parameter was asked in, else its physical scale; with † where that rests on more.
+
+        Parameters
+        ----------
+        parameter : str
+            Short name.
+        own : Twin or None
+
+        Returns
+        -------
+        Twin or None
+        """
+        usual = self.of_parameter(parameter)
+        if own is None or usual is None:
+            return own or usual
+        return replace(own, assumed=own.assumed or usual.assumed)
 
     def of_parameter(self, parameter: str) -> Twin | None:
         """The physical scale of a parameter.

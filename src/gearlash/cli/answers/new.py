@@ -16,7 +16,9 @@ class NewAnswer:
 
     file: str
     kind: str
-    example: Annotated[bool, "whether the values are those of the example, as nothing was stated"]
+    example: Annotated[
+        bool, "whether it is a template with the values of an example as comments, as nothing was stated"
+    ]
     stated: Annotated[tuple[CheckValue, ...], "what the file states"]
     estimated: Annotated[
         tuple[CheckValue, ...], "what is estimated from it, with ranges, whenever it is read"
@@ -37,7 +39,7 @@ def new_answer(file: str, case: Case, example: bool) -> NewAnswer:
         file,
         case.kind,
         example,
-        tuple(v for v in values if v.text and v.provenance == "given"),
+        () if example else tuple(v for v in values if v.text and v.provenance == "given"),
         tuple(v for v in values if v.least is not None),
         float(scales.pinion_rpm(family.defaults["omega"])),
         tuple(float(speed) for speed in met),

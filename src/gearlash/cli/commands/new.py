@@ -33,7 +33,8 @@ def _new(
     """What does the drawing say? Writes a case file from it, which all other commands take.
 
     From options, or from answers to questions where none is given and somebody is at the terminal, else a
-    commented template with an example to edit. Values of pinion and gear stand apart by a stroke (25/57), one
+    template: its values are those of an example, and comments, so that nothing is computed before they are
+    put right and their # is taken away. Values of pinion and gear stand apart by a stroke (25/57), one
     stands for both, and /50mm is that of the gear alone. What a drawing leaves open (stiffness and how it
     varies, error, masses, bearings, damping, backlash) is estimated whenever the file is read, with range and
     source.
@@ -50,10 +51,10 @@ def _new(
     if not stated and at_a_terminal() and not as_json:
         stated = asked()
     example = not stated
-    head = file.name, description or "", example
+    head = file.name, description or ""
     texts = placed(stated or TEMPLATE)
     case = loaded(file, file_text(texts, *head), stated)
-    text = file_text(texts, *head, known_of(case))
+    text = file_text(texts, *head, example, known_of(case))
     answer = new_answer(str(file), case, example)
     with delivery():
         write(file, text, overwrite)

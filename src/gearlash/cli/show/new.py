@@ -16,12 +16,14 @@ from .numbers import Marks
 
 def new_view(answer: NewAnswer, width: int) -> Iterator[Text]:
     """What was written, what is estimated, what to do next."""
-    what = "with the values of an example" if answer.example else f"{len(answer.stated)} values stated"
     count = len(answer.estimated)
-    yield from headline(
-        f"{answer.file}: written, {answer.kind}, {what}, {count} estimated; nothing to correct", width
-    )
-    yield from remarks("Estimated, with ranges", open_rows(answer.estimated, Marks({})), width)
+    if answer.example:
+        what = "a template with the values of an example as comments; nothing is stated yet"
+    else:
+        what = f"{len(answer.stated)} values stated, {count} estimated; nothing to correct"
+    yield from headline(f"{answer.file}: written, {answer.kind}, {what}", width)
+    title = "Estimated from the example, with ranges" if answer.example else "Estimated, with ranges"
+    yield from remarks(title, open_rows(answer.estimated, Marks({})), width)
     file = shlex.quote(answer.file)
     low, high = (f"{factor * answer.speed_rpm:.4g}" for factor in (0.5, 1.5))
     rows = [

@@ -10,6 +10,7 @@ from gearlash.cli.answers.motion import ForceNumbers, MotionNumbers, OtherCleara
 from gearlash.cli.answers.physical import PhysicalEvent, PhysicalRun
 from gearlash.cli.answers.run import RunAnswer
 from gearlash.results.beside import Beside
+from gearlash.results.contact_words import damping_in_the_gap
 from gearlash.system import Label, MotionKind
 
 from .layout import facts, headline, note, table
@@ -39,6 +40,11 @@ def run_view(answer: RunAnswer, width: int) -> Iterator[Text]:
             yield from _events(answer, answer.numbers, marks, width)
         for other in answer.numbers.others:
             yield from _other(other, width)
+        said = answer.case.between_teeth and damping_in_the_gap(
+            answer.numbers.contact, answer.numbers.force.minimum, answer.numbers.share_without_contact
+        )
+        if said:
+            yield from note(said, width)
     footnote = marks.footnote()
     if footnote:
         yield from note(footnote, width)

@@ -19,15 +19,23 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
     for name, dataset in contents.maps.items():
         stem, words = f"map-{WORDS[name]}", f"speed and {WORDS[name]}"
         present = found.here, found.values[name]
+        units = plots.Units.of(found.case)
         look = {
             "present": present,
+            "along": [_given(contents, units, each) for each in ("omega", name)],
             "height": HEIGHT,
             "title": f"{found.case.name}: {words}, {_fixed(contents, name)}",
         }
-        pictures.append(Picture(stem, plots.plane, (dataset, plots.Units.of(found.case)), look))
+        pictures.append(Picture(stem, plots.plane, (dataset, units), look))
         caption = f"Motions over {words}, each from the cold start; the star is the present point."
         blocks.append(Figure(f"figure-{stem}", Text.of(caption), caption, stem))
     return Section("maps", "Maps", tuple(blocks)), pictures
+
+
+def _given(contents: Contents, units: plots.Units, name: str) -> plots.Twin | None:
+    """The unit of a parameter that the case states in one: its scale stands first."""
+    stated = {value.path for value in contents.found.case.values() if value.provenance != "derived"}
+    return None if f"dimensionless.{name}" in stated else units.of_parameter(name)
 
 
 def _intro() -> Block:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from gearlash.plots.regimes import short
 from gearlash.plots.spectra import Levels, order_spectra
 from gearlash.report.blocks import Block, Cell, Figure, Section, Table, Text
 from gearlash.report.pictures import Picture
+from gearlash.results.contact_words import damping_in_the_gap
 from gearlash.results.pair_units import PairUnits, Unit
 from gearlash.studies.history import History, Spectrum, spectrum
 
@@ -40,6 +41,7 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
     which = which if len(shown) > 1 else "at the present speed, which has the highest mesh force found"
     blocks: list[Block] = [
         _table(contents),
+        *_damping(contents),
         _figure("histories", f"Histories {which}; grey: no contact. At most {SHOWN} mesh cycles are drawn."),
         _figure(
             "portraits", f"Phase portraits {which}: relative displacement of the flanks and its velocity."
@@ -164,6 +166,17 @@ def _table(contents: Contents) -> Table:
     return Table(
         "table-motions", "What is measured on these motions.", ("", *heads), tuple(rows), numeric, widths
     )
+
+
+def _damping(contents: Contents) -> Iterator[Block]:
+    """Why the force pulls, or is there without contact."""
+    rule = contents.found.case.numbers.contact
+    for one in contents.histories:
+        signals = one.signals
+        said = damping_in_the_gap(rule, signals.force.least, signals.share_without_contact)
+        if said:
+            yield Text.of(said)
+            return
 
 
 _NUMBER, _PERCENT = Unit(1.0, "", ""), Unit(100.0, "%", "percent")
