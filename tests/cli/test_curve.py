@@ -92,7 +92,8 @@ def test_the_figure_and_the_table_are_in_the_units_that_were_asked(gearlash: Gea
     assert flat.startswith(
         "pinion speed from 3650 to 3850 rpm and backlash from 98 to 102 µm: grazing of 1-0-0; "
     )
-    assert "pinion speed 3714.922 rpm, backlash 98 µm: limit of backlash" in flat
+    assert "pinion speed 3714.922 rpm, backlash 98 µm †: limit of backlash" in flat
+    assert "† rests on assumed values: " in flat
 
 
 def test_one_curve_through_two_points_is_followed_once(gearlash: Gearlash, kept: str):

@@ -17,6 +17,7 @@ from gearlash.cli.schemas import answer_schema
 from gearlash.plots import plane_zoned
 
 OVER = ("--over", "pinion_speed=4000:4300rpm", "--over", "torque=90:105N*m")
+PLAIN = ("--over", "omega=1.09:1.11", "--over", "D=0.99:1.01")
 TOLERANCES = ("--tolerance", "pinion_speed=50rpm", "--tolerance", "torque=2N*m")
 
 
@@ -46,6 +47,10 @@ def test_margins_in_the_units_that_were_asked_for(gearlash: Gearlash, kept: Path
     assert abs(box["asked"][0] - 4200.0) / 50.0 == pytest.approx(box["multiple"], rel=1e-6)
     assert answer["sentence"].startswith("4200 rpm, 96.95 N·m lies in a zone free of impacts")
     assert "others may coexist" in answer["sentence"]
+    assert [bool(paths) for paths in answer["rests_on"]] == [True, True]
+    bounded = next(m for m in answer["margins"] if m["bounded"])
+    assert f"{bounded['event']} " in answer["sentence"]
+    assert "†" in answer["sentence"]
 
 
 def test_out_has_the_boundary_in_both_units(gearlash: Gearlash, kept: Path):
@@ -108,3 +113,11 @@ def test_a_margin_is_never_told_as_more_than_it_is(upward: bool, value: float):
     speed = ("pinion_speed", 99.9999, "rpm")
     axis = gl.AxisMargin("omega", upward, far, 5.0, value, "fold", True, (speed,))
     assert plane_zoned._said(axis)[1:] == "99.99 rpm"
+
+
+def test_what_rests_on_assumed_values_is_marked_and_they_are_listed(gearlash: Gearlash):
+    case = ("zones", "article", "--set", "pinion_speed=4200rpm")
+    words, plain = (" ".join(gearlash(*case, *over).out.split()) for over in (OVER, PLAIN))
+    assert "47.8 rpm (1.13 %) above †;" in words
+    assert "† rests on assumed values: " in words
+    assert "†" not in plain

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from gearlash.plots import Twin
     from gearlash.studies.plane_zone import PlaneZone
 
-    from .answers.asked import Asked
     from .answers.plane_zone import PlaneZoneAnswer
     from .folder import OutFolder
     from .frame import StudyInputs
@@ -153,7 +152,7 @@ def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnsw
         folder.file("zone.csv"): _table(answer).encode("utf-8"),
     }
     write_together(contents, instead_of=[folder.file(name) for name in FILES[2:]])
-    twins = _twins(answer.asked)
+    twins = _twins(case, answer)
     draw_if(
         folder, "zone", True,
         lambda plots: plots.zone_in_plane(zone, case, title=f"Zone of {case.name} around its operating point",
@@ -161,12 +160,19 @@ def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnsw
     )  # fmt: skip
 
 
-def _twins(asked: Sequence[Asked]) -> list[Twin | None]:
+def _twins(case: Case, answer: PlaneZoneAnswer) -> list[Twin | None]:
     """The units that were asked for, for the axes of the figure; of a parameter that has one."""
     from gearlash.case.units import pretty
     from gearlash.plots import Twin
 
-    return [Twin(each.factor, each.title, pretty(each.unit)) if each.unit else None for each in asked]
+    from .answers.parts import rests_in
+
+    found: list[Twin | None] = []
+    for name, each in zip(answer.names, answer.asked, strict=True):
+        rests = rests_in(case, name, each.name, each.unit, computed=False)
+        twin = Twin(each.factor, each.title, pretty(each.unit), bool(rests))
+        found.append(twin if each.unit else None)
+    return found
 
 
 def _table(answer: PlaneZoneAnswer) -> str:

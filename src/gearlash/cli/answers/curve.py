@@ -14,7 +14,7 @@ from .branch_parts import LimitsUsed
 from .curve_parts import Begun, CurveFound, CurveStart, NotBegun, curve_found
 from .excitation import NOT_EXCITED, nothing_varies
 from .outcome import INCOMPLETE, RESUME
-from .parts import CaseUsed, case_used
+from .parts import CaseUsed, case_used, rests_in
 
 CUT_SHORT = (
     "no step is short enough",
@@ -48,6 +48,9 @@ class CurveAnswer:
         dict[str, float], "every parameter by short name, where the source of the special points begins"
     ]
     axes: Annotated[tuple[LimitsUsed, ...], "the two parameters"]
+    rests_on: Annotated[
+        tuple[tuple[str, ...], ...], "assumed values behind computed values of either, in the unit asked for"
+    ]
     start: CurveStart
     curves: tuple[CurveFound, ...]
     not_begun: Annotated[tuple[NotBegun, ...], "special points through which no curve was followed"]
@@ -83,6 +86,7 @@ def curve_answer(
         case=case_used(case),
         parameters=dict(parameters),
         axes=tuple(limits),
+        rests_on=tuple(rests_in(case, each.name, each.asked.name, each.asked.unit) for each in limits),
         start=start,
         curves=rows,
         not_begun=missed,

@@ -128,6 +128,13 @@ def physical_values(
     return tuple(found)
 
 
+def rests_in(case: Case, short: str, name: str, unit: str, computed: bool = True) -> tuple[str, ...]:
+    """Assumed values that (``computed``) values of a parameter rest on, told as the quantity ``name``; none
+    where they are told without a ``unit``."""
+    told = physical_values(case, short, 1.0, computed) if unit else ()
+    return next((each.rests_on for each in told if each.name == name), ())
+
+
 def rests_on(case: Case, back_side_met: bool = True) -> dict[str, tuple[str, ...]]:
     """Kind of physical number → paths of assumed values that it rests on; kinds without any are left out.
 

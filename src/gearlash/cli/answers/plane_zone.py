@@ -12,12 +12,13 @@ from gearlash.case.edges import at_most
 from gearlash.case.units import pretty
 
 from .asked import Asked
-from .parts import CaseUsed, case_used
+from .parts import CaseUsed, case_used, rests_in
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.studies.plane_zone import AxisMargin, PlaneZone, ToleranceMargin
 
 WORDS = {"impact-free": "free of impacts", "drive-side-only": "free of impacts on the back side"}
+MARK = " †"  # behind a number in a physical unit that rests on an assumed value
 STATUS = (
     "ok; incomplete if it was stopped; open if its border could not be closed everywhere: the notes say where"
 )
@@ -90,6 +91,7 @@ class PlaneZoneAnswer:
     parameters: Annotated[dict[str, float], "every parameter by short name, at the operating point"]
     names: Annotated[tuple[str, str], "short names of the two parameters"]
     asked: Annotated[tuple[Asked, Asked], "the units in which they are told"]
+    rests_on: Annotated[tuple[tuple[str, ...], ...], "assumed values behind computed values in either unit"]
     at: Annotated[tuple[float, float], "the operating point"]
     lower: tuple[float, float]
     upper: tuple[float, float]
@@ -113,14 +115,18 @@ def plane_zone_answer(
     """The record of a zone; ``stopped``: by a signal."""
     margins = tuple(_along(margin, asked[zone.names.index(margin.name)]) for margin in zone.margins)
     together = tuple(_together(margin, asked) for margin in zone.tolerance_margins)
+    rests = tuple(
+        rests_in(case, name, each.name, each.unit) for name, each in zip(zone.names, asked, strict=True)
+    )
     return PlaneZoneAnswer(
-        sentence=_sentence(zone, asked, margins, together),
+        sentence=_sentence(zone, asked, margins, together, rests),
         status="incomplete" if stopped else "ok" if zone.complete else "open",
         notes=zone.notes,
         case=case_used(case),
         parameters=dict(zone.values),
         names=zone.names,
         asked=asked,
+        rests_on=rests,
         at=zone.at,
         lower=zone.lower,
         upper=zone.upper,
@@ -179,6 +185,7 @@ def _sentence(
     asked: tuple[Asked, Asked],
     margins: tuple[MarginAlong, ...],
     together: tuple[MarginTogether, ...],
+    rests: tuple[tuple[str, ...], ...],
 ) -> str:
     here = ", ".join(unit.text(value) for unit, value in zip(asked, zone.at, strict=True))
     said = [
@@ -189,11 +196,12 @@ def _sentence(
     for margin in met:
         which = zone.names.index(margin.parameter)
         far = how_far(margin, asked[which], zone.at[which])
-        said.append(f"{asked[which].title}: {margin.event} {far}")
+        said.append(f"{asked[which].title}: {margin.event} {far}{MARK if rests[which] else ''}")
     if not met:
         said.append("nothing bounds it along either parameter within the range")
     for margin in together[:1]:
-        said.append(f"the tolerances together fit into it {times(margin)} ({margin.norm})")
+        mark = MARK if margin.bounded and any(rests) else ""
+        said.append(f"the tolerances together fit into it {times(margin)} ({margin.norm}){mark}")
     return "; ".join(said)
 
 

@@ -58,7 +58,7 @@ def _curve(answer: CurveAnswer, curve: CurveFound, marks: Marks, width: int) -> 
     left = len(curve.special) - len(shown)
     if left:
         yield from note(f"and {left} more points (--json has all)", width)
-    yield from facts("", list(_facts(answer, curve)), width)
+    yield from facts("", list(_facts(answer, curve, marks)), width)
 
 
 def _head(limit: LimitsUsed) -> str:
@@ -77,7 +77,7 @@ def _row(point: CodimTwoFound, axes: tuple[LimitsUsed, ...], marks: Marks) -> li
     return [*cells, f"{point.label_before} | {point.label_after}", kind]
 
 
-def _facts(answer: CurveAnswer, curve: CurveFound) -> Iterator[tuple[str, str]]:
+def _facts(answer: CurveAnswer, curve: CurveFound, marks: Marks) -> Iterator[tuple[str, str]]:
     if curve.fixed:
         parts = ", ".join(f"{name} = {value:.10g}" for name, value in curve.fixed.items())
         yield "where", f"{parts}, as at the point that it begins at"
@@ -89,9 +89,9 @@ def _facts(answer: CurveAnswer, curve: CurveFound) -> Iterator[tuple[str, str]]:
         f"{len(curve.orbits)}, {stable} with no multiplier outside the unit circle, residual at most "
         + (number(curve.residual, 2)),
     )
-    yield "admissible", _admissible(answer, curve)
+    yield "admissible", _admissible(answer, curve, marks)
     for end, name in zip(curve.ends, ("begins", "ends"), strict=True):
-        yield name, f"{_place(answer, end.values)}: {_why(answer, end)}"
+        yield name, f"{_marked(answer, end.values, marks)}: {_why(answer, end)}"
     noted = [each for each in curve.special if each.note and each.note != each.kind]
     for i, each in enumerate(noted):
         yield "" if i else "to note", f"at {each.number}: {each.note}"
@@ -105,7 +105,7 @@ def _why(answer: CurveAnswer, end: CurveEnd) -> str:
     return f"{end.kind} ({end.note})" if end.note else end.kind
 
 
-def _admissible(answer: CurveAnswer, curve: CurveFound) -> str:
+def _admissible(answer: CurveAnswer, curve: CurveFound, marks: Marks) -> str:
     """Which of its orbits are ones of the real system."""
     real = sum(orbit.admissible for orbit in curve.orbits)
     if real == len(curve.orbits):
@@ -113,8 +113,12 @@ def _admissible(answer: CurveAnswer, curve: CurveFound) -> str:
     if not real:
         return "none: no orbit of the real system on it"
     runs = [list(run) for ok, run in groupby(curve.orbits, key=lambda orbit: orbit.admissible) if ok]
-    parts = [f"{_place(answer, run[0].values)} to {_place(answer, run[-1].values)}" for run in runs]
+    parts = [" to ".join(_marked(answer, run[i].values, marks) for i in (0, -1)) for run in runs]
     return f"{real} of {len(curve.orbits)}, orbits of the real system: {'; '.join(parts)}"
+
+
+def _marked(answer: CurveAnswer, values: tuple[float, float], marks: Marks) -> str:
+    return marks.of(_place(answer, values), [path for each in answer.rests_on for path in each])
 
 
 def _place(answer: CurveAnswer, values: tuple[float, float]) -> str:
