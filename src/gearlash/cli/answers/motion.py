@@ -6,8 +6,6 @@ from dataclasses import dataclass
 from math import isnan
 from typing import TYPE_CHECKING, Annotated, Literal
 
-from gearlash.system import ContactRule
-
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.orbits import Attractor, ForceStatistics, MotionStatistics
 
@@ -88,7 +86,7 @@ class MotionNumbers:
     ]
     transmission_error: Annotated[ErrorNumbers, "dynamic transmission error X, over D_c"]
     share_without_contact: Annotated[float, "share of time with no tooth in contact, 0 to 1"]
-    contact: Annotated[ContactRule, "when the contact damping acts"]
+    contact: Annotated[str, "when the contact damping acts: always, in-contact, no-tension"]
     others: Annotated[tuple[OtherClearance, ...], "further clearances; all else here is of the first"]
 
 
@@ -108,7 +106,7 @@ def motion_numbers(attractor: Attractor) -> MotionNumbers:
         dynamic_factor=_dynamic_factor(found.force),
         transmission_error=ErrorNumbers(found.error_rms, found.error_peak_to_peak),
         share_without_contact=found.share_without_contact,
-        contact=gaps[0].contact,
+        contact=str(gaps[0].contact),
         others=tuple(_other(attractor, index) for index in range(1, count)),
     )
 

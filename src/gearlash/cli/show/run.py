@@ -11,7 +11,7 @@ from gearlash.cli.answers.physical import PhysicalEvent, PhysicalRun
 from gearlash.cli.answers.run import RunAnswer
 from gearlash.results.beside import Beside
 from gearlash.results.contact_words import damping_in_the_gap
-from gearlash.system import Label, MotionKind
+from gearlash.system import ContactRule, Label, MotionKind
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
@@ -41,7 +41,9 @@ def run_view(answer: RunAnswer, width: int) -> Iterator[Text]:
         for other in answer.numbers.others:
             yield from _other(other, width)
         said = answer.case.between_teeth and damping_in_the_gap(
-            answer.numbers.contact, answer.numbers.force.minimum, answer.numbers.share_without_contact
+            ContactRule(answer.numbers.contact),
+            answer.numbers.force.minimum,
+            answer.numbers.share_without_contact,
         )
         if said:
             yield from note(said, width)
