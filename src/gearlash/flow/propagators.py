@@ -23,6 +23,7 @@ from ._tables import (
     TERMS,
     Array,
     Shape,
+    aligned,
     constants,
     sizes_of,
 )
@@ -50,7 +51,7 @@ from .regions import (
     twin,
     units_of,
 )
-from .tables import Tables, calls, clear_in_pieces, copy_in_pieces, unwritten
+from .tables import Tables, calls, copy_in_pieces
 
 TRUNCATION = 1e-15  # bound on the Taylor remainder of every unit column of every cell map
 REFINEMENT, GENTLE_TRIES = 1.1, 10  # factor to the next grid, for so many tries
@@ -165,7 +166,12 @@ class Propagators(Record):
             if self.tables.slot_of[code] >= 0:
                 return
             check_memory(self.system, self.shape, 1 + len(self.responses), len(self.units))
-            tables = _with_regions(self, [code], LATER_TRUNCATION)
+            tables, old = None, self.tables
+            try:
+                tables = _with_regions(self, [code], LATER_TRUNCATION)
+            finally:
+                if tables is None:  # as it was: another region may come here
+                    old.room[old.used : old.used + self.shape.slot] = 0.0
             if tables is None:
                 raise GearlashError(
                     f"the Taylor remainder of a region is above {LATER_TRUNCATION:.0e}: the sides of the "
@@ -243,8 +249,7 @@ def _on_grid(system: System, units: Array, key: tuple, cells: int) -> Propagator
     regions = max(len(first), regions_likely(system))
     check_memory(system, shape, regions, len(units))
     fitting = (allowed() - 8.0 * shape.slots) / of_region(shape, len(units))
-    room = unwritten(shape.slots + regions_possible(system, fitting) * shape.slot)
-    clear_in_pieces(room[: shape.slots])
+    (room,) = aligned(shape.slots + regions_possible(system, fitting) * shape.slot)
     constants(shape, room)
     write_system(system, shape, room)
     stiffness_series(sizes_of(shape), room)
@@ -270,7 +275,6 @@ def _with_regions(props: Propagators, codes: list[int], bound: float) -> Tables 
             copy_in_pieces(memory[place : place + shape.slot], memory[at : at + shape.slot])
             props.responses[code] = props.responses[like]
         else:
-            clear_in_pieces(memory[at : at + shape.slot])
             responses = _responses(props, memory, at, sides_of(code, shape.clearances), bound)
             if not responses[2] <= bound:
                 return None
@@ -308,7 +312,7 @@ def _responses(
 def _with_amplitudes(system: System, reuse: Propagators) -> Propagators:
     """The same homogeneous tables under other loads, errors and gaps."""
     tables, shape = reuse.tables, reuse.shape
-    memory = unwritten(len(tables.room))
+    (memory,) = aligned(len(tables.room))
     copy_in_pieces(tables.room[: tables.used], memory[: tables.used])
     write_system(system, shape, memory)
     found = Propagators(

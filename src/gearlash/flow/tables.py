@@ -6,10 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-
-from ._blocks import LANES
-from ._tables import Array, Shape
+from ._tables import Array, Shape, aligned
 
 NUMBERS_PER_CALL = 4_000_000  # numbers of tables that one call writes: a tenth of a second
 
@@ -17,9 +14,8 @@ NUMBERS_PER_CALL = 4_000_000  # numbers of tables that one call writes: a tenth 
 @dataclass
 class Tables:
     """What kernels read: replaced as a whole when a region is added. What was there is never changed; a new
-    region is written behind it, where memory is cleared first. There is room for as many as the budget allows
-    (pages of it that nobody has written to take no memory); where more was allowed later, everything is
-    copied."""
+    region is written behind it. There is room for as many as the budget allows (pages of it that nobody has
+    written to take no memory); where more was allowed later, everything is copied."""
 
     room: Array
     used: int
@@ -36,7 +32,7 @@ class Tables:
         """The room, or a larger one with the same content, with space for so many numbers behind it."""
         if self.used + more <= len(self.room):
             return self.room
-        room = unwritten(self.used + 2 * more)
+        (room,) = aligned(self.used + 2 * more)
         copy_in_pieces(self.room[: self.used], room[: self.used])
         return room
 
@@ -45,20 +41,6 @@ def calls(shape: Shape) -> Iterator[tuple[int, int]]:
     """The cells in pieces for one call of a kernel each: first, and first of the next."""
     piece = max(1, NUMBERS_PER_CALL * shape.cells // shape.slot)
     return ((i, min(i + piece, shape.cells)) for i in range(0, shape.cells, piece))
-
-
-def unwritten(size: int) -> Array:
-    """So many numbers on cache lines of their own (`_tables.aligned`), of any value: what is used of them is
-    cleared or copied to."""
-    room = np.empty(size + LANES)
-    first = -(room.__array_interface__["data"][0] // room.itemsize) % LANES
-    return room[first : first + size]
-
-
-def clear_in_pieces(memory: Array) -> None:
-    """Zeros, in pieces as below."""
-    for i in range(0, len(memory), NUMBERS_PER_CALL):
-        memory[i : i + NUMBERS_PER_CALL] = 0.0
 
 
 def copy_in_pieces(old: Array, new: Array) -> None:
