@@ -145,8 +145,8 @@ BOUNDS = (
     ),
     Mutant(
         "no majorant",
-        "return value + rest * TAIL_RATIO / (1.0 - TAIL_RATIO), derived + rest * (LAST_TERM + 2.0)",
-        "return 0.0, 0.0",
+        "terms, new, source = np.zeros(n), np.zeros(n), np.zeros(LAST_TERM + 1)",
+        "if n > 0:\n        return 0.0, 0.0\n    terms, new, source = last, last, last",
         _COARSE,
     ),
     Mutant(

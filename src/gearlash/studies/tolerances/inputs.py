@@ -6,12 +6,14 @@ from collections.abc import Mapping, Sequence
 from math import isfinite
 from typing import TypeAlias
 
+import numpy as np
+
 from gearlash.case import Case, CaseError, Problem
 from gearlash.case.entries import Entry
 from gearlash.case.quantity import Quantity
 from gearlash.case.units import unit
 from gearlash.results.tolerance import ToleranceInput
-from gearlash.system import GearlashError, shown
+from gearlash.system import GearlashError, given, shown
 
 Limits: TypeAlias = Mapping[str, Sequence[float | str]]
 MOST_INPUTS = 20
@@ -23,6 +25,7 @@ def read_inputs(case: Case, limits: Limits | None) -> tuple[ToleranceInput, ...]
     Raises `CaseError` with every problem."""
     if limits is None:
         return _estimated(case)
+    limits = given.mapping("limits", limits)
     if not limits:
         raise GearlashError('limits: expected at least one, such as {"backlash": ("60 um", "120 um")}')
     if len(limits) > MOST_INPUTS:
@@ -43,7 +46,8 @@ def read_inputs(case: Case, limits: Limits | None) -> tuple[ToleranceInput, ...]
 
 
 def _input(case: Case, name: str, ends: Sequence[float | str]) -> ToleranceInput:
-    if isinstance(ends, str) or len(ends) != 2:
+    ends = ends.tolist() if isinstance(ends, np.ndarray) else ends
+    if not isinstance(ends, list | tuple) or len(ends) != 2:
         raise CaseError("limits", [Problem(name, shown(ends), "two limits, such as (60 um, 120 um)")])
     one, other = (_entry(case, name, end) for end in ends)
     place = case.content.places.get(one.path)
