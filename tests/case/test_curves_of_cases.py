@@ -110,6 +110,15 @@ def test_a_loaded_error_is_freed_of_what_the_stiffness_makes_of_it():
     omega = freed.family()[0].defaults["omega"]
     amplitudes = forcing[1:] / np.repeat(np.arange(1, 5) ** 2, 2) / omega**2 * 50.0  # µm
     assert amplitudes == pytest.approx([0.0, 2.0, 0, 0, 0, 0, 0, 0], abs=1e-3)
+    lines = np.fft.rfft(loaded[:-1])[1:9] / 256.0
+    by_harmonics = (
+        f"[curves.error]\namplitudes = {np.abs(lines).tolist()}\nphases = {np.angle(lines).tolist()}\n"
+        'unit = "um"\nstate = "loaded"\ntorque = "200 N m"\nharmonics = 4'
+    )
+    again = (
+        loads(physical(stated.partition("[curves.error]")[0] + by_harmonics)).family()[0].system().forcing[1]
+    )
+    assert again == pytest.approx(forcing, abs=1e-4 * np.abs(forcing).max())
 
 
 def test_files_of_points_with_decimal_commas(tmp_path: Path):

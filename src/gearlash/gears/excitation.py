@@ -13,7 +13,7 @@ from math import lcm, pi
 
 import numpy as np
 
-from gearlash.system import Fourier, Parameter, cosines, padded
+from gearlash.system import Fourier, Parameter, cosines, evaluate, padded
 from gearlash.system.harmonics import harmonics
 
 SHAFTS = ("pinion", "gear")
@@ -135,7 +135,5 @@ def summed(one: Fourier, other: Fourier) -> Fourier:
 
 def least(series: Fourier) -> float:
     """The smallest value of a series, of 32 points in its fastest turn."""
-    from gearlash.system import evaluate
-
     points = 32 * max(harmonics(series), 1)
     return float(np.min(evaluate(series, np.linspace(0.0, 2.0 * pi, points, endpoint=False))))

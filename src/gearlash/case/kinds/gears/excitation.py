@@ -18,6 +18,7 @@ from gearlash.system import Fourier, cosines, evaluate
 from .curves import LOADED
 from .rules import EntriesByKey
 
+SAMPLES = 360  # of the highest harmonic, where harmonics are made points
 ENOUGH = 0.01  # of peak to peak: root mean square of curve less series
 MOST_OF_A_CYCLE, MOST_OF_A_TURN = 24, 4  # harmonics of a mesh cycle that are kept where none are stated
 Curves = Mapping[str, Mapping[str, Any]]
@@ -81,6 +82,8 @@ def reconstructed(curves: Curves, entries: EntriesByKey, scales: Scales) -> dict
         )
     if "error" in curves:
         stated = curves["error"]
+        if stated.get("state") == LOADED:
+            stated = _as_points(stated)
         values = np.array(stated.get("values", []))
         if stated.get("state") == LOADED:
             values = _unloaded(stated, values, entries, scales, found.get("stiffness"))
@@ -129,6 +132,17 @@ def _enough(wave: Waveform) -> int:
     left = wave.rms_error**2 + np.append(np.cumsum(power[::-1])[::-1], 0.0)
     small = np.sqrt(left) <= ENOUGH * float(np.ptp(wave.values))
     return int(np.argmax(small)) if small.any() else len(power)
+
+
+def _as_points(stated: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The same curve as points, where it is stated by harmonics: what the stiffness makes has others."""
+    if "amplitudes" not in stated:
+        return stated
+    phases = np.linspace(0.0, 1.0, 1 + SAMPLES * len(stated["amplitudes"]))
+    own = cosines(stated["mean"], stated["amplitudes"], stated["angles"])
+    values = evaluate(own, 2.0 * np.pi * phases)
+    rest = {key: value for key, value in stated.items() if key not in ("amplitudes", "angles", "mean")}
+    return {**rest, "phases": phases.tolist(), "values": values.tolist()}
 
 
 def _unloaded(
