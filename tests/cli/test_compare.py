@@ -48,6 +48,14 @@ def test_what_the_pair_does_itself_leaves_nothing(case: gl.Case, gearlash: Gearl
     assert len((out / "compare.csv").read_text().splitlines()) == 7
 
 
+def test_a_speed_may_be_measured_several_times_in_any_order(case: gl.Case):
+    omega = omega_of(case, np.array([4200.0, 4150.0, 4200.0]))
+    found = compare(case, omega, [2.0, 1.0, 3.0], "mesh_force", "peak")
+    assert found.measured.tolist() == [1.0, 2.0, 3.0]
+    assert found.up[1] == found.up[2] != found.up[0]
+    assert [len(way) for way in (found.labels, found.residuals, found.sweeps[0].points)] == [3, 3, 2]
+
+
 def test_levels_and_orders_and_accelerations(case: gl.Case, gearlash: Gearlash, tmp_path: Path):
     omega = omega_of(case, RPM[-2:])
     rows = compare(case, omega, [1.0, 2.0], "acceleration_yp", "order", order=1.0).up

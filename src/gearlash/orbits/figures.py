@@ -12,13 +12,13 @@ from gearlash.flow import Trace
 from gearlash.system import GearlashError, given
 from gearlash.system.readout import Readout
 
-from .signals import CLOSER, LOCAL, WEIGHTS, read
-from .statistics import top
+from .signals import nodes, read, signal_of
 
 Array = NDArray[np.float64]
 FORCE, GAP = "mesh_force", "gap"
 ACCELERATION = "acceleration_"
 BEARING = "bearing_force_"
+WHOLE = 1e-9  # relative: so near to a whole number a number of periods is one
 
 
 class Figure(StrEnum):
@@ -94,29 +94,21 @@ def figure_of(
     GearlashError
         For an order whose period the motion does not hold a whole number of.
     """
-    cycles = trace.propagators.cells_per_cycle
-    phase = trace.base + (trace.positions[:, None] + trace.lengths[:, None] * LOCAL[None, :]).ravel() / cycles
-    values = quantity.weights @ read(trace, readouts, 0, phase)
-    if figure in (Figure.PEAK, Figure.PEAK_TO_PEAK):
-        least, most = (_extreme(trace, readouts, quantity, phase, values, sign) for sign in (-1.0, 1.0))
-        return max(abs(least), abs(most)) if figure is Figure.PEAK else most - least
-    weight = (trace.lengths[:, None] * np.pad(WEIGHTS / 2.0, 1)[None, :]).ravel() / trace.lengths.sum()
-    mean = float(np.sum(weight * values))
-    if figure is Figure.MEAN:
-        return mean
-    if figure is Figure.RMS:
-        return float(np.sqrt(np.sum(weight * (values - mean) ** 2)))
-    whole = given.number("order", order) * trace.cycles
-    if abs(whole - round(whole)) > 1e-9 * max(1.0, whole) or whole <= 0.0:
-        raise GearlashError(f"order {order:g}: the motion of {trace.cycles:g} mesh cycles has no such line")
-    return float(np.sqrt(2.0) * abs(np.sum(weight * (values - mean) * np.exp(-2j * np.pi * order * phase))))
 
+    def reading(at: Array) -> Array:
+        return quantity.weights @ read(trace, readouts, 0, at)
 
-def _extreme(
-    trace: Trace, readouts: tuple[Readout, ...], quantity: Quantity, phase: Array, values: Array, sign: float
-) -> float:
-    """The largest value (of the other sign: the least), read once more around the extreme reading."""
-    at = int(np.argmax(sign * values))
-    start, stop = phase[max(0, at - 3)], phase[min(len(phase) - 1, at + 3)]
-    closer = sign * (quantity.weights @ read(trace, readouts, 0, start + (stop - start) * CLOSER))
-    return sign * max(top(closer), float(sign * values[at]))
+    phase, weight = nodes(trace)
+    values = reading(phase)
+    if figure is Figure.ORDER:
+        whole = given.number("order", order) * trace.cycles
+        if abs(whole - round(whole)) > WHOLE * max(1.0, whole) or whole <= 0.0:
+            raise GearlashError(f"order {order:g}: the motion of {trace.cycles:g} cycles has no such line")
+        return float(np.sqrt(2.0) * abs(np.sum(weight * values * np.exp(-2j * np.pi * order * phase))))
+    found = signal_of(reading, phase, weight, values)
+    return {
+        Figure.PEAK: found.peak,
+        Figure.PEAK_TO_PEAK: found.peak_to_peak,
+        Figure.RMS: found.rms,
+        Figure.MEAN: found.mean,
+    }[figure]

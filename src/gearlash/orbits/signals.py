@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,14 +99,10 @@ def signals(trace: Trace, readouts: Sequence[Readout] = (), clearance: int = 0) 
     -------
     Signals
     """
-    phase = trace.base + (trace.positions[:, None] + trace.lengths[:, None] * LOCAL[None, :]).ravel() / (
-        trace.propagators.cells_per_cycle
-    )
-    readings = read(trace, readouts, clearance, phase)
-    weight = (trace.lengths[:, None] * np.pad(WEIGHTS / 2.0, 1)[None, :]).ravel() / trace.lengths.sum()
+    phase, weight = nodes(trace)
     figures = tuple(
-        _figures(trace, readouts, clearance, row, values, weight, phase)
-        for row, values in enumerate(readings)
+        signal_of(lambda at, row=row: read(trace, readouts, clearance, at)[row], phase, weight, values)
+        for row, values in enumerate(read(trace, readouts, clearance, phase))
     )
     events = trace.events.of(clearance)
     engaging = np.asarray(events.engaging, dtype=np.bool_)
@@ -128,21 +124,21 @@ def read(trace: Trace, readouts: Sequence[Readout], clearance: int, phase: Array
     return np.array(rows)
 
 
-def _figures(
-    trace: Trace,
-    readouts: Sequence[Readout],
-    clearance: int,
-    row: int,
-    values: Array,
-    weight: Array,
-    phase: Array,
-) -> Signal:
+def nodes(trace: Trace) -> tuple[Array, Array]:
+    """Phases (m,) of readings on every piece of a motion, and what each weighs in a mean."""
+    cells = trace.positions[:, None] + trace.lengths[:, None] * LOCAL[None, :]
+    weight = (trace.lengths[:, None] * np.pad(WEIGHTS / 2.0, 1)[None, :]).ravel() / trace.lengths.sum()
+    return trace.base + cells.ravel() / trace.propagators.cells_per_cycle, weight
+
+
+def signal_of(reading: Callable[[Array], Array], phase: Array, weight: Array, values: Array) -> Signal:
+    """Figures of one quantity; ``reading`` gives it at any phases, ``values`` are those at ``phase``."""
     mean = float(np.sum(weight * values))
     rms = float(np.sqrt(np.sum(weight * (values - mean) ** 2)))
     extremes = []
     for sign in (-1.0, 1.0):
         at = int(np.argmax(sign * values))
         start, stop = phase[max(0, at - AROUND)], phase[min(len(phase) - 1, at + AROUND)]
-        closer = sign * read(trace, readouts, clearance, start + (stop - start) * CLOSER)[row]
+        closer = sign * reading(start + (stop - start) * CLOSER)
         extremes.append(sign * max(top(closer), float(sign * values[at])))
     return Signal(mean, rms, extremes[0], extremes[1])

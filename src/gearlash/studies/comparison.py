@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
@@ -60,7 +60,7 @@ class Comparison:
     quantity, figure : str
     order : float
     omega, measured : ndarray of shape (m,)
-        As measured, ascending in speed.
+        As measured, ascending in speed; jumps are those of the mean at each speed.
     up, down : ndarray of shape (m,)
         Computed at these speeds, with speed rising and falling; NaN where there is none.
     labels : tuple of (str, str)
@@ -121,7 +121,7 @@ def compare(
     case : Case
         A gear pair.
     omega, measured : array_like of shape (m,)
-        Dimensionless speeds, each once, and values.
+        Dimensionless speeds and values, in any order; a speed may be measured several times.
     quantity : str
         A name of `known_quantities`.
     figure : Figure or str
@@ -149,26 +149,40 @@ def compare(
     speeds, values = given.row("omega", omega), given.row("measured", measured)
     if len(speeds) != len(values) or len(speeds) < 2:
         raise GearlashError(f"{len(speeds)} speeds and {len(values)} values: expected two of each at least")
-    rising = np.argsort(speeds)
-    speeds, values = speeds[rising], values[rising]
-    axis = Axis("omega", speeds)
+    order_of = np.argsort(speeds, kind="stable")
+    speeds, values = speeds[order_of], values[order_of]
+    once, place = np.unique(speeds, return_inverse=True)
+    if len(once) < 2:
+        raise GearlashError("all speeds are one: expected two different ones at least")
     execution = execution or Execution()
-    ways = sweeps(case, axis, ("up", "down"), settings=settings, execution=execution)
-    task = _Form(Source.of(case), known[quantity], figure, given.number("order", order))
-    up, down = (_figures(task, way, execution) for way in ways)
-    apart = np.where(np.isnan(up), np.inf, np.abs(up - values)) <= np.where(
-        np.isnan(down), np.inf, np.abs(down - values)
-    )
-    changes = [
-        (str(way.direction), c)
-        for way in ways
-        for c in transitions(case, "omega", way, rising=str(way.direction) == "up")
-    ]
+    ways = sweeps(case, Axis("omega", once), ("up", "down"), settings=settings, execution=execution)
+    form = _Form(Source.of(case), known[quantity], figure, given.number("order", order))
+    up, down = (_figures(form, way, execution)[place] for way in ways)
+    apart = [np.where(np.isnan(way), np.inf, np.abs(way - values)) for way in (up, down)]
+    labels = [(_label(a), _label(b)) for a, b in zip(ways[0].points, ways[1].points, strict=True)]
+    mean = np.bincount(place, values) / np.bincount(place)
     return Comparison(
-        quantity, figure, order, speeds, values, up, down,
-        tuple((_label(a), _label(b)) for a, b in zip(ways[0].points, ways[1].points, strict=True)),
-        np.where(apart, up, down), ways, _jumps(speeds, values, changes), all(way.complete for way in ways),
-    )  # fmt: skip
+        quantity=quantity,
+        figure=figure,
+        order=order,
+        omega=speeds,
+        measured=values,
+        up=up,
+        down=down,
+        labels=tuple(labels[at] for at in place),
+        nearer=np.where(apart[0] <= apart[1], up, down),
+        sweeps=ways,
+        jumps=_jumps(once, mean, list(_changes(case, ways))),
+        complete=all(way.complete for way in ways),
+    )
+
+
+def _changes(case: Case, ways: Sequence[Sweep]) -> Iterator[tuple[str, Transition]]:
+    """Changes of the motion along each sweep."""
+    for way in ways:
+        direction = str(way.direction)
+        for change in transitions(case, "omega", way, rising=direction == "up"):
+            yield direction, change
 
 
 def _label(point: Point) -> str:
