@@ -100,7 +100,7 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None, hint
     unit behind TO holds for FROM too. ``hint``: what the command has for a falling interval."""
     import numpy as np
 
-    name, parts = _span(
+    name, parts = parts_of(
         text, 3, "NAME=FROM:TO:COUNT, such as omega=0.5:1.4:900 or pinion_speed=1000rpm:6000rpm:500"
     )
     short, first, last = _ends(case, name, parts)
@@ -134,7 +134,7 @@ class TypedLimits:
 def read_between(case: Case, text: str) -> TypedLimits:
     """``NAME=FROM:TO``, ends as they would stand in the case; a unit behind TO holds for FROM too."""
     example = "NAME=FROM:TO, such as omega=0.5:1.4 or pinion_speed=3000:4500rpm, without a number of points"
-    name, parts = _span(text, 2, example)
+    name, parts = parts_of(text, 2, example)
     short, first, last = _ends(case, name, parts)
     if not first < last:
         expected = "a rising interval FROM < TO (it is followed both ways)"
@@ -142,7 +142,7 @@ def read_between(case: Case, text: str) -> TypedLimits:
     return TypedLimits(case.named(name, parts[1]), short, first, last, behind_number(parts[1]))
 
 
-def _span(text: str, count: int, example: str) -> tuple[str, list[str]]:
+def parts_of(text: str, count: int, example: str) -> tuple[str, list[str]]:
     """The name and the ``count`` parts behind it."""
     name, equals, span = (part.strip() for part in text.partition("="))
     parts = [part.strip() for part in span.split(":")]

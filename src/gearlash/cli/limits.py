@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 from gearlash.case import CaseError, Problem
 from gearlash.case.units import behind_number
 
+from .inputs import parts_of
+
 if TYPE_CHECKING:
     from gearlash.results import Axis
 
@@ -36,11 +38,8 @@ def read_axis(text: str) -> Axis:
     """``NAME=FROM:TO:COUNT`` as an axis in the unit typed."""
     from gearlash.results import Axis
 
-    name, equals, span = (part.strip() for part in text.partition("="))
-    parts = [part.strip() for part in span.split(":")]
     example = "NAME=FROM:TO:COUNT, such as omega=0.5:1.4:90 or pinion_speed=1000:6000rpm:90"
-    if not (name and equals) or len(parts) != 3:
-        raise CaseError("--over", [Problem("--over", repr(text), example)])
+    name, parts = parts_of(text, 3, example)
     if not (parts[2].isascii() and parts[2].isdigit() and 2 <= int(parts[2][:9]) <= MOST_VALUES):
         expected = f"a number of values from 2 to {MOST_VALUES:,}, in digits, such as 90"
         raise CaseError("--over", [Problem(f"--over {name}", repr(parts[2]), expected)])

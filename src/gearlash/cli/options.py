@@ -73,6 +73,16 @@ Out = Annotated[
         "write are never overwritten.",
     ),
 ]
+ReportOut = Annotated[
+    Path,
+    typer.Option(
+        "--out",
+        parser=folder,
+        metavar="DIR",
+        help="Folder of the report, made if missing. Files there that gearlash did not write are never "
+        "overwritten.",
+    ),
+]
 Workers = Annotated[
     int | None,
     typer.Option(

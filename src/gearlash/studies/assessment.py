@@ -128,14 +128,15 @@ def assess(
     beside = motions_beside(
         found, dict(zip(family.states, map(float, cold), strict=True)), cold, settings=settings
     )
-    ways = sweeps(case, axis, ("up", "down"), settings=settings, execution=_telling(execution, say, "speeds"))
+    ways = sweeps(case, axis, ("up", "down"), settings=settings, execution=telling(execution, say, "speeds"))
     quiet, drive = zones_of_kinds(
         case, axis, [Quiet.IMPACT_FREE, Quiet.DRIVE_SIDE_ONLY], known=ways, settings=settings,
-        execution=_telling(execution, say, "ends of bands"),
+        execution=telling(execution, say, "ends of bands"),
     )  # fmt: skip
     return Assessment(case, values, axis, found, readouts, measured, beside, quiet, drive)
 
 
-def _telling(execution: Execution, say: Tell, stage: str) -> Execution:
+def telling(execution: Execution, say: Tell, stage: str) -> Execution:
+    """The execution of one stage, whose progress is told with its name."""
     say(stage, None)
     return replace(execution, progress=lambda progress: say(stage, progress))

@@ -15,7 +15,7 @@ from gearlash.orbits.signals import Signals
 from gearlash.results import Axis, Point, Sweep
 from gearlash.system.readout import Readout
 
-from .assessment import Assessment, Tell
+from .assessment import Assessment, Tell, telling
 from .history import History, history
 from .measured import measured, readouts_of, traceable
 from .point import summary
@@ -105,13 +105,11 @@ def speed_run(
     """
     execution, say = execution or Execution(), tell or (lambda _stage, _progress: None)
 
-    def told(stage: str) -> Execution:
-        say(stage, None)
-        return replace(execution, progress=lambda progress: say(stage, progress))
-
     axis = with_modes(case, axis)
-    ways = sweeps(case, axis, ("up", "down"), settings=settings, execution=told("finer speeds"))
-    table, whole = measured(case, ways, told("forces over speed"))
+    ways = sweeps(
+        case, axis, ("up", "down"), settings=settings, execution=telling(execution, say, "finer speeds")
+    )
+    table, whole = measured(case, ways, telling(execution, say, "forces over speed"))
     whole = whole and all(way.complete for way in ways)
     return SpeedRun(case, axis, ways, table, readouts_of(case, case.family()[0].complete()), whole)
 

@@ -9,53 +9,59 @@ import typer
 from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import AsJson, CaseArgument, Out, Settings, Workers
 
+Data = Annotated[
+    str,
+    typer.Argument(
+        metavar="DATA",
+        help="Text file of columns, as instruments and spreadsheets write them: names in the first line, "
+        "units in brackets behind them (speed [rpm]; error [um]).",
+    ),
+]
+QuantityName = Annotated[
+    str,
+    typer.Option(
+        metavar="NAME",
+        help="What was measured: transmission_error, mesh_force, gap, bearing_force_yp, _zp, _yg, _zg, "
+        "acceleration_yp, _zp, _yg, _zg.",
+    ),
+]
+FigureName = Annotated[
+    str,
+    typer.Option(
+        metavar="FIGURE",
+        help="peak, peak-to-peak, rms (about the mean), mean, or order: the rms of one line.",
+    ),
+]
+Order = Annotated[float, typer.Option(min=1e-6, max=1e4, help="Of the mesh frequency, for --figure order.")]
+SpeedColumn = Annotated[
+    str, typer.Option(metavar="COLUMN", help="Name or number of the column of speeds. [default: the first]")
+]
+ValueColumn = Annotated[
+    str, typer.Option(metavar="COLUMN", help="Of the measured values. [default: the next]")
+]
+SpeedUnit = Annotated[
+    str, typer.Option(metavar="UNIT", help="Of the speeds, where the file does not say it.")
+]
+ValueUnit = Annotated[
+    str, typer.Option(metavar="UNIT", help="Of the values, where the file does not say it; dB for levels.")
+]
+Reference = Annotated[
+    str, typer.Option(metavar="VALUE", help="What levels in dB refer to: '1 um', '1e-6 m/s^2'.")
+]
+
 
 @command
 def compare(
     case: CaseArgument,
-    data: Annotated[
-        str,
-        typer.Argument(
-            metavar="DATA",
-            help="Text file of columns, as instruments and spreadsheets write them: names in the first line, "
-            "units in brackets behind them (speed [rpm]; error [um]).",
-        ),
-    ],
-    quantity: Annotated[
-        str,
-        typer.Option(
-            metavar="NAME",
-            help="What was measured: transmission_error, mesh_force, gap, bearing_force_yp, _zp, _yg, _zg, "
-            "acceleration_yp, _zp, _yg, _zg.",
-        ),
-    ] = "transmission_error",
-    figure: Annotated[
-        str,
-        typer.Option(
-            metavar="FIGURE",
-            help="peak, peak-to-peak, rms (about the mean), mean, or order: the rms of one line.",
-        ),
-    ] = "peak-to-peak",
-    order: Annotated[
-        float, typer.Option(min=1e-6, max=1e4, help="Of the mesh frequency, for --figure order.")
-    ] = 1.0,
-    speed: Annotated[
-        str,
-        typer.Option(metavar="COLUMN", help="Name or number of the column of speeds. [default: the first]"),
-    ] = "",
-    value: Annotated[
-        str, typer.Option(metavar="COLUMN", help="Of the measured values. [default: the next]")
-    ] = "",
-    speed_unit: Annotated[
-        str, typer.Option(metavar="UNIT", help="Of the speeds, where the file does not say it.")
-    ] = "",
-    unit: Annotated[
-        str,
-        typer.Option(metavar="UNIT", help="Of the values, where the file does not say it; dB for levels."),
-    ] = "",
-    reference: Annotated[
-        str, typer.Option(metavar="VALUE", help="What levels in dB refer to: '1 um', '1e-6 m/s^2'.")
-    ] = "",
+    data: Data,
+    quantity: QuantityName = "transmission_error",
+    figure: FigureName = "peak-to-peak",
+    order: Order = 1.0,
+    speed: SpeedColumn = "",
+    value: ValueColumn = "",
+    speed_unit: SpeedUnit = "",
+    unit: ValueUnit = "",
+    reference: Reference = "",
     settings: Settings = None,
     workers: Workers = None,
     as_json: AsJson = False,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearlash.cli.exits import ExitCode, code_of, command, delivery
-from gearlash.cli.options import AsJson, CaseArgument, MaxPeriod, Periods, Settings, Workers, folder
+from gearlash.cli.options import AsJson, CaseArgument, MaxPeriod, Periods, ReportOut, Settings, Workers
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -23,32 +23,26 @@ if TYPE_CHECKING:
 POINTS = 201  # speeds at which quantities are measured
 
 
+Speeds = Annotated[
+    str | None,
+    typer.Option(
+        metavar="SPEED=FROM:TO:COUNT",
+        help="Speeds to examine, such as pinion_speed=1000:6000rpm:201. [default: from least_speed to "
+        "greatest_speed of the case, else from half its own to half more, 201]",
+    ),
+]
+
+
 @command
 def report(
     case: CaseArgument,
-    over: Annotated[
-        str | None,
-        typer.Option(
-            metavar="SPEED=FROM:TO:COUNT",
-            help="Speeds to examine, such as pinion_speed=1000:6000rpm:201. [default: from least_speed to "
-            "greatest_speed of the case, else from half its own to half more, 201]",
-        ),
-    ] = None,
+    over: Speeds = None,
     settings: Settings = None,
     periods: Periods = None,
     max_period: MaxPeriod = None,
     workers: Workers = None,
     as_json: AsJson = False,
-    out: Annotated[
-        Path,
-        typer.Option(
-            "--out",
-            parser=folder,
-            metavar="DIR",
-            help="Folder of the report, made if missing. Files there that gearlash did not write are never "
-            "overwritten.",
-        ),
-    ] = Path("report"),
+    out: ReportOut = Path("report"),
 ) -> ExitCode:
     """May this pair run where it is meant to? A verdict first, then one page with what it rests on.
 

@@ -10,7 +10,7 @@ import typer
 
 from gearlash.cli.exits import ExitCode, code_of, command, delivery
 from gearlash.cli.interrupt import end_if_nothing, expect_results, nothing_more
-from gearlash.cli.options import AsJson, Settings, Workers, folder
+from gearlash.cli.options import AsJson, ReportOut, Settings, Workers
 
 if TYPE_CHECKING:
     from gearlash.case import Case
@@ -41,16 +41,7 @@ def reproduce(
     ] = None,
     workers: Workers = None,
     as_json: AsJson = False,
-    out: Annotated[
-        Path,
-        typer.Option(
-            "--out",
-            parser=folder,
-            metavar="DIR",
-            help="Folder of the report, made if missing. Files there that gearlash did not write are never "
-            "overwritten.",
-        ),
-    ] = Path("reproduce"),
+    out: ReportOut = Path("reproduce"),
 ) -> ExitCode:
     """What of the article holds? Its whole study, reported values beside computed ones, as one report.
 

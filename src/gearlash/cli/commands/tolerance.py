@@ -9,30 +9,33 @@ import typer
 from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import AsJson, CaseArgument, Out, Over, Settings, Workers
 
+Limits = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--limits",
+        metavar="NAME=FROM:TO",
+        help="Limits of a value of the case, by short name or path: backlash=60:120um, "
+        "torque=50:250Nm. May be given several times. [default: the ranges of all that the case "
+        "estimates]",
+    ),
+]
+Samples = Annotated[
+    int, typer.Option(min=2, max=65_536, metavar="N", help="Points of one set of samples, a power of 2.")
+]
+Replicates = Annotated[
+    int,
+    typer.Option(min=2, max=1_000, metavar="N", help="Independent sets: errors come from their spread."),
+]
+
 
 @command
 def tolerance(
     case: CaseArgument,
     over: Over,
-    limits: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--limits",
-            metavar="NAME=FROM:TO",
-            help="Limits of a value of the case, by short name or path: backlash=60:120um, "
-            "torque=50:250Nm. May be given several times. [default: the ranges of all that the case "
-            "estimates]",
-        ),
-    ] = None,
+    limits: Limits = None,
     settings: Settings = None,
-    samples: Annotated[
-        int,
-        typer.Option(min=2, max=65_536, metavar="N", help="Points of one set of samples, a power of 2."),
-    ] = 32,
-    replicates: Annotated[
-        int,
-        typer.Option(min=2, max=1_000, metavar="N", help="Independent sets: errors come from their spread."),
-    ] = 8,
+    samples: Samples = 32,
+    replicates: Replicates = 8,
     workers: Workers = None,
     as_json: AsJson = False,
     out: Out = None,

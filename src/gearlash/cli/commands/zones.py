@@ -37,34 +37,39 @@ class Kind(StrEnum):
     DRIVE_SIDE_ONLY = "drive-side-only"
 
 
+Overs = Annotated[
+    list[str],
+    typer.Option(
+        metavar="NAME=FROM:TO:COUNT",
+        help="Parameter to vary, by short name or path: omega=0.5:1.4:900, "
+        "pinion_speed=1000:6000rpm:500, backlash=20:200um:100. Given twice, each as NAME=FROM:TO: the "
+        "zone around the operating point in the plane of both.",
+    ),
+]
+KindOption = Annotated[
+    Kind | None,
+    typer.Option(
+        metavar="KIND",
+        help="impact-free: no impact at all; drive-side-only: none on the back side. [default: both, "
+        "where there is a back side]",
+    ),
+]
+Tolerances = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="NAME=VALUE",
+        help="With two --over: how far each of the two may lie beside its value (pinion_speed=50rpm). "
+        "Says by what both can be multiplied before the zone ends.",
+    ),
+]
+
+
 @command
 def zones(
     case: CaseArgument,
-    over: Annotated[
-        list[str],
-        typer.Option(
-            metavar="NAME=FROM:TO:COUNT",
-            help="Parameter to vary, by short name or path: omega=0.5:1.4:900, "
-            "pinion_speed=1000:6000rpm:500, backlash=20:200um:100. Given twice, each as NAME=FROM:TO: the "
-            "zone around the operating point in the plane of both.",
-        ),
-    ],
-    kind: Annotated[
-        Kind | None,
-        typer.Option(
-            metavar="KIND",
-            help="impact-free: no impact at all; drive-side-only: none on the back side. [default: both, "
-            "where there is a back side]",
-        ),
-    ] = None,
-    tolerance: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="NAME=VALUE",
-            help="With two --over: how far each of the two may lie beside its value (pinion_speed=50rpm). "
-            "Says by what both can be multiplied before the zone ends.",
-        ),
-    ] = None,
+    over: Overs,
+    kind: KindOption = None,
+    tolerance: Tolerances = None,
     settings: Settings = None,
     initial: Initial = None,
     periods: Periods = None,
