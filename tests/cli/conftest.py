@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -51,3 +53,14 @@ def gearlash(monkeypatch: pytest.MonkeyPatch) -> Gearlash:
         return Ran(found.exit_code, found.stdout, found.stderr)
 
     return call
+
+
+@pytest.fixture
+def rattle(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder, which is the current one, with the case of the page on systems of one's own."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "120")
+    page = Path(__file__).resolve().parents[2] / "docs" / "own-system.md"
+    (text,) = re.findall(r"```toml\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    Path("rattle.toml").write_text(text, encoding="utf-8")
+    return tmp_path

@@ -3,52 +3,18 @@
 from __future__ import annotations
 
 import re
-import shlex
 from pathlib import Path
-from typing import Any
-
-import pytest
 
 import gearlash as gl
 from cli.conftest import Gearlash
+from cli.pages import follow, page, run_python
 
-DOCS = Path(__file__).resolve().parents[2] / "docs"
-PAGE = (DOCS / "branches.md").read_text(encoding="utf-8")
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder with the case of the page that this one sends its reader to."""
-    monkeypatch.chdir(tmp_path)
-    own = (DOCS / "own-system.md").read_text(encoding="utf-8")
-    (text,) = re.findall(r"```toml\n(.*?)```", own, re.DOTALL)
-    Path("rattle.toml").write_text(text, encoding="utf-8")
-    return tmp_path
+PAGE = page("branches.md")
 
 
-def bare(line: str) -> str:
-    """Without estimates of errors, which are rounding and differ from processor to processor."""
-    return " ".join(re.sub(r"\b\de-1\d\b", "", line).split())
-
-
-def test_every_command_prints_what_the_page_shows(gearlash: Gearlash, folder: Path):
-    blocks = re.findall(r"```console\n(.*?)```", PAGE, re.DOTALL)
-    commands = [
-        found
-        for block in blocks
-        for found in re.findall(r"^\$ gearlash (.*)\n((?:(?!\$ ).*\n)*)", block, re.M)
-    ]
-    assert len(commands) == 6
-    known: dict[str, str] = {}
-    for command, shown in commands:
-        if command not in known:
-            ran = gearlash(*shlex.split(command))
-            assert ran.code == 0, command
-            known[command] = ran.out
-        printed = {bare(line) for line in known[command].splitlines()}
-        missing = [line for line in shown.splitlines() if bare(line) not in printed]
-        assert missing == [], f"{command}\n{known[command]}"
-    names = {path.name for path in (folder / "found").iterdir()}
+def test_every_command_prints_what_the_page_shows(gearlash: Gearlash, rattle: Path):
+    assert follow(PAGE, gearlash) == 6
+    names = {path.name for path in (rattle / "found").iterdir()}
     assert {
         "branch.json",
         "special.csv",
@@ -59,14 +25,12 @@ def test_every_command_prints_what_the_page_shows(gearlash: Gearlash, folder: Pa
     } <= names
 
 
-def test_its_python_runs(folder: Path):
-    script = "\n".join(re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL))
-    names: dict[str, Any] = {}
-    exec(compile(script, "branches.md", "exec"), names)  # the point of this test
+def test_its_python_runs(rattle: Path):
+    names = run_python(PAGE, "branches.md")
     assert len(names["branch"].special) == 16
     assert names["doubled"].points[0].period == 2
-    assert (folder / "branches.svg").exists()
-    assert (folder / "over-a-sweep.svg").exists()
+    assert (rattle / "branches.svg").exists()
+    assert (rattle / "over-a-sweep.svg").exists()
     assert names["over_omega"].values == names["fold"].values
     assert names["from_point"].values == names["values"]
     assert len(names["rows"]) == len(names["again"].points) == len(names["branch"].points)

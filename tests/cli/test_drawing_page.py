@@ -3,35 +3,24 @@
 from __future__ import annotations
 
 import re
-import shlex
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from cli.conftest import Gearlash
+from cli.pages import follow, page, run_python
 from gearlash.case.kinds import kind_named
 
-PAGE = (Path(__file__).resolve().parents[2] / "docs" / "drawing.md").read_text(encoding="utf-8")
+PAGE = page("drawing.md")
 
 
 def test_every_command_prints_what_the_page_shows_and_its_python_runs(
     gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.chdir(tmp_path)
-    text = "".join(re.findall(r"```console\n(.*?)```", PAGE, re.DOTALL))
-    commands = re.findall(r"^\$ gearlash (.*)\n((?:(?!\$ ).*\n)*)", text, re.M)
-    assert len(commands) == 7
-    for command, shown in commands:
-        ran = gearlash(*shlex.split(command))
-        assert ran.code == 0, command
-        printed = ran.out.splitlines()
-        missing = [line for line in shown.splitlines() if line not in printed]
-        assert missing == [], f"{command}\n{ran.out}"
+    assert follow(PAGE, gearlash) == 7
     assert Path("drawn/teeth.svg").exists()
-    (script,) = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
-    names: dict[str, Any] = {}
-    exec(compile(script, "drawing.md", "exec"), names)  # the point of this test
+    names = run_python(PAGE, "drawing.md")
     assert names["stiffness"].least < names["stiffness"].value < names["stiffness"].greatest
 
 
