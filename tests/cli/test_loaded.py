@@ -48,3 +48,12 @@ def test_a_run_without_a_folder_draws_and_writes_nothing():
     assert not rooms & {"plots", "report", "article"}
     assert {"flow", "orbits"} <= rooms
     assert not libraries & DRAWING
+
+
+def test_a_run_follows_no_curve_and_loads_no_library_for_that():
+    code = CODE + "\nprint(*sorted(sys.modules), file=sys.stderr)\n"
+    command = [sys.executable, "-c", code, "run", "article"]
+    ended = subprocess.run(command, capture_output=True, text=True, check=True, encoding="utf-8")
+    names = set(ended.stderr.splitlines()[-1].split())
+    assert "gearlash.studies.impact_free" in names
+    assert not names & {"scipy.optimize", "scipy.integrate", "gearlash.branches.curves"}

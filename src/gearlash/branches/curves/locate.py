@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq, newton
 
 from gearlash.branches.continuation.extrema import Extremum
 
@@ -98,6 +97,8 @@ def touch_along(node: Node, extremum: Extremum) -> Met | None:
             raise RuntimeError(corrected.failure)
         known[place] = corrected.here.u
         return condition.value(corrected.here.scaled_monodromy)
+
+    from scipy.optimize import newton  # here, as it loads for long
 
     try:
         place = float(newton(value, 0.0, x1=FIRST_WAY, tol=CLOSE, maxiter=SECANTS))
@@ -253,6 +254,8 @@ def zero_between(left: Node, right: Node, test: Function, other: Function | None
                 raise _LostError
             ends[place] = node
         return ends[place]
+
+    from scipy.optimize import brentq  # here, as it loads for long
 
     try:
         place: Any = brentq(

@@ -12,7 +12,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.optimize import newton
 
 from .conditions import Condition
 from .locate import Met
@@ -77,6 +76,8 @@ def _at_depth(met: Met, depth: float) -> Node | None:
             raise RuntimeError(corrected.failure)
         found[place] = corrected
         return condition.value(corrected.here.scaled_monodromy)
+
+    from scipy.optimize import newton  # here, as it loads for long
 
     try:
         first = -value(0.0) / slope
