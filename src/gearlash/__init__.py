@@ -58,6 +58,11 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
         schema as case_schema,
         load as load_case,
     )
+    from .case.measurement import (
+        Measurement as Measurement,
+        load_measurement as load_measurement,
+        measurement as measurement,
+    )
     from .case.kinds import (
         Excitation as Excitation,
         Content as CaseContent,
@@ -202,6 +207,11 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .studies.beside import (
         motions_beside as motions_beside,
     )
+    from .studies.comparison import (
+        Comparison as Comparison,
+        compare as compare,
+    )
+    from .studies.measured_jumps import MeasuredJump as MeasuredJump
     from .studies.tolerances import (
         tolerance as tolerance,
     )
@@ -427,6 +437,9 @@ _PUBLIC = {
     ),
     "gearlash.studies.atlas": ("atlas",),
     "gearlash.studies.beside": ("motions_beside",),
+    "gearlash.case.measurement": ("Measurement", "load_measurement", "measurement"),
+    "gearlash.studies.comparison": ("Comparison", "compare"),
+    "gearlash.studies.measured_jumps": ("MeasuredJump",),
     "gearlash.studies.tolerances": ("tolerance",),
     "gearlash.studies.motion": (
         "Motion",

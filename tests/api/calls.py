@@ -195,6 +195,15 @@ def calls() -> tuple[Call, ...]:
         Call("tolerance", gl.tolerance, {
             "case": spur, "axis": gl.Axis.even("omega", 0.6, 0.9, 3), "limits": {"load": (0.1, 0.2)},
             "samples": 2, "replicates": 2, "execution": execution}),
+        Call("measurement", gl.measurement, {
+            "case": spur, "speeds": [0.7, 0.72], "values": [0.3, 0.31], "quantity": "mesh_force",
+            "speed_unit": "", "unit": "", "reference": ""}),
+        Call("compare", gl.compare, {
+            "case": spur, "measurement": gl.measurement(spur, [0.7, 0.72], [0.3, 0.31], "mesh_force"),
+            "figure": "peak", "order": 1.0, "settings": QUICK, "execution": execution}),
+        Call("load_measurement", gl.load_measurement, {
+            "case": spur, "path": "none.csv", "quantity": "gap", "speed": "1", "value": "2", "speed_unit": "",
+            "unit": "", "reference": ""}),
         Call("Trace.at", trace.at, {"phase": [0.1, 0.2], "clearance": 0}),
         Call("Trace.samples", trace.samples, {"points": 9}),
         Call("Trace.gap_of", trace.gap_of, {"clearance": 0}),
@@ -280,6 +289,9 @@ def calls() -> tuple[Call, ...]:
 class Odd:
     """An object of no use."""
 
+    def __init__(self, *_: object) -> None:
+        """Whatever it is called with, as a function that is told how far a study is."""
+
     def __repr__(self) -> str:
         raise RuntimeError("not even this")
 
@@ -300,7 +312,7 @@ WRONG: tuple[Callable[[random.Random], Any], ...] = (
     lambda r: np.ma.masked_array([1.0, 2.0], [r.random() < 0.5, True]),
     lambda r: r.choice([np.datetime64("2020-01-01"), np.timedelta64(3, "s"), datetime.date(2020, 1, 1)]),
     lambda r: r.choice([pd.Series([1.0, 2.0]), pd.DataFrame({"x": [1.0]}), pd.NA, pd.Timestamp(0)]),
-    lambda r: r.choice([object(), Odd(), Odd, lambda: 1, print, type, Path("nowhere"), ..., NotImplemented]),
+    lambda r: r.choice([object(), Odd(), Odd, lambda *_: 1, print, Path("nowhere"), ..., NotImplemented]),
     lambda r: r.choice([{"omega": 1.0}, {"omega": "1"}, {"omga": 1.0}, {1: 2.0}, {"f": None}, {"f": [1.0]}]),
     lambda r: r.choice([calls()[r.randrange(len(calls()))].arguments, ValueError("x"), ValueError]),
     lambda r: r.choice(list(r.choice(calls()).arguments.values()) or [None]),  # what fits somewhere else

@@ -14,11 +14,12 @@ import gearlash as gl
 from api.calls import Call, calls, wrong
 
 SEEDS, EACH = 10, 400
-NEEDS_MORE = ("loads", "load_dataset", "load_branch", "load_curve", "switch_branch", "reproduce")
+NEEDS_MORE = ("loads", "load_dataset", "load_branch", "load_curve", "load_measurement",
+              "switch_branch", "reproduce")  # fmt: skip
 """What fits them takes a file, or minutes."""
 HANDED_OUT = {
     *("Beside", "BesideMotion", "ImpactFree", "PassedBifurcation", "FollowedPath", "Progress"),
-    *("Influence", "Tolerance", "ToleranceInput", "ToleranceMember"),
+    *("Comparison", "Influence", "MeasuredJump", "Tolerance", "ToleranceInput", "ToleranceMember"),
     *("Entry", "Excitation", "Note", "Problem", "Provenance", "Value"),
     *("GrazingConditions", "Neutral", "Unresolved", "Transition", "register_kind"),
 }

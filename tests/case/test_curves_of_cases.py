@@ -7,7 +7,7 @@ import pytest
 
 import gearlash as gl
 from gearlash.case import loads
-from gearlash.case.columns import parse_columns
+from gearlash.case.columns import parse_columns, read_columns
 from gearlash.case.errors import CaseError
 from gearlash.case.files import UnreadableError
 from gearlash.system import evaluate
@@ -159,12 +159,13 @@ def test_columns_as_instruments_write_them(text: str, rows: tuple[tuple[float, .
         ("", "no line of numbers"),
         ("a;b", "names of columns"),
         ("1;2\n3;x\n4;5", "its line 2 is no row of 2 numbers: '3;x'"),
-        ("1;2\n3;", "missing"),
+        ("1;2\n3;\n4;5", "missing"),
+        ("a;b\n1;2\n3;4;5\n6;7", "its line 3 is no row of 2"),
     ],
 )
 def test_what_is_no_table_of_numbers_is_said(text: str, message: str):
     with pytest.raises(UnreadableError, match=message):
-        parse_columns(text)
+        _ = parse_columns(text).rows
 
 
 def test_run_out_makes_a_base_period_of_many_cycles_and_says_so():
@@ -217,3 +218,38 @@ def test_harmonics_beside_a_curve_are_refused():
     message = refused(physical('[curves.stiffness]\nlow = 1\nhigh = 2\ncontact_ratio = 1.5\nunit = "N/um"',
                                'mean_stiffness = "3e8 N/m"'))  # fmt: skip
     assert "curves.stiffness has a unit, and with it a mean" in " ".join(message.split())
+
+
+@pytest.mark.parametrize(
+    ("text", "names", "units", "first"),
+    [
+        ("Drehzahl;Kraft\nrpm;N\n1000;2,5\n2000;3,5", ("Drehzahl", "Kraft"), ("rpm", "N"), (1000, 2.5)),
+        ("n;F\n[rpm];[kN]\n1000;2,5\n2000;3,5", ("n", "F"), ("rpm", "kN"), (1000, 2.5)),
+        ("n / min⁻¹;F in N\n1000;2,5\n2000;3,5", ("n", "F"), ("min⁻¹", "N"), (1000, 2.5)),
+        ("Run 12\nDate;2026-01-02\nn;F\nrpm;N\n1000;2,5\n2000;3", ("n", "F"), ("rpm", "N"), (1000, 2.5)),
+        ("rpm;1;2\n1000;2;3\n2000;2;3", ("rpm", "1", "2"), ("", "", ""), (1000, 2, 3)),
+        ("t\tn\tx\ns\trpm\tum\n0,0\t1000,0\t1,5\n0,1\t1001,0\t1,6", ("t", "n", "x"), ("s", "rpm", "um"),
+         (0, 1000, 1.5)),
+        ("n [rpm];F [N];\n1.000,5;2.500,0;\n2.000,5;3.500,0;", ("n", "F"), ("rpm", "N"), (1000.5, 2500)),
+        ('"n [rpm]","F, max [N]"\n"1,000.5","2,500.0"\n"2,000.5","3,500.0"', ("n", "F, max"), ("rpm", "N"),
+         (1000.5, 2500)),
+        ("sep=;\nn [rpm];F [N]\n1;2\n3;4", ("n", "F"), ("rpm", "N"), (1, 2)),
+        ("\ufeffn [rpm]  F [N]\r\n1 2\r\n3 4\r\n", ("n", "F"), ("rpm", "N"), (1, 2)),
+        ("speed_rpm,mesh_force_N\n1000,2.5\n2000,3.5", ("speed", "mesh_force"), ("rpm", "N"), (1000, 2.5)),
+        ("rpm;um\n1;2\n3;4", ("rpm", "um"), ("rpm", "um"), (1, 2)),
+    ],
+)  # fmt: skip
+def test_heads_of_columns(
+    text: str, names: tuple[str, ...], units: tuple[str, ...], first: tuple[float, ...]
+):
+    found = parse_columns(text)
+    assert (found.names, found.units, found.rows[0]) == (names, units, first)
+
+
+def test_columns_of_text_and_empty_cells_are_told_when_they_are_asked_for(tmp_path: Path):
+    found = parse_columns("way;n;F\nup;1000;\ndown;2000;3\ndown;3000;n/a")
+    assert np.isnan(found.column(2)).tolist() == [True, False, True]
+    with pytest.raises(UnreadableError, match=r"its line 2 has no number in column 'way': 'up'"):
+        found.column(0)
+    (tmp_path / "unicode.txt").write_bytes("n [rpm]\tx [µm]\n1\t2\n".encode("utf-16"))
+    assert read_columns(tmp_path / "unicode.txt").units == ("rpm", "µm")

@@ -1,6 +1,7 @@
 """gearlash compare: a synthetic measurement with known parameters, units of columns, levels, refusals."""
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 import gearlash as gl
 from cli.conftest import Gearlash
 from gearlash.orbits.figures import Figure, figure_of
-from gearlash.studies.comparison import compare, known_quantities
+from gearlash.studies.comparison import known_quantities
 from gearlash.studies.measured import readouts_of
 
 DRIVE = Path(__file__).parents[1] / "cases" / "drive.toml"
@@ -21,20 +22,22 @@ def case() -> gl.Case:
     return gl.load_case(DRIVE)
 
 
-def omega_of(case: gl.Case, rpm: np.ndarray) -> np.ndarray:
-    return rpm / float(case.scales.pinion_rpm(1.0))
+def compared(case: gl.Case, rpm: Sequence[float] | np.ndarray, values: Sequence[float] | np.ndarray,
+             quantity: str, figure: str = "peak-to-peak", order: float = 1.0) -> gl.Comparison:  # fmt: skip
+    """With dimensionless values."""
+    rows = gl.measurement(case, rpm, values, quantity, speed_unit="rpm")
+    return gl.compare(case, rows, figure, order=order)
 
 
 def test_what_the_pair_does_itself_leaves_nothing(case: gl.Case, gearlash: Gearlash, tmp_path: Path):
-    omega = omega_of(case, RPM)
-    stepped = compare(
-        case, omega, np.where(RPM > 4114.0, 50.0, 1.0) + 0.01 * np.arange(6), "mesh_force", "peak"
+    stepped = compared(
+        case, RPM, np.where(RPM > 4114.0, 50.0, 1.0) + 0.01 * np.arange(6), "mesh_force", "peak"
     )
     (jump,) = stepped.jumps
-    assert jump.lower == pytest.approx(omega[2])
+    assert jump.lower * stepped.measurement.speed_factor == pytest.approx(RPM[2])
     events = [(way, change.value * float(case.scales.pinion_rpm(1.0))) for way, change in jump.events]
     assert {way for way, value in events if abs(value - 4114.0811) < 1e-3} == {"up", "down"}
-    made = compare(case, omega, np.arange(6.0), "transmission_error").up
+    made = compared(case, RPM, np.arange(6.0), "transmission_error").up
     values = made * float(case.scales.length_um(1.0))
     lines = [f"{a:.0f};{b!r}".replace(".", ",") for a, b in zip(RPM.tolist(), values.tolist(), strict=True)]
     (tmp_path / "te.csv").write_text("Drehzahl [rpm];DTE [µm]\n" + "\n".join(lines))
@@ -49,16 +52,14 @@ def test_what_the_pair_does_itself_leaves_nothing(case: gl.Case, gearlash: Gearl
 
 
 def test_a_speed_may_be_measured_several_times_in_any_order(case: gl.Case):
-    omega = omega_of(case, np.array([4200.0, 4150.0, 4200.0]))
-    found = compare(case, omega, [2.0, 1.0, 3.0], "mesh_force", "peak")
+    found = compared(case, [4200.0, 4150.0, 4200.0], [2.0, 1.0, 3.0], "mesh_force", "peak")
     assert found.measured.tolist() == [1.0, 2.0, 3.0]
     assert found.up[1] == found.up[2] != found.up[0]
     assert [len(way) for way in (found.labels, found.residuals, found.sweeps[0].points)] == [3, 3, 2]
 
 
 def test_levels_and_orders_and_accelerations(case: gl.Case, gearlash: Gearlash, tmp_path: Path):
-    omega = omega_of(case, RPM[-2:])
-    rows = compare(case, omega, [1.0, 2.0], "acceleration_yp", "order", order=1.0).up
+    rows = compared(case, RPM[-2:], [1.0, 2.0], "acceleration_yp", "order").up
     size = float(case.scales.length_m(1.0)) * float(case.scales.omega_n or 0.0) ** 2
     levels = 20.0 * np.log10(rows * size / 1e-6)
     text = "\n".join(f"{a} {b!r}" for a, b in zip(RPM[-2:].tolist(), levels.tolist(), strict=True))
@@ -102,7 +103,7 @@ def test_lines_and_rms_agree_with_samples(case: gl.Case):
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--value", "y"), "the name or number of a column"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--quantity", "mesh_forc"), "did you mean 'mesh_force'"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--figure", "p2p"), "peak-to-peak"),
-        ("n [rpm];x [um]\n1000;a\n2000;4", (), "its line 2 is no row of 2 numbers"),
+        ("n [rpm];x [um]\n1000;a\n2000;4", (), "its line 2 has no number in column 'x'"),
     ],
 )
 def test_what_cannot_be_read_is_said(gearlash: Gearlash, tmp_path: Path, text: str, options: tuple[str, ...],
@@ -111,3 +112,37 @@ def test_what_cannot_be_read_is_said(gearlash: Gearlash, tmp_path: Path, text: s
     ran = gearlash("compare", str(DRIVE), str(tmp_path / "m.csv"), *options, "--workers", "1")
     assert ran.code == 2
     assert message in ran.complaint
+
+
+def test_jumps_belong_to_the_events_of_their_direction(tmp_path: Path):
+    """A run upwards and one downwards in one file, noise of known size: the jumps of either are at the events
+    that the speed meets that way, and what is left is the noise."""
+    case = gl.load_case("kahraman-singh")
+    omega = np.linspace(0.68, 0.86, 19)
+    made = gl.compare(case, gl.measurement(case, omega, omega, "mesh_force"), "peak")
+    noise = 1e-3 * np.random.default_rng(3).standard_normal(38)
+    rows = np.concatenate([made.up, made.down[::-1]]) + noise
+    lines = [f"{a:.3f}\t{b:.12f}" for a, b in zip([*omega, *omega[::-1]], rows, strict=True)]
+    (tmp_path / "both.txt").write_text(
+        "\n".join(["n\tF", *lines[:7], "0.73\t", *lines[7:]]).replace(".", ",")
+    )
+    measured = gl.load_measurement(case, tmp_path / "both.txt", "mesh_force")
+    found = gl.compare(case, measured, "peak")
+    falling, rising = found.jumps
+    assert (falling.direction, rising.direction, measured.left_out) == ("down", "up", 1)
+    assert (falling.lower, falling.upper) == pytest.approx((0.70, 0.71))
+    assert [(way, change.kind) for way, change in falling.events] == [("down", "fold")]
+    assert {way for way, _ in rising.events} == {"up"}
+    assert np.sort(found.residuals) == pytest.approx(np.sort(noise), abs=1e-11)
+
+
+def test_the_column_is_the_one_whose_unit_fits(case: gl.Case, tmp_path: Path):
+    text = "t [s];n [1/min];a [dB re 1e-6 m/s^2];F1 [kN];x\n0;4200;120;1,5;1\n1;4150;121;;2\n2;4100;121;1,7;3"
+    (tmp_path / "channels.csv").write_text(text)
+    force = gl.load_measurement(case, tmp_path / "channels.csv", "mesh_force")
+    assert (force.columns, force.unit, force.left_out) == (("n", "F1"), "kN", 1)
+    assert (force.values * force.factor).tolist() == pytest.approx([1.5, 1.7])
+    assert (force.omega * force.speed_factor).tolist() == pytest.approx([4200.0, 4100.0])
+    sound = gl.load_measurement(case, tmp_path / "channels.csv", "acceleration_yp")
+    assert (sound.columns, sound.unit) == (("n", "a"), "m/s^2")
+    assert sound.values[0] * sound.factor == pytest.approx(1.0)

@@ -5,62 +5,43 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from gearlash.case import Case
+from gearlash.case.measurement import Measurement
 from gearlash.flow import Propagators
 from gearlash.jobs import Chain, Execution, Part, handing_on, run, stopping
 from gearlash.orbits import Settings
 from gearlash.orbits.figures import Figure, Quantity, figure_of, quantities
 from gearlash.results import Axis, Point, Sweep
-from gearlash.system import GearlashError, UnknownNameError, given
+from gearlash.system import GearlashError, Record, UnknownNameError, given
 
+from .arguments import checked_execution
 from .measured import readouts_of, trace_of, traceable
+from .measured_jumps import MeasuredJump, jumps_of
 from .model import Source
 from .sweep import sweeps
 from .transition import Transition
 from .transitions import transitions
 
 POINTS_OF_A_TASK = 16
-JUMP = 5.0  # times the median change from one measured speed to the next: a larger one is a jump
-SMALLEST_JUMP = 0.1  # of the span of what was measured
-NEAR = 2  # measured steps: so far from a jump an event may lie that it is put down to
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class MeasuredJump:
-    """A jump of a measurement, and what may have made it.
+@dataclass(frozen=True, eq=False, repr=False)
+class Comparison(Record):
+    """What was measured beside what is computed, all dimensionless, as `compare` returns it.
 
     Parameters
     ----------
-    lower, upper : float
-        Speeds between which it lies.
-    change : float
-        Of the measured value, upwards in speed.
-    events : tuple of (str, Transition)
-        Direction of speed and change of the computed motion, the nearest first.
-    """
-
-    lower: float
-    upper: float
-    change: float
-    events: tuple[tuple[str, Transition], ...]
-
-
-@dataclass(frozen=True, eq=False)
-class Comparison:
-    """What was measured beside what is computed, all dimensionless.
-
-    Parameters
-    ----------
-    quantity, figure : str
+    measurement : Measurement
+        As it was given.
+    figure : str
     order : float
     omega, measured : ndarray of shape (m,)
-        As measured, ascending in speed; jumps are those of the mean at each speed.
+        As measured, ascending in speed.
     up, down : ndarray of shape (m,)
         Computed at these speeds, with speed rising and falling; NaN where there is none.
     labels : tuple of (str, str)
@@ -69,11 +50,22 @@ class Comparison:
         The one of both that lies nearer to what was measured.
     sweeps : tuple of Sweep
     jumps : tuple of MeasuredJump
+        Of each run of the measurement, in the order of speed.
     complete : bool
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> found = gl.compare(case, gl.measurement(case, [0.7, 0.72], [0.28, 0.29], "mesh_force"), "peak")
+    >>> found.labels[0], found.jumps
+    (('1-0-0', '1-0-0'), ())
     """
 
-    quantity: str
-    figure: Figure
+    _printed = "figure", "order", "omega", "residuals", "jumps", "complete"
+
+    measurement: Measurement
+    figure: str
     order: float
     omega: Array
     measured: Array
@@ -87,7 +79,7 @@ class Comparison:
 
     @property
     def residuals(self) -> Array:
-        """Measured less computed (the nearer one)."""
+        """Measured less computed (the nearer one), shape (m,)."""
         return self.measured - self.nearer
 
 
@@ -105,33 +97,34 @@ def known_quantities(case: Case) -> dict[str, Quantity]:
 
 def compare(
     case: Case,
-    omega: ArrayLike,
-    measured: ArrayLike,
-    quantity: str,
-    figure: Figure | str = Figure.PEAK_TO_PEAK,
+    measurement: Measurement,
+    figure: str = "peak-to-peak",
     *,
     order: float = 1.0,
     settings: Settings | None = None,
     execution: Execution | None = None,
 ) -> Comparison:
-    """A measurement beside what is computed.
+    """A measurement over speed beside what is computed at the same speeds, rising and falling.
+
+    Jumps of the measurement are changes from one speed to the next that are larger than five times the median
+    change and than a tenth of the span; to each belong the changes of the computed motion that lie there or
+    within two measured steps. That one of them made the jump is not shown by that.
 
     Parameters
     ----------
     case : Case
         A gear pair.
-    omega, measured : array_like of shape (m,)
-        Dimensionless speeds and values, in any order; a speed may be measured several times.
-    quantity : str
-        A name of `known_quantities`.
-    figure : Figure or str
-        ``rms`` is about the mean; ``order`` the rms of one line.
+    measurement : Measurement
+        As from `load_measurement` or `measurement`.
+    figure : str
+        ``peak`` (largest modulus), ``peak-to-peak``, ``rms`` about the mean, ``mean``, or ``order``: the rms
+        of one line.
     order : float
         Of the mesh frequency, for ``order``.
     settings : Settings, optional
         How attractors are looked for.
     execution : Execution, optional
-        Who does the work.
+        Who does the work, who is told and who may stop it.
 
     Returns
     -------
@@ -139,32 +132,44 @@ def compare(
 
     Raises
     ------
+    UnknownNameError
+        For a quantity that this pair does not have.
     GearlashError
-        For names and arrays that do not fit.
+        For a case that is no gear pair, and for fewer than two different speeds.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("article")
+    >>> measured = gl.measurement(case, [3990, 4010], [9.1, 9.0], "gap", speed_unit="rpm", unit="um")
+    >>> found = gl.compare(case, measured, "peak-to-peak")
+    >>> [label[0] for label in found.labels], len(found.residuals)
+    (['1-0-0', '1-0-0'], 2)
     """
-    known = known_quantities(case)
-    if quantity not in known:
-        raise UnknownNameError("quantity", quantity, known)
-    figure = given.choice(Figure, "figure", figure)
-    speeds, values = given.row("omega", omega), given.row("measured", measured)
-    if len(speeds) != len(values) or len(speeds) < 2:
-        raise GearlashError(f"{len(speeds)} speeds and {len(values)} values: expected two of each at least")
-    order_of = np.argsort(speeds, kind="stable")
-    speeds, values = speeds[order_of], values[order_of]
+    given.instance("case", case, Case, "a case, as from gearlash.load_case")
+    given.instance("measurement", measurement, Measurement, "as from gearlash.load_measurement")
+    taken, known = given.choice(Figure, "figure", figure), known_quantities(case)
+    if measurement.quantity not in known:
+        raise UnknownNameError("quantity", measurement.quantity, known)
+    line = given.number("order", order)
+    in_order = np.argsort(measurement.omega, kind="stable")
+    speeds, values = measurement.omega[in_order], measurement.values[in_order]
     once, place = np.unique(speeds, return_inverse=True)
     if len(once) < 2:
-        raise GearlashError("all speeds are one: expected two different ones at least")
-    execution = execution or Execution()
+        raise GearlashError(
+            f"{len(speeds)} speeds, {len(once)} different: expected two different ones at least"
+        )
+    source = Source.of(case)
+    execution = checked_execution(source, execution)
     ways = sweeps(case, Axis("omega", once), ("up", "down"), settings=settings, execution=execution)
-    form = _Form(Source.of(case), known[quantity], figure, given.number("order", order))
+    form = _Form(source, known[measurement.quantity], taken, line)
     up, down = (_figures(form, way, execution)[place] for way in ways)
     apart = [np.where(np.isnan(way), np.inf, np.abs(way - values)) for way in (up, down)]
     labels = [(_label(a), _label(b)) for a, b in zip(ways[0].points, ways[1].points, strict=True)]
-    mean = np.bincount(place, values) / np.bincount(place)
     return Comparison(
-        quantity=quantity,
-        figure=figure,
-        order=order,
+        measurement=measurement,
+        figure=taken,
+        order=line,
         omega=speeds,
         measured=values,
         up=up,
@@ -172,7 +177,7 @@ def compare(
         labels=tuple(labels[at] for at in place),
         nearer=np.where(apart[0] <= apart[1], up, down),
         sweeps=ways,
-        jumps=_jumps(once, mean, list(_changes(case, ways))),
+        jumps=jumps_of(measurement, list(_changes(case, ways))),
         complete=all(way.complete for way in ways),
     )
 
@@ -187,28 +192,6 @@ def _changes(case: Case, ways: Sequence[Sweep]) -> Iterator[tuple[str, Transitio
 
 def _label(point: Point) -> str:
     return "" if point.label is None else str(point.label)
-
-
-def _jumps(
-    omega: Array, values: Array, changes: Sequence[tuple[str, Transition]]
-) -> tuple[MeasuredJump, ...]:
-    """Changes of the measurement that are much larger than most, with events that lie there or beside."""
-    steps = np.abs(np.diff(values))
-    least = max(JUMP * float(np.median(steps)), SMALLEST_JUMP * float(np.ptp(values)))
-    found = []
-    for at, (low, high) in enumerate(pairwise(omega.tolist())):
-        if steps[at] <= least:
-            continue
-        width = NEAR * (high - low)
-        near = [
-            (max(low - change.upper, change.lower - high, 0.0), way, change)
-            for way, change in changes
-            if change.upper >= low - width and change.lower <= high + width
-        ]
-        near.sort(key=lambda one: one[0])
-        events = tuple((way, change) for _, way, change in near)
-        found.append(MeasuredJump(low, high, float(values[at + 1] - values[at]), events))
-    return tuple(found)
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,9 @@ from gearlash.case.units import pretty
 from .parts import CaseUsed, case_used
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.cli.measurement import Measurement
-    from gearlash.studies.comparison import Comparison, MeasuredJump
+    from gearlash.case.measurement import Measurement
+    from gearlash.studies.comparison import Comparison
+    from gearlash.studies.measured_jumps import MeasuredJump
 
 WORDS = {"up": "speed rising", "down": "speed falling", "both": "either way"}
 
@@ -50,8 +51,14 @@ class JumpFound:
 
     lower: float
     upper: float
-    change: float
-    events: Annotated[tuple[EventNear, ...], "within two measured steps of it, the nearest first"]
+    change: Annotated[float, "upwards in speed"]
+    direction: Annotated[
+        str, "up or down: the way of the measured speeds there, as the rows stand; empty where they wander"
+    ]
+    events: Annotated[
+        tuple[EventNear, ...],
+        "within two measured steps of it; those of the same way of speed first, of these the nearest",
+    ]
 
 
 @dataclass(frozen=True)
@@ -65,6 +72,8 @@ class CompareAnswer:
     quantity: str
     figure: str
     order: Annotated[float | None, "of the mesh frequency, where one line was measured"]
+    columns: Annotated[tuple[str, str], "names of the columns that were taken, of speed and value"]
+    left_out: Annotated[int, "rows without speed or value"]
     speed_unit: str
     unit: str
     points: tuple[ComparedSpeed, ...]
@@ -76,9 +85,10 @@ class CompareAnswer:
     result: Literal["compare"] = "compare"
 
 
-def compare_answer(case: Case, given: Measurement, found: Comparison) -> CompareAnswer:
+def compare_answer(case: Case, found: Comparison) -> CompareAnswer:
     """The record of a comparison, in the units of the measurement."""
-    size, speed = given.value_factor, given.speed_factor
+    given = found.measurement
+    size, speed = given.factor, given.speed_factor
     residuals = size * found.residuals
     good = residuals[np.isfinite(residuals)]
     rows = zip(found.omega, found.measured, found.up, found.down, residuals, found.labels, strict=True)
@@ -106,11 +116,13 @@ def compare_answer(case: Case, given: Measurement, found: Comparison) -> Compare
         status="ok" if found.complete else "incomplete",
         message="" if found.complete else "stopped before all speeds were computed",
         case=case_used(case),
-        quantity=found.quantity,
+        quantity=given.quantity,
         figure=str(found.figure),
         order=found.order if found.figure == "order" else None,
+        columns=given.columns,
+        left_out=given.left_out,
         speed_unit=given.speed_unit,
-        unit=given.value_unit,
+        unit=given.unit,
         points=points,
         bias=bias,
         rms=rms,
@@ -133,7 +145,7 @@ def _jump(jump: MeasuredJump, speed: float, size: float) -> JumpFound:
         direction = way if known is None or known.direction == way else "both"
         found[name] = EventNear(change.kind, direction, speed * change.lower, speed * change.upper, *labels)
     events = tuple(found.values())
-    return JumpFound(speed * jump.lower, speed * jump.upper, size * jump.change, events)
+    return JumpFound(speed * jump.lower, speed * jump.upper, size * jump.change, jump.direction, events)
 
 
 def _sentence(
@@ -144,15 +156,24 @@ def _sentence(
 ) -> str:
     """Residuals first, then jumps."""
     bias, rms, span = residual
-    unit = f" {pretty(given.value_unit)}" if given.value_unit else ""
+    unit = f" {pretty(given.unit)}" if given.unit else ""
     reach = f"{points[0].speed:.6g} to {points[-1].speed:.6g} {pretty(given.speed_unit)}".strip()
+    told = f"{len(points)} speeds from {reach}"
+    if given.left_out:
+        rows = "1 row" if given.left_out == 1 else f"{given.left_out} rows"
+        told += f" ({rows} without speed or value left out)"
     if bias is None or rms is None:
-        return f"{len(points)} speeds from {reach}: no motion was found at any of them"
+        return f"{told}: no motion was found at any of them"
     part = f" ({100.0 * rms / span:.0f} % of the measured span)" if span > 0.0 else ""
-    told = (
-        f"{len(points)} speeds from {reach}: residual {rms:.3g}{unit} rms{part}, {bias:+.3g}{unit} on average"
-    )
-    matched = sum(bool(jump.events) for jump in jumps)
+    told += f": residual {rms:.3g}{unit} rms{part}, {bias:+.3g}{unit} on average"
     if jumps:
-        told += f"; {matched} of {len(jumps)} measured jumps lie at an event of the computed motion"
+        matched = sum(any(_goes_with(jump, event) for event in jump.events) for jump in jumps)
+        told += (
+            f"; {matched} of {len(jumps)} measured jumps lie at an event of the motion computed with speed "
+            "going the same way"
+        )
     return told
+
+
+def _goes_with(jump: JumpFound, event: EventNear) -> bool:
+    return not jump.direction or event.direction in (jump.direction, "both")

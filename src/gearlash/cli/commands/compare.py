@@ -13,8 +13,9 @@ Data = Annotated[
     str,
     typer.Argument(
         metavar="DATA",
-        help="Text file of columns, as instruments and spreadsheets write them: names in the first line, "
-        "units in brackets behind them (speed [rpm]; error [um]).",
+        help="Text file of columns, as instruments and spreadsheets write them (semicolons, tabs, commas or "
+        "blanks; decimal points or commas): names above the numbers, units in brackets behind them or in a "
+        "line below (speed [rpm]; error [um]). Rows that rise or fall in speed say how it was measured.",
     ),
 ]
 QuantityName = Annotated[
@@ -22,7 +23,7 @@ QuantityName = Annotated[
     typer.Option(
         metavar="NAME",
         help="What was measured: transmission_error, mesh_force, gap, bearing_force_yp, _zp, _yg, _zg, "
-        "acceleration_yp, _zp, _yg, _zg.",
+        "acceleration_yp, _zp, _yg, _zg (pinion and gear, lateral and axial).",
     ),
 ]
 FigureName = Annotated[
@@ -34,13 +35,25 @@ FigureName = Annotated[
 ]
 Order = Annotated[float, typer.Option(min=1e-6, max=1e4, help="Of the mesh frequency, for --figure order.")]
 SpeedColumn = Annotated[
-    str, typer.Option(metavar="COLUMN", help="Name or number of the column of speeds. [default: the first]")
+    str,
+    typer.Option(
+        metavar="COLUMN",
+        help="Name or number of the column of speeds. [default: the first with a unit of speed, "
+        "or the first]",
+    ),
 ]
 ValueColumn = Annotated[
-    str, typer.Option(metavar="COLUMN", help="Of the measured values. [default: the next]")
+    str,
+    typer.Option(
+        metavar="COLUMN",
+        help="Of the measured values. [default: the next with a unit that fits, or the next]",
+    ),
 ]
 SpeedUnit = Annotated[
-    str, typer.Option(metavar="UNIT", help="Of the speeds, where the file does not say it.")
+    str,
+    typer.Option(
+        metavar="UNIT", help="Of the speeds, where the file does not say it: rpm, or Hz of the mesh."
+    ),
 ]
 ValueUnit = Annotated[
     str, typer.Option(metavar="UNIT", help="Of the values, where the file does not say it; dB for levels.")
@@ -84,9 +97,9 @@ def compare(
     folder = claim_if(out, [f"compare.{ending}" for ending in ("json", "csv", "svg", "pdf")])
     load_engine(data=folder is not None)
 
+    from gearlash.case.measurement import load_measurement
     from gearlash.cli.answers.compare import compare_answer
     from gearlash.cli.interrupt import expect_results
-    from gearlash.cli.measurement import Asked, read_measurement
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.workers import executor_for
     from gearlash.jobs import Execution
@@ -97,13 +110,15 @@ def compare(
     known = known_quantities(asked)
     if quantity not in known:
         raise UnknownNameError("quantity", quantity, known)
-    options = Asked(speed, value, speed_unit, unit, reference)
-    given = read_measurement(asked, data, known[quantity].quantity, options)
+    given = load_measurement(
+        asked, data, quantity,
+        speed=speed, value=value, speed_unit=speed_unit, unit=unit, reference=reference,
+    )  # fmt: skip
     expect_results()
     with executor_for(asked, workers, 2 * len(given.omega)) as executor, progress_bar("speeds") as progress:
         execution = Execution(executor, progress=progress)
-        found = study(asked, given.omega, given.values, quantity, figure, order=order, execution=execution)
-    answer = compare_answer(asked, given, found)
+        found = study(asked, given, figure, order=order, execution=execution)
+    answer = compare_answer(asked, found)
 
     def keep() -> None:
         if folder:

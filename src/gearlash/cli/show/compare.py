@@ -25,7 +25,7 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
         rows = [
             (
                 f"{jump.lower:.6g} to {jump.upper:.6g}{speed}",
-                f"{jump.change:+.3g}{unit}: "
+                f"{jump.change:+.3g}{unit}{_way(jump.direction)}: "
                 + ("; ".join(_event(e, speed) for e in jump.events) or "no event near"),
             )
             for jump in answer.jumps
@@ -48,12 +48,18 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
     order = f" {answer.order:g}" if answer.order is not None else ""
     title = f"{answer.quantity}, {answer.figure}{order}{f' [{pretty(answer.unit)}]' if answer.unit else ''}"
     yield from table(title, columns, rows_, width)
+    if any(answer.columns):
+        yield from note(f"Columns taken: {answer.columns[0]} (speed) and {answer.columns[1]}.", width)
     yield from note(
         "Residuals are to the nearer of both computed motions. A jump is a change of the measurement of more "
         "than five times its median change and a tenth of its span; events are changes of the computed "
         "motion within two measured steps of it. That an event made a jump is not shown by that.",
         width,
     )
+
+
+def _way(direction: str) -> str:
+    return f", {WORDS[direction]}" if direction else ""
 
 
 def _event(event: EventNear, speed: str) -> str:
