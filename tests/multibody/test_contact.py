@@ -1,0 +1,158 @@
+"""Forces between the teeth: they have a potential, they only push, and they are those of the statics."""
+
+from __future__ import annotations
+
+import pickle
+from math import cos
+
+import numpy as np
+import pytest
+
+from gearlash.multibody.contact import MeshContact, contact_forces
+from gearlash.multibody.topography import Topography
+from multibody.meshes import contact, helical, jolted, plain, pose
+
+STILL = np.zeros(12)
+STEPS = np.tile([1e-8, 1e-8, 1e-8, 1e-7, 1e-7, 1e-7], 2)
+DRIVING, BACK = 12e-6, -12e-6
+
+
+def approach(mesh: MeshContact, pressed: float) -> float:
+    """From rest until one side is pressed by so much."""
+    return np.sign(pressed) * (0.5 * mesh.flanks.play + abs(pressed))
+
+
+@pytest.mark.parametrize("name", ["helical", "spur"])
+@pytest.mark.parametrize("pressed", [DRIVING, BACK])
+def test_the_forces_are_the_gradient_of_the_elastic_energy(name: str, pressed: float):
+    mesh = plain(name)
+    for seed, turn in enumerate((0.01, 0.11, 0.2, -0.35, 1e3)):
+        q = jolted(mesh, turn, approach(mesh, pressed), seed)
+        steps = np.diag(STEPS)
+        slope = [mesh.details(q - d, STILL).energy - mesh.details(q + d, STILL).energy for d in steps]
+        found = mesh.details(q, STILL)
+        assert found.normal[0 if pressed > 0 else 1] > 100.0
+        assert found.normal[1 if pressed > 0 else 0] == 0.0
+        assert np.allclose(
+            np.array(slope) / (2.0 * STEPS),
+            found.forces,
+            rtol=0.0,
+            atol=2e-5 * found.normal[0 if pressed > 0 else 1],
+        )
+
+
+@pytest.mark.parametrize("name", ["helical", "spur"])
+def test_stiffness_is_reciprocal(name: str):
+    mesh = plain(name)
+    q = jolted(mesh, 0.07, approach(mesh, DRIVING), 3)
+    columns = [(mesh.forces(q + d, STILL) - mesh.forces(q - d, STILL)) for d in np.diag(STEPS)]
+    stiffness = -np.array(columns).T / (2.0 * STEPS)
+    scale = np.sqrt(np.abs(np.outer(np.diag(stiffness), np.diag(stiffness))))
+    assert np.abs(stiffness - stiffness.T).max() / scale.max() < 1e-5
+    assert (np.abs(stiffness - stiffness.T) < 1e-3 * scale).all()
+
+
+@pytest.mark.parametrize("name", ["helical", "spur"])
+def test_a_closed_loop_does_no_work(name: str):
+    """Half a mesh cycle of the pinion is in the loop, both sides of the teeth, tilts and shifts."""
+    mesh = plain(name)
+    play, pitch = 0.5 * mesh.flanks.play, mesh.flanks.phase_pitch
+    amplitude = np.tile([4e-6, 4e-6, 4e-6, 4e-5, 4e-5, 0.0], 2)
+    phase = np.random.default_rng(5).uniform(0.0, 6.0, 12)
+    angles = 2.0 * np.pi * np.arange(400) / 400
+
+    def at(angle: float):
+        q = pose(mesh, 0.25 * pitch * np.sin(angle), (play + 15e-6) * np.cos(angle + 0.4))
+        return q + amplitude * np.sin(angle + phase)
+
+    eps = 1e-6
+    power = []
+    for angle in angles:
+        rate = (at(angle + eps) - at(angle - eps)) / (2.0 * eps)
+        power.append(float(mesh.forces(at(angle), STILL) @ rate))
+    done = np.array(power)
+    assert np.abs(done).max() > 0.01
+    assert abs(done.sum()) < 1e-4 * np.abs(done).sum()
+
+
+def test_side_by_side_and_turned_over_are_the_same():
+    """Half a turn of the whole pair about the line of centres changes sides and nothing else."""
+    mesh = plain("helical")
+    turned = np.tile([1.0, -1.0, -1.0, 1.0, -1.0, -1.0], 2)
+    q = jolted(mesh, 0.09, approach(mesh, DRIVING), 8)
+    here, there = mesh.details(q, STILL), mesh.details(turned * q, STILL)
+    assert here.normal == there.normal[::-1]
+    assert here.pushing == there.pushing[::-1]
+    assert np.allclose(turned * here.forces, there.forces, rtol=1e-12, atol=1e-12)
+
+
+def test_a_whole_turn_is_where_it_began():
+    mesh = plain("helical")
+    teeth = mesh.flanks.pair.pinion.teeth
+    reference = mesh.forces(pose(mesh, 0.013, approach(mesh, DRIVING)), STILL)
+    for cycles in (1, -1, teeth, 70 * teeth):
+        turn = 0.013 + cycles * mesh.flanks.phase_pitch
+        assert np.allclose(
+            mesh.forces(pose(mesh, turn, approach(mesh, DRIVING)), STILL), reference, rtol=1e-7
+        )
+
+
+@pytest.mark.parametrize("name", ["helical", "spur"])
+def test_forces_balance_and_turn_by_the_base_radii(name: str):
+    """Moments of one normal force; corners off the line of action turn by a little more or less."""
+    mesh = plain(name)
+    oblique = cos(mesh.flanks.base_helix)
+    moments = []
+    for turn in np.arange(24) / 24 * mesh.flanks.phase_pitch:
+        found = mesh.details(pose(mesh, float(turn), approach(mesh, DRIVING)), STILL)
+        force = found.forces
+        assert np.allclose(force[:2], -force[6:8], rtol=0.0, atol=1e-9 * found.normal[0])
+        moments.append(force[[5, 11]] / (found.normal[0] * oblique) / mesh.flanks.base_radii)
+    assert np.allclose(moments, -1.0, atol=0.03)
+    assert np.allclose(np.mean(moments, axis=0), -1.0, atol=2e-3)
+
+
+def test_it_only_pushes():
+    damped = contact(helical(), damping_time=2e-5)
+    q = pose(damped, 0.02, approach(damped, DRIVING))
+    apart, together = np.zeros(12), np.zeros(12)
+    apart[11], together[11] = -8.0, 0.02
+    opening, closing = damped.details(q, apart), damped.details(q, together)
+    assert (opening.loads >= 0.0).all()
+    assert opening.normal == (0.0, 0.0)
+    assert closing.normal[0] > damped.details(q, STILL).normal[0]
+    assert closing.dissipation > 0.0
+    power = (closing.forces - damped.details(q, STILL).forces) @ together
+    assert power == pytest.approx(-closing.dissipation, rel=1e-9)
+
+
+def test_far_apart_there_is_nothing():
+    mesh = plain("helical")
+    found = mesh.details(STILL, STILL)
+    assert found.normal == (0.0, 0.0)
+    assert not found.forces.any()
+    assert found.nearest == pytest.approx((0.5 * mesh.flanks.play,) * 2, rel=1e-9)
+
+
+def test_tables_go_to_other_processes_and_the_plain_call_is_the_same():
+    mesh = plain("helical")
+    tables = pickle.loads(pickle.dumps(mesh.tables))
+    q = pose(mesh, 0.05, approach(mesh, DRIVING))
+    out, report = np.empty(12), np.empty(8)
+    assert contact_forces(tables, q, STILL, out, report) == 0
+    assert np.array_equal(out, mesh.forces(q, STILL))
+    assert report[0] == mesh.details(q, STILL).normal[0]
+
+
+def test_another_topography_and_damping_leave_the_compliance():
+    mesh = plain("helical")
+    error = Topography(error=((3e-6, 0.4, 1), (1e-6, 0.0, 2)))
+    changed = mesh.with_(damping_time=1e-5, topography=error)
+    made = contact(helical(), damping_time=1e-5, topography=error)
+    q = jolted(mesh, 0.03, approach(mesh, DRIVING), 1)
+    assert changed.tables.compliance is mesh.tables.compliance
+    assert np.array_equal(changed.forces(q, 1e-3 * q), made.forces(q, 1e-3 * q))
+    theta = mesh.flanks.pair.pinion.teeth * q[5]
+    opened = 3e-6 * np.cos(theta + 0.4) + 1e-6 * np.cos(2.0 * theta)
+    before, after = mesh.details(q, STILL).nearest, changed.details(q, STILL).nearest
+    assert np.subtract(after, before) == pytest.approx([opened, -opened], abs=1e-15)
