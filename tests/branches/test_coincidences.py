@@ -3,6 +3,7 @@ integrator that shares no code with them, and by what is found beside them in on
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -131,6 +132,20 @@ def fold_of_fed() -> Curve:
     return followed(fed(), {**values, "omega": fold.value}, ("omega", "free"), fold, lower, (1.6, 0.2))
 
 
+@pytest.mark.parametrize("source", [torus, fold_of_fed])
+def test_a_torus_curve_begun_at_a_double_multiplier_goes_the_way_on_which_the_pair_is_complex(source):
+    """On the other way the two multipliers are real, and their product is 1: these are no such orbits."""
+    (start,) = source().of_kind(CodimTwoKind.ONE_ONE)
+    values = {**source().values, **dict(zip(source().names, start.values, strict=True))}
+    upper = (min(1.0, 1.3 * start.values[0]), 0.1)
+    curve = followed(fed(), values, source().names, start, (0.3, -0.2), upper, SpecialKind.TORUS)
+    first, last = curve.ends
+    assert (first.kind, first.values) == (CurveEndKind.RESONANCE, pytest.approx(start.values, abs=1e-9))
+    assert last.values != pytest.approx(start.values, abs=1e-3)
+    assert len(curve.points) > 5
+    assert all((np.abs(p.multipliers.imag) > 0.0).all() for p in curve.points[1:])
+
+
 def test_the_same_double_multiplier_on_the_fold_curve():
     """A fold curve and a Neimark-Sacker curve meet where 1 is double."""
     one = only(fold_of_fed(), CodimTwoKind.ONE_ONE)
@@ -228,11 +243,11 @@ def test_orbits_of_a_torus_curve_by_an_evaluation_that_shares_no_code():
         assert abs(np.linalg.det(np.asarray(walk.jacobian, dtype=np.float64)) - 1.0) < 1e-10
 
 
-def test_the_same_closed_curve_from_another_of_its_orbits():
+def test_the_same_closed_curve_from_another_of_its_orbits_where_neither_way_has_points_enough_to_come_back():
     ring = doubled_ring()
-    start = ring.points[len(ring.points) // 3]
+    start, steps = ring.points[len(ring.points) // 2], replace(WIDE, most_points=2 * len(ring.points) // 3)
     values = {**ring.values, **dict(zip(ring.names, start.values, strict=True))}
-    again = followed(fed(), values, ring.names, start, ring.lower, ring.upper, ring.kind, steps=WIDE)
-    assert {end.kind for end in (*ring.ends, *again.ends)} == {CurveEndKind.CLOSED}
+    again = followed(fed(), values, ring.names, start, ring.lower, ring.upper, ring.kind, steps=steps)
+    assert {end.kind for end in again.ends} == {CurveEndKind.CLOSED}
     one, two = (sorted(each.values for each in curve.special) for curve in (ring, again))
     assert np.abs(np.subtract(one, two)).max() < 1e-10

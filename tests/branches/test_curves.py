@@ -355,3 +355,20 @@ def test_two_clearances_or_both_sides_of_one_grazed_at_once(one):
     amplitude = 1.0 / np.sqrt((1.0 - omega**2) ** 2 + 0.01 * omega**2)
     assert clear.sum() > 3
     assert amplitude[clear] == pytest.approx(gap[clear], abs=1e-11)
+
+
+def test_a_curve_of_doubled_orbits_ends_where_that_of_the_simple_ones_has_a_multiplier_minus_one():
+    """Its ends are told from the orbits before them; the points were solved for on the curve of 3-3-0."""
+    bearings = [-0.0110672, 0.0119397, -0.0090352, -0.0181742, 0.0834476, 0.0196876, 0.0241313, 0.0189272]
+    state = [*bearings, 0.7956098, 0.2431697]
+    values = {"omega": 0.7698783659796269, "D": 0.5}
+    doubled = orbit_at(built(bundled(), **values), state, 6)
+    assert doubled is not None
+    branch = continue_orbit(bundled(), values, "D", doubled, 0.499, 0.501, COARSE)
+    touch = min(branch.of_kind(SpecialKind.GRAZING), key=lambda each: abs(each.value - 0.5))
+    values = {**values, "D": touch.value}
+    curve = followed(bundled(), values, ("omega", "D"), touch, (0.7, 0.3), (0.8, 0.6), steps=COARSE)
+    assert {end.kind for end in curve.ends} == {CurveEndKind.HALF_PERIOD}
+    ends = sorted(end.values for end in curve.ends)
+    known = [(0.7613856795022322, 0.5235045266697037), (0.772674979127485, 0.4500202631687911)]
+    assert np.abs(np.subtract(ends, known)).max() < 1e-5

@@ -12,14 +12,14 @@ from gearlash.branches.continuation.extrema import Extremum
 from gearlash.branches.continuation.points import SpecialKind, SpecialPoint
 from gearlash.system import GearlashError
 
-from .conditions import At, Condition
+from .conditions import At, Condition, circle_cosine
 from .corner import at_other_end
 from .locate import Met
 from .motion import CurveOrbit, apart, is_clear
 from .newton import correct, tangent
 from .node import Node, begun_at, node_of, touch_of
 from .plane import Array, Plane
-from .points import CodimTwoKind, CodimTwoPoint, CurvePoint
+from .points import CodimTwoKind, CodimTwoPoint, CurveEndKind, CurvePoint
 from .problem import Evaluated, Problem, TouchCondition
 from .restart import beyond, clear_side
 from .touch import Window
@@ -31,6 +31,8 @@ OF_TWO = {
     CodimTwoKind.CORNER: At.ONE,
     CodimTwoKind.GRAZING_TORUS: At.CIRCLE,
 }
+REAL = {CodimTwoKind.ONE_ONE: 1.0, CodimTwoKind.ONE_TWO: -1.0}  # the double multiplier
+ASIDE = 1e-5  # scaled: how far from a double multiplier it is looked which way the two leave it
 NEAR_START = 0.05  # scaled: how far the first orbit of a curve may lie from the start
 SAME_EXTREMUM = 0.02  # mesh cycles: how far from where it was told the extremum that touches may lie
 NEAR_POINT = 0.5  # scaled: how far that orbit may lie from the point
@@ -42,13 +44,14 @@ AMPLITUDES = (3e-4, 1e-3, 3e-3, 1e-2)  # scaled: of the doubled orbit with which
 class Beginning:
     """Orbits with their directions, away from the start; ``met``: where two things happen at the start;
     ``known``: the orbits after the one ahead, as far as they are known already; ``start``: the point itself,
-    where the curve passes through it."""
+    where the curve passes through it; ``ended``: why there is nothing behind the start."""
 
     ahead: Node
     behind: Node | None
     met: Met | None = None
     known: tuple[Node, ...] = ()
     start: CodimTwoPoint | None = None
+    ended: CurveEndKind | None = None
 
 
 def beginning(
@@ -189,7 +192,7 @@ def _at_two(
         if start.kind is not CodimTwoKind.GRAZING_DOUBLING:
             raise GearlashError("doubled: only where a grazing orbit has a multiplier -1")
         met = point_of_two(plane, start, place, period)
-        return Beginning(doubled_node(met), None, met)
+        return Beginning(doubled_node(met), None, met, ended=CurveEndKind.HALF_PERIOD)
     if kind is SpecialKind.GRAZING or (kind is None and extrema):
         if start.kind is CodimTwoKind.CORNER and touch == 1:
             node = grazing_node(plane, place, start.point.state, period, extrema[0])
@@ -210,7 +213,19 @@ def _at_two(
             raise GearlashError("the curve could not be begun on both sides of the touch")
         return Beginning(deep[0], clear, met, deep[1:])
     node = condition_node(plane, place, start.point.state, period, OF_KIND[kind])
+    if kind is SpecialKind.TORUS and start.kind in REAL:
+        return Beginning(
+            _where_complex(node, REAL[start.kind]), None, start=start, ended=CurveEndKind.RESONANCE
+        )
     return Beginning(node, node.turned, start=start)
+
+
+def _where_complex(node: Node, real: float) -> Node:
+    """With the direction in which the double multiplier ``real`` becomes a pair on the circle; the other way
+    the two are real, and their product is 1."""
+    here = node.problem.evaluate(node.u + ASIDE * node.direction)
+    cosine = circle_cosine(np.linalg.eigvals(here.monodromy).astype(np.complex128))
+    return node if (cosine - real) * real < 0.0 else node.turned
 
 
 def point_of_two(plane: Plane, start: CodimTwoPoint, place: Array, period: int) -> Met:

@@ -5,7 +5,8 @@ Introduction to Numerical Continuation Methods (2003), ch. 6, doi:10.1137/1.9780
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import deque
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import acos
@@ -16,14 +17,15 @@ from gearlash.branches.continuation.extrema import Extremum
 from gearlash.branches.continuation.settings import ContinuationSettings
 
 from .conditions import At
+from .halves import change_places, joins_half, nearly_one
 from .locate import Met, touch_along, touch_on
+from .loops import SAME, not_again, passes
 from .met import Happened, between
 from .motion import is_clear
 from .newton import Corrected
-from .node import Node, solved, state_at, touch_of, well_begun
+from .node import Node, solved, touch_of, well_begun
 from .plane import UNBUILT, Array
 from .points import CurveEndKind, EndOfCurve
-from .problem import Evaluated
 from .restart import beyond, clear_side
 from .secondary import TURNS
 
@@ -36,27 +38,27 @@ AHEAD = 2.0  # steps: a depth that would vanish within so many is looked for
 TINY, FAR = 1e-5, 0.3  # scaled: a depth so small makes steps short, and is looked for so far ahead
 SHORT = 0.01  # the longest step that is called short
 GROWN, LARGEST = 10.0, 1e4  # times the states of the first orbit: steps grow with them, and the curve ends
-HALF = 3e-4  # scaled: halves of an orbit so near to each other are one
 NEAR = 4.0  # times as far as foretold may a touch lie
-LOOP_CLOSES = 0.5  # of a step: how near the first parameters are passed where a loop may close
-SAME = 1e-6  # scaled: orbits so near to each other are one
+PAST = 60  # orbits by which an end may be told
 Item = Node | Met | EndOfCurve
 
 
 @dataclass(frozen=True, eq=False)
 class Follower:
     """From one orbit; ``start`` has the direction in which it goes; ``known``: the next ones, if they are
-    known already."""
+    known already; ``goal``: an orbit at which a loop is closed, too, with the direction in which it is
+    passed."""
 
     start: Node
     settings: ContinuationSettings
     first: float
     known: tuple[Node, ...] = ()
+    goal: Node | None = None
 
     def run(self) -> Iterator[Item]:
         """Orbits and what is met in order, and why it ends."""
         before: Node | None = None
-        node, length = self.start, self.first
+        node, length, past = self.start, self.first, deque[Node](maxlen=PAST)
         if self.known:
             yield from self.known
             node, length = self.known[-1], _between(*(self.start, *self.known)[-2:])
@@ -72,6 +74,7 @@ class Follower:
                 if after is None:
                     return
                 before, node, length = None, after, self.settings.first
+                past.clear()
                 continue
             begun = self.prepared(before, node, length)
             before, node = (before if begun.problem.origin == node.problem.origin else None), begun
@@ -80,25 +83,30 @@ class Follower:
                 yield step
                 return
             after, happened, length, end = step
-            closing = count > 2 and happened.touch is None and self.closes(node.place, after.place, node)
-            yield from self.not_again(happened.met, node, after) if closing else happened.met
+            closing = (
+                None if count < 3 or happened.touch else self.closes(node.place, after.place, node, after)
+            )
+            yield from not_again(happened.met, node, after, closing) if closing else happened.met
             if happened.touch is not None:
                 known = beyond(happened.touch)
                 yield from self.over(happened.touch, known[-1] if known else None)
                 if not known:
                     return
-                if self.closes_over([happened.touch.place, *(each.place for each in known)], known):
-                    yield EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place))
+                ended = self.over_touch(node, happened.touch, known)
+                if ended is not None:
+                    yield ended
                     return
                 yield from known
                 before, node, length = None, known[-1], 0.5 * _apart(known[-1], happened.touch)
+                past.clear()
                 continue
             resonance = self.resonance(node, happened.met)
             if resonance is not None:
                 yield resonance
                 return
             yield after
-            ended = self.last(node, after, closing) or end
+            past.append(node)
+            ended = self.last(past, after, closing) or end
             if ended is not None:
                 yield ended
                 return
@@ -107,35 +115,36 @@ class Follower:
 
     def at_touch(self, node: Node, touch: Met) -> EndOfCurve | None:
         """Why the curve ends at or before a touch ahead, if it does."""
-        if halves(touch.here) <= HALF:
+        if nearly_one(touch.here, touch.motion):
             return EndOfCurve(CurveEndKind.HALF_PERIOD, _values(touch.place))
-        if self.closes(node.place, touch.place, node):
-            return EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place))
-        return None
+        return _closed(self.closes(node.place, touch.place, node))
+
+    def over_touch(self, node: Node, touch: Met, known: tuple[Node, ...]) -> EndOfCurve | None:
+        """Why the curve ends at a touch or on its first orbits beyond it, if it does."""
+        if nearly_one(touch.here, touch.motion) and not nearly_one(node.here, node.motion):
+            return EndOfCurve(CurveEndKind.HALF_PERIOD, _values(touch.place))
+        places = [touch.place, *(each.place for each in known)]
+        pairs = zip(pairwise(places), pairwise([known[0], *known]), strict=True)
+        return _closed(next(filter(None, (self.closes(*pair, *near) for pair, near in pairs)), None))
 
     def resonance(self, node: Node, met: tuple[Met, ...]) -> EndOfCurve | None:
-        """Whether a pair on the circle has become real."""
+        """Whether a pair on the circle has become real; where the curve was begun it may be."""
         if not node.problem.conditions or node.problem.conditions[0].at is not At.CIRCLE:
             return None
+        unit, begun = node.problem.plane.unit, self.start.place
         real = [each for each in met if each.kind in TURNS and abs(TURNS[each.kind]) == 1.0]
+        real = [each for each in real if np.linalg.norm((each.place - begun) / unit) > SAME]
         return EndOfCurve(CurveEndKind.RESONANCE, _values(real[-1].place)) if real else None
 
-    def last(self, node: Node, after: Node, closing: bool) -> EndOfCurve | None:
+    def last(self, past: Sequence[Node], after: Node, closing: Node | None) -> EndOfCurve | None:
         """Why the curve ends with an orbit, if it does."""
-        if halves(after.here) <= min(HALF, halves(node.here)):
-            note = f"its halves differ by {halves(after.here):.0e} of the motion"
-            return EndOfCurve(CurveEndKind.HALF_PERIOD, _values(after.place), note)
+        joined = joins_half(past, after)
+        if joined is not None:
+            return joined
         if self.grown(after) > LARGEST:
             note = f"its states are {self.grown(after):.0e} times those of the first orbit"
             return EndOfCurve(CurveEndKind.FAR, _values(after.place), note)
-        return EndOfCurve(CurveEndKind.CLOSED, _values(self.start.place)) if closing else None
-
-    def not_again(self, met: tuple[Met, ...], left: Node, right: Node) -> Iterator[Met]:
-        """Of what is met on the step that closes a loop, what lies before the first orbit."""
-        unit = left.problem.plane.unit
-        chord = (right.place - left.place) / unit
-        end = float(chord @ ((self.start.place - left.place) / unit))
-        yield from (each for each in met if float(chord @ ((each.place - left.place) / unit)) <= end)
+        return _closed(closing)
 
     def over(self, touch: Met, after: Node | None) -> Iterator[Item]:
         yield touch
@@ -267,6 +276,8 @@ class Follower:
             return f"Newton's method contracts by {corrected.contraction:.2f} only"
         if np.linalg.norm(after.u - node.u) > (1.0 + OFF) * length:
             return "Newton's method finds an orbit somewhere else"
+        if change_places(node, after) and not nearly_one(after.here, after.motion):
+            return "the halves of the orbit change places within a step"
         turn = angle(node, after)
         return f"the curve turns by {turn:.2f} rad within a step" if turn > self.settings.angle else ""
 
@@ -282,40 +293,18 @@ class Follower:
         one, two = (float(np.linalg.norm(each.u[: each.problem.states])) for each in (self.start, node))
         return max(1.0, two / max(one, 1e-300))
 
-    def closes(self, left: Array, right: Array, near: Node) -> bool:
-        """Whether the first orbit, begun at any of its base periods, lies between two places of the curve:
-        whether the curve, begun from a node ``near`` there, passes it is solved for."""
-        unit = near.problem.plane.unit
-        chord, away = (right - left) / unit, (self.start.place - left) / unit
-        length = float(np.linalg.norm(chord))
-        if length == 0.0 or float(chord @ self.start.direction[-2:]) <= 0.0:  # an arm of a cusp comes back
-            return False
-        chord /= length
-        along = float(chord @ away)
-        if not 0.0 < along <= length or np.linalg.norm(away - along * chord) > LOOP_CLOSES * length:
-            return False
-        row, left = np.zeros(len(near.u)), left / unit
-        row[-2:] = chord
-        target = float(chord @ left) + along
-        ahead = near.direction / float(row @ near.direction)
-        guess = near.u + (target - float(row @ near.u)) * ahead
-        node = solved(near.problem, guess, row, target, near)[0]
-        return node is not None and self.is_start(node)
+    def closes(self, left: Array, right: Array, *near: Node) -> Node | None:
+        """The first orbit or the goal, begun at any of its base periods, if it lies between two places of
+        the curve: whether the curve, begun from the nearest of the nodes ``near`` there, passes it is solved
+        for."""
+        for target in (self.start, self.goal):
+            if target is not None and passes(target, left, right, near):
+                return target
+        return None
 
-    def closes_over(self, places: list[Array], nodes: tuple[Node, ...]) -> bool:
-        """The same of several places, each step beside a node."""
-        return any(self.closes(*pair, node) for pair, node in zip(pairwise(places), nodes, strict=True))
 
-    def is_start(self, node: Node) -> bool:
-        """Whether an orbit is the first one, begun at any of its base periods."""
-        size, cycles = node.problem.size, float(node.here.props.system.cycles)
-        if float(np.linalg.norm((node.place - self.start.place) / node.problem.plane.unit)) > SAME:
-            return False
-        state = state_at(node.here, 0.0)
-        return any(
-            float(np.linalg.norm((state_at(self.start.here, k * cycles) - state) / size)) <= SAME
-            for k in range(self.start.problem.period)
-        )
+def _closed(target: Node | None) -> EndOfCurve | None:
+    return None if target is None else EndOfCurve(CurveEndKind.CLOSED, _values(target.place))
 
 
 def _values(place: Array) -> tuple[float, float]:
@@ -325,14 +314,6 @@ def _values(place: Array) -> tuple[float, float]:
 def _distance(met: Met, node: Node) -> float:
     """Of a point from a node, in the plane and in the states where they are begun at one phase."""
     return float(np.linalg.norm((met.place - node.place) / node.problem.plane.unit))
-
-
-def halves(here: Evaluated) -> float:
-    """How far the states at the beginning of both halves of an orbit are apart, scaled."""
-    if here.problem.period % 2:
-        return float("inf")
-    one, two = (state_at(here, k * 0.5 * here.cycles) for k in (0, 1))
-    return float(np.linalg.norm((one - two) / here.problem.size))
 
 
 def comes_from(touch: Met, node: Node) -> bool:

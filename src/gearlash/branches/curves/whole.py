@@ -48,12 +48,15 @@ def curve_through(begun: Beginning, settings: ContinuationSettings, listen: List
     ahead, behind, met = begun.ahead, begun.behind, begun.met
     way = _Way.taken(ahead, settings, listen, begun.known)
     between: tuple[CodimTwoPoint, ...] = ()
-    if behind is not None and way.end.kind is not CurveEndKind.CLOSED:
-        back = _Way.taken(behind, settings, listen).turned
-    elif behind is not None or met is None:
-        back = _Way(EndOfCurve(CurveEndKind.CLOSED, _pair(ahead.place)))
+    if begun.ended is not None:
+        back = _Way(EndOfCurve(begun.ended, _pair(ahead.place if met is None else met.place)), ahead)
+    elif behind is None or way.end.kind is CurveEndKind.CLOSED:
+        back = _Way(EndOfCurve(CurveEndKind.CLOSED, _pair(ahead.place)), ahead)
     else:
-        back = _Way(EndOfCurve(CurveEndKind.HALF_PERIOD, _pair(met.place)))
+        goal = way.last.turned if way.end.kind is CurveEndKind.POINTS else None
+        back = _Way.taken(behind, settings, listen, goal=goal).turned
+        if goal is not None and back.end.kind is CurveEndKind.CLOSED:
+            way.end = back.end
     start = [_point(ahead, 0.0)]
     if met is not None:
         between = (special_of(met, -_away(met, ahead), behind or ahead, ahead),)
@@ -102,17 +105,22 @@ class _Way:
     """One way from the first orbit, in order of arclength."""
 
     end: EndOfCurve
+    last: Node
     points: list[CurvePoint] = field(default_factory=list)
     special: list[CodimTwoPoint] = field(default_factory=list)
 
     @staticmethod
     def taken(
-        start: Node, settings: ContinuationSettings, listen: Listener, known: tuple[Node, ...] = ()
+        start: Node,
+        settings: ContinuationSettings,
+        listen: Listener,
+        known: tuple[Node, ...] = (),
+        goal: Node | None = None,
     ) -> _Way:
         last, arclength = start, 0.0
-        way = _Way(EndOfCurve(CurveEndKind.CANCELLED, _pair(start.place)))
+        way = _Way(EndOfCurve(CurveEndKind.CANCELLED, _pair(start.place)), start)
         waiting: list[Met] = []
-        for item in Follower(start, settings, settings.first, known).run():
+        for item in Follower(start, settings, settings.first, known, goal).run():
             if isinstance(item, Met):
                 waiting.append(item)
                 continue
@@ -127,7 +135,7 @@ class _Way:
                 break
             arclength += step
             way.points.append(_point(item, arclength))
-            last = item
+            last = way.last = item
             listen.tell(_pair(item.place))
             if listen.cancelled():
                 way.end = EndOfCurve(CurveEndKind.CANCELLED, _pair(item.place))
@@ -147,7 +155,7 @@ class _Way:
             )
             for each in reversed(self.special)
         ]
-        return _Way(self.end, points, special)
+        return _Way(self.end, self.last, points, special)
 
     def moved(self, by: float) -> _Way:
         """The same with another beginning of arclength."""
@@ -156,7 +164,7 @@ class _Way:
             replace(each, point=replace(each.point, arclength=each.point.arclength + by))
             for each in self.special
         ]
-        return _Way(self.end, points, special)
+        return _Way(self.end, self.last, points, special)
 
 
 def _length(left: Node, right: Node) -> float:
