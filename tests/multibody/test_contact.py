@@ -8,7 +8,7 @@ from math import cos
 import numpy as np
 import pytest
 
-from gearlash.multibody.contact import MeshContact, contact_forces
+from gearlash.multibody.contact import MeshContact, contact_forces, new_memory
 from gearlash.multibody.topography import Topography
 from multibody.meshes import contact, helical, jolted, plain, pose
 
@@ -156,3 +156,15 @@ def test_another_topography_and_damping_leave_the_compliance():
     opened = 3e-6 * np.cos(theta + 0.4) + 1e-6 * np.cos(2.0 * theta)
     before, after = mesh.details(q, STILL).nearest, changed.details(q, STILL).nearest
     assert np.subtract(after, before) == pytest.approx([opened, -opened], abs=1e-15)
+
+
+def test_what_is_remembered_changes_the_time_only():
+    """Into contact, on through two mesh cycles, apart, and on the other side."""
+    mesh = contact(helical(), damping_time=1e-5)
+    memory, one, other, report = new_memory(mesh.tables), np.empty(12), np.empty(12), np.empty(8)
+    for step, pressed in enumerate(np.r_[np.linspace(-2e-6, 15e-6, 40), np.linspace(15e-6, -5e-6, 10)]):
+        for sign in (1.0, -1.0):
+            q = pose(mesh, 0.01 * step, sign * (0.5 * mesh.flanks.play + pressed))
+            assert contact_forces(mesh.tables, q, 0.01 * q, one, report, memory) == 0
+            assert contact_forces(mesh.tables, q, 0.01 * q, other, report) == 0
+            assert np.allclose(one, other, rtol=1e-7, atol=1e-6)

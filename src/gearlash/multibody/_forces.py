@@ -29,7 +29,7 @@ from ._tables import (
 )
 
 REPORT = 8
-WRITE_1 = array_of(float64, 1)
+WRITE_1, MATRIX = array_of(float64, 1), array_of(float64, 2)
 
 
 @inner
@@ -123,10 +123,10 @@ def _act(tables, side, sign, q, place, force, row, out):
         out[POSE + mode] -= force * value
 
 
-@kernel(int64(TABLES, READ_1, READ_1, WRITE_1, WRITE_1, array_of(float64, 2)), allocates=True)
-def contact_kernel(tables, q, v, out, report, loads):
-    """out (12 + modes) ← generalised forces; report (REPORT); loads (2, P S) where it has rows: the force
-    on every place. Not 0: where the forces were not found."""
+@kernel(int64(TABLES, READ_1, READ_1, WRITE_1, WRITE_1, MATRIX, MATRIX), allocates=True)
+def contact_kernel(tables, q, v, out, report, memory, loads):
+    """out (12 + modes) ← generalised forces; report (REPORT); memory (2, P S) where it has rows: elastic
+    forces to begin with ← those found; loads, too: the force on every place. Not 0: they were not found."""
     x, most = tables.scalars, len(tables.slices) * tables.counts[PAIRS]
     pose, speed = np.empty(len(q)), np.empty(len(q))
     place, pushing = np.empty(most, np.int64), np.empty(most, np.int64)
@@ -150,11 +150,17 @@ def contact_kernel(tables, q, v, out, report, loads):
         _gather(tables.compliance, n, place, cell, weights, slopes, compliance, changing)
         for a in range(n):
             depth[a], _ = _hertz(x, roll[a])
+        for a in range(n):
+            f[a] = memory[side, place[a]] if len(memory) > 0 else 0.0
         m = share(x, n, gap, compliance, depth, f, factor, right, column, pushing)
         if m < 0:
             out[:] = np.nan
             report[:] = np.nan
             return 1 + side
+        if len(memory) > 0:
+            memory[side, :] = 0.0
+            for i in range(m):
+                memory[side, place[pushing[i]]] = f[pushing[i]]
         energy, moment = _elastic(x, m, pushing, roll, depth, f, compliance, changing, rate)
         report[4] += energy
         out[5] += sign * moment

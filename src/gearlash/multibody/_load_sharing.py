@@ -15,7 +15,7 @@ from math import log, sqrt
 
 from gearlash._kernel.jit import inner
 
-from ._tables import HERTZ, LEAST_LOAD, LENGTH, MOST_LOAD
+from ._tables import HERTZ, LEAST_LOAD, LENGTH, LOG_LEAST, MOST_LOAD
 
 STEPS = 60
 CLOSE = 1e-5
@@ -28,14 +28,14 @@ def flattening(x, depth, f):
     the logarithm has no slope, and above the most, where the contact is half as wide as the depth."""
     length, half = x[LENGTH], 0.5 * x[HERTZ]
     p, low, high = f / length, x[LEAST_LOAD], x[MOST_LOAD]
-    soft = depth - half * log(low)
+    soft = depth - half * x[LOG_LEAST]
     if p <= low:
         return soft * p, soft / length, 0.5 * soft * p * f
     at = min(p, high)
     ln = log(at)
     w, slope = at * (depth - half * ln), depth - half * ln - half
     work = 0.5 * soft * low * low + 0.5 * (at * at - low * low) * depth
-    work -= 0.5 * half * (at * at * (ln - 0.5) - low * low * (log(low) - 0.5))
+    work -= 0.5 * half * (at * at * (ln - 0.5) - low * low * (x[LOG_LEAST] - 0.5))
     beyond = p - at
     return w + slope * beyond, slope / length, length * (work + beyond * (w + 0.5 * slope * beyond))
 
@@ -75,16 +75,30 @@ def solve(matrix, n, right):
 
 
 @inner
-def share(x, n, gap, compliance, depth, f, factor, right, column, pushing):
-    """f ← forces of n places; returns how many push, which ones in ``pushing``, the stiffness of those in
-    ``factor``; −1: not found."""
+def _begin(x, n, gap, compliance, depth, f, pushing):
+    """First guess: the forces that are there, and more where they leave gaps closed; without any, as if all
+    contacts were pressed alike."""
+    m = 0
+    for i in range(n):
+        if f[i] > 0.0:
+            pushing[m] = i
+            m += 1
+    if m > 0:
+        return _called(n, gap, compliance, f, pushing, m)
     for i in range(n):
         row = 0.0
         for j in range(n):
             row += compliance[i, j]
         f[i] = -gap[i] / (row + (depth[i] - 0.5 * x[HERTZ] * log(1e5)) / x[LENGTH])
         pushing[i] = i
-    m = n
+    return n
+
+
+@inner
+def share(x, n, gap, compliance, depth, f, factor, right, column, pushing):
+    """f, a guess or zeros ← forces of n places; returns how many push, which ones in ``pushing``, the stiffness of those in
+    ``factor``; −1: not found."""
+    m = _begin(x, n, gap, compliance, depth, f, pushing)
     for _ in range(STEPS):
         for i in range(m):
             a = pushing[i]
@@ -112,8 +126,8 @@ def share(x, n, gap, compliance, depth, f, factor, right, column, pushing):
                 return m
         else:
             m = kept
-        if m == 0:
-            return -1
+        if m == 0:  # a guess that was all wrong
+            m = _begin(x, n, gap, compliance, depth, f, pushing)
     return -1
 
 

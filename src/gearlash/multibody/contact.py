@@ -30,6 +30,7 @@ Reals = NDArray[np.float64]
 PHASES = 32
 """Of the compliance in one mesh cycle."""
 RELIEF_POINTS = 400
+_NOTHING = np.empty((0, 0))
 
 
 class Compliance(Protocol):
@@ -255,7 +256,7 @@ class MeshContact:
         n_slices = len(self.tables.slices)
         out, report = np.empty(len(q)), np.empty(REPORT)
         loads = np.zeros((2, int(self.tables.counts[places.PAIRS]) * n_slices))
-        if contact_kernel(self.tables, q, v, out, report, loads):
+        if contact_kernel(self.tables, q, v, out, report, _NOTHING, loads):
             raise GearlashError("the forces between the teeth were not found")
         return Details(
             out,
@@ -268,10 +269,9 @@ class MeshContact:
         )
 
 
-_NO_LOADS = np.empty((0, 0))
-
-
-def contact_forces(tables: ContactTables, q: Reals, v: Reals, out: Reals, report: Reals) -> int:
+def contact_forces(
+    tables: ContactTables, q: Reals, v: Reals, out: Reals, report: Reals, memory: Reals = _NOTHING
+) -> int:
     """The kernel itself, for a solver: ``out`` and ``report`` are written, nothing is made.
 
     Parameters
@@ -284,13 +284,31 @@ def contact_forces(tables: ContactTables, q: Reals, v: Reals, out: Reals, report
     report : ndarray, shape (8,)
         Normal force of side 0 and 1, N; slices that push on each; elastic energy, J; dissipated power, W;
         least gap of each side before deformation, m.
+    memory : ndarray, shape (2, P S), optional
+        Of `new_memory`: the forces of the call before, to begin with at the next one, which is quicker where
+        poses follow each other closely. What is found is the same to 1e-8.
 
     Returns
     -------
     int
         0; otherwise forces were not found, and both arrays are NaN.
     """
-    return contact_kernel(tables, q, v, out, report, _NO_LOADS)
+    return contact_kernel(tables, q, v, out, report, memory, _NOTHING)
+
+
+def new_memory(tables: ContactTables) -> Reals:
+    """Room for what `contact_forces` remembers from call to call.
+
+    Parameters
+    ----------
+    tables : ContactTables
+
+    Returns
+    -------
+    ndarray, shape (2, P S)
+        Zero: nothing yet.
+    """
+    return np.zeros((2, int(tables.counts[places.PAIRS]) * len(tables.slices)))
 
 
 def _scalars(
@@ -320,6 +338,7 @@ def _scalars(
     curvature = flanks.relative_curvature(0.5 * pair.tangent_length)
     x[places.MOST_LOAD] = (0.5 * min(depths)) ** 2 / (2.0 * x[places.HERTZ] * curvature)
     x[places.LEAST_LOAD] = min(100.0, 1e-3 * x[places.MOST_LOAD])
+    x[places.LOG_LEAST] = log(x[places.LEAST_LOAD])
     x[places.DAMPING_TIME] = damping_time
     start, end = _window(x)
     x[places.RELIEF_START] = start
