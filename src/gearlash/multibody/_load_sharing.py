@@ -96,8 +96,8 @@ def _begin(x, n, gap, compliance, depth, f, pushing):
 
 @inner
 def share(x, n, gap, compliance, depth, f, factor, right, column, pushing):
-    """f, a guess or zeros ← forces of n places; returns how many push, which ones in ``pushing``, the stiffness of those in
-    ``factor``; −1: not found."""
+    """f, a guess or zeros ← forces of n places; returns how many push, which ones in ``pushing``, the
+    stiffness of those in ``factor``; −1: not found."""
     m = _begin(x, n, gap, compliance, depth, f, pushing)
     for _ in range(STEPS):
         for i in range(m):
