@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import cos, radians
+from math import cos, degrees, radians
 from pathlib import Path
 
 import pytest
@@ -76,3 +76,40 @@ def test_where_no_play_is_left_or_no_teeth_are_known_it_is_told():
         """)
     with pytest.raises(CaseError, match="a temperature in °C with its unit"):
         loads(TEXT, {"mesh.temperature": "60 K"})
+
+
+def test_contact_and_stiffness_are_those_of_the_centre_distance_at_work():
+    moved = {"mesh.centre_distance_deviation": "300 um"}
+    case, nominal = loads(TEXT, moved), loads(TEXT)
+    pinion, gear = (CylindricalGear(z, 3e-3, radians(15)) for z in (25, 57))
+    plain = CylindricalPair(pinion, gear, face_width=40e-3)
+    pair = replace(plain, stated_centre_distance=plain.centre_distance + 300e-6)
+    found = {v.path: v for v in case.values()}
+    assert found["derived.working_pressure_angle"].value == pytest.approx(
+        degrees(pair.working_pressure_angle)
+    )
+    assert found["derived.transverse_contact_ratio"].value == pytest.approx(pair.transverse_contact_ratio)
+    assert found["derived.c_y"].value == pytest.approx(
+        cos(pair.working_pressure_angle) * cos(pinion.base_helix_angle)
+    )
+    expected = (0.75 * pair.transverse_contact_ratio + 0.25) / (0.75 * plain.transverse_contact_ratio + 0.25)
+    ratio = (case.scales.mean_stiffness or 0.0) / (nominal.scales.mean_stiffness or 1.0)
+    assert ratio == pytest.approx(expected, rel=1e-9) != pytest.approx(1.0, rel=1e-3)
+    # teeth are as they are made: their drawing, and what a change of the distance is measured from
+    assert case.numbers.body.teeth.centre_distance == pytest.approx(plain.centre_distance)
+
+
+def test_what_grows_all_alike_changes_no_contact_ratio():
+    alike = {"mesh.temperature": "90 degC", "mesh.housing_material": "steel"}
+    apart = {"mesh.temperature": "90 degC", "mesh.housing_material": "aluminium"}
+    ratios = [
+        {v.path: v.value for v in loads(TEXT, each).values()}["derived.transverse_contact_ratio"]
+        for each in ({}, alike, apart)
+    ]
+    assert ratios[1] == pytest.approx(ratios[0], rel=1e-12)
+    # 70 K of 11.5e-6 more than the gears: that many µm of distance
+    grown = 70 * (23e-6 - 11.5e-6) / (1 + 70 * 11.5e-6)
+    teeth = [CylindricalGear(z, 3e-3, radians(15)) for z in (25, 57)]
+    pair = CylindricalPair(teeth[0], teeth[1])
+    moved = replace(pair, stated_centre_distance=pair.centre_distance * (1 + grown))
+    assert ratios[2] == pytest.approx(moved.transverse_contact_ratio, rel=1e-12)

@@ -90,6 +90,36 @@ WORDS = (
         "material", "{gear}.material", "steel/POM", "Material by its name; steel where none is given.", True
     ),
     Word("quality", "{gear}.quality", "7", "Flank tolerance class of ISO 1328-1.", True),
+    Word(
+        "tip_relief",
+        "{gear}.tip_relief",
+        "20um",
+        "Tip relief C_αa; stiffness, contact ratio and error then follow the torque.",
+        True,
+    ),
+    Word(
+        "tip_relief_length",
+        "{gear}.tip_relief_length",
+        "2mm",
+        "Roll length of the tip relief; half of (ε_α − 1) p_bt where none is given.",
+    ),
+    Word(
+        "tip_relief_diameter",
+        "{gear}.tip_relief_diameter",
+        "79mm/178mm",
+        "Diameter at which the tip relief begins, in place of that.",
+    ),
+    Word("root_relief", "{gear}.root_relief", "10um/", "Root relief C_αf."),
+    Word("root_relief_length", "{gear}.root_relief_length", "2mm/", "Roll length of the root relief."),
+    Word(
+        "root_relief_diameter",
+        "{gear}.root_relief_diameter",
+        "73mm/",
+        "Diameter at which the root relief begins, in place of that.",
+    ),
+    Word("relief_form", "mesh.relief_form", "linear", "How reliefs grow: linear or parabolic."),
+    Word("profile_crowning", "{gear}.profile_crowning", "5um", "Profile crowning C_α."),
+    Word("crowning", "{gear}.crowning", "8um", "Lead crowning C_β."),
     Word("fit", "{gear}.fit", "25cd/26c", "Fit of the teeth by DIN 3967."),
     Word("backlash", "mesh.backlash", "80um", "Whole normal backlash j_n.", True),
     Word(

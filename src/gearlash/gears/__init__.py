@@ -12,19 +12,23 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:  # the same names for type checkers; a test keeps the lists equal
     from . import backlash as backlash
     from . import bearings as bearings
+    from . import drawing as drawing
     from . import dynamic_factor as dynamic_factor
     from . import estimates as estimates
+    from . import flank_modification as flank_modification
     from . import flank_tolerances as flank_tolerances
     from . import gear_body as gear_body
     from . import gear_fits as gear_fits
     from . import helical as helical
     from . import inspection as inspection
+    from . import loaded_mesh as loaded_mesh
     from . import materials as materials
     from . import mesh_cycle as mesh_cycle
     from . import mesh_stiffness as mesh_stiffness
     from . import outline as outline
     from . import pair_shape as pair_shape
     from . import spur as spur
+    from . import stiffness_estimates as stiffness_estimates
     from . import tooth_form as tooth_form
     from . import tooth_pair as tooth_pair
     from . import unloaded_error as unloaded_error
@@ -73,15 +77,18 @@ __all__ = [
     "backlash",
     "bearings",
     "disc_face_width",
+    "drawing",
     "dynamic_factor",
     "equivalent_mass",
     "estimates",
+    "flank_modification",
     "flank_tolerances",
     "gear_body",
     "gear_fits",
     "helical",
     "inspection",
     "line_of_action",
+    "loaded_mesh",
     "materials",
     "mesh_cycle",
     "mesh_stiffness",
@@ -89,6 +96,7 @@ __all__ = [
     "pair_shape",
     "solid_disc",
     "spur",
+    "stiffness_estimates",
     "tooth_form",
     "tooth_pair",
     "unloaded_error",

@@ -7,43 +7,19 @@ so.
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import cos, pi
 
 import numpy as np
 
-from . import backlash, bearings, gear_fits, mesh_stiffness, unloaded_error
+from . import backlash, bearings, gear_fits, unloaded_error
 from .cylindrical_pair import CylindricalPair
+from .drawing import Drawing, Estimate
 from .gear_body import GearBody, mean_tooth_diameter
-from .materials import Material, named
-from .mesh_cycle import ripple_ranges
-from .mesh_stiffness import Rim
-from .tooth_pair import calculated_mesh
+from .stiffness_estimates import mean_stiffness, ripples
 
 USUAL_FIT, TIGHT_FIT, LOOSE_FIT = "25cd", "24e", "27b"
 """Of DIN 3967: what general mechanical engineering often has, and about the least and the most of it."""
-LEAST_LINE_LOAD = 1e3
-"""N/m: with less the formulas for the stiffness of teeth would end at none."""
-USUAL_LINE_LOAD = 100e3
-"""N/m: where none is stated; the stiffness of teeth depends on it little."""
-
-
-@dataclass(frozen=True)
-class Estimate:
-    """A value with its range and origin.
-
-    Parameters
-    ----------
-    value, least, greatest : float
-        In SI units.
-    source : str
-        Standard or publication, and what was assumed.
-    """
-
-    value: float
-    least: float
-    greatest: float
-    source: str
 
 
 MESH_DAMPING = Estimate(
@@ -55,62 +31,6 @@ ERROR_PHASE = Estimate(
 )
 USUAL_BORE = 0.6
 """Of the root diameter: of a shaft that is not known."""
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """What is known of a pair of gears.
-
-    Parameters
-    ----------
-    pair : CylindricalPair
-        With its face width. Allowances of its gears count as stated backlash.
-    materials : (Material, Material), optional
-        Of pinion and gear; steel where nothing is given.
-    bodies : (GearBody or None, GearBody or None)
-        ``None``: a solid disc without a bore.
-    rims : (Rim or None, Rim or None)
-        ``None``: not known.
-    grades : (int, int), optional
-        Flank tolerance classes; class 8, with 6 to 10 as the range, where nothing is given.
-    fits : (str, str), optional
-        Of DIN 3967, of pinion and gear.
-    distance_grade : int
-        js of the centre distance.
-    torque : float, optional
-        Of the pinion, N·m.
-
-    Examples
-    --------
-    >>> from gearlash.gears import CylindricalGear, CylindricalPair
-    >>> from gearlash.gears.estimates import Drawing, estimates
-    >>> pair = CylindricalPair(CylindricalGear(25, 2e-3), CylindricalGear(57, 2e-3), face_width=0.02)
-    >>> found = estimates(Drawing(pair, torque=150.0))
-    >>> round(found["mean_stiffness"].value / 1e8, 2), round(found["backlash"].value * 1e6)
-    (4.09, 149)
-    """
-
-    pair: CylindricalPair
-    materials: tuple[Material, Material] | None = None
-    bodies: tuple[GearBody | None, GearBody | None] = (None, None)
-    rims: tuple[Rim | None, Rim | None] = (None, None)
-    grades: tuple[int, int] | None = None
-    fits: tuple[str, str] | None = None
-    distance_grade: int = 7
-    torque: float | None = None
-
-    @property
-    def chosen_materials(self) -> tuple[Material, Material]:
-        """Materials, steel where nothing is given."""
-        return (named("steel"), named("steel")) if self.materials is None else self.materials
-
-    @property
-    def line_load(self) -> float | None:
-        """F_t/b on the reference circle of the pinion, N/m; at least `LEAST_LINE_LOAD`."""
-        if self.torque is None or self.pair.face_width == 0.0:
-            return None
-        load = 2.0 * abs(self.torque) / self.pair.pinion.reference_diameter / self.pair.face_width
-        return max(load, LEAST_LINE_LOAD)
 
 
 NAMES = (
@@ -135,17 +55,17 @@ def estimates(drawing: Drawing, harmonics: int = 8, names: Collection[str] = NAM
     -------
     dict of str to Estimate
         ``mean_stiffness`` (N/m, along the normal), ``ripple_1`` … (over the mean, signed, phase 0 in the
-        middle of a pair's path), ``error`` (amplitude at the mesh frequency along the normal, m),
+        middle of a pair's path; modified flanks have ``ripple_phase_1`` … too), ``error`` (amplitude at the
+        mesh frequency along the normal, m),
         ``error_phase`` (rad, not known), ``backlash`` (normal, m), ``mesh_damping``, ``pinion_mass``,
         ``gear_mass`` (kg), ``pinion_inertia``, ``gear_inertia`` (kg·m²), ``pinion_bearing_y`` …
         ``gear_bearing_z`` (N/m, radial and axial), ``bearing_damping``.
     """
     found: dict[str, Estimate] = {}
     if "mean_stiffness" in names:
-        found["mean_stiffness"] = _stiffness(drawing)
+        found["mean_stiffness"] = mean_stiffness(drawing)
     if "ripple" in names:
-        for order, ripple in enumerate(_ripples(drawing, harmonics), start=1):
-            found[f"ripple_{order}"] = ripple
+        found |= ripples(drawing, harmonics)
     if "error" in names:
         found["error"] = _error(drawing)
     if "error_phase" in names:
@@ -163,38 +83,14 @@ def estimates(drawing: Drawing, harmonics: int = 8, names: Collection[str] = NAM
     return found
 
 
-def _stiffness(drawing: Drawing) -> Estimate:
-    pair = drawing.pair
-    mesh = mesh_stiffness.method_b(pair, drawing.chosen_materials, drawing.rims, drawing.line_load)
-    least, greatest = mesh.normal_range(pair.face_width)
-    source = "; ".join((f"{mesh_stiffness.REFERENCE}, c_γα b / cos² β_b", *mesh.beyond))
-    return Estimate(mesh.along_normal(pair.face_width), least, greatest, source)
-
-
-def _ripples(drawing: Drawing, count: int) -> list[Estimate]:
-    """The teeth as calculated; in the range the published shapes."""
-    pair = drawing.pair
-    load = drawing.line_load or USUAL_LINE_LOAD
-    values = calculated_mesh(pair, count, load, drawing.chosen_materials).harmonics.real
-    each = np.vstack([ripple_ranges(pair, count), values])
-    source = (
-        "sliced contact lines of unmodified flanks; pairs of teeth by Weber and Banaschek; range: equal "
-        "stiffness per length, Cai and Hayashi, Sánchez et al."
-    )
-    return [
-        Estimate(float(value), float(column.min()), float(column.max()), source)
-        for value, column in zip(values, each.T, strict=True)
-    ]
-
-
 def _error(drawing: Drawing) -> Estimate:
-    nominal = unloaded_error.unloaded_error(drawing.pair, drawing.grades or (8, 8)).mesh
+    nominal = unloaded_error.unloaded_error(drawing.meshing, drawing.grades or (8, 8)).mesh
     if drawing.grades is not None:
         source = (
             f"ISO 1328-1, classes {drawing.grades[0]} and {drawing.grades[1]}; {unloaded_error.ASSUMPTION}"
         )
         return Estimate(nominal.nominal, nominal.least, nominal.greatest, source)
-    coarse = unloaded_error.unloaded_error(drawing.pair, (10, 10)).mesh
+    coarse = unloaded_error.unloaded_error(drawing.meshing, (10, 10)).mesh
     source = f"ISO 1328-1, no class stated: 8 assumed, up to 10 in the range; {unloaded_error.ASSUMPTION}"
     return Estimate(nominal.nominal, 0.0, coarse.greatest, source)
 

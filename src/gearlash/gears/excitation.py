@@ -56,6 +56,8 @@ class Excitation:
         ``…_runout_phase``.
     runout_factor : float
         Amplitude of the error over radial run-out F_r: half of cos β_b, as F_r is twice the eccentricity.
+    relief : Curve, optional
+        e/D_c that modified flanks make under the load of the case.
 
     Examples
     --------
@@ -68,11 +70,12 @@ class Excitation:
     error: Curve | None = None
     runout: Mapping[str, int] | None = None
     runout_factor: float = 0.5
+    relief: Curve | None = None
 
     @property
     def cycles(self) -> int:
         """Mesh cycles of the base period."""
-        curves = [curve.cycles for curve in (self.stiffness, self.error) if curve is not None]
+        curves = [curve.cycles for curve in (self.stiffness, self.error, self.relief) if curve is not None]
         return lcm(*curves, *(self.runout or {}).values())
 
     def parameters(self, defaults: Mapping[str, float]) -> tuple[Parameter, ...]:
@@ -102,10 +105,12 @@ class Excitation:
         return found
 
     def error_series(self, values: Mapping[str, float], named: Fourier) -> Fourier:
-        """E over the base period: named harmonics, the curve, and a turn's harmonic of each run-out."""
+        """E over the base period: named harmonics, curve, relief, and a turn's harmonic of each run-out."""
         found = spread(named, self.cycles)
         if self.error is not None:
             found = summed(found, values["error_scale"] * self.error.over(self.cycles))
+        if self.relief is not None:
+            found = summed(found, self.relief.over(self.cycles))
         for shaft, teeth in (self.runout or {}).items():
             height = self.runout_factor * values[f"{shaft}_runout"]
             turn = cosines(0.0, [height], [values[f"{shaft}_runout_phase"]])

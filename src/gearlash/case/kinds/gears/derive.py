@@ -4,8 +4,12 @@ from."""
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import degrees
 
-from . import play
+import numpy as np
+
+from . import play, relief
+from .at_torque import loaded_of
 from .keys import BODY, EQUIVALENT_MASS, GEARS, REFERENCE
 from .pair import GearPair
 from .records import Derived
@@ -35,7 +39,7 @@ def derived(pair: GearPair) -> Iterator[Derived]:
 
 def _derived_geometry(pair: GearPair) -> Iterator[Derived]:
     body = pair.numbers.body
-    geometry, line, width, teeth = body.geometry, body.line, body.face_width, body.teeth
+    geometry, line, width, teeth = body.geometry, body.line, body.face_width, body.meshing
     if line is None or geometry is None:
         return
     angles = ("mesh.pressure_angle", "mesh.helix_angle")
@@ -54,6 +58,34 @@ def _derived_geometry(pair: GearPair) -> Iterator[Derived]:
     if width is not None:
         inputs = (*radius, "pinion.face_width", "gear.face_width")
         yield from pair.rules.overlap(geometry.overlap_ratio(width), ratio, inputs)
+    yield from _at_work(pair, radius)
+    yield from _modified(pair)
+
+
+def _at_work(pair: GearPair, radius: tuple[str, ...]) -> Iterator[Derived]:
+    """Where the axes have another distance at work."""
+    meshing = pair.numbers.body.meshing
+    if meshing is None or not play.stated(pair.entries):
+        return
+    inputs = (*radius, *play.inputs(pair.entries)[1:])
+    text = "α_wt at the centre distance at work; contact ratio and stiffness are those of it"
+    angle = degrees(meshing.working_pressure_angle)
+    yield Derived("derived.working_pressure_angle", angle, "deg", "ISO 21771-1", inputs, text)
+
+
+def _modified(pair: GearPair) -> Iterator[Derived]:
+    """What bears of modified flanks under the torque of the case."""
+    mesh = loaded_of(pair.completed.drawing)
+    if mesh is None:
+        return
+    stated = tuple(sorted(relief.KEYS & pair.entries.keys()))
+    inputs = ("load", "mesh.mean_stiffness", *stated)
+    how = "contact lines that bear at this torque"
+    text = "ε_α under this torque, of modified flanks"
+    yield Derived("derived.loaded_contact_ratio", mesh.contact_ratio, "", how, inputs, text)
+    text = "static transmission error under this torque, peak to peak, without deviations of the flanks"
+    size = 1e6 * float(np.ptp(mesh.deflection))
+    yield Derived("derived.loaded_error", size, "um", how, inputs, text)
 
 
 def _derived_inertia(pair: GearPair) -> Iterator[Derived]:

@@ -10,6 +10,7 @@ from gearlash.gears import basic_rack, gear_fits
 from gearlash.gears.materials import MATERIALS
 from gearlash.gears.mesh import harmonic_name
 
+from . import relief
 from .keys import GEARS
 from .shared import HIGHEST_HARMONIC, number, positive
 
@@ -37,6 +38,7 @@ SAME: tuple[tuple[str, ...], ...] = (
     ("D", PLAY),
     (CENTRE, SHIFT_SUM),
     *(tuple(f"{gear}.{leaf}" for leaf in MEASURES) for gear in GEARS),
+    *relief.SAME,
 )
 """Keys of which one is stated; another one takes its place."""
 
@@ -84,6 +86,7 @@ def of_gear(gear: str) -> Iterator[Quantity]:
     yield number(
         f"{gear}.quality", "7", f"flank tolerance class of the {gear}, ISO 1328-1", 1, 12, integer=True
     )
+    yield from relief.of_gear(gear)
 
 
 def of_mesh() -> Iterator[Quantity]:
@@ -113,6 +116,7 @@ def options() -> Iterator[Choice]:
         yield Choice(f"{gear}.material", tuple(MATERIALS), "steel", f"material of the {gear}")
         yield Choice(f"{gear}.fit", FITS, "25cd", f"fit of the {gear}'s teeth, DIN 3967")
     yield Choice(RACK, tuple(RACKS), "ISO53-A", "standard basic rack that cuts both gears")
+    yield from relief.options()
 
 
 KEYS = frozenset(

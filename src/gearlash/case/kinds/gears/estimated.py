@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import isfinite
 
@@ -12,13 +12,14 @@ from gearlash.case.errors import Problem
 from gearlash.case.stated import Provenance
 from gearlash.gears import CylindricalPair
 from gearlash.gears.backlash import Backlash
-from gearlash.gears.estimates import Drawing, Estimate, estimates
+from gearlash.gears.drawing import Drawing, Estimate
+from gearlash.gears.estimates import estimates
 from gearlash.gears.gear_body import GearBody, mean_tooth_diameter
 from gearlash.gears.materials import named
 from gearlash.gears.mesh_stiffness import SOLID, Rim
 from gearlash.system import GearlashError
 
-from . import drawn, play
+from . import drawn, play, relief
 from .curves import STEMS
 from .keys import EQUIVALENT_MASS, GEARS, REFERENCE
 from .loaded import is_loaded
@@ -41,7 +42,9 @@ class Completed:
 
     @property
     def follows_torque(self) -> bool:
-        """Is anything estimated that depends on the torque?"""
+        """Is anything estimated, or made by modified flanks, that depends on the torque?"""
+        if self.drawing is not None and self.drawing.modification.modified:
+            return True
         return any(
             e.least is not None
             and (key == "mesh.mean_stiffness" or key.startswith(("ripple", "bearing_frequency")))
@@ -68,7 +71,7 @@ def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = 
     """
     geometry = ("pinion.teeth", "gear.teeth", rules.module, *rules.angles)
     if not all(key in entries for key in geometry) or drawn.contradicted(entries):
-        return Completed(entries, problems=play.unusable(entries))
+        return Completed(entries, problems=(*play.unusable(entries), *relief.unusable(entries)))
     widths = all(f"{gear}.face_width" in entries for gear in GEARS) and "mesh.pressure_angle" in entries
     has_drawing = is_drawn(entries)
     known = {**entries, **{e.key: e for e in _converted(entries)}}
@@ -86,7 +89,16 @@ def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = 
         unfit = tuple(_unfit_bodies(known, pair))
         if unfit:
             return Completed(known, problems=unfit)
-        drawing = _drawing(rules, known, pair)
+        worked = play.at_work(rules.places, known, pair)
+        flanks = relief.ReliefReader(rules.places, known, worked or pair)
+        drawing = replace(_drawing(rules, known, pair), modification=flanks.read(), at_work=worked)
+        load = known.get("load")
+        if drawing.modification.modified and load is not None and load.dimensionless:
+            expected = "a torque with its unit (operation.torque): what bears of modified flanks follows it"
+            flanks.problems.append(Problem(load.path, repr(load.text), expected))
+        if flanks.problems:
+            return Completed(known, problems=tuple(flanks.problems))
+        known |= {e.key: e for e in flanks.found}
         known |= {e.key: e for e in _entries(rules, _estimates(drawing, wanted)) if not _stated(known, e.key)}
         more = play.added(rules.places, known, pair)
         play.checked(known, more)
@@ -191,6 +203,7 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
         None if chosen[0] is None or chosen[1] is None else (chosen[0], chosen[1]),
         int(stated("mesh.distance_grade") or 7),
         None if load is None or load.dimensionless else load.number,
+        stated_stiffness=stated("mesh.mean_stiffness"),
     )
 
 
@@ -266,7 +279,9 @@ def _entries(rules: PairRules, found: Mapping[str, Estimate]) -> Iterator[Entry]
     for name, one in found.items():
         table, _, leaf = name.partition("_")
         path = _PATHS.get(name, f"{table}.{leaf}")
-        if name.startswith("ripple_"):
+        if name.startswith("ripple_phase_"):
+            path = "mesh.ripple_phase" if name == "ripple_phase_1" else f"mesh.{name}"
+        elif name.startswith("ripple_"):
             path = "mesh.ripple" if leaf == "1" else f"mesh.{name}"
         elif leaf.startswith("bearing_"):
             path = f"{table}.bearing_stiffness_{leaf[-1]}"
@@ -274,7 +289,10 @@ def _entries(rules: PairRules, found: Mapping[str, Estimate]) -> Iterator[Entry]
         if place is None:
             continue  # a value that this kind of pair has no place for
         for key in rules.places.keys(place):
-            yield Entry(key, path, one.value, "", Provenance.ASSUMED, one.source, one.least, one.greatest)
+            ends = (
+                (None, None) if "phase" in name and one.least == one.greatest else (one.least, one.greatest)
+            )
+            yield Entry(key, path, one.value, "", Provenance.ASSUMED, one.source, *ends)
 
 
 def _stated(entries: EntriesByKey, key: str) -> bool:

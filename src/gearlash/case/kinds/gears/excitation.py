@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.case.scales import Scales
+from gearlash.gears.drawing import Drawing
 from gearlash.gears.excitation import SHAFTS, Curve, Excitation
-from gearlash.gears.mesh import harmonic_count, harmonic_name, series
 from gearlash.gears.waveform import Waveform, unloaded_error_of, waveform
 from gearlash.system import Fourier, cosines, evaluate
 
+from .at_torque import mesh_at, relief_error
 from .curves import LOADED
 from .rules import EntriesByKey
 
@@ -71,8 +72,11 @@ def teeth_of(entries: EntriesByKey) -> dict[str, int]:
     return {shaft: int(entries[key].number) for shaft, key in keys.items() if key in entries}
 
 
-def reconstructed(curves: Curves, entries: EntriesByKey, scales: Scales) -> dict[str, Reconstructed]:
-    """The series of every stated curve."""
+def reconstructed(
+    curves: Curves, entries: EntriesByKey, scales: Scales, drawing: Drawing | None = None
+) -> dict[str, Reconstructed]:
+    """The series of every stated curve; of a loaded error without what the stiffness, and modified flanks,
+    make of it."""
     found: dict[str, Reconstructed] = {}
     if "stiffness" in curves:
         stated = curves["stiffness"]
@@ -86,7 +90,7 @@ def reconstructed(curves: Curves, entries: EntriesByKey, scales: Scales) -> dict
             stated = _as_points(stated)
         values = np.array(stated.get("values", []))
         if stated.get("state") == LOADED:
-            values = _unloaded(stated, values, entries, scales, found.get("stiffness"))
+            values = _unloaded(stated, values, entries, scales, found.get("stiffness"), drawing)
         length = (scales.length or 1.0) if stated["physical"] else 1.0
         found["error"] = _reconstructed(stated, entries, values / length, 1.0 / length)
     return found
@@ -99,14 +103,21 @@ def mean_of(stated: Mapping[str, Any]) -> float:
     return float(waveform(stated["phases"], stated["values"], 0).series[0])
 
 
-def excitation(curves: Curves, entries: EntriesByKey, scales: Scales, runout_factor: float) -> Excitation:
-    """Curves and run-out of a case."""
-    made = {
-        name: Curve(each.series, each.cycles) for name, each in reconstructed(curves, entries, scales).items()
-    }
+def excitation(
+    curves: Curves,
+    entries: EntriesByKey,
+    scales: Scales,
+    runout_factor: float,
+    drawing: Drawing | None = None,
+) -> Excitation:
+    """Curves, run-out and relief of a case."""
+    found = reconstructed(curves, entries, scales, drawing)
+    made = {name: Curve(each.series, each.cycles) for name, each in found.items()}
+    relief = relief_error(drawing)
+    relieved = None if relief is None else Curve(relief / (scales.length or 1.0))
     teeth = teeth_of(entries)
     runout = {shaft: teeth[shaft] for shaft in SHAFTS if f"{shaft}_runout" in entries}
-    return Excitation(made.get("stiffness"), made.get("error"), runout or None, runout_factor)
+    return Excitation(made.get("stiffness"), made.get("error"), runout or None, runout_factor, relieved)
 
 
 def _reconstructed(
@@ -151,25 +162,18 @@ def _unloaded(
     entries: EntriesByKey,
     scales: Scales,
     stiffness: Reconstructed | None,
+    drawing: Drawing | None,
 ) -> Reals:
-    """The error without what the stiffness under this load makes of it: e = δ − F/K."""
+    """The error without what stiffness and modified flanks make of it under this load: δ − F/K − e."""
     c_t = scales.c_t
     force = float(scales.force_N(scales.load_from_torque(stated["torque"]) / c_t**2))
     phases = 2.0 * np.pi * np.array(stated["phases"])
     cycles = teeth_of(entries).get(str(stated["over"]).partition(" ")[0], 1)
-    shape = evaluate(named_stiffness(entries), cycles * phases)
+    mesh = mesh_at(entries, drawing, stated["torque"])
+    shape = evaluate(mesh.shape, cycles * phases)
     if stiffness is not None:
         own = stiffness.series.copy()
         own[0] = 0.0
         shape = shape + evaluate(own, phases if stiffness.cycles == cycles else cycles * phases)
-    mean = scales.mean_stiffness
-    assert mean is not None  # a loaded error is refused where nothing is physical
-    return unloaded_error_of(values, mean * shape, force)
-
-
-def named_stiffness(entries: EntriesByKey) -> Fourier:
-    """1 and the ripples that are named."""
-    values = {key: entry.number for key, entry in entries.items() if key.startswith("ripple")}
-    count = harmonic_count(values, "ripple")
-    names = [harmonic_name(stem, n) for n in range(1, count + 1) for stem in ("ripple", "ripple_phase")]
-    return series({name: values.get(name, 0.0) for name in names}, "ripple", 1.0, count)
+    left = values - evaluate(mesh.relief, cycles * phases)
+    return unloaded_error_of(left, mesh.mean * shape, force)

@@ -8,7 +8,8 @@ STATED = (
     "stiffness and error are the same at every torque, as they are stated without the geometry that they "
     "follow from"
 )
-ESTIMATED = "of unmodified flanks, estimated for each torque; "
+ESTIMATED = "of unmodified flanks (no tip relief is stated), estimated for each torque; "
+MODIFIED = "stiffness, contact ratio and the error of relief are those of the stated modification, "
 NOT_FOLLOWED = "the same at every torque"
 
 
@@ -23,5 +24,12 @@ def held(pair: GearPair, short: str) -> str:
         for key, name in (("mesh.mean_stiffness", "mean stiffness"), ("ripple", "ripple"))
         if key in pair.entries and pair.entries[key].least is None
     ]
-    words = " and ".join([*fixed, "error"])
+    words = " and ".join([*fixed, "error of the flanks" if _modified(pair) else "error"])
+    if _modified(pair):
+        return f"{MODIFIED}found for each torque; {words} {'are' if fixed else 'is'} {NOT_FOLLOWED}"
     return f"stiffness is that {ESTIMATED}{words} {'are' if fixed else 'is'} {NOT_FOLLOWED}"
+
+
+def _modified(pair: GearPair) -> bool:
+    drawing = pair.completed.drawing
+    return drawing is not None and drawing.modification.modified

@@ -17,12 +17,14 @@ from gearlash.case.errors import Problem
 from gearlash.case.quantity import Quantity
 from gearlash.case.stated import Provenance
 from gearlash.case.units import ANGLE, LENGTH, TORQUE
+from gearlash.gears.drawing import Drawing
 from gearlash.gears.mesh import harmonic_name
 from gearlash.gears.waveform import unloaded_error_of
 from gearlash.system import cosines, evaluate
 
+from .at_torque import mesh_at
 from .drawn import ERRORS
-from .excitation import Curves, named_stiffness
+from .excitation import Curves
 from .numbers import geometry_of, line_of
 from .rules import EntriesByKey, PairRules
 from .shared import HIGHEST_HARMONIC
@@ -44,13 +46,14 @@ def is_loaded(entries: EntriesByKey) -> bool:
     return not entries.keys().isdisjoint(AMPLITUDES)
 
 
-def unloaded(rules: PairRules, entries: EntriesByKey, curves: Curves) -> tuple[EntriesByKey, list[Problem]]:
+def unloaded(
+    rules: PairRules, entries: EntriesByKey, curves: Curves, drawing: Drawing | None = None
+) -> tuple[EntriesByKey, list[Problem]]:
     """The entries with the error that is left of a loaded one."""
     if not is_loaded(entries):
         return entries, []
     problems = list(_refused(rules, entries, curves))
-    stiffness = entries.get("mesh.mean_stiffness")
-    if problems or stiffness is None:
+    if problems or "mesh.mean_stiffness" not in entries:
         return entries, problems
     line = line_of(rules, entries, geometry_of(rules, entries))
     assert line is not None  # refused otherwise
@@ -58,10 +61,13 @@ def unloaded(rules: PairRules, entries: EntriesByKey, curves: Curves) -> tuple[E
     theta = 2.0 * pi * np.arange(POINTS) / POINTS
     amplitudes, phases = ([_number(entries, key) for key in keys] for keys in (AMPLITUDES, PHASES))
     loaded = evaluate(cosines(0.0, amplitudes, phases), theta)
-    left = unloaded_error_of(loaded, stiffness.number * evaluate(named_stiffness(entries), theta), force)
+    mesh = mesh_at(entries, drawing, entries[AT].number)
+    own = loaded - evaluate(mesh.relief, theta)
+    left = unloaded_error_of(own, mesh.mean * evaluate(mesh.shape, theta), force)
     found = np.fft.rfft(left)[1 : HIGHEST_HARMONIC + 1] * 2.0 / POINTS
     made = np.ptp(loaded - left)
-    reason = f"what is left of the loaded error without the {made * 1e6:.3g} um that the stiffness makes"
+    makes = "the stiffness makes" if not np.any(mesh.relief) else "stiffness and relief make"
+    reason = f"what is left of the loaded error without the {made * 1e6:.3g} um that {makes}"
     return {**entries, **{e.key: e for e in _entries(found, reason)}}, []
 
 

@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from gearlash.case.kinds.sides import notes_on_sides
 from gearlash.case.note import Note
 from gearlash.gears import mesh_stiffness
 from gearlash.gears.materials import named
+from gearlash.system import evaluate
 
+from . import relief
+from .at_torque import loaded_of
 from .curves import TABLE
 from .pair import GearPair
+from .shared import HIGHEST_HARMONIC
 
 TOLERATED = 1.5  # times what the standard gives
 
@@ -19,6 +25,7 @@ def notes(pair: GearPair) -> Iterator[Note]:
     """Every remark on a pair."""
     yield from _stiffness(pair)
     yield from _cycles(pair)
+    yield from _relief(pair)
     for clearance in pair.family().system().clearances:
         yield from notes_on_sides(clearance, "mesh.back_stiffness")
 
@@ -36,6 +43,33 @@ def _cycles(pair: GearPair) -> Iterator[Note]:
         f"all repeats after {cycles} mesh cycles only ({', '.join(turns)}): tables, memory and time of "
         f"one motion are about {cycles} times those of one mesh cycle, and P counts {cycles}, {2 * cycles} …",
     )
+
+
+def _relief(pair: GearPair) -> Iterator[Note]:
+    """What is counted of modified flanks, and what is not."""
+    drawing = pair.completed.drawing
+    mesh = loaded_of(drawing)
+    if mesh is None or drawing is None:
+        return
+    path = max(key for key in relief.KEYS & pair.entries.keys() if pair.entries[key].text)
+    of_flanks, series = np.ptp(mesh.deflection), mesh.error_series(HIGHEST_HARMONIC)
+    size = np.ptp(evaluate(series, np.linspace(0.0, 2.0 * np.pi, 720)))
+    yield Note(
+        path,
+        f"modified flanks at this torque: {1e6 * of_flanks:.3g} um of static error under load, peak to "
+        f"peak, made of the varying stiffness and of {1e6 * size:.3g} um of error beside mesh.error, which "
+        "is that of deviations from the modified flanks. Left out: contact beyond the path of contact, and "
+        "contact lines that change while the force swings about that of this torque",
+    )
+    ripples = [key for key, e in pair.entries.items() if key.startswith("ripple") and e.least is None]
+    stated = [key for key in ripples if "phase" not in key]
+    if stated or "stiffness" in pair.curves:
+        where = f"{TABLE}.stiffness" if not stated else pair.entries[stated[0]].path
+        yield Note(
+            where,
+            "the stated variation of the stiffness is kept at every torque; with the error of the relief, "
+            "which is that of the calculated contact lines, it need not make the loaded error",
+        )
 
 
 def _stiffness(pair: GearPair) -> Iterator[Note]:

@@ -16,6 +16,7 @@ from gearlash.gears import (
     line_of_action,
     solid_disc,
 )
+from gearlash.gears.drawing import Drawing
 from gearlash.system import ContactRule
 
 from .excitation import Curves, excitation
@@ -30,16 +31,16 @@ from .units import to_dimensionless
 def numbers(
     rules: PairRules,
     entries: EntriesByKey,
-    teeth: CylindricalPair | None = None,
+    drawing: Drawing | None = None,
     curves: Curves | None = None,
     play_added: float = 0.0,
 ) -> Numbers:
-    """The numbers of a complete case (no `missing` and no `contradictions`); its ``teeth``, where known, its
-    curves, and what its backlash has more at work (m)."""
+    """The numbers of a complete case (no `missing` and no `contradictions`); its ``drawing``, where known,
+    its curves, and what its backlash has more at work (m)."""
     places = rules.places
     contact = ContactRule(places.chosen(entries, CONTACT))
     nothing = Body(None, None, None, None), Scales()
-    body, scales = _physical(rules, entries, teeth) if places.physical(stated_paths(entries)) else nothing
+    body, scales = _physical(rules, entries, drawing) if places.physical(stated_paths(entries)) else nothing
     more = {STATED: play_added}
     parameters = {
         key: to_dimensionless(scales, entry.path, entry.number + more.get(entry.path, 0.0))
@@ -47,7 +48,7 @@ def numbers(
         if key in places.two_way and key not in rules.fixed
     }
     pair = rules.pair(entries, body, scales, contact)
-    excited = excitation(curves or {}, entries, scales, _runout_factor(body.geometry))
+    excited = excitation(curves or {}, entries, scales, _runout_factor(body.geometry), drawing)
     return Numbers(parameters, pair, contact, scales, body, excited)
 
 
@@ -60,9 +61,10 @@ def _get(entries: EntriesByKey, key: str) -> float | None:
     return entries[key].number if key in entries else None
 
 
-def _physical(rules: PairRules, entries: EntriesByKey, teeth: CylindricalPair | None) -> tuple[Body, Scales]:
+def _physical(rules: PairRules, entries: EntriesByKey, drawing: Drawing | None) -> tuple[Body, Scales]:
     geometry = geometry_of(rules, entries)
-    line = _at_work(line_of(rules, entries, geometry), teeth, rules.y_axis(entries))
+    teeth, meshing = (None, None) if drawing is None else (drawing.pair, drawing.meshing)
+    line = _at_work(line_of(rules, entries, geometry), meshing, rules.y_axis(entries))
     inertias = _inertias(entries, geometry)
     mass = _get(entries, EQUIVALENT_MASS)
     if mass is None:
@@ -81,7 +83,8 @@ def _physical(rules: PairRules, entries: EntriesByKey, teeth: CylindricalPair | 
         teeth=(int(entries["pinion.teeth"].number), None if gear_teeth is None else int(gear_teeth)),
         back_gap=entries["back_gap"].number if "back_gap" in entries else 1.0,
     )
-    return Body(geometry, line, inertias, min(widths) if len(widths) == 2 else None, teeth), scales
+    width = min(widths) if len(widths) == 2 else None
+    return Body(geometry, line, inertias, width, teeth, meshing), scales
 
 
 def geometry_of(rules: PairRules, entries: EntriesByKey) -> ToothGeometry | None:

@@ -46,7 +46,7 @@ class GearPair:
     def completed(self) -> Completed:
         """With what is estimated."""
         found = complete(self.rules, self.stated, self.curves)
-        entries, problems = unloaded(self.rules, found.entries, self.curves)
+        entries, problems = unloaded(self.rules, found.entries, self.curves, found.drawing)
         return replace(found, entries=entries, refused=tuple(problems))
 
     @property
@@ -69,9 +69,8 @@ class GearPair:
     @cached_property
     def numbers(self) -> Numbers:
         """Parameters, fixed numbers, scales and body."""
-        drawing = self.completed.drawing
-        teeth = None if drawing is None else drawing.pair
-        return numbers(self.rules, self.entries, teeth, self.curves, self.completed.play_added)
+        done = self.completed
+        return numbers(self.rules, self.entries, done.drawing, self.curves, done.play_added)
 
     @property
     def places(self) -> Places:
@@ -84,7 +83,7 @@ class GearPair:
     @property
     def reconstructed(self) -> dict[str, Reconstructed]:
         """Stated curves with the series that stand for them."""
-        return reconstructed(self.curves, self.entries, self.scales)
+        return reconstructed(self.curves, self.entries, self.scales, self.completed.drawing)
 
     def family(self) -> Family:
         """With estimates made again where a member of the family is not at the torque of the case, and where

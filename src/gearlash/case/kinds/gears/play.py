@@ -1,4 +1,4 @@
-"""Backlash at work: what temperatures and the deviation of the centre distance add to the stated one."""
+"""The pair at work: what temperatures and the deviation of the centre distance make of it."""
 
 from __future__ import annotations
 
@@ -60,13 +60,33 @@ def added(places: Places, entries: EntriesByKey, pair: CylindricalPair) -> float
     do not mesh."""
     if not stated(entries):
         return 0.0
+    return of_pair(_moved(entries, pair), _growth(places, entries)).normal - of_pair(pair).normal
+
+
+def at_work(places: Places, entries: EntriesByKey, pair: CylindricalPair) -> CylindricalPair | None:
+    """The pair at the centre distance that its gears, grown themselves, have at work; None where it is the
+    nominal one. All is told in lengths of the gears at 20 °C: what grows with them changes no angle and no
+    contact ratio."""
+    if not stated(entries):
+        return None
+    growth, moved = _growth(places, entries), _moved(entries, pair)
+    bases = [one.base_diameter for one in pair.gears]
+    grown = (growth.pinion * bases[0] + growth.gear * bases[1]) / sum(bases)
+    distance = moved.centre_distance * (1.0 + growth.housing) / (1.0 + grown)
+    return replace(pair, stated_centre_distance=distance)
+
+
+def _growth(places: Places, entries: EntriesByKey) -> Growth:
     rises = [_rise(entries, key) for key in (*(f"{gear}.temperature" for gear in GEARS), HOUSING)]
     materials = (*(f"{gear}.material" for gear in GEARS), HOUSING_MATERIAL)
     expansions = [named(places.chosen(entries, key)).expansion for key in materials]
-    growth = Growth(*(a * rise for a, rise in zip(expansions, rises, strict=True)))
+    return Growth(*(a * rise for a, rise in zip(expansions, rises, strict=True)))
+
+
+def _moved(entries: EntriesByKey, pair: CylindricalPair) -> CylindricalPair:
+    """With the deviation of the centre distance, at 20 °C."""
     deviation = entries[DEVIATION].number if DEVIATION in entries else 0.0
-    moved = replace(pair, stated_centre_distance=pair.centre_distance + deviation)
-    return of_pair(moved, growth).normal - of_pair(pair).normal
+    return replace(pair, stated_centre_distance=pair.centre_distance + deviation)
 
 
 def _rise(entries: EntriesByKey, key: str) -> float:

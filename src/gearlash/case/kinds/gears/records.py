@@ -18,13 +18,14 @@ Both: TypeAlias = tuple[float, float]
 @dataclass(frozen=True)
 class Body:
     """The physical pair behind the numbers; what a case does not know is None. The ``teeth`` are known where
-    something was estimated from them."""
+    something was estimated from them; ``meshing`` are the same at the centre distance at work."""
 
     geometry: ToothGeometry | None
     line: LineOfAction | None
     inertias: Both | None
     face_width: float | None
     teeth: CylindricalPair | None = None
+    meshing: CylindricalPair | None = None
 
     @property
     def drawn(self) -> CylindricalPair | None:

@@ -1,0 +1,90 @@
+"""Stiffness of a mesh and the error that modified flanks make, at a torque that need not be the case's."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+
+from gearlash.gears.drawing import Drawing, Estimate
+from gearlash.gears.estimates import estimates
+from gearlash.gears.loaded_mesh import LoadedMesh
+from gearlash.gears.mesh import harmonic_count, harmonic_name, series
+from gearlash.gears.stiffness_estimates import loaded_mesh
+from gearlash.system import Fourier
+
+from .rules import EntriesByKey
+from .shared import HIGHEST_HARMONIC
+
+MEAN = "mesh.mean_stiffness"
+_loaded = lru_cache(maxsize=64)(loaded_mesh)
+
+
+@dataclass(frozen=True)
+class MeshAt:
+    """What a mesh cycle has at one torque.
+
+    Parameters
+    ----------
+    mean : float
+        Mean stiffness, N/m.
+    shape : ndarray
+        Stiffness over its mean, [1, c1, s1, …], without that of a curve.
+    relief : ndarray
+        Error of modified flanks, [0, c1, s1, …], m.
+    """
+
+    mean: float
+    shape: Fourier
+    relief: Fourier
+
+
+def loaded_of(drawing: Drawing | None) -> LoadedMesh | None:
+    """The mesh of modified flanks under the torque of a drawing; None where none are modified."""
+    if drawing is None or not drawing.modification.modified:
+        return None
+    return _loaded(drawing)
+
+
+def relief_error(drawing: Drawing | None) -> Fourier | None:
+    """What relief and crowning make of the error at the torque of a drawing, m; None where there are none."""
+    found = loaded_of(drawing)
+    return None if found is None else found.error_series(HIGHEST_HARMONIC)
+
+
+def mesh_at(entries: EntriesByKey, drawing: Drawing | None, torque: float) -> MeshAt:
+    """Stiffness and error at a torque of the pinion, N·m: what is estimated is estimated for it."""
+    mean, shape = entries[MEAN].number, named_stiffness(entries)
+    if drawing is None:
+        return MeshAt(mean, shape, np.zeros(3))
+    there = replace(drawing, torque=torque)
+    if entries[MEAN].least is not None:
+        mean = _estimated(there, "mean_stiffness")["mean_stiffness"].value
+    if any(key.startswith("ripple") and each.least is not None for key, each in entries.items()):
+        values = {name: one.value for name, one in _estimated(there, "ripple").items()}
+        shape = _series({_renamed(name): value for name, value in values.items()})
+    error = relief_error(there)
+    return MeshAt(mean, shape, np.zeros(3) if error is None else error)
+
+
+@lru_cache(maxsize=64)
+def _estimated(drawing: Drawing, name: str) -> Mapping[str, Estimate]:
+    return estimates(drawing, HIGHEST_HARMONIC, (name,))
+
+
+def _renamed(name: str) -> str:
+    """``ripple_1`` as ``ripple``: the first harmonic has no number where a family names it."""
+    return name.removesuffix("_1")
+
+
+def named_stiffness(entries: EntriesByKey) -> Fourier:
+    """1 and the ripples that are named."""
+    return _series({key: entry.number for key, entry in entries.items() if key.startswith("ripple")})
+
+
+def _series(values: Mapping[str, float]) -> Fourier:
+    count = harmonic_count(values, "ripple")
+    names = [harmonic_name(stem, n) for n in range(1, count + 1) for stem in ("ripple", "ripple_phase")]
+    return series({name: values.get(name, 0.0) for name in names}, "ripple", 1.0, count)

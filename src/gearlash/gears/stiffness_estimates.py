@@ -1,0 +1,111 @@
+"""Estimates of the mesh stiffness and how it varies: of a drawing's flanks, at its torque."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import mesh_stiffness
+from .drawing import USUAL_LINE_LOAD, Drawing, Estimate
+from .loaded_mesh import ContactLines, LoadedMesh, contact_lines
+from .mesh_cycle import ripple_ranges
+from .pair_shape import PairShape
+from .tooth_pair import calculated_mesh
+
+_SHAPES = (
+    "pairs of teeth by Weber and Banaschek; range: equal stiffness per length, Cai and Hayashi, "
+    "Sánchez et al."
+)
+
+
+def mean_stiffness(drawing: Drawing) -> Estimate:
+    """ISO 6336-1, Method B; of modified flanks the part that bears at the torque of the drawing."""
+    pair = drawing.meshing
+    mesh = _solid_mesh(drawing)
+    part = 1.0
+    source = "; ".join((f"{mesh_stiffness.REFERENCE}, c_γα b / cos² β_b", *mesh.beyond))
+    if drawing.modification.modified:
+        lines = _lines(drawing)
+        factor = mesh.along_normal(pair.face_width) / lines.mean
+        part = lines.under(drawing.normal_force, factor).mean_stiffness / (factor * lines.mean)
+        source += f"; times {part:.4g}, the part of it that modified flanks have at this torque"
+    value, (least, greatest) = mesh.along_normal(pair.face_width), mesh.normal_range(pair.face_width)
+    return Estimate(part * value, part * least, part * greatest, source)
+
+
+def _solid_mesh(drawing: Drawing) -> mesh_stiffness.MeshStiffness:
+    return mesh_stiffness.method_b(drawing.meshing, drawing.chosen_materials, drawing.rims, drawing.line_load)
+
+
+def _lines(drawing: Drawing, shape: PairShape | None = None) -> ContactLines:
+    load = drawing.line_load or USUAL_LINE_LOAD
+    return contact_lines(drawing.meshing, drawing.modification, load, drawing.chosen_materials, shape)
+
+
+def loaded_mesh(drawing: Drawing, shape: PairShape | None = None) -> LoadedMesh:
+    """The mesh of modified flanks at the torque of the drawing.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    shape : PairShape, optional
+        A published shape of a pair's stiffness in place of the calculated one.
+
+    Returns
+    -------
+    LoadedMesh
+        Its mean stiffness is the stated one, or the estimated one.
+
+    Raises
+    ------
+    GearlashError
+        Where at some phase of the cycle no pair touches.
+
+    Examples
+    --------
+    >>> from gearlash.gears import CylindricalGear, CylindricalPair
+    >>> from gearlash.gears.drawing import Drawing
+    >>> from gearlash.gears.flank_modification import FlankModification, PairModification, Relief
+    >>> from gearlash.gears.stiffness_estimates import loaded_mesh
+    >>> pair = CylindricalPair(CylindricalGear(25, 2e-3), CylindricalGear(57, 2e-3), face_width=0.02)
+    >>> tips = FlankModification(tip=Relief(15e-6, 1.5e-3))
+    >>> mesh = loaded_mesh(Drawing(pair, torque=60.0, modification=PairModification(tips, tips)))
+    >>> round(pair.transverse_contact_ratio, 2), round(mesh.contact_ratio, 2)
+    (1.69, 1.51)
+    """
+    lines = _lines(drawing, shape)
+    if drawing.stated_stiffness is not None:
+        return lines.under_with_mean(drawing.normal_force, drawing.stated_stiffness)
+    whole = _solid_mesh(drawing).along_normal(drawing.meshing.face_width)
+    return lines.under(drawing.normal_force, whole / lines.mean)
+
+
+def ripples(drawing: Drawing, count: int) -> dict[str, Estimate]:
+    """The teeth as calculated; in the range the published shapes. Modified flanks have phases, too."""
+    if drawing.modification.modified:
+        return _modified_ripples(drawing, count)
+    pair = drawing.meshing
+    load = drawing.line_load or USUAL_LINE_LOAD
+    values = calculated_mesh(pair, count, load, drawing.chosen_materials).harmonics.real
+    each = np.vstack([ripple_ranges(pair, count), values])
+    source = f"sliced contact lines of unmodified flanks; {_SHAPES}"
+    return {
+        f"ripple_{n}": Estimate(float(value), float(column.min()), float(column.max()), source)
+        for n, (value, column) in enumerate(zip(values, each.T, strict=True), start=1)
+    }
+
+
+def _modified_ripples(drawing: Drawing, count: int) -> dict[str, Estimate]:
+    """Of the contact lines that bear at this torque; amplitudes keep the sign that they have unmodified."""
+    each = np.array([loaded_mesh(drawing, shape).stiffness_harmonics(count) for shape in (None, *PairShape)])
+    own = each[0]
+    sign = np.where(own.real < 0.0, -1.0, 1.0)
+    along = (each * sign * np.exp(-1j * np.angle(sign * own))).real * sign  # in the phase of the own one
+    source = f"sliced contact lines of modified flanks that bear at this torque; {_SHAPES}"
+    found, phases = {}, {}
+    for n in range(1, count + 1):
+        column = along[:, n - 1]
+        ends = float(column.min()), float(column.max())
+        found[f"ripple_{n}"] = Estimate(float(column[0]), *ends, source)
+        angle = float(np.angle(sign[n - 1] * own[n - 1]))
+        phases[f"ripple_phase_{n}"] = Estimate(angle, angle, angle, "phase of the same contact lines")
+    return found | phases

@@ -1,0 +1,178 @@
+"""Modified flanks under load: against closed forms, a root finder on the same springs, and unmodified meshes.
+
+Harris' map: S. L. Harris, Dynamic loads on the teeth of spur gears, Proc. Inst. Mech. Eng. 172 (1958) 87.
+With teeth of equal stiffness k and a long linear relief C at both tips, over (ε_α − 1) p_bt, the loaded error
+is |C − F/k|/2 peak to peak: constant at F = kC (C_eff = F_t/(b c′) of ISO/TS 6336-20), and C/2 without load.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.optimize import brentq
+
+from gearlash.gears import CylindricalGear, CylindricalPair, materials
+from gearlash.gears.drawing import Drawing
+from gearlash.gears.estimates import estimates
+from gearlash.gears.flank_modification import FlankModification, PairModification, Relief, ReliefForm
+from gearlash.gears.loaded_mesh import ContactLines, contact_lines
+from gearlash.gears.pair_shape import PairShape
+from gearlash.gears.stiffness_estimates import loaded_mesh
+from gearlash.gears.tooth_pair import calculated_mesh
+from gearlash.system import GearlashError, evaluate
+
+STEEL = materials.named("steel"), materials.named("steel")
+SPUR = CylindricalPair(CylindricalGear(30, 4e-3), CylindricalGear(60, 4e-3), face_width=0.04)
+HELICAL = CylindricalPair(CylindricalGear(25, 3e-3, 0.26), CylindricalGear(57, 3e-3, 0.26), face_width=0.04)
+DOUBLE = (SPUR.transverse_contact_ratio - 1.0) * SPUR.pinion.transverse_base_pitch
+AMOUNT = 20e-6
+TIPS = FlankModification(tip=Relief(AMOUNT, DOUBLE))
+LONG = PairModification(TIPS, TIPS)
+
+
+def equal_teeth(modification: PairModification, pair: CylindricalPair = SPUR) -> ContactLines:
+    """Every pair with the stiffness b (N/m for N/m² of 1)."""
+    return contact_lines(pair, modification, 1e5, STEEL, PairShape.CONSTANT)
+
+
+@pytest.mark.parametrize("load", [1e-9, 0.3, 0.7, 1.0, 1.4, 3.0])
+def test_harris_map_of_a_long_relief(load):
+    mesh = equal_teeth(LONG).under(load * AMOUNT * SPUR.face_width)
+    assert np.ptp(mesh.deflection) == pytest.approx(0.5 * abs(1.0 - load) * AMOUNT, abs=2e-3 * AMOUNT)
+
+
+def test_at_the_design_load_the_loaded_error_is_constant_although_stiffness_and_error_are_not():
+    mesh = equal_teeth(LONG).under(AMOUNT * SPUR.face_width)
+    assert mesh.deflection == pytest.approx(AMOUNT, rel=1e-9)
+    assert mesh.stiffness.max() == pytest.approx(2.0 * mesh.stiffness.min())
+    assert np.ptp(mesh.unloaded_error) == pytest.approx(0.5 * AMOUNT, rel=1e-9)
+
+
+def test_a_short_relief_leaves_no_error_without_load():
+    half = FlankModification(tip=Relief(AMOUNT, 0.5 * DOUBLE))
+    assert np.ptp(equal_teeth(PairModification(half, half)).under(1e-12).deflection) < 2e-3 * AMOUNT
+
+
+def test_relief_of_the_roots_is_relief_of_the_mates_tips():
+    roots = FlankModification(root=Relief(AMOUNT, DOUBLE))
+    places = np.linspace(*SPUR.path_of_contact, 33)
+    assert PairModification(roots, roots).gap(SPUR, places) == pytest.approx(
+        LONG.gap(SPUR, places), abs=1e-18
+    )
+
+
+def test_a_parabola_begins_more_gently():
+    start, end = SPUR.path_of_contact
+    place = end - 0.5 * DOUBLE
+    curved = PairModification(TIPS, TIPS, ReliefForm.PARABOLIC)
+    assert float(LONG.gap(SPUR, place)) == pytest.approx(0.5 * AMOUNT)
+    assert float(curved.gap(SPUR, place)) == pytest.approx(0.25 * AMOUNT)
+    assert float(curved.gap(SPUR, start)) == pytest.approx(AMOUNT)
+
+
+def test_a_gap_along_the_normal_is_cos_of_the_base_helix_angle_of_that_of_a_drawing():
+    tips = FlankModification(tip=Relief(AMOUNT, 2e-3))
+    end = HELICAL.path_of_contact[1]
+    along = cos(HELICAL.pinion.base_helix_angle)
+    assert float(PairModification(tips).gap(HELICAL, end)) == pytest.approx(AMOUNT * along)
+
+
+@pytest.mark.parametrize("load", [0.05, 0.5, 0.667, 2.0])
+def test_crowned_teeth_of_equal_stiffness(load):
+    # one pair bears over |2y| < √(δ/C): F = 2/3 k δ √(δ/C); over the whole width F = k (δ − C/3)
+    crowned = PairModification(FlankModification(crowning=AMOUNT))
+    mesh = equal_teeth(crowned).under(load * AMOUNT * SPUR.face_width)
+    expected = AMOUNT * ((1.5 * load) ** (2 / 3) if load < 2 / 3 else load + 1 / 3)
+    assert mesh.deflection.max() == pytest.approx(expected, rel=2e-3)
+    width = min(1.0, sqrt(expected / AMOUNT))
+    assert mesh.stiffness.min() == pytest.approx(width * SPUR.face_width, abs=SPUR.face_width / 32)
+
+
+def test_profile_crowning_is_none_in_the_middle():
+    crowned = PairModification(
+        FlankModification(profile_crowning=8e-6), FlankModification(profile_crowning=2e-6)
+    )
+    start, end = SPUR.path_of_contact
+    gaps = crowned.gap(SPUR, [start, 0.5 * (start + end), 0.25 * start + 0.75 * end])
+    assert gaps == pytest.approx([10e-6, 0.0, 2.5e-6], abs=1e-15)
+
+
+@settings(max_examples=20)
+@given(
+    st.sampled_from([SPUR, HELICAL]),
+    st.floats(0.0, 60e-6), st.floats(0.3e-3, 6e-3), st.floats(0.0, 15e-6), st.floats(1.5, 5.0),
+)  # fmt: skip
+def test_the_deflection_is_the_root_of_the_sum_of_all_springs(pair, amount, length, crowning, exponent):
+    tips = FlankModification(tip=Relief(amount, length), crowning=crowning)
+    lines = contact_lines(pair, PairModification(tips), 2e5, STEEL)
+    force = 10.0**exponent
+    mesh = lines.under(force)
+    for index in range(0, len(mesh.phases), 97):
+        k, g = lines.stiffness[index], lines.gaps[index]
+        root = brentq(lambda x, k=k, g=g: k @ np.maximum(x - g, 0.0) - force, 0.0, 1.0, xtol=1e-16)
+        assert mesh.deflection[index] == pytest.approx(root, rel=1e-8)
+        assert mesh.stiffness[index] == pytest.approx(k[g < root * (1 - 1e-9)].sum(), rel=1e-6)
+
+
+@pytest.mark.parametrize("pair", [SPUR, HELICAL])
+def test_unmodified_flanks_are_the_calculated_mesh(pair):
+    mesh = contact_lines(pair, PairModification(), 3e5, STEEL).under(1e4)
+    known = calculated_mesh(pair, 8, 3e5)
+    assert mesh.stiffness_harmonics(8) == pytest.approx(known.harmonics, abs=6e-4)
+    assert mesh.mean_stiffness == pytest.approx(known.mean, rel=3e-4)
+    assert mesh.contact_ratio == pytest.approx(pair.transverse_contact_ratio, abs=2e-3)
+    assert mesh.unloaded_error == pytest.approx(0.0, abs=1e-20)
+
+
+@pytest.mark.parametrize("pair", [SPUR, HELICAL])
+@pytest.mark.parametrize("force", [300.0, 5e3, 3e4])
+def test_both_excitations_make_the_loaded_error(pair, force):
+    tips = FlankModification(tip=Relief(AMOUNT, 3e-3))
+    mesh = contact_lines(pair, PairModification(tips, FlankModification()), 2e5, STEEL).under(force)
+    assert np.ptp(np.abs(mesh.stiffness_harmonics(3))) > 1e-4
+    count, theta = 8, 2.0 * pi * np.arange(4096) / 4096
+    harmonics = mesh.stiffness_harmonics(count)
+    orders = np.arange(1, count + 1)
+    k = mesh.mean_stiffness * (1.0 + (np.exp(1j * np.outer(theta, orders)) @ harmonics).real)
+    model = np.fft.rfft(force / k + evaluate(mesh.error_series(count), theta))[1 : count + 1] / 2048
+    turn = np.exp(-2j * pi * np.outer(orders, mesh.phases - 0.5 * mesh.total_contact_ratio))
+    assert model == pytest.approx(turn @ mesh.deflection * 2.0 / len(mesh.phases), abs=1e-12)
+
+
+def test_with_more_torque_more_bears_until_all_of_it_does():
+    def at(torque: float):
+        return loaded_mesh(Drawing(SPUR, torque=torque, modification=LONG))
+
+    ratios = [at(torque).contact_ratio for torque in (1.0, 100.0, 300.0, 900.0, 3000.0)]
+    assert ratios == sorted(ratios)
+    assert ratios[0] < 1.1
+    assert ratios[-1] == pytest.approx(SPUR.transverse_contact_ratio, abs=2e-3)
+
+
+def test_estimates_of_modified_flanks_make_the_mesh_that_is_solved():
+    plain, relieved = Drawing(SPUR, torque=300.0), Drawing(SPUR, torque=300.0, modification=LONG)
+    mesh, found = loaded_mesh(relieved), estimates(relieved, 8)
+    assert found["mean_stiffness"].value == pytest.approx(mesh.mean_stiffness, rel=1e-9)
+    assert found["mean_stiffness"].value < 0.95 * estimates(plain, 8)["mean_stiffness"].value
+    complex_ripples = [
+        found[f"ripple_{n}"].value * np.exp(1j * found[f"ripple_phase_{n}"].value) for n in range(1, 9)
+    ]
+    assert complex_ripples == pytest.approx(mesh.stiffness_harmonics(8), abs=1e-12)
+    assert all(one.least <= one.value <= one.greatest for one in found.values())
+
+
+def test_a_stated_mean_is_that_of_what_bears():
+    stated = Drawing(SPUR, torque=300.0, modification=LONG, stated_stiffness=4e8)
+    assert loaded_mesh(stated).mean_stiffness == pytest.approx(4e8, rel=1e-6)
+
+
+def test_teeth_that_leave_before_the_next_come_are_refused():
+    short = CylindricalGear(30, 4e-3, stated_tip_diameter=0.1205)
+    far = CylindricalPair(short, CylindricalGear(60, 4e-3, stated_tip_diameter=0.2405), face_width=0.04)
+    assert 0.0 < far.total_contact_ratio < 1.0
+    with pytest.raises(GearlashError, match="no pair touches"):
+        contact_lines(far, LONG, 1e5, STEEL).under(1e3)
