@@ -113,7 +113,7 @@ def test_the_deflection_is_the_root_of_the_sum_of_all_springs(pair, amount, leng
     mesh = lines.under(force)
     for index in range(0, len(mesh.phases), 97):
         k, g = lines.stiffness[index], lines.gaps[index]
-        root = brentq(lambda x, k=k, g=g: k @ np.maximum(x - g, 0.0) - force, 0.0, 1.0, xtol=1e-16)
+        root = float(brentq(lambda x, k=k, g=g: k @ np.maximum(x - g, 0.0) - force, 0.0, 1.0, xtol=1e-16))  # type: ignore[arg-type]
         assert mesh.deflection[index] == pytest.approx(root, rel=1e-8)
         assert mesh.stiffness[index] == pytest.approx(k[g < root * (1 - 1e-9)].sum(), rel=1e-6)
 
