@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from itertools import pairwise
 from math import atan, cos, radians, sin, sqrt, tan
 from pathlib import Path
@@ -12,6 +12,7 @@ import pytest
 
 import gearlash as gl
 from gearlash.gears import flank_tolerances, mesh_stiffness
+from gearlash.orbits.signals import Signal
 from gearlash.report.pair.iso import band_of_grades, method_b, pair_of, stated_grades
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
 from gearlash.report.pair.verdict import verdict
@@ -19,8 +20,10 @@ from gearlash.report.pair.words import Words
 from gearlash.results import Axis
 from gearlash.results.pair_question import speeds_around
 from gearlash.results.pair_units import PairUnits
+from gearlash.results.tolerance import ToleranceInput
 from gearlash.studies.assessment import Assessment, assess
 from gearlash.studies.bands import back_bands, bands
+from gearlash.studies.ranges import AcrossRanges, Corner, Varied
 from gearlash.studies.speed_run import SpeedRun, speed_run, with_modes
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
@@ -97,10 +100,42 @@ def test_impact_free_is_not_quiet_and_the_report_says_so(window: tuple[Assessmen
     assert pinion.quiet[0] > 5.0 * pinion.mean
     mode = unloaded(run, units, words)
     rpm = float(units.speed.factor * found.case.numbers.pair.bearing_frequencies[0])
-    assert f"(pinion, lateral) a body swings at {rpm:.5g} rpm" in mode
+    assert f"(pinion, lateral) lies at {rpm:.5g} rpm" in mode
     at = next(one for point, one in run.measured() if units.speed.factor * point.value == pytest.approx(rpm))
     assert at.share_without_contact == 0.0
     assert at.read[0].peak_to_peak > 5.0 * at.force.peak_to_peak
+
+
+def test_impact_free_is_not_quiet_in_whatever_direction_it_is_so(window: tuple[Assessment, SpeedRun]):
+    """The sentence takes the direction that is worse without impacts, though another one carries more."""
+    found, run = window
+    units = PairUnits.of(found.case)
+    words = Words(units, found.here)
+    order = {readout.name: i for i, readout in enumerate(run.readouts)}
+    low, high = order["bearing_force_yp"], order["bearing_force_yg"]
+
+    def changed(quiet: float, hitting: float) -> SpeedRun:
+        """The lateral forces of the gear times a factor, those of the pinion without impacts small."""
+        rows = []
+        for way, row in zip(run.sweeps, run.signals, strict=True):
+            rows.append(tuple(
+                None if one is None else replace(one, read=tuple(
+                    _times(each, (quiet if p.impact_free else hitting) if i == high
+                           else (1e-3 if p.impact_free else 1.0) if i == low else 1e-6)
+                    for i, each in enumerate(one.read)))
+                for p, one in zip(way.points, row, strict=True)))  # fmt: skip
+        return replace(run, signals=tuple(rows))
+
+    said = not_quiet(changed(1.0, 1e-3), units, words)
+    assert said.startswith("Impact-free is not quiet: without any impact the bearing force, gear, lateral")
+    assert "more than wherever teeth separate" in said
+    assert not_quiet(changed(1e-3, 1.0), units, words).startswith("Without impacts the bearing force")
+
+
+def _times(signal: Signal, factor: float) -> Signal:
+    return replace(
+        signal, **{f.name: factor * getattr(signal, f.name) for f in fields(signal) if f.type == "float"}
+    )
 
 
 def test_backlash_does_not_matter_where_the_back_side_is_not_met(window: tuple[Assessment, SpeedRun]):
@@ -162,3 +197,37 @@ def test_the_range_of_speed_that_a_case_states_is_examined_and_judged(window: tu
         assert over_its_range(high + 1, last + 500).startswith("Not at every speed from")
     assert first < low
     assert all(line.title != "Over its speed range" for line in verdict(found).lines)
+
+
+def _ranges(margin: float, *varied: Varied, together: float | None = None) -> AcrossRanges:
+    single = tuple(Corner({v.input.path: v.input.text(v.worst)}, v.margin) for v in varied)
+    both = {key: value for one in single for key, value in one.values.items()}
+    last = None if together is None else Corner(both, together)
+    return AcrossRanges(margin, varied, single, last)
+
+
+def test_a_verdict_must_hold_across_the_ranges_of_estimates(window: tuple[Assessment, SpeedRun]):
+    found = window[0]
+    error = ToleranceInput("mesh.error", "um", 0.0, 16.3, 5.0)
+    mass = ToleranceInput("gear.mass", "kg", 6.0, 7.0, 6.5)
+    harmless, harmful = Varied(mass, (), 7.0, 0.5), Varied(error, ((11.234, 16.3),), 16.3, -0.2)
+
+    def said(ranges: AcrossRanges) -> tuple[str, str, str]:
+        told = verdict(replace(found, ranges=ranges))
+        lines = {line.title: line.text for line in told.lines}
+        return told.kind, lines["May it run there"], lines["Across its ranges"]
+
+    kind, first, line = said(_ranges(0.6, harmless, Varied(error, (), 16.3, 0.4), together=0.3))
+    assert kind == "good"
+    assert first.endswith("the teeth stay in contact; this holds across the ranges of its 2 estimates.")
+    assert "30 % of the static one (60 % as estimated)" in line
+    kind, first, line = said(_ranges(0.6, harmless, harmful, together=-0.3))
+    assert kind == "doubt"
+    assert first.endswith("this does not hold if mesh.error is above 11.2 µm (its range: 0 to 16.3 µm).")
+    assert "holds across the ranges of the other 1 estimate, one at a time" in line
+    kind, first, line = said(_ranges(0.6, harmless, Varied(error, (), 16.3, 0.4), together=-0.1))
+    assert kind == "doubt"
+    assert "not for all together: with gear.mass = 7 kg, mesh.error = 16.3 µm" in line
+    kind, first, line = said(_ranges(-0.1, replace(harmful, broken=((4.0, 16.3),))))
+    assert "a motion without impacts exists if mesh.error is below 4 µm" in line
+    assert "no value of this case is an estimate" in verdict(found).lines[1].text.lower()

@@ -19,6 +19,7 @@ from .bands import Band, back_bands, bands
 from .beside import motions_beside
 from .measured import readouts_of, traceable
 from .point import summary
+from .ranges import AcrossRanges, across_ranges
 from .sweep import sweeps
 from .zone import Zones
 from .zone_end import Quiet
@@ -48,6 +49,8 @@ class Assessment:
         What other starts lead to there.
     impact_free, drive_side : Zones
         Zones free of impacts, and of impacts on the back side, from the same sweeps.
+    ranges : AcrossRanges or None
+        What the ranges of estimates leave of the motion without impacts; None where nothing has a range.
     """
 
     case: Case
@@ -59,6 +62,7 @@ class Assessment:
     beside: Beside | None
     impact_free: Zones
     drive_side: Zones
+    ranges: AcrossRanges | None = None
 
     @property
     def here(self) -> float:
@@ -68,7 +72,8 @@ class Assessment:
     @property
     def complete(self) -> bool:
         """Whether all was computed."""
-        return self.impact_free.complete and self.drive_side.complete
+        over = self.ranges is None or self.ranges.complete
+        return self.impact_free.complete and self.drive_side.complete and over
 
     @property
     def separating(self) -> tuple[Band, ...]:
@@ -133,7 +138,8 @@ def assess(
         case, axis, [Quiet.IMPACT_FREE, Quiet.DRIVE_SIDE_ONLY], known=ways, settings=settings,
         execution=telling(execution, say, "ends of bands"),
     )  # fmt: skip
-    return Assessment(case, values, axis, found, readouts, measured, beside, quiet, drive)
+    ranges = across_ranges(case, settings, telling(execution, say, "ranges of estimates"))
+    return Assessment(case, values, axis, found, readouts, measured, beside, quiet, drive, ranges)
 
 
 def telling(execution: Execution, say: Tell, stage: str) -> Execution:

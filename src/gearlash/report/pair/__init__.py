@@ -31,6 +31,7 @@ def render(contents: Contents, folder: Path | str, executor: Executor | None = N
         "signals": found.signals,
         "separating": found.separating,
         "back_side": found.back_side,
+        "ranges": found.ranges,
         "missing": contents.missing,
     }
     return write_report(page, pictures, numbers, target, executor)

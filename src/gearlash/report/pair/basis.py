@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from gearlash.case import Value
+from gearlash.case.units import pretty
 from gearlash.report.blocks import Block, Bullets, Cell, Section, Table, Text
 from gearlash.report.numbers import number
 from gearlash.results.provenance import package_version
 
+from . import ranges
 from .contents import Contents
 
 
@@ -24,12 +26,12 @@ def section(contents: Contents) -> Section:
         for value in case.values()
         if value.provenance not in ("given", "derived")
     ]
-    blocks: list[Block] = []
+    blocks: list[Block] = list(ranges.table(found))
     if rows:
         head = ("value", "is", "range", "origin", "source or reason")
         caption = (
             "Values that the case does not give: every number of this report rests on them. Ranges are "
-            "those of the estimates; they were not varied here, which gearlash tolerance does."
+            "those of the estimates."
         )
         blocks.append(Table("assumed", caption, head, tuple(rows), widths=(25, 15, 17, 10, 33)))
     else:
@@ -62,4 +64,4 @@ def _range(value: Value) -> str:
 
 
 def _shown(value: float | str, unit: str) -> str:
-    return value if isinstance(value, str) else f"{number(value, 5)} {unit}".rstrip()
+    return value if isinstance(value, str) else f"{number(value, 5)} {pretty(unit)}".rstrip()

@@ -55,11 +55,17 @@ def loudest(run: SpeedRun) -> list[Loudest]:
 
 
 def not_quiet(run: SpeedRun, units: PairUnits, words: Words) -> str:
-    """What the bearings carry without any impact, compared with where teeth separate."""
+    """What the bearings carry without any impact, compared with where teeth separate: of the direction in
+    which that is more than wherever they separate, or in most such motions, else of the most loaded one."""
     rows = [(one.quiet, one) for one in loudest(run) if one.quiet is not None]
     if not rows:
         return ""
-    quiet, one = max(rows, key=lambda row: row[0][0])
+
+    def telling(row: tuple[tuple[float, float], Loudest]) -> tuple[bool, bool, float]:
+        (peak, _), one = row
+        return one.exceeded >= 1.0, one.exceeded >= MOST, peak
+
+    quiet, one = max(rows, key=telling)
     force = units.force.text
     times = f", {quiet[0] / one.mean:.3g} times its mean" if one.mean > 0.0 else ""
     text = f"the {one.words} reaches {force(quiet[0])} at {words.speed(quiet[1])}{times}"
@@ -93,7 +99,7 @@ def unloaded(run: SpeedRun, units: PairUnits, words: Words) -> str:
             continue
         ratio = one.read[i].peak_to_peak / one.force.peak_to_peak
         text = (
-            f"On its bearing alone ({body}) a body swings at {words.speed(omega)}. At that speed, without "
+            f"The mode of a body on its bearing alone ({body}) lies at {words.speed(omega)}. There, without "
             f"any impact, the bearing force changes by {units.force.text(one.read[i].peak_to_peak)}, "
             f"{ratio:.3g} times as much as the mesh force ({_changes(one.force, units)}): the body gives "
             "way to the error, and the mesh is unloaded."

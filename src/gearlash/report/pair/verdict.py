@@ -5,6 +5,7 @@ Every line says what was found; none says that there is nothing else."""
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 from typing import Literal, TypeAlias
 
 from gearlash.case import Case
@@ -17,11 +18,16 @@ from gearlash.studies.assessment import Assessment
 from gearlash.studies.bands import zone_with
 from gearlash.system import Signature, Status
 
+from .ranges import across
 from .words import Words
 
 MOST_NAMED = 6
 """Assumed values that the first lines name."""
 Kind: TypeAlias = Literal["good", "doubt", "bad"]
+NO_RANGES = (
+    "No value of this case is an estimate with a range, so none was varied here; gearlash tolerance varies "
+    "those that are given limits."
+)
 NO_APPROVAL = "This is an analysis of a model, and no approval."
 
 
@@ -40,7 +46,8 @@ class Verdict:
     Parameters
     ----------
     kind : {"good", "doubt", "bad"}
-        No impacts were found at the present speed; some motions have them, or nothing settled; all have.
+        No impacts were found at the present speed, whatever estimates are within their ranges; some motions
+        have them, or nothing settled, or it does not hold across the ranges; all have.
     short : str
         In a few words.
     lines : tuple of Line
@@ -57,15 +64,21 @@ def verdict(found: Assessment) -> Verdict:
     units = PairUnits.of(found.case)
     words = Words(units, found.here)
     kind, text, answer = _answer(found, words)
+    over = across(found, words)
+    if over is not None:
+        answer = f"{answer[:-1]}; {over.clause}."
+        if kind == "good" and not over.holds:
+            kind, text = "doubt", "not across the ranges of its estimates"
     lines = (
         Line("May it run there", answer),
+        Line("Across its ranges", NO_RANGES if over is None else over.text),
         *_over_its_range(found, words),
         Line("Teeth separate", _separating(found, words)),
         Line("Back side", _back(found, words)),
         Line("Margin", _margin(found, words)),
         Line("What coexists", _coexisting(found)),
         *_forces(found, units),
-        Line("What this rests on", rests(found.case)),
+        Line("What this rests on", rests(found)),
     )
     return Verdict(kind, text, lines)
 
@@ -218,11 +231,14 @@ def _forces(found: Assessment, units: PairUnits) -> list[Line]:
     return [Line("Forces there", f"{text}.")]
 
 
-def rests(case: Case) -> str:
-    """What was assumed, by name."""
-    assumed = [value.path for value in case.values() if value.provenance == "assumed"]
-    if not assumed:
+def rests(found: Assessment) -> str:
+    """What was assumed, by name: first what takes most of the margin, then other estimates."""
+    known = [value for value in found.case.values() if value.provenance == "assumed"]
+    if not known:
         return "No value of the case is marked as assumed. " + NO_APPROVAL
+    taken = {one.input.path: one.margin for one in found.ranges.varied} if found.ranges else {}
+    known.sort(key=lambda value: (value.least is None, taken.get(value.path, inf)))
+    assumed = [value.path for value in known]
     many = f"{len(assumed)} assumed value{'s' if len(assumed) > 1 else ''}"
     shown = ", ".join(assumed[:MOST_NAMED])
     if len(assumed) > MOST_NAMED:

@@ -18,6 +18,7 @@ from gearlash.system import GearlashError, given, shown
 Limits: TypeAlias = Mapping[str, Sequence[float | str]]
 MOST_INPUTS = 20
 STATED = "stated"
+RIPPLE = "mesh.ripple"
 
 
 def read_inputs(case: Case, limits: Limits | None) -> tuple[ToleranceInput, ...]:
@@ -83,16 +84,30 @@ def _nominal(case: Case, path: str, lower: float, upper: float) -> float:
     return 0.5 * (lower + upper)
 
 
-def _estimated(case: Case) -> tuple[ToleranceInput, ...]:
-    found = [
+def estimated_inputs(case: Case) -> tuple[ToleranceInput, ...]:
+    """Everything that a case estimates with a range."""
+    return tuple(
         ToleranceInput(value.path, value.unit, value.least, value.greatest, float(value.value), value.reason)
         for value in case.values()
         if value.least is not None and value.greatest is not None and value.least < value.greatest
         and value.path in case.content.places
-    ]  # fmt: skip
+    )  # fmt: skip
+
+
+def kept_beside(values: Mapping[str, str], inputs: Sequence[ToleranceInput]) -> dict[str, str]:
+    """The values, and where a harmonic of the stiffness is among them the nominal ones of all others: a case
+    that states one harmonic has no others but those it states."""
+    if not any(path.startswith(RIPPLE) for path in values):
+        return dict(values)
+    others = {one.path: one.text(one.nominal) for one in inputs if one.path.startswith(RIPPLE)}
+    return {**others, **values}
+
+
+def _estimated(case: Case) -> tuple[ToleranceInput, ...]:
+    found = estimated_inputs(case)
     if not found:
         raise GearlashError(
             'nothing in this case is estimated with a range: state limits, such as {"backlash": ("60 um", '
             '"120 um")}'
         )
-    return tuple(found[:MOST_INPUTS])
+    return found[:MOST_INPUTS]

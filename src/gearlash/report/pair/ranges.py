@@ -1,0 +1,196 @@
+"""Whether a verdict holds over the ranges of estimates, in words and as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import isfinite, isnan
+
+from gearlash.case.units import pretty
+from gearlash.report.blocks import Block, Cell, Table, Text
+from gearlash.report.numbers import number
+from gearlash.results.pair_question import stated_speeds
+from gearlash.results.tolerance import ToleranceInput
+from gearlash.results.zone_words import percent
+from gearlash.studies.assessment import Assessment
+from gearlash.studies.ranges import AcrossRanges, Corner, Varied
+from gearlash.studies.tolerances.bands import outside
+from gearlash.system import Signature
+
+from .words import Words
+
+MOST = 3
+"""Ranges that the first lines name."""
+
+
+@dataclass(frozen=True)
+class Across:
+    """What is said of the ranges: whether the verdict holds, a clause for the first sentence, and a line."""
+
+    holds: bool
+    clause: str
+    text: str
+
+
+def across(found: Assessment, words: Words) -> Across | None:
+    """In the first lines; None where nothing has a range."""
+    ranges = found.ranges
+    if ranges is None:
+        return None
+    if not ranges.complete:
+        return Across(False, "its ranges were not looked at to the end", "Not looked at to the end.")
+    many = _estimates(len(ranges.varied))
+    if not ranges.margin > 0.0:
+        return Across(False, *_where_it_would_hold(ranges, many))
+    ends = _ends(found, words)
+    if ranges.broken:
+        named = "; ".join(_broken(one) for one in ranges.broken[:MOST])
+        more = len(ranges.broken) - MOST
+        named += f"; and for {more} more of its estimates" if more > 0 else ""
+        rest = len(ranges.varied) - len(ranges.broken)
+        text = f"Does not hold if {named}: there no motion without impacts exists, all else as estimated. "
+        text += f"It holds across the ranges of the other {_estimates(rest)}, one at a time." if rest else ""
+        return Across(False, f"this does not hold if {named}", f"{text}{ends}")
+    worst = ranges.together
+    if worst is not None and not worst.margin > 0.0:
+        said = f"Holds across the range of each of its {many}, one at a time, but not for all together: "
+        text = f"{said}with {_together(worst)} no motion without impacts exists.{ends}"
+        return Across(False, "this does not hold if several estimates are at their worst together", text)
+    return Across(True, f"this holds across the ranges of its {many}", _holding(ranges, many) + ends)
+
+
+def _holding(ranges: AcrossRanges, many: str) -> str:
+    worst = ranges.together
+    if worst is None:
+        return f"Holds across the ranges of its {many}: none takes from what presses the teeth together."
+    text = (
+        f"Holds across the ranges of its {many}, one at a time and in the worst combination found: a motion "
+        f"without impacts exists there, whose least compression is {_percent(worst.margin)} of the static "
+        f"one ({_percent(ranges.margin)} as estimated). Most is taken by "
+    )
+    text += " and ".join(_settings(one.values) for one in ranges.single[:2]) + "."
+    if worst.cold is not None and not (isinstance(worst.cold, Signature) and worst.cold.impacts == 0):
+        text += f" In that combination the motion from the cold start has impacts, though ({worst.cold})."
+    return text
+
+
+def _where_it_would_hold(ranges: AcrossRanges, many: str) -> tuple[str, str]:
+    """Of a pair whose teeth separate as estimated."""
+    some = [one for one in ranges.varied if one.broken and _quiet(one)]
+    if not some:
+        text = f"Over the whole range of each of its {many}, one at a time, no motion without impacts exists."
+        return f"no other value within the ranges of its {many} changes that by itself", text
+    named = "; ".join(_quiet(one) for one in some[:MOST])
+    text = f"All else as estimated, a motion without impacts exists if {named}."
+    return f"within the ranges of its {many} that changes if {named}", text
+
+
+def _broken(one: Varied) -> str:
+    return f"{one.input.path} is {_intervals(one.input, one.broken)}"
+
+
+def _quiet(one: Varied) -> str:
+    """Where teeth stay in contact."""
+    free = outside([one.broken], one.input.lower, one.input.upper)
+    return f"{one.input.path} is {_intervals(one.input, free)}" if free else ""
+
+
+def _intervals(one: ToleranceInput, bands: tuple[tuple[float, float], ...]) -> str:
+    """``above 11.2 µm (its range: 0 to 16.3 µm)``."""
+    unit = f" {pretty(one.unit)}".rstrip()
+    said = []
+    for low, high in bands:
+        if low <= one.lower and high >= one.upper:
+            said.append("anywhere")
+        elif low <= one.lower:
+            said.append(f"below {number(high, 3)}{unit}")
+        elif high >= one.upper:
+            said.append(f"above {number(low, 3)}{unit}")
+        else:
+            said.append(f"from {number(low, 3)} to {number(high, 3)}{unit}")
+    return f"{' or '.join(said)} (its range: {number(one.lower, 3)} to {number(one.upper, 3)}{unit})"
+
+
+def _ends(found: Assessment, words: Words) -> str:
+    """How near the ends of the band of speed come to the present speed, at the worst values."""
+    ranges = found.ranges
+    assert ranges is not None
+    corners = [*ranges.single, *([ranges.together] if ranges.together is not None else [])]
+    said, stated = [], stated_speeds(found.case)
+    for corner in corners:
+        near = _nearest(corner, found.here)
+        if near is None:
+            continue
+        what = _settings(corner.values) if len(corner.values) == 1 else "the worst combination"
+        side = "above" if near > found.here else "below"
+        share = percent(100.0 * abs(near - found.here) / found.here)
+        end = f"with {what} at {words.speed(near)}, {share} % {side}"
+        if stated is not None and stated[0] < near < stated[1]:
+            end += ", within the range of speed that is stated"
+        said.append(end)
+    return f" Around the present speed it ends {'; '.join(dict.fromkeys(said))}." if said else ""
+
+
+def _nearest(corner: Corner, here: float) -> float | None:
+    """The end of the band of speed that lies nearest, as an ω of the case."""
+    speeds = corner.speeds
+    if speeds is None or not speeds.here:
+        return None
+    ends = [corner.unit * end for end in (speeds.lower, speeds.upper) if end is not None]
+    return min(ends, key=lambda end: abs(end - here), default=None)
+
+
+def _together(corner: Corner) -> str:
+    first = dict(list(corner.values.items())[:MOST])
+    more = len(corner.values) - len(first)
+    return _settings(first) + (f" and {more} more (listed at the end)" if more else "")
+
+
+def _settings(values: Mapping[str, str]) -> str:
+    """``mesh.error = 16.3 µm, …``."""
+    return ", ".join(f"{path} = {shown(text)}" for path, text in values.items())
+
+
+def shown(text: str) -> str:
+    """A value with its unit, to three digits."""
+    size, _, unit = text.partition(" ")
+    return f"{number(float(size), 3)} {pretty(unit)}".rstrip()
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * share:.3g} %"
+
+
+def _estimates(count: int) -> str:
+    return f"{count} estimate{'' if count == 1 else 's'}"
+
+
+def table(found: Assessment) -> Iterator[Block]:
+    """Every range with what it takes, and the worst combination."""
+    ranges = found.ranges
+    if ranges is None or not ranges.varied:
+        return
+    rows: list[tuple[Cell, ...]] = []
+    for one in sorted(ranges.varied, key=lambda each: (isnan(each.margin), each.margin)):
+        unit = f" {pretty(one.input.unit)}".rstrip()
+        low, high = number(one.input.lower, 3), number(one.input.upper, 3)
+        least = _percent(one.margin) if isfinite(one.margin) else "none: not stable"
+        said = (
+            f"not if {_intervals(one.input, one.broken).partition(' (')[0]}" if one.broken else "everywhere"
+        )
+        rows.append((one.input.path, f"{low} to {high}{unit}", f"{number(one.worst, 3)}{unit}", least, said))
+    caption = (
+        "Estimates, each over its range at the present speed and torque, all else as estimated "
+        f"({_percent(ranges.margin)}): the value with the least compression of teeth that never part, that "
+        "compression over the static one, and where that motion exists. Other motions were not looked for."
+    )
+    head = ("estimate", "range", "worst at", "least compression", "in contact")
+    yield Table("ranges", caption, head, tuple(rows), widths=(25, 22, 14, 16, 23))
+    worst = ranges.together
+    if worst is not None and len(worst.values) > 1:
+        options = " ".join(f"--set '{path}={text}'" for path, text in worst.values.items())
+        found_there = _percent(worst.margin) if isfinite(worst.margin) else "no stable motion"
+        yield Text.of(
+            f"The worst combination found, by moving one value after the other ({found_there}; worse ones "
+            f"between are not excluded): {options}"
+        )

@@ -1,0 +1,270 @@
+"""Does impact-free motion at the present point last over the ranges of what a case estimates?
+
+The motion of teeth that never part is solved for at values over each range, everything else as estimated, and
+where it ends within a range that value is solved for. The worst values of all ranges are then put together
+and made worse one by one; there the ends of its band of speed are solved for, and the cold start is followed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from math import ceil, inf, isfinite, isnan, log, nan
+
+import numpy as np
+
+from gearlash.case import Case
+from gearlash.jobs import Chain, Execution, Part, run
+from gearlash.orbits import Settings, attractor
+from gearlash.results.impact_free import ImpactFree
+from gearlash.results.tolerance import Band, ToleranceInput
+from gearlash.system import GearlashError, Label
+
+from .impact_free import closed_margin, impact_free_speeds
+from .model import Source
+from .tolerances.bands import outside, positive_bands
+from .tolerances.inputs import estimated_inputs, kept_beside
+
+FACTOR = 1.08
+"""From one value to the next in a range that spans a factor: of a stiffness 4 % of a natural frequency, and
+where the margin is least a closer look finds what lies between."""
+EVEN = 5
+"""Values of other ranges, both ends included."""
+AROUND = 13
+"""Of an angle that may be any."""
+SOLVED = 2
+"""Ranges, the worst ones, for which the band of speed is solved at their worst value."""
+MOST_MOVED = 6
+"""Ranges whose values are tried again where all others are at their worst."""
+SMALL = 1e-3
+"""Of the static compression: a range that takes less does not count."""
+
+
+@dataclass(frozen=True)
+class Varied:
+    """One estimate over its range, everything else as estimated.
+
+    Parameters
+    ----------
+    input : ToleranceInput
+    broken : tuple of (float, float)
+        Values at which the motion of teeth that never part does not exist, or is not stable, in the unit of
+        the input.
+    worst : float
+        The value with the least compression of those that were looked at.
+    margin : float
+        That compression over the static one, at the torque and speed of the case: 1 where nothing moves,
+        negative where teeth would have to pull; -inf where that motion is unstable.
+    """
+
+    input: ToleranceInput
+    broken: tuple[Band, ...]
+    worst: float
+    margin: float
+
+
+@dataclass(frozen=True)
+class Corner:
+    """Values of some estimates together, all others as estimated.
+
+    Parameters
+    ----------
+    values : mapping of str to str
+        By path, with the unit.
+    margin : float
+        As that of `Varied`.
+    speeds : ImpactFree or None
+        The band of speed around the present one, solved for.
+    cold : Label or None
+        The motion from the cold start.
+    unit : float
+        Of its speeds: what an ω of the pair with these values is of one of the case as it is.
+    """
+
+    values: Mapping[str, str]
+    margin: float
+    speeds: ImpactFree | None = None
+    cold: Label | None = None
+    unit: float = 1.0
+
+
+@dataclass(frozen=True)
+class AcrossRanges:
+    """What ranges of estimates leave of the impact-free motion at the present point.
+
+    Parameters
+    ----------
+    margin : float
+        As estimated.
+    varied : tuple of Varied
+        Of every range.
+    single : tuple of Corner
+        Ranges that take most of the margin, each at its worst value, with the ends of its band of speed.
+    together : Corner or None
+        The worst combination that was found; None where no range takes anything.
+    complete : bool
+    """
+
+    margin: float
+    varied: tuple[Varied, ...] = ()
+    single: tuple[Corner, ...] = ()
+    together: Corner | None = None
+    complete: bool = True
+    inputs: tuple[ToleranceInput, ...] = field(default=(), repr=False)
+
+    @property
+    def broken(self) -> tuple[Varied, ...]:
+        """Ranges in which the impact-free motion ends."""
+        return tuple(one for one in self.varied if one.broken)
+
+    @property
+    def holds(self) -> bool:
+        """Whether it exists for every value that was looked at, alone and together."""
+        last = self.together is None or self.together.margin > 0.0
+        return self.complete and self.margin > 0.0 and not self.broken and last
+
+
+@dataclass(frozen=True)
+class Task:
+    """One range, or one corner with its band of speed."""
+
+    source: Source
+    inputs: tuple[ToleranceInput, ...]
+    input: ToleranceInput | None
+    values: tuple[tuple[str, str], ...] = ()
+    settings: Settings | None = None
+
+
+def across_ranges(
+    case: Case, settings: Settings | None = None, execution: Execution | None = None
+) -> AcrossRanges | None:
+    """The impact-free motion over the ranges of all that a case estimates; None where nothing has a range."""
+    inputs = estimated_inputs(case)
+    if not inputs:
+        return None
+    execution, source = execution or Execution(), Source.of(case)
+    nominal = margin_of(case, {}, inputs)
+    chains = [Chain(i, (Task(source, inputs, one),), (1,)) for i, one in enumerate(inputs)]
+    outcome = run(work, chains, execution)
+    varied = tuple(outcome.results[i][0] for i in range(len(inputs)) if outcome.results.get(i))
+    if not outcome.complete:
+        return AcrossRanges(nominal, varied, complete=False, inputs=inputs)
+    harmful = sorted((v for v in varied if _takes(v.margin, nominal)), key=lambda one: one.margin)
+    if not harmful:
+        return AcrossRanges(nominal, varied, inputs=inputs)
+    worst = together(case, harmful, inputs)
+    corners = [Corner({v.input.path: v.input.text(v.worst)}, v.margin) for v in harmful[:SOLVED]]
+    corners += [worst] if len(worst.values) > 1 else []
+    chains = [
+        Chain(i, (Task(source, inputs, None, tuple(one.values.items()), settings),), (1,))
+        for i, one in enumerate(corners)
+    ]
+    outcome = run(work, chains, execution)
+    looked = [outcome.results[i][0] if outcome.results.get(i) else one for i, one in enumerate(corners)]
+    last = looked.pop() if len(worst.values) > 1 else looked[0]
+    return AcrossRanges(nominal, varied, tuple(looked), last, outcome.complete, inputs)
+
+
+def _takes(margin: float, nominal: float) -> bool:
+    return margin < nominal - SMALL
+
+
+def work(task: Task, _carry: object) -> Part:
+    """What one task finds."""
+    case = _case(task.source.case_json or "")
+    if task.input is not None:
+        return Part((varied(case, task.input, task.inputs),))
+    return Part((solved(case, dict(task.values), task.inputs, task.settings),))
+
+
+@lru_cache(maxsize=4)
+def _case(text: str) -> Case:
+    return Case.from_json(text)
+
+
+def margin_of(case: Case, values: Mapping[str, str], inputs: Sequence[ToleranceInput]) -> float:
+    """Least compression of the motion of teeth that never part, over the static one; -inf where it is not
+    stable, and where no pair can have these values; NaN where it was not solved for."""
+    try:
+        family = member_of(case, values, inputs).family()[0]
+        numbers = family.complete({})
+        static = numbers["load"] / numbers["rotation_factor"]
+        return closed_margin(family.system(), 1 if static > 0.0 else -1) / abs(static)
+    except GearlashError:
+        return -inf
+
+
+def member_of(case: Case, values: Mapping[str, str], inputs: Sequence[ToleranceInput]) -> Case:
+    """The case with other values. Raises `GearlashError` where no pair can have them."""
+    return case.with_overrides(kept_beside(values, inputs)) if values else case
+
+
+def varied(case: Case, one: ToleranceInput, inputs: Sequence[ToleranceInput]) -> Varied:
+    """One range."""
+    looked: dict[float, float] = {}
+
+    def margin(at: float) -> float:
+        if at not in looked:
+            looked[at] = margin_of(case, {one.path: one.text(at)}, inputs)
+        return looked[at]
+
+    bands = positive_bands(margin, values_of(one))
+    known = {at: found for at, found in looked.items() if not isnan(found)}
+    worst = min(known, key=lambda at: known[at], default=one.nominal)
+    return Varied(one, outside([bands], one.lower, one.upper), worst, known.get(worst, nan))
+
+
+def values_of(one: ToleranceInput) -> list[float]:
+    """Ascending values from one end of a range to the other."""
+    low, high = one.lower, one.upper
+    if one.unit == "deg" and high - low >= 360.0:
+        return np.linspace(low, high, AROUND).tolist()
+    if low * high > 0.0:
+        small, large = sorted((abs(low), abs(high)))
+        count = ceil(log(large / small) / log(FACTOR))
+        if count >= EVEN:
+            sign = 1.0 if low > 0.0 else -1.0
+            inner = np.geomspace(small, large, count + 1)[1:-1]
+            return [low, *sorted((sign * inner).tolist()), high]
+    return np.linspace(low, high, EVEN).tolist()
+
+
+def together(case: Case, harmful: Sequence[Varied], inputs: Sequence[ToleranceInput]) -> Corner:
+    """The worst combination: from each at its own worst value, one after the other made worse."""
+    values = {one.input.path: one.input.text(one.worst) for one in harmful}
+    least = margin_of(case, values, inputs)
+    for one in harmful[:MOST_MOVED]:
+        for text in _tried(one.input):
+            tried = {**values, one.input.path: text}
+            found = margin_of(case, tried, inputs)
+            if found < least:
+                values, least = tried, found
+            if least == -inf:
+                break
+    alone = harmful[0]
+    if not least < alone.margin:
+        return Corner({alone.input.path: alone.input.text(alone.worst)}, alone.margin)
+    return Corner(values, least)
+
+
+def _tried(one: ToleranceInput) -> Iterator[str]:
+    """A few values of a range."""
+    every = values_of(one)
+    for at in sorted({round(share * (len(every) - 1)) for share in np.linspace(0.0, 1.0, AROUND)}):
+        yield one.text(every[at])
+
+
+def solved(
+    case: Case, values: Mapping[str, str], inputs: Sequence[ToleranceInput], settings: Settings | None
+) -> Corner:
+    """A corner with its band of speed and the motion from the cold start."""
+    margin = margin_of(case, values, inputs)
+    try:
+        member = member_of(case, values, inputs)
+        family = member.family()[0]
+        cold = attractor(family.system(), family.start(), settings or Settings()).label
+        speeds = impact_free_speeds(member) if isfinite(margin) else None
+    except GearlashError:  # no pair can have these values
+        return Corner(values, margin)
+    return Corner(values, margin, speeds, cold, case.family()[0].defaults["omega"] / family.defaults["omega"])

@@ -1,0 +1,108 @@
+"""Impact-free motion over the ranges of estimates: ends within a range, the worst combination."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import gearlash as gl
+from gearlash.studies.impact_free import closed_margin
+from gearlash.studies.ranges import AcrossRanges, across_ranges, margin_of, values_of, varied
+from gearlash.studies.tolerances.inputs import estimated_inputs, kept_beside
+
+CASES = Path(__file__).resolve().parents[1] / "cases"
+KNOWN = {
+    "mean_stiffness": "8e8 N/m",
+    "pinion.mass": "1.2 kg",
+    "pinion.inertia": "1e-3 kg*m^2",
+    "gear.mass": "7 kg",
+    "gear.inertia": "0.029 kg*m^2",
+    "bearings.damping_ratio": 0.02,
+    "mesh.damping_ratio": 0.05,
+    **{f"{gear}.bearing_stiffness_{axis}": "3e8 N/m" for gear in ("pinion", "gear") for axis in "yz"},
+}
+
+
+def pair(speed: str, torque: str) -> gl.Case:
+    """Of which harmonics of the stiffness and the error are estimates."""
+    return gl.load_case(CASES / "drawing.toml", {**KNOWN, "pinion_speed": speed, "torque": torque})
+
+
+@pytest.fixture(scope="module")
+def light() -> tuple[gl.Case, AcrossRanges]:
+    """So little torque that the largest error opens the mesh."""
+    case = pair("4200 rpm", "40 N m")
+    found = across_ranges(case)
+    assert found is not None
+    return case, found
+
+
+def test_the_value_at_which_contact_ends_is_solved_for(light: tuple[gl.Case, AcrossRanges]):
+    case, found = light
+    (error,) = (one for one in found.varied if one.input.path == "mesh.error")
+    ((low, high),) = error.broken
+    assert error.input.lower < low < high == error.input.upper
+    assert error.input.nominal < low
+    assert not found.holds
+    for side, sign in ((-1.0, 1), (1.0, -1)):
+        member = case.with_overrides({"error": f"{low * (1.0 + side * 1e-9)!r} um"})
+        assert np.sign(closed_margin(member.family()[0].system(), 1)) == sign
+
+
+def test_margins_of_a_range_are_those_of_a_grid_over_it(light: tuple[gl.Case, AcrossRanges]):
+    case, found = light
+    for one in found.varied[::4]:
+        at = np.linspace(one.input.lower, one.input.upper, 7)
+        rows = [margin_of(case, {one.input.path: one.input.text(float(x))}, found.inputs) for x in at]
+        assert min(rows) >= one.margin - 0.02
+        broken = [any(low <= x <= high for low, high in one.broken) for x in at]
+        assert broken == [not row > 0.0 for row in rows]
+
+
+def test_together_is_at_least_as_bad_as_each_alone(light: tuple[gl.Case, AcrossRanges]):
+    case, found = light
+    assert found.together is not None
+    assert found.together.margin <= min(one.margin for one in found.varied)
+    assert margin_of(case, found.together.values, found.inputs) == found.together.margin
+
+
+def test_what_takes_nothing_leaves_the_verdict():
+    found = across_ranges(pair("1000 rpm", "600 N m"))
+    assert found is not None
+    assert found.holds
+    assert found.broken == ()
+    assert found.together is not None
+    assert 0.0 < found.together.margin < found.margin
+
+
+def test_a_resonance_within_a_range_is_found_between_its_ends():
+    """The stiffness of a bearing whose mode meets the mesh within the range, at neither of its ends."""
+    known = {name: value for name, value in KNOWN.items() if name != "pinion.bearing_stiffness_y"}
+    case = gl.load_case(CASES / "drawing.toml", {**known, "error": "15 um", "torque": "60 N m"})
+    (one,) = (one for one in estimated_inputs(case) if one.path == "pinion.bearing_stiffness_y")
+    found = varied(case, one, estimated_inputs(case))
+    assert len(found.broken) == 1
+    ((low, high),) = found.broken
+    assert one.lower < low < found.worst < high < one.upper
+
+
+def test_one_harmonic_of_the_stiffness_keeps_the_others():
+    case = pair("4200 rpm", "150 N m")
+    inputs = estimated_inputs(case)
+    own = {one.path: one.text(one.nominal) for one in inputs if one.path == "mesh.ripple_3"}
+    assert margin_of(case, own, inputs) == pytest.approx(margin_of(case, {}, inputs), rel=1e-12)
+    assert len(kept_beside(own, inputs)) == 8
+    assert kept_beside({"mesh.error": "5 um"}, inputs) == {"mesh.error": "5 um"}
+
+
+def test_values_of_a_range_go_from_end_to_end():
+    for one in estimated_inputs(gl.load_case(CASES / "drawing.toml")):
+        values = values_of(one)
+        assert (values[0], values[-1]) == (one.lower, one.upper)
+        assert all(np.diff(values) > 0.0)
+
+
+def test_without_estimates_nothing_is_varied():
+    assert across_ranges(gl.load_case("article")) is None
