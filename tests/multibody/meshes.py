@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from gearlash.gears import CylindricalGear, CylindricalPair
 from gearlash.multibody.contact import MeshContact
-from multibody.standin import standin
+from multibody.standin import Standin, standin
 
 Reals = NDArray[np.float64]
 ALLOWANCE = -50e-6
@@ -43,9 +43,13 @@ def plain(name: str) -> MeshContact:
     return contact(PAIRS[name]())
 
 
-def contact(pair: CylindricalPair, **more: Any) -> MeshContact:
-    first, second = (standin(gear, pair.face_width) for gear in pair.gears)
-    return MeshContact.of(pair, (first, second), **more)
+def contact(
+    pair: CylindricalPair, compliances: tuple[Standin, Standin] | None = None, **more: Any
+) -> MeshContact:
+    if compliances is None:
+        first, second = (standin(gear, pair.face_width) for gear in pair.gears)
+        compliances = first, second
+    return MeshContact.of(pair, compliances, **more)
 
 
 def pose(mesh: MeshContact, turn: float, approach: float) -> Reals:

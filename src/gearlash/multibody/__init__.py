@@ -5,25 +5,37 @@ materials and bodies. It needs the extra `multibody` (Exudyn and scikit-fem), im
 """
 
 from .bodies import Bearings, Machine, Modes, RigidBody
+from .contact import Details, MeshContact, RimModes
 from .dynamics import Contact, Motion, SimulationError, Solver, natural_frequencies, simulate
 from .energy import EnergyBalance, energy_balance
 from .extra import MissingExtraError, require_extra
+from .flanks import Flanks
 from .line_contact import LineContact
+from .quasi_static import QuasiStatic, quasi_static
+from .topography import Relief, Topography
 
 __all__ = [
     "Bearings",
     "Contact",
+    "Details",
     "EnergyBalance",
+    "Flanks",
     "LineContact",
     "Machine",
+    "MeshContact",
     "MissingExtraError",
     "Modes",
     "Motion",
+    "QuasiStatic",
+    "Relief",
     "RigidBody",
+    "RimModes",
     "SimulationError",
     "Solver",
+    "Topography",
     "energy_balance",
     "natural_frequencies",
+    "quasi_static",
     "require_extra",
     "simulate",
 ]

@@ -229,6 +229,21 @@ class MeshContact:
             ),
         )
 
+    def rolls(self, phase: float) -> Reals:
+        """Where on the pinion's flanks the places of contact are.
+
+        Parameters
+        ----------
+        phase : float
+            Of the mesh cycle, from 0 to 1.
+
+        Returns
+        -------
+        ndarray, shape (pairs, slices)
+            Roll lengths, m; also those beyond the ends of the flanks.
+        """
+        return _rolls(self.tables.scalars, self.tables.counts, self.tables.slices, phase)
+
     def forces(self, q: Reals, v: Reals) -> Reals:
         """Generalised forces on both bodies and the modes.
 
@@ -392,8 +407,7 @@ def _influence(body: Compliance, rolls: Reals, middles: Reals, direction: int) -
     """Of one gear, all places on each other; tooth numbers rise with the pairs (1) or fall (−1)."""
     grid_roll, grid_axial = body.roll, body.axial
     along = _weights(grid_roll, np.clip(rolls.ravel(), grid_roll[0], grid_roll[-1]))
-    across = _weights(grid_axial, np.clip(middles, grid_axial[0], grid_axial[-1]))
-    across = np.tile(across, (len(rolls), 1))
+    across = np.tile(_spread(grid_axial, middles), (len(rolls), 1))
     weights = (along[:, :, None] * across[:, None, :]).reshape(rolls.size, -1)
     reach, (pairs, slices) = (len(body.influence) - 1) // 2, rolls.shape
     found = np.zeros((rolls.size, rolls.size))
@@ -404,6 +418,21 @@ def _influence(body: Compliance, rolls: Reals, middles: Reals, direction: int) -
             matrix = body.influence[reach + direction * (seen - loaded)]
             found[columns, rows] = (weights[rows] @ matrix @ weights[columns].T).T
     return 0.5 * (found + found.T)
+
+
+def _spread(grid: Reals, middles: Reals) -> Reals:
+    """Parts of the force on a slice, evenly spread over it, that places of a grid across the face carry as
+    hats: shape (slices, grid)."""
+    width = (grid[-1] - grid[0]) / len(middles)
+    ends = np.append(middles - 0.5 * width, middles[-1] + 0.5 * width)
+    fine = np.unique(np.concatenate([grid, np.clip(ends, grid[0], grid[-1])]))
+    hats = np.array([np.interp(fine, grid, row) for row in np.eye(len(grid))])
+    areas = np.concatenate(
+        [np.zeros((len(grid), 1)), np.cumsum(0.5 * (hats[:, 1:] + hats[:, :-1]) * np.diff(fine), axis=1)],
+        axis=1,
+    )
+    whole = np.array([np.interp(np.clip(ends, grid[0], grid[-1]), fine, row) for row in areas])
+    return np.diff(whole, axis=1).T / width
 
 
 def _weights(grid: Reals, at: Reals) -> Reals:
