@@ -11,7 +11,7 @@ from math import cos
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
+from scipy.optimize import root_scalar
 
 from gearlash.system import GearlashError
 
@@ -176,7 +176,7 @@ def _point(contact: MeshContact, torque: float, phase: float) -> tuple[float, fl
         step *= 2.0
         if step > flanks.play + 1e-3:
             raise GearlashError(f"a torque of {torque:g} N·m is more than the flanks carry")
-    behind = float(brentq(missing, touching, touching + step, xtol=1e-15, rtol=1e-12))
+    behind = float(root_scalar(missing, bracket=(touching, touching + step), xtol=1e-15, rtol=1e-12).root)
     probe = PROBE * (behind - touching)
     stiffness = (missing(behind - probe) - missing(behind + probe)) / (2.0 * probe) / lever
     half = 0.5 * flanks.play
