@@ -18,6 +18,7 @@ FINE = ContinuationSettings(certify=False, longest=0.03)
 PLANE: tuple[str, str] = ("D", "bearing_damping")
 PLANES = {
     "error_phase": ((0.32, 0.5), (0.37, 0.75), (0.3299912810801, 0.5250470386465)),
+    "omega": ((0.33, 0.775), (0.36, 0.8), (0.3372309544876, 0.7919290494845)),
     "ripple_2": ((0.31, 0.23), (0.37, 0.4), (0.3219688463498, 0.3664624429304)),
 }
 
@@ -55,7 +56,7 @@ def test_by_an_evaluation_that_shares_no_code(name):
     from oracles.clearances import gap, gap_velocity
 
     found = only(in_plane(name), CodimTwoKind.GRAZING_DOUBLING)
-    system = bundled().system({"omega": 0.78, **named(("D", name), found.values)})
+    system = bundled().system({"omega": 0.78} | named(("D", name), found.values))
     (touch,) = found.point.touches
     state, matrix, phase = found.point.state, np.eye(system.size), 0.0
     for length, held in (

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from gearlash import AxisMargin, PlaneZone, plots
 from gearlash.article import Reproduction
+from gearlash.case.edges import at_most
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Cell, Figure, Inline, Section, Table, Text
-from gearlash.report.numbers import number
 from gearlash.report.pictures import Picture
 
 from .quantities import Quantities, symbol
@@ -38,7 +38,8 @@ def section(done: Reproduction, zone: PlaneZone, quantities: Quantities) -> tupl
         assumed,
     )
     head = ("along", "direction", "margin", "per cent", "the zone ends at", "what happens there")
-    rows = tuple(_row(margin, quantities) for margin in zone.margins)
+    here = dict(zip(zone.names, zone.at, strict=True))
+    rows = tuple(_row(margin, here[margin.name], quantities) for margin in zone.margins)
     caption = "How far the operating point lies from the ends of its zone, the other parameter kept."
     table = Table(f"table-{STEM}", caption, head, rows, frozenset({3}), widths=(10, 10, 20, 9, 21, 30))
     picture = Picture(STEM, plots.zone_in_plane, (zone, done.case), {"title": "Window without impacts"})
@@ -47,17 +48,18 @@ def section(done: Reproduction, zone: PlaneZone, quantities: Quantities) -> tupl
     ), picture
 
 
-def _row(margin: AxisMargin, quantities: Quantities) -> tuple[Cell, ...]:
+def _row(margin: AxisMargin, here: float, quantities: Quantities) -> tuple[Cell, ...]:
+    """Rounded towards safety: no margin is shown larger than it is, no end beyond where it lies."""
     least = "" if margin.bounded else "at least "
-    shown = quantities.physical(margin.name, margin.distance)
-    distance: tuple[Inline, ...] = (f"{least}{number(margin.distance, 4)}",)
+    shown = quantities.at_most(margin.name, margin.distance)
+    distance: tuple[Inline, ...] = (f"{least}{at_most(margin.distance)}",)
     if shown is not None:
         distance = (*distance, " (", shown, ")")
     return (
         symbol(margin.name),
         "upwards" if margin.upward else "downwards",
         distance,
-        number(margin.percent, 3),
-        quantities.place(margin.name, margin.value),
+        at_most(margin.percent, 3),
+        quantities.edge(margin.name, margin.value, -1 if margin.upward else 1, here),
         margin.event if margin.bounded else "nothing: only the range looked at ends",
     )

@@ -7,7 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gearlash.case import Case
-from gearlash.case.edges import shown_edge
+from gearlash.case.edges import at_most, shown_edge
 from gearlash.plots import Units
 from gearlash.plots.units import Twin
 from gearlash.plots.words import GEARS
@@ -39,6 +39,20 @@ class Quantities:
         """A distance in µm."""
         return None if self.units.length is None else _said(self.units.length, (displacement,))
 
+    def at_most(self, parameter: str, distance: float) -> Inline | None:
+        """A distance from where the case stands, in physical units: never more than it is."""
+        twin = self.units.of_parameter(parameter)
+        return None if twin is None else _marked(at_most(float(twin(distance))), twin)
+
+    def edge(self, parameter: str, value: float, inwards: int, here: float) -> tuple[Inline, ...]:
+        """The end of an interval around a value, in both units, rounded into it."""
+        words = f"{symbol(parameter)} = {shown_edge(value, inwards, here)}"
+        twin = self.units.of_parameter(parameter)
+        if twin is None:
+            return (words,)
+        physical = shown_edge(float(twin(value)), inwards, float(twin(here)))
+        return (f"{words} (", _marked(physical, twin), ")")
+
     def place(self, parameter: str, value: float, digits: int = 6) -> tuple[Inline, ...]:
         """``ω = 0.972484 (3714.9 rpm)``."""
         words = f"{symbol(parameter)} = {number(value, digits)}"
@@ -65,5 +79,9 @@ def _said(twin: Twin, values: tuple[float, ...]) -> Inline:
     else:
         places = 1 if twin.unit == "rpm" else max(0, 2 - len(str(int(abs(scaled[0])))) + 1)
         said = [f"{scaled[0]:.{places}f}"]
-    text = f"{' to '.join(said)} {twin.unit}"
+    return _marked(" to ".join(said), twin)
+
+
+def _marked(number: str, twin: Twin) -> Inline:
+    text = f"{number} {twin.unit}"
     return Marked(text) if twin.assumed else text
