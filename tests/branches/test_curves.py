@@ -152,15 +152,6 @@ def test_the_point_of_the_article_by_an_evaluation_that_shares_no_code():
     assert abs(float(gap_velocity(system, system.clearances[0], at, touch.phase))) < 1e-12
 
 
-def test_the_point_of_the_article_over_speed():
-    """The same in (D, ω)."""
-    doubling = lowest(six(), SpecialKind.DOUBLING)
-    values, names = {"omega": 0.78, "D": doubling.value}, ("D", "omega")
-    curve = followed(bundled(), values, names, doubling, (0.33, 0.775), (0.36, 0.8), steps=COARSE)
-    found = only(curve, CodimTwoKind.GRAZING_DOUBLING)
-    assert found.values == pytest.approx((0.3372309544876, 0.7919290494845), abs=1e-12)
-
-
 def test_the_same_point_from_every_curve_that_leaves_it():
     found = only(article(), CodimTwoKind.GRAZING_DOUBLING)
     values = named(("omega", "D", "bearing_damping"), (0.78, *found.values))

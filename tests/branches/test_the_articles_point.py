@@ -43,7 +43,7 @@ def leaving(which: str) -> Curve:
 
 
 @pytest.mark.parametrize("name", PLANES)
-def test_the_same_point_over_phase_and_ripple(name):
+def test_the_same_point_in_every_plane(name):
     found = only(in_plane(name), CodimTwoKind.GRAZING_DOUBLING)
     assert found.values == pytest.approx(PLANES[name][2], abs=1e-12)
     assert {found.label_before, found.label_after} == {"6-6-1", "6-6-2"}
