@@ -15,7 +15,7 @@ PAGE = page("curves.md")
 
 
 def test_every_command_prints_what_the_page_shows(gearlash: Gearlash, rattle: Path):
-    assert follow(PAGE, gearlash) == 3
+    assert follow(PAGE, gearlash) == 4
     names = {path.name for path in (rattle / "corner").iterdir()}
     assert {
         "curve.json",

@@ -170,3 +170,16 @@ def test_parts_begin_anew(rule):
     later = flow.variational(system, half, float(system.cycles))
     assert later.jacobian is not None
     assert whole == pytest.approx(later.jacobian @ first + second, rel=1e-11, abs=1e-12)
+
+
+@pytest.mark.parametrize("length", [1e-3, 1e-9])
+def test_a_motion_much_shorter_than_a_cell(length):
+    """In proportion to its length."""
+    system, start = next(members(3))
+    change = SystemChange.between(scaled(system, 0.5), scaled(system, 1.5), 1.0)
+    found, longer = (
+        sensitivity(flow.trace(system, start, part * length), change)[0] / (part * length)
+        for part in (1.0, 2.0)
+    )
+    assert np.abs(longer).max() > 0.1
+    assert found == pytest.approx(longer, rel=100.0 * length, abs=100.0 * length)

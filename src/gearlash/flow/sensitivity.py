@@ -6,6 +6,7 @@ from math import pi
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gearlash.system import ContactRule, System, derivative, padded
 from gearlash.system.harmonics import harmonics
@@ -80,11 +81,7 @@ def sensitivity(trace: Trace, change: SystemChange, parts: int = 1) -> Array:
     width = max(2 * most_harmonics(system) + 1, change.forcing.shape[1])
     matrices, changes, forcings = _of_regions(system, change, sides, width)
     vectors, series, edges = _of_clearances(system, change, width)
-    total = float(round(trace.cycles * props.cells_per_cycle))
-    first = float(trace.positions[0])
-    part = np.minimum(
-        ((trace.positions - first + 0.5 * trace.lengths) * (parts / total)).astype(int), parts - 1
-    )
+    part = _parts(trace, parts)
     ends = np.empty((parts, system.size))
     carry_change(
         trace.polynomials,
@@ -104,6 +101,16 @@ def sensitivity(trace: Trace, change: SystemChange, parts: int = 1) -> Array:
         ends,
     )
     return ends
+
+
+def _parts(trace: Trace, parts: int) -> NDArray[np.int64]:
+    """The part (pieces,) in which every piece lies. A motion in one part may be as short as one likes."""
+    if parts == 1:
+        return np.zeros(len(trace.positions), dtype=np.int64)
+    total = float(round(trace.cycles * trace.propagators.cells_per_cycle))
+    middles = trace.positions - trace.positions[0] + 0.5 * trace.lengths
+    found: NDArray[np.int64] = np.minimum((middles * (parts / total)).astype(np.int64), parts - 1)
+    return found
 
 
 def _regions(modes: Array) -> tuple[Array, Array]:

@@ -17,11 +17,12 @@ from .corner import at_other_end
 from .locate import Met
 from .motion import CurveOrbit, apart, is_clear
 from .newton import correct, tangent
-from .node import Node, begun_at, node_of, touch_of
+from .node import Node, begun_at, node_of, solved, touch_of
 from .plane import Array, Plane
 from .points import CodimTwoKind, CodimTwoPoint, CurveEndKind, CurvePoint
 from .problem import Evaluated, Problem, TouchCondition
 from .restart import beyond, clear_side
+from .secondary import ALONG
 from .touch import Window
 
 OF_KIND = {SpecialKind.FOLD: At.ONE, SpecialKind.DOUBLING: At.MINUS_ONE, SpecialKind.TORUS: At.CIRCLE}
@@ -37,6 +38,8 @@ NEAR_START = 0.05  # scaled: how far the first orbit of a curve may lie from the
 SAME_EXTREMUM = 0.02  # mesh cycles: how far from where it was told the extremum that touches may lie
 NEAR_POINT = 0.5  # scaled: how far that orbit may lie from the point
 APART = 1e-3  # of the amplitude: how far the other extremum must be from touching, too
+SAME_VALUES = 1e-12  # relative
+BESIDE = 3e-3  # scaled: how far beside a point of another plane a curve through it is begun
 AMPLITUDES = (3e-4, 1e-3, 3e-3, 1e-2)  # scaled: of the doubled orbit with which its curve begins
 
 
@@ -199,25 +202,57 @@ def _at_two(
             state, other = at_other_end(node)
             node = grazing_node(plane, place, state, period, other)
             point = replace(start.point, state=state, touches=tuple(node.touched), extrema=node.extrema.all)
-            return Beginning(node, node.turned, start=replace(start, point=point))
+            return _through(node, replace(start, point=point), place)
         if not 0 <= touch < len(extrema):
             raise GearlashError(f"touch = {touch}: {len(extrema)} extrema touch there")
         node = grazing_node(plane, place, start.point.state, period, extrema[touch])
-        return Beginning(node, node.turned, start=start)
+        return _through(node, start, place)
     if kind is None:
         raise GearlashError("kind: expected fold, doubling or Neimark-Sacker for this point")
     if at is not None and start.kind is not CodimTwoKind.CORNER and OF_KIND[kind] is at:
         met = point_of_two(plane, start, place, period)
+        if _holds_along(met):
+            raise GearlashError(
+                f"all along the grazing curve through this point {met.here.problem.conditions[0].at}: in "
+                "this plane both are one curve (kind grazing)"
+            )
         clear, deep = clear_side(met), beyond(met)
         if clear is None or not deep:
             raise GearlashError("the curve could not be begun on both sides of the touch")
         return Beginning(deep[0], clear, met, deep[1:])
     node = condition_node(plane, place, start.point.state, period, OF_KIND[kind])
     if kind is SpecialKind.TORUS and start.kind in REAL:
-        return Beginning(
-            _where_complex(node, REAL[start.kind]), None, start=start, ended=CurveEndKind.RESONANCE
-        )
-    return Beginning(node, node.turned, start=start)
+        known = start if _of_this_plane(start, place) else None
+        turned = _where_complex(node, REAL[start.kind])
+        return Beginning(turned, None, start=known, ended=CurveEndKind.RESONANCE)
+    return _through(node, start, place)
+
+
+def _through(node: Node, start: CodimTwoPoint, place: Array) -> Beginning:
+    """A curve through a point; in another plane than that in which the point was found begun beside it, so
+    that it is met and solved for there."""
+    if _of_this_plane(start, place):
+        return Beginning(node, node.turned, start=start)
+    row = node.direction
+    beside = solved(node.problem, node.u + BESIDE * row, row, float(row @ node.u) + BESIDE, node)[0]
+    begun = node if beside is None or not node.problem.plane.inside(beside.place) else beside
+    return Beginning(begun, begun.turned)
+
+
+def _of_this_plane(start: CodimTwoPoint, place: Array) -> bool:
+    return bool(np.allclose(start.values, place, rtol=SAME_VALUES, atol=0.0))
+
+
+def _holds_along(met: Met) -> bool:
+    """Whether the condition of a point holds all along the grazing curve through it."""
+    here, condition = met.here, met.here.problem.conditions[0]
+    alone = replace(here.problem, conditions=())
+    row = tangent(met.jacobian[:-1], np.ones(len(here.u)))
+    for way in (-BESIDE, BESIDE):
+        found = correct(alone, here.u + way * row, row, float(row @ here.u) + way).here
+        if found is None or abs(condition.value(found.scaled_monodromy)) > ALONG:
+            return False
+    return True
 
 
 def _where_complex(node: Node, real: float) -> Node:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gearlash.branches.continuation.extrema import Extremum
+
 from . import secondary
 from .conditions import At
 from .law import coefficient
@@ -57,7 +59,7 @@ def _on_grazing(left: Node, right: Node) -> Happened:
         tries.append((secondary.jerk, lambda part: flat(left, right, part), False))
     for test, solve, needed in tries:
         one, two = test(left), test(right)
-        if not one * two < 0.0:
+        if not one * two < 0.0 or secondary.holds_along(test, left, right):
             continue
         part = one / (one - two)
         met = solve(part)
@@ -121,7 +123,7 @@ def _secondary(left: Node, right: Node) -> tuple[Met, ...] | None:
     found: list[tuple[float, Met]] = []
     for kind, test in secondary.of_condition(left).items():
         one, two = test(left), test(right)
-        if not one * two < 0.0:
+        if not one * two < 0.0 or secondary.holds_along(test, left, right):
             continue
         if kind in secondary.BY_DIFFERENCES:
             if kind is CodimTwoKind.CUSP and not _turns_back(left, right):
@@ -145,7 +147,8 @@ def _turns_back(left: Node, right: Node) -> bool:
 
 
 def _crossed(left: Node, right: Node) -> list[int]:
-    """Numbers of extrema that have come to the other side of their boundary."""
+    """Numbers of extrema that have come to the other side of their boundary; not of those that touch on both
+    orbits, as where motions of the plane are multiples of each other."""
     there, settled = right.extrema.by_number, left.touching | right.touching
     return [
         extremum.number
@@ -153,7 +156,14 @@ def _crossed(left: Node, right: Node) -> list[int]:
         if extremum.number in there
         and extremum.number not in settled
         and is_clear(extremum) != is_clear(there[extremum.number])
+        and not (_touches(left, extremum) and _touches(right, there[extremum.number]))
     ]
+
+
+def _touches(node: Node, extremum: Extremum) -> bool:
+    """Within rounding."""
+    size = float(np.linalg.norm(node.here.props.system.clearances[extremum.clearance].h * node.problem.size))
+    return abs(extremum.distance) <= secondary.ALONG * size
 
 
 def _near(met: Met, left: Node, right: Node) -> bool:

@@ -15,6 +15,7 @@ from .problem import Evaluated, Problem
 
 GOAL = 1e-14  # residual at which it ends where two things happen at once
 ON_CURVE = 5e-13  # the same on a curve
+PLAIN = 1e-11  # the same in no units, of equations that change fast, too: as far as rounding allows
 ENOUGH = 2e-11  # residual that is accepted where it no longer becomes smaller
 NO_STEP = 1e-14  # a step that is rounding
 ITERATIONS = 20
@@ -72,7 +73,8 @@ def _newton(
     reached.append(best)
     for _ in range(ITERATIONS):
         along = 0.0 if row is None else target - float(row @ u)
-        if least <= (GOAL if row is None else ON_CURVE) and abs(along) <= ON_CURVE:
+        at_goal = least <= (GOAL if row is None else ON_CURVE) and abs(along) <= ON_CURVE
+        if at_goal and float(np.abs(here.residual).max()) <= PLAIN:
             break
         step = _solved(jacobian, row, here.residual, along)
         length = float(np.linalg.norm(step))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -50,6 +50,14 @@ class CodimTwoKind(Named):
     """The pair turns by a third."""
     ONE_FOUR = "1:4 resonance"
     """The pair turns by a quarter."""
+
+
+OF_GRAZING = {
+    SpecialKind.FOLD: CodimTwoKind.GRAZING_FOLD,
+    SpecialKind.DOUBLING: CodimTwoKind.GRAZING_DOUBLING,
+    SpecialKind.TORUS: CodimTwoKind.GRAZING_TORUS,
+}
+ALIKE = 1e-9  # of multipliers, and of distances in units of the states: what is less is rounding
 
 
 class CurveEndKind(Named):
@@ -247,6 +255,13 @@ class Curve(Record):
         return np.array([point.values for point in self.points])
 
     @property
+    def throughout(self) -> tuple[CodimTwoKind, ...]:
+        """What happens at once on all of its orbits. It does where the motions of the plane are multiples of
+        each other, or by a symmetry: two curves are one there, and no point of it is told."""
+        on_every = [set(_at_once(point, self.kind)) for point in self.points]
+        return tuple(kind for kind in CodimTwoKind if on_every and all(kind in each for each in on_every))
+
+    @property
     def admissible(self) -> tuple[tuple[float, float], ...]:
         """Intervals of arclength whose points are orbits of the real system."""
         found: list[tuple[float, float]] = []
@@ -272,3 +287,20 @@ class Curve(Record):
         tuple of CodimTwoPoint
         """
         return tuple(special for special in self.special if special.kind is CodimTwoKind(kind))
+
+
+def _at_once(point: CurvePoint, kind: SpecialKind) -> Iterator[CodimTwoKind]:
+    """What an orbit of a curve has beside what the curve is made of, within rounding."""
+    size = max(float(np.abs(point.state).max()), 1e-300)
+    near = sum(abs(extremum.distance) <= ALIKE * size for extremum in point.extrema)
+    if kind is not SpecialKind.GRAZING:
+        if near and kind in OF_GRAZING:
+            yield OF_GRAZING[kind]
+        return
+    if near > 1:
+        yield CodimTwoKind.TWO_GRAZINGS
+    if np.abs(point.multipliers - 1.0).min() <= ALIKE:
+        impacts = any(map(any, point.signature.counts))
+        yield CodimTwoKind.GRAZING_FOLD if impacts else CodimTwoKind.CORNER
+    if np.abs(point.multipliers + 1.0).min() <= ALIKE:
+        yield CodimTwoKind.GRAZING_DOUBLING

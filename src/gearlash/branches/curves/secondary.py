@@ -21,6 +21,7 @@ Function = Callable[[Node], float]
 SECOND_STEP, THIRD_STEP = 1e-3, 2e-3  # of scaled states: for second and third derivatives of the map
 CLEAR = 0.02  # of the distance of the nearest extremum from its boundary: the same
 LEAST_SECOND_STEP, LEAST_THIRD_STEP = 1e-9, 2e-5
+ALONG = 1e-10  # of multipliers, and of distances in units of the motion: what is less is rounding
 OTHER = 0.5  # of the step: another one, by which the error is told
 TURNS = {
     CodimTwoKind.ONE_ONE: 1.0,
@@ -58,6 +59,28 @@ def product(node: Node) -> float:
     """Of the left and the right null vector: zero where the multiplier is double."""
     right, left = _null(node)
     return float(left @ right)
+
+
+def holds_along(test: Function, left: Node, right: Node) -> bool:
+    """Whether a condition on multipliers holds on both of two neighbours: where motions of the plane are
+    multiples of each other it holds all along a curve, and a sign of its test function is rounding."""
+    known: dict[Function, Function] = {
+        fold: _away_from(1.0),
+        flip: _away_from(-1.0),
+        torus: _away_from_circle,
+    }
+    away = known.get(test)
+    return away is not None and max(away(left), away(right)) <= ALONG
+
+
+def _away_from(value: float) -> Function:
+    return lambda node: float(np.abs(node.spectrum.multipliers - value).min())
+
+
+def _away_from_circle(node: Node) -> float:
+    multipliers = node.spectrum.multipliers
+    first, second = np.triu_indices(len(multipliers), 1)
+    return float(np.abs(multipliers[first] * multipliers[second] - 1.0).min())
 
 
 @lru_cache(maxsize=8)

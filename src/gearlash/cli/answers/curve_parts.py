@@ -97,6 +97,9 @@ class CurveFound:
         dict[str, float],
         "other parameters by short name that have another value than in the case: that of the point begun at",
     ]
+    throughout: Annotated[
+        tuple[str, ...], "kinds of what happens at once on all of its orbits, so that no point of it is told"
+    ]
     special: Annotated[tuple[CodimTwoFound, ...], "in the order of the curve"]
     ends: Annotated[tuple[CurveEnd, ...], "the first and the last"]
     lowest: Annotated[tuple[float, float], "least value of either parameter on it"]
@@ -134,6 +137,7 @@ def curve_found(
         period=first.period,
         labels=tuple(dict.fromkeys(str(point.signature) for point in (first, *curve.points))),
         fixed=_fixed(case, curve),
+        throughout=tuple(map(str, curve.throughout)),
         special=tuple(_special(case, i, each, curve, limits) for i, each in enumerate(curve.special, 1)),
         ends=tuple(CurveEnd(str(end.kind), end.values, end.note) for end in curve.ends),
         lowest=(float(low[0]), float(low[1])),

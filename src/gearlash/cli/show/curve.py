@@ -83,6 +83,8 @@ def _facts(answer: CurveAnswer, curve: CurveFound, marks: Marks) -> Iterator[tup
         yield "where", f"{parts}, as at the point that it begins at"
     if curve.touches:
         yield "touches", curve.touches
+    if curve.throughout:
+        yield "all along", f"{', '.join(curve.throughout)}; so no single point of that is told"
     stable = sum(orbit.unstable == 0 for orbit in curve.orbits)
     yield (
         "orbits",
