@@ -67,6 +67,8 @@ def test_a_drawing_takes_the_estimated_stiffness_out():
         ('loaded_error = "8 um"', 'loaded_error = "8 um"\nerror = "3 um"', "no error beside it"),
         ('loaded_error_torque = "150 N m"\n', "", "the pinion torque it was found at"),
         ("[operation]", "[dimensionless]\nerror_2 = 0.1\n[operation]", "no error beside it"),
+        ('loaded_error = "8 um"\n', "", "the amplitude that mesh.loaded_error_torque belongs to"),
+        ('"150 N m"\n', '"0 N m"\n', "without load nothing is loaded"),
     ],
 )
 def test_what_would_count_twice_is_refused(old, new, word):
@@ -83,3 +85,74 @@ def test_an_override_of_one_takes_the_place_of_the_other():
                 {"mesh.loaded_error": "8 um", "mesh.loaded_error_torque": "150 N m"})  # fmt: skip
     one, other = back.family()[0].defaults, loads(LOADED).family()[0].defaults
     assert one["error"] == pytest.approx(other["error"])
+
+
+def phases_of(text: str) -> dict[str, tuple[object, object, object]]:
+    values = loads(text).values()
+    return {v.path: (v.provenance, v.least, v.greatest) for v in values if "phase" in v.path}
+
+
+def test_a_phase_that_nobody_states_is_assumed_where_it_matters():
+    not_known = "assumed", pytest.approx(-180.0), pytest.approx(180.0)
+    assert phases_of(LOADED)["mesh.loaded_error_phase"] == not_known
+    stated = LOADED.replace('"8 um"', '"8 um"\nloaded_error_phase = "0 deg"\nloaded_error_2 = "1 um"')
+    found = phases_of(stated)
+    assert found["mesh.loaded_error_phase"][0] == "given"
+    assert found["mesh.loaded_error_phase_2"] == not_known
+    plain = DRIVE.replace('error_phase="90 deg"', 'error_2 = "1 um"')
+    assert phases_of(plain)["mesh.error_phase"] == phases_of(plain)["mesh.error_phase_2"] == not_known
+    # of one harmonic alone the phase only says when time begins
+    alone = plain.replace('error_2 = "1 um"', "").replace("ripple = 0.12", "ripple = 0.0")
+    assert "mesh.error_phase" not in phases_of(alone)
+    assert "mesh.ripple_phase" not in phases_of(plain)
+    assert loads(LOADED).family()[0].defaults == loads(stated.replace(
+        "\nloaded_error_2 = \"1 um\"", "")).family()[0].defaults  # fmt: skip
+
+
+def test_a_value_without_its_unit_is_one_problem():
+    with pytest.raises(CaseError) as told:
+        loads(LOADED.replace('"8 um"', "8"))
+    assert [p.path for p in told.value.problems] == ["mesh.loaded_error"]
+
+
+CURVE = """
+[curves.error]
+{}
+state = "loaded"
+torque = "150 N m"
+"""
+
+
+def test_a_loaded_curve_means_the_same_however_its_units_are_written():
+    plain = LOADED.replace('loaded_error = "8 um"\nloaded_error_torque = "150 N m"', "")
+
+    def error(text: str) -> np.ndarray:
+        return loads(plain + CURVE.format(text)).family()[0].system().forcing
+
+    one = error('amplitudes = [3, 1]\nphases = [0.5, 1.0]\nunit = "um"')
+    assert error('amplitudes = ["3 um", "0.001 mm"]\nphases = ["0.5 rad", 1]') == pytest.approx(
+        one, rel=1e-12
+    )
+    one = error('points = [[0, -3], [0.25, 1], [0.5, 3], [0.75, 0]]\nunit = "um"')
+    other = error('points = [[0, "-3 um"], [0.25, "1 um"], [0.5, "3e-3 mm"], [0.75, "0 um"]]')
+    assert other == pytest.approx(one, rel=1e-12)
+    values = {v.path: v for v in loads(plain + CURVE.format('amplitudes = [3]\nunit = "um"')).values()}
+    assert values["curves.error.phases"].provenance == "assumed"
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ('amplitudes = ["3 um", 1]', "all are numbers, or all have their own unit"),
+        ('amplitudes = ["3 um", "1 N"]', r"amplitudes\[1\]"),
+        ('amplitudes = ["3 um"]\nphases = ["1 um"]', r"phases\[0\]"),
+        ('points = [[0, "1 um"], [0.5, 2]]', "all are numbers, or all have their own unit"),
+        ('low = "1 um"\nhigh = 3\ncontact_ratio = 1.6', "a number as low is"),
+        ('amplitudes = [1]\nmean = "2 um"', "a number as the amplitudes are"),
+        ("amplitudes = [1]", "in N and m, which are not there"),
+    ],
+)
+def test_values_whose_unit_is_in_doubt_are_refused(text, word):
+    plain = LOADED.replace('loaded_error = "8 um"\nloaded_error_torque = "150 N m"', "")
+    with pytest.raises(CaseError, match=word):
+        loads(plain + CURVE.format(text))

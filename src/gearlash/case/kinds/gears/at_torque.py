@@ -62,7 +62,8 @@ def mesh_at(entries: EntriesByKey, drawing: Drawing | None, torque: float) -> Me
     there = replace(drawing, torque=torque)
     if entries[MEAN].least is not None:
         mean = _estimated(there, "mean_stiffness")["mean_stiffness"].value
-    if any(key.startswith("ripple") and each.least is not None for key, each in entries.items()):
+    amplitudes = [each for key, each in entries.items() if key.startswith("ripple") and "phase" not in key]
+    if any(each.least is not None for each in amplitudes):
         values = {name: one.value for name, one in _estimated(there, "ripple").items()}
         shape = _series({_renamed(name): value for name, value in values.items()})
     error = relief_error(there)

@@ -33,7 +33,8 @@ def _named_too(entries: EntriesByKey, curves: Curves) -> Iterator[Problem]:
     for name in curves:
         stem = STEMS[name]
         for key, entry in entries.items():
-            if key.startswith(stem) and not key.endswith("_scale") and entry.value != 0.0:
+            stated = entry.text and entry.value != 0.0
+            if key.startswith(stem) and not key.endswith("_scale") and stated:
                 expected = f"nothing here: {TABLE}.{name} states the whole of it ({stem}_scale multiplies it)"
                 yield Problem(entry.path, repr(entry.text), expected)
 

@@ -16,7 +16,18 @@ import numpy as np
 from gearlash.case.errors import Problem, shown
 from gearlash.case.quantity import Quantity
 from gearlash.case.stated import Provenance, ValueRefusedError, read_stated
-from gearlash.case.units import LENGTH, NUMBER, STIFFNESS, TORQUE, Dimension, UnitError, in_si, read, takes
+from gearlash.case.units import (
+    ANGLE,
+    LENGTH,
+    NUMBER,
+    STIFFNESS,
+    TORQUE,
+    Dimension,
+    UnitError,
+    in_si,
+    read,
+    takes,
+)
 from gearlash.case.words import nearest_name
 
 TABLE = "curves"
@@ -50,6 +61,7 @@ MOST_HARMONICS = 200
 UNLOADED, LOADED = "unloaded", "loaded"
 _DIMENSION = {"stiffness": STIFFNESS, "error": LENGTH}
 _TORQUE = Quantity("torque", TORQUE, "N*m", "150 N·m", "pinion torque of the measurement", -1e9, 1e9)
+_PHASE = Quantity("phases", ANGLE, "rad", "1.57 rad", "phase of a cosine", -100.0, 100.0, bare=True)
 _WHAT = {"stiffness": "N/um", "error": "um"}
 
 
@@ -62,8 +74,10 @@ class CurveReader:
         self.problems: list[Problem] = []
 
     def wrong(self, key: str, expected: str, nearest: str | None = None) -> None:
-        """Keeps a problem of what stands at a key."""
-        self.problems.append(Problem(f"{self.path}.{key}", shown(self.table.get(key)), expected, nearest))
+        """Keeps a problem of what stands at a key, once."""
+        problem = Problem(f"{self.path}.{key}", shown(self.table.get(key)), expected, nearest)
+        if problem not in self.problems:
+            self.problems.append(problem)
 
     def read(self) -> dict[str, Any] | None:
         """The plain data; None where something is wrong."""
@@ -168,20 +182,41 @@ class CurveReader:
             return NUMBER, 1.0
         return dimension, float(in_si(dimension, Fraction(number), unit))
 
+    @property
+    def _unit_stated(self) -> bool:
+        return self._unit()[0] != NUMBER
+
     def _value(self, key: str) -> float | None:
         """A number of the curve: in the unit of the table, or with its own."""
         raw = self.table.get(key)
         if isinstance(raw, int | float) and not isinstance(raw, bool) and isfinite(raw):
             return float(raw) * self._unit()[1]
         if isinstance(raw, str):
-            place = Quantity(key, _DIMENSION[self.name], _WHAT[self.name], f"5 {_WHAT[self.name]}", "")
-            try:
-                return float(read_stated(raw, place).value)
-            except ValueRefusedError as error:
-                self.wrong(key, error.expected, error.nearest)
-                return None
+            return self._own_unit(key, raw)
         self.wrong(key, f'a number, or one with its unit, such as "5 {_WHAT[self.name]}"')
         return None
+
+    def _own_unit(self, key: str, raw: str) -> float | None:
+        """A value with its own unit."""
+        place = Quantity(key, _DIMENSION[self.name], _WHAT[self.name], f"5 {_WHAT[self.name]}", "")
+        try:
+            return float(read_stated(raw, place).value)
+        except ValueRefusedError as error:
+            self.problems.append(Problem(f"{self.path}.{key}", shown(raw), error.expected, error.nearest))
+            return None
+
+    def _in_si(self, key: str, raws: list[Any]) -> tuple[list[float] | None, bool]:
+        """Values in the unit of the table, or all with their own; and whether they have one."""
+        texts = [isinstance(raw, str) for raw in raws]
+        if not any(texts):
+            dimension, size = self._unit()
+            return [size * float(raw) for raw in raws], dimension != NUMBER
+        if not all(texts):
+            self.wrong(key, "values that all are numbers, or all have their own unit")
+            return None, True
+        found = [self._own_unit(f"{key}[{at}]", raw) for at, raw in enumerate(raws)]
+        known = [value for value in found if value is not None]
+        return (known if len(known) == len(found) else None), True
 
     def _period(self) -> float | None:
         """One period in the unit of the angles."""
@@ -212,6 +247,12 @@ class CurveReader:
             self.wrong("contact_ratio", "a number above 1 and below 20: pairs of teeth in contact on average")
         if low is None or high is None or not good:
             return {}
+        if (
+            isinstance(self.table["low"], str) != isinstance(self.table["high"], str)
+            and not self._unit_stated
+        ):
+            self.wrong("high", "a number as low is, or both with their unit")
+            return {}
         part = float(ratio) % 1.0
         return {
             "physical": self._physical("low", "high"),
@@ -221,36 +262,53 @@ class CurveReader:
         }
 
     def _cosines(self) -> dict[str, Any]:
-        heights, angles = self._numbers("amplitudes"), self._numbers("phases", needed=False)
+        heights, angles = self._amplitudes(), self._angles()
         if heights is None or angles is None:
             return {}
         if angles and len(angles) != len(heights):
             self.wrong("phases", f"one for each of the {len(heights)} amplitudes, in rad")
             return {}
-        size = self._unit()[1]
+        values, physical = self._in_si("amplitudes", heights)
+        if values is None:
+            return {}
         mean = self._value("mean") if "mean" in self.table else None
-        if self.name == "stiffness" and mean is None and self._physical():
+        if isinstance(self.table.get("mean"), str) and not physical:
+            self.wrong("mean", "a number as the amplitudes are, or all with their unit")
+        if self.name == "stiffness" and mean is None and physical:
             expected = "the mean, as amplitudes have a unit"
             self.problems.append(Problem(f"{self.path}.mean", None, expected, missing=True))
         return {
-            "physical": self._physical(),
+            "physical": physical,
             "mean": mean if mean is not None else (1.0 if self.name == "stiffness" else 0.0),
-            "amplitudes": [size * height for height in heights],
+            "amplitudes": values,
             "angles": angles or [0.0] * len(heights),
+            "unphased": not angles,
         }
 
-    def _numbers(self, key: str, needed: bool = True) -> list[float] | None:
-        raw = self.table.get(key, [])
-        limit = MOST_HARMONICS
-        if (
-            not isinstance(raw, list)
-            or (needed and not raw)
-            or len(raw) > limit
-            or not all(map(_finite, raw))
-        ):
-            self.wrong(key, f"an array of 1 to {limit} numbers, from the first harmonic on")
+    def _amplitudes(self) -> list[Any] | None:
+        raw = self.table.get("amplitudes", [])
+        if not isinstance(raw, list) or not 1 <= len(raw) <= MOST_HARMONICS or not all(map(_valued, raw)):
+            expected = f"an array of 1 to {MOST_HARMONICS} values, from the first harmonic on"
+            self.wrong("amplitudes", expected)
             return None
-        return [float(value) for value in raw]
+        return raw
+
+    def _angles(self) -> list[float] | None:
+        """Phases in rad, or with their own unit."""
+        raw = self.table.get("phases", [])
+        if not isinstance(raw, list) or len(raw) > MOST_HARMONICS or not all(map(_valued, raw)):
+            self.wrong("phases", f"an array of up to {MOST_HARMONICS} phases, in rad")
+            return None
+        found = []
+        for at, one in enumerate(raw):
+            try:
+                found.append(float(read_stated(one, _PHASE).value) if isinstance(one, str) else float(one))
+            except ValueRefusedError as error:
+                self.problems.append(
+                    Problem(f"{self.path}.phases[{at}]", shown(one), error.expected, error.nearest)
+                )
+                return None
+        return found
 
     def _points(self, raw: object, key: str) -> dict[str, Any]:
         expected = f"an array of 2 to {MOST_POINTS:,} pairs [angle, value]"
@@ -258,14 +316,17 @@ class CurveReader:
             self.wrong(key, expected)
             return {}
         for at, row in enumerate(raw):
-            if not isinstance(row, list | tuple) or len(row) != 2 or not all(map(_finite, row)):
+            pair = isinstance(row, list | tuple) and len(row) == 2
+            if not pair or not _finite(row[0]) or not _valued(row[1]):
                 self.problems.append(Problem(f"{self.path}.{key}[{at}]", shown(row), "a pair [angle, value]"))
                 return {}
         size, period = self._period(), self.table.get("over", PERIODS[0])
         if size is None:
             return {}
-        pairs = np.asarray(raw, dtype=float)
-        phases, values = pairs[:, 0] / size, pairs[:, 1] * self._unit()[1]
+        heights, physical = self._in_si(key, [row[1] for row in raw])
+        if heights is None:
+            return {}
+        phases, values = np.array([float(row[0]) for row in raw]) / size, np.array(heights)
         if np.any(np.diff(phases) < 0.0):
             self.wrong(key, "angles that never go back")
             return {}
@@ -274,7 +335,7 @@ class CurveReader:
             self.wrong(key, f"points all round one {period} (these go over {length:.6g} of it)")
             return {}
         phases, values = begun_at_zero(phases, values)
-        return {"physical": self._physical(), "phases": phases.tolist(), "values": values.tolist()}
+        return {"physical": physical, "phases": phases.tolist(), "values": values.tolist()}
 
 
 def begun_at_zero(phases: Any, values: Any) -> tuple[Any, Any]:
@@ -306,6 +367,11 @@ def read_curves(raw: object, teeth: Mapping[str, int]) -> tuple[dict[str, Any], 
             if curve is not None:
                 found[name] = curve
     return found, problems
+
+
+def _valued(raw: object) -> bool:
+    """A number, or a text that may be one with its unit."""
+    return isinstance(raw, str) or _finite(raw)
 
 
 def _finite(raw: object) -> bool:

@@ -26,8 +26,8 @@ def curves_schema() -> dict[str, Any]:
 
 
 def _curve(name: str) -> dict[str, Any]:
-    numbers = {"type": "array", "items": {"type": "number"}, "maxItems": MOST_HARMONICS}
-    pair = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}
+    numbers = {"type": "array", "items": _NUMBER, "maxItems": MOST_HARMONICS}
+    pair = {"type": "array", "items": _NUMBER, "minItems": 2, "maxItems": 2}
     properties: dict[str, Any] = {
         "points": {
             "type": "array",
@@ -42,7 +42,7 @@ def _curve(name: str) -> dict[str, Any]:
         "contact_ratio": {"type": "number", "description": "pairs of teeth in contact on average, above 1"},
         "mean": {**_NUMBER, "description": "beside amplitudes"},
         "amplitudes": {**numbers, "description": "of cosines, from the first harmonic on"},
-        "phases": {**numbers, "description": "of these cosines, in rad"},
+        "phases": {**numbers, "description": "of these cosines, in rad or with their unit"},
         "angle": {"enum": list(ANGLES), "default": "cycle", "description": "unit of the angles"},
         "unit": {"type": "string", "description": "of the values; without, over the mean or over D_c"},
         "over": {"enum": list(PERIODS), "default": PERIODS[0], "description": "after which it repeats"},

@@ -45,11 +45,14 @@ SAME: tuple[tuple[str, ...], ...] = (
 _ORDERS = range(1, HIGHEST_HARMONIC + 1)
 ERRORS = frozenset(harmonic_name("error", n) for n in _ORDERS)
 LOADED = frozenset(harmonic_name("mesh.loaded_error", n) for n in _ORDERS)
+_OF_LOADED = {
+    *LOADED, *(harmonic_name("mesh.loaded_error_phase", n) for n in _ORDERS), "mesh.loaded_error_torque"
+}  # fmt: skip
 
 
 def rivals(key: str) -> tuple[str, ...]:
     """The other keys that say the same."""
-    if key in ERRORS or key in LOADED:  # one of them takes the place of all of the other
+    if key in ERRORS or key in _OF_LOADED:  # one of them takes the place of all of the other
         return tuple(LOADED if key in ERRORS else ERRORS)
     return next((tuple(k for k in group if k != key) for group in SAME if key in group), ())
 

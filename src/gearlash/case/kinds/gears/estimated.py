@@ -48,6 +48,7 @@ class Completed:
         return any(
             e.least is not None
             and (key == "mesh.mean_stiffness" or key.startswith(("ripple", "bearing_frequency")))
+            and "phase" not in key
             for key, e in self.entries.items()
         )
 

@@ -51,7 +51,7 @@ def unloaded(
 ) -> tuple[EntriesByKey, list[Problem]]:
     """The entries with the error that is left of a loaded one."""
     if not is_loaded(entries):
-        return entries, []
+        return entries, list(_alone(entries))
     problems = list(_refused(rules, entries, curves))
     if problems or "mesh.mean_stiffness" not in entries:
         return entries, problems
@@ -69,6 +69,14 @@ def unloaded(
     makes = "the stiffness makes" if not np.any(mesh.relief) else "stiffness and relief make"
     reason = f"what is left of the loaded error without the {made * 1e6:.3g} um that {makes}"
     return {**entries, **{e.key: e for e in _entries(found, reason)}}, []
+
+
+def _alone(entries: EntriesByKey) -> Iterator[Problem]:
+    """Words of a loaded error that is not there."""
+    for key in (AT, *PHASES):
+        if key in entries:
+            yield Problem(STEM, None, f"the amplitude that {entries[key].path} belongs to", missing=True)
+            return
 
 
 def _number(entries: EntriesByKey, key: str) -> float:
@@ -93,6 +101,8 @@ def _refused(rules: PairRules, entries: EntriesByKey, curves: Curves) -> Iterato
     if AT not in entries:
         example = quantities_by_path()[AT].example
         yield Problem(AT, None, f'the pinion torque it was found at, such as "{example}"', missing=True)
+    elif entries[AT].number == 0.0:
+        yield Problem(AT, repr(entries[AT].text), "a torque other than 0: without load nothing is loaded")
     if line_of(rules, entries, geometry_of(rules, entries)) is None:
         yield Problem(first, text, "an unloaded error (mesh.error): without radii no torque is a force")
 

@@ -21,6 +21,7 @@ from .estimated import Completed, complete, is_drawn, is_estimable
 from .excitation import Curves, Reconstructed, reconstructed
 from .loaded import unloaded
 from .numbers import numbers
+from .phases import assumed_phases
 from .places import Places
 from .recomputed import Pair, recomputed
 from .records import Numbers
@@ -46,7 +47,8 @@ class GearPair:
     def completed(self) -> Completed:
         """With what is estimated."""
         found = complete(self.rules, self.stated, self.curves)
-        entries, problems = unloaded(self.rules, found.entries, self.curves, found.drawing)
+        phased = {**found.entries, **{e.key: e for e in assumed_phases(found.entries, self.curves)}}
+        entries, problems = unloaded(self.rules, phased, self.curves, found.drawing)
         return replace(found, entries=entries, refused=tuple(problems))
 
     @property
@@ -60,7 +62,8 @@ class GearPair:
         found = missing(self.rules, self.entries, present)
         if self.completed.problems or is_drawn({*self.stated, *present}):
             found = [p for p in found if not is_estimable(p.path)]
-        return [*self.completed.problems, *self.completed.refused, *found]
+        refused = [p for p in self.completed.refused if not (p.missing and p.path in present)]
+        return [*self.completed.problems, *refused, *found]
 
     def contradicted(self) -> list[Problem]:
         """What of a pair that lacks nothing contradicts what else it states."""

@@ -13,6 +13,7 @@ from .curves import STEMS, TABLE
 from .derive import derived, disc_gears
 from .keys import BODY, CONTACT
 from .pair import GearPair
+from .phases import REASON
 
 
 def values(pair: GearPair) -> list[Value]:
@@ -71,6 +72,9 @@ def _curves(pair: GearPair) -> Iterator[Value]:
         what = f"{curve.harmonics} harmonics"
         provenance = Provenance(stated["provenance"])
         yield Value(f"{TABLE}.{name}", what, "", provenance, stated["reason"], f"{STEMS[name]}_scale", text)
+        if stated.get("unphased") and (len(pair.curves) > 1 or curve.harmonics > 1 or name == "error"):
+            path, text = f"{TABLE}.{name}.phases", f"phases of the harmonics of {TABLE}.{name}"
+            yield Value(path, 0.0, "rad", Provenance.ASSUMED, REASON, None, text)
 
 
 def _defaults(pair: GearPair) -> Iterator[Value]:
