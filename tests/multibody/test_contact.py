@@ -8,9 +8,13 @@ from math import cos
 import numpy as np
 import pytest
 
-from gearlash.multibody.contact import MeshContact, contact_forces, new_memory
+from gearlash.gears.materials import named
+from gearlash.gears.tooth_pair import ToothLoad, contact_compliance
+from gearlash.multibody.contact import WHY, MeshContact, RimModes, contact_forces, new_memory
 from gearlash.multibody.topography import Topography
-from multibody.meshes import contact, helical, jolted, plain, pose
+from gearlash.system import GearlashError
+from multibody.meshes import contact, helical, jolted, plain, pose, spur
+from multibody.standin import Standin
 
 STILL = np.zeros(12)
 STEPS = np.tile([1e-8, 1e-8, 1e-8, 1e-7, 1e-7, 1e-7], 2)
@@ -168,3 +172,71 @@ def test_what_is_remembered_changes_the_time_only():
             assert contact_forces(mesh.tables, q, 0.01 * q, one, report, memory) == 0
             assert contact_forces(mesh.tables, q, 0.01 * q, other, report) == 0
             assert np.allclose(one, other, rtol=1e-7, atol=1e-6)
+
+
+def moving(mesh: MeshContact) -> MeshContact:
+    """With modes of both bodies that bend the rims by waves, and one without waves."""
+    rng = np.random.default_rng(3)
+    shape = rng.normal(size=(2, 4, len(mesh.tables.slices), 2)) * 1e-2
+    modes = RimModes(np.array([0, 1, 1, 1]), np.array([2, 2, 2, 0]), shape)
+    return contact(mesh.flanks.pair, modes=modes, damping_time=1e-5)
+
+
+@pytest.mark.parametrize("pressed", [DRIVING, BACK])
+def test_modes_move_the_flanks_and_are_moved(pressed: float):
+    mesh = moving(plain("helical"))
+    amplitude = 1e-4 * np.array([1.0, -0.6, 0.4, 0.2])
+    q = np.append(jolted(mesh, 0.21, approach(mesh, pressed), 2), amplitude)
+    still, steps = np.zeros(16), np.append(STEPS, [1e-7] * 4)
+    slope = [mesh.details(q - d, still).energy - mesh.details(q + d, still).energy for d in np.diag(steps)]
+    found = mesh.details(q, still)
+    assert np.abs(found.forces[12:]).min() > 0.1
+    assert np.allclose(np.array(slope) / (2.0 * steps), found.forces, rtol=0.0, atol=1e-5 * sum(found.normal))
+    speed = np.zeros(16)
+    speed[12:] = 0.01
+    power = (mesh.forces(q, speed) - found.forces) @ speed
+    assert power == pytest.approx(-mesh.details(q, speed).dissipation, rel=1e-9)
+
+
+def test_an_outward_rim_closes_the_gap():
+    mesh = plain("helical")
+    shape = np.zeros((2, 1, len(mesh.tables.slices), 2))
+    shape[:, 0, :, 0] = 1.0  # all around, both sides of the teeth
+    breathing = contact(helical(), modes=RimModes(np.array([1]), np.array([0]), shape))
+    q = np.append(np.zeros(12), 7e-6)
+    assert np.subtract(breathing.details(q, 0.0 * q).nearest, mesh.details(STILL, STILL).nearest) == (
+        pytest.approx([-7e-6, -7e-6], abs=1e-15)
+    )
+
+
+@pytest.mark.parametrize("pressed", [0.5e-6, 3e-6, 20e-6])
+def test_the_flattening_is_that_of_weber_and_banaschek(pressed: float):
+    """Rigid teeth: what is left is the approach of one line of contact to the other."""
+    pair = spur()
+    depth = 0.5 * pair.pinion.normal_module
+    rigid = Standin(np.array([0.0, 0.1]), np.array([-0.01, 0.01]), np.zeros((1, 4, 4)), depth)
+    mesh = contact(pair, compliances=(rigid, rigid), slices=1)
+    found = mesh.details(pose(mesh, 0.02, approach(mesh, pressed)), STILL)
+    rolls = mesh.rolls(0.02 / mesh.flanks.phase_pitch)
+    on_path = (rolls > pair.path_of_contact[0]) & (rolls < pair.path_of_contact[1])
+    load, steel = ToothLoad(0.0, 0.0, depth), named("steel")
+    assert on_path.any()
+    for roll, force in zip(rolls[on_path], found.loads[0][on_path], strict=True):
+        line_load = float(force) / pair.face_width
+        curvature = mesh.flanks.relative_curvature(float(roll))
+        compliance = contact_compliance((load, load), curvature, line_load, (steel, steel))
+        assert compliance * line_load == pytest.approx(pressed, rel=1e-9)
+
+
+def test_what_has_no_answer_says_so():
+    mesh = plain("helical")
+    out, report = np.empty(12), np.empty(8)
+    bad, near = np.zeros(12), np.zeros(12)
+    bad[4], near[6] = np.nan, -0.02
+    deep = pose(mesh, 0.0, 0.5 * mesh.flanks.play + 100e-6)
+    for q, word in ((bad, "line of action"), (near, "line of action"), (deep, "80 µm")):
+        assert contact_forces(mesh.tables, q, STILL, out, report) in WHY
+        assert np.isnan(out).all()
+        assert np.isnan(report).all()
+        with pytest.raises(GearlashError, match=word):
+            mesh.forces(q, STILL)

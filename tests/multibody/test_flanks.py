@@ -12,8 +12,9 @@ from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
 from gearlash.gears import CylindricalGear, CylindricalPair, backlash
+from gearlash.multibody._tables import CORNER_REACH
 from gearlash.multibody.contact import MeshContact
-from gearlash.multibody.flanks import CORNER_REACH, Flanks
+from gearlash.multibody.flanks import Flanks
 from gearlash.multibody.topography import Relief, Topography
 from gearlash.system import GearlashError
 from multibody.meshes import PAIRS, jolted, plain, pose, spur

@@ -12,6 +12,9 @@ from ._gaps import POSE, catmull_rom, gaps, mode_at
 from ._load_sharing import flattening, share, solve
 from ._tables import (
     BASE_1,
+    BASE_2,
+    CENTRES,
+    CORNER_REACH,
     DAMPING_TIME,
     HERTZ,
     HERTZ_DEPTH,
@@ -29,7 +32,26 @@ from ._tables import (
 )
 
 REPORT = 8
+NO_MESH, TOO_DEEP, NO_FORCES = 1, 2, 3
 WRITE_1, MATRIX = array_of(float64, 1), array_of(float64, 2)
+
+
+@inner
+def _meshes(x, q):
+    """Whether all of it is numbers, and the axes are far enough from each other for a line of action."""
+    for value in q:
+        if not abs(value) < 1e12:
+            return False
+    tilt = abs(q[3]) + abs(q[4]) + abs(q[9]) + abs(q[10])
+    nearer = abs(q[0]) + abs(q[6]) + x[CENTRES] * tilt
+    return x[CENTRES] - nearer > 1.0001 * (x[BASE_1] + x[BASE_2])
+
+
+@inner
+def _lost(out, report, why):
+    out[:] = np.nan
+    report[:] = np.nan
+    return why
 
 
 @inner
@@ -126,7 +148,7 @@ def _act(tables, side, sign, q, place, force, row, out):
 @kernel(int64(TABLES, READ_1, READ_1, WRITE_1, WRITE_1, MATRIX, MATRIX), allocates=True)
 def contact_kernel(tables, q, v, out, report, memory, loads):
     """out (12 + modes) ← generalised forces; report (REPORT); memory (2, P S) where it has rows: elastic
-    forces to begin with ← those found; loads, too: the force on every place. Not 0: they were not found."""
+    forces to begin with ← those found; loads, too: the force on every place. Not 0: why there are none."""
     x, most = tables.scalars, len(tables.slices) * tables.counts[PAIRS]
     pose, speed = np.empty(len(q)), np.empty(len(q))
     place, pushing = np.empty(most, np.int64), np.empty(most, np.int64)
@@ -136,6 +158,8 @@ def contact_kernel(tables, q, v, out, report, memory, loads):
     weights, slopes, frame = np.empty(4), np.empty(4), np.empty(7)
     out[:] = 0.0
     report[:] = 0.0
+    if not _meshes(x, q):
+        return _lost(out, report, NO_MESH)
     for side in range(2):
         sign = 1.0 - 2.0 * side
         for i in range(len(q)):
@@ -143,6 +167,8 @@ def contact_kernel(tables, q, v, out, report, memory, loads):
             pose[i], speed[i] = flip * q[i], flip * v[i]
         n, nearest = gaps(tables, side, sign, pose, place, roll, gap, gradient, weights, slopes, frame)
         report[6 + side] = nearest
+        if nearest < -CORNER_REACH:
+            return _lost(out, report, TOO_DEEP)
         if n == 0:
             continue
         cell, rate = _phase(tables, pose[5], weights, slopes)
@@ -154,9 +180,7 @@ def contact_kernel(tables, q, v, out, report, memory, loads):
             f[a] = memory[side, place[a]] if len(memory) > 0 else 0.0
         m = share(x, n, gap, compliance, depth, f, factor, right, column, pushing)
         if m < 0:
-            out[:] = np.nan
-            report[:] = np.nan
-            return 1 + side
+            return _lost(out, report, NO_FORCES)
         if len(memory) > 0:
             memory[side, :] = 0.0
             for i in range(m):

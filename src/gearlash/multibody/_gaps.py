@@ -187,12 +187,13 @@ def gaps(tables, side, sign, q, place, roll, gap, gradient, weights, slopes, fra
             relief, relief_slope = relief_at(tables.relief, side, k, at, weights, slopes)
             whole = x[OBLIQUE] * across + relief + error - closed
             nearest = min(nearest, whole)
-            if whole < 0.0:
+            slot = (j + cycle - tables.counts[FIRST_PAIR]) * n_slices + k
+            if whole < 0.0 and 0 <= slot < len(place):
                 row = gradient[count]
                 _derivatives(x, d1, d2, px, py, q, frame, row)
                 row[5] += relief_slope * x[BASE_1] / x[RELIEF_STEP] + error_slope - sign * turn_1
                 row[11] -= sign * turn_2
                 gap[count], roll[count] = whole, nominal
-                place[count] = (j + cycle - tables.counts[FIRST_PAIR]) * n_slices + k
+                place[count] = slot
                 count += 1
     return count, nearest

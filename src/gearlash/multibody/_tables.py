@@ -16,6 +16,9 @@ from gearlash._kernel.jit import array_of, float64, int64, record_of
 Reals = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
+CORNER_REACH = 80e-6
+"""Up to this normal approach, m, tip corners are followed beyond the path of contact."""
+
 # scalars
 BASE_1, BASE_2, CENTRES, ANGLE, TWIST, OBLIQUE, PITCH, ORIGIN_1, ORIGIN_2, REST = range(10)
 TIP_1, TIP_2, FAR_1, FAR_2, CORNER_1, CORNER_2, CURVED_1, CURVED_2, PATH_START, PATH_END = range(10, 20)

@@ -3,6 +3,7 @@
 The places of contact follow the phase of the mesh, which is the pinion's turn; the gaps follow the whole
 pose: centre distance, misalignment, axial shift, errors, modifications. What the centre distance does to the
 places themselves (some micrometres on a flank of millimetres) is left out of the compliance, not of the gaps.
+So is what a force on one side of a tooth does to its other side, and friction.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from gearlash.gears.materials import Material, named
 from gearlash.system import GearlashError
 
 from . import _tables as places
-from ._forces import REPORT, contact_kernel
+from ._forces import NO_FORCES, NO_MESH, REPORT, TOO_DEEP, contact_kernel
 from ._tables import ContactTables
 from .flanks import Flanks
 from .topography import Topography
@@ -30,6 +31,12 @@ Reals = NDArray[np.float64]
 PHASES = 32
 """Of the compliance in one mesh cycle."""
 RELIEF_POINTS = 400
+WHY = {
+    NO_MESH: "the axes are so near to each other, or so far turned, that the teeth have no line of action",
+    TOO_DEEP: f"the flanks are more than {places.CORNER_REACH * 1e6:g} µm in each other",
+    NO_FORCES: "the forces between the teeth were not found",
+}
+"""Why `contact_forces` has no answer."""
 _NOTHING = np.empty((0, 0))
 
 
@@ -271,8 +278,9 @@ class MeshContact:
         n_slices = len(self.tables.slices)
         out, report = np.empty(len(q)), np.empty(REPORT)
         loads = np.zeros((2, int(self.tables.counts[places.PAIRS]) * n_slices))
-        if contact_kernel(self.tables, q, v, out, report, _NOTHING, loads):
-            raise GearlashError("the forces between the teeth were not found")
+        why = contact_kernel(self.tables, q, v, out, report, _NOTHING, loads)
+        if why:
+            raise GearlashError(WHY[why])
         return Details(
             out,
             (float(report[0]), float(report[1])),
@@ -306,7 +314,7 @@ def contact_forces(
     Returns
     -------
     int
-        0; otherwise forces were not found, and both arrays are NaN.
+        0; otherwise a key of `WHY`, and both arrays are NaN.
     """
     return contact_kernel(tables, q, v, out, report, memory, _NOTHING)
 

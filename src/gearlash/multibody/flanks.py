@@ -32,10 +32,9 @@ from numpy.typing import ArrayLike, NDArray
 from gearlash.gears import CylindricalGear, CylindricalPair
 from gearlash.system import GearlashError
 
-Reals = NDArray[np.float64]
+from ._tables import CORNER_REACH
 
-CORNER_REACH = 80e-6
-"""Up to this normal approach, m, corners are followed beyond the path of contact."""
+Reals = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
