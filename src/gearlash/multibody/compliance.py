@@ -8,9 +8,13 @@ of a half-plane relative to `FlankCompliance.depth`, which gives as much as that
 
 from __future__ import annotations
 
+import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
-from math import cos, sin
+from functools import cache
+from importlib.metadata import version
+from math import cos, hypot, sin
+from pathlib import Path
 
 import numpy as np
 import scipy.sparse as sparse
@@ -21,13 +25,17 @@ from gearlash.gears import CylindricalGear, CylindricalPair
 from gearlash.gears.materials import Material, named
 from gearlash.system import GearlashError
 
+from . import kept
 from .dent import half_plane_depth
 from .elastic import ElasticModel, elastic_model
+from .extra import require_extra
 from .hexahedra import GearSector, gear_sector
 from .tooth_section import Fineness, default_depth, tooth_section
 
 Reals = NDArray[np.float64]
 Integers = NDArray[np.int64]
+MAKERS = ("compliance", "dent", "elastic", "hexahedra", "tooth_section")
+"""Modules on which a kept compliance depends."""
 
 
 @dataclass(frozen=True)
@@ -83,6 +91,8 @@ class FlankCompliance:
     asymmetry : float
         Greatest difference of what should be equal (a force here and a displacement there, or the other way
         round), over the greatest influence. It comes from the cuts: `influence` has the mean of both.
+    seconds : float
+        That making it took, now or when it was kept.
 
     Notes
     -----
@@ -101,6 +111,7 @@ class FlankCompliance:
     influence: Reals
     depth: float
     asymmetry: float
+    seconds: float
 
 
 def flank_compliance(
@@ -108,8 +119,9 @@ def flank_compliance(
     face_width: float,
     material: Material | None = None,
     settings: SectorSettings | None = None,
+    keep: bool = True,
 ) -> FlankCompliance:
-    """Compliance of a gear's flanks by finite elements.
+    """Compliance of a gear's flanks by finite elements, or as it was kept from an earlier run.
 
     Parameters
     ----------
@@ -120,6 +132,8 @@ def flank_compliance(
     material : Material, optional
         Steel where nothing is given.
     settings : SectorSettings, optional
+    keep : bool
+        Whether it may come from, and goes into, the user's cache folder.
 
     Returns
     -------
@@ -144,19 +158,57 @@ def flank_compliance(
     """
     if not face_width > 0.0:
         raise GearlashError(f"face width {face_width:g} m: it is above 0")
+    require_extra()
     steel = named("steel") if material is None else material
     how = SectorSettings() if settings is None else settings
     teeth = _odd_at_most(how.teeth, gear.teeth)
     layer = default_depth(gear) if how.layer is None else how.layer * gear.normal_module
     section = tooth_section(gear, how.fineness, how.rim_depth * gear.normal_module, layer)
     sector = gear_sector(gear, face_width, section, how.fineness, teeth)
-    influence, asymmetry = _influence(gear, sector, steel)
+    key = _key(gear, sector, steel, layer)
+    found = kept.read(_makers(), key) if keep else None
+    if found is None:
+        found = _made(gear, face_width, sector, steel, layer)
+        if keep:
+            kept.write(_makers(), key, found)
+    return _from_arrays(found)
+
+
+def _made(
+    gear: CylindricalGear, face_width: float, sector: GearSector, material: Material, layer: float
+) -> dict[str, Reals]:
+    """What a `FlankCompliance` has, by finite elements."""
+    began = time.perf_counter()
+    influence, asymmetry = _influence(gear, sector, material)
     corners = sector.points[sector.flanks[0, :, 0]]
-    radii = np.hypot(corners[:, 0], corners[:, 1])
-    roll = np.array([gear.roll_length(2.0 * radius) for radius in radii])
-    axial = np.linspace(-0.5 * face_width, 0.5 * face_width, how.fineness.axial + 1)
-    depth = half_plane_depth(layer, steel.poisson_ratio)
-    return FlankCompliance(roll, axial, influence, depth, asymmetry)
+    return {
+        "roll": np.array([gear.roll_length(2.0 * hypot(x, y)) for x, y, _ in corners]),
+        "axial": np.linspace(-0.5 * face_width, 0.5 * face_width, sector.flanks.shape[2]),
+        "influence": influence,
+        "depth": np.array(half_plane_depth(layer, material.poisson_ratio)),
+        "asymmetry": np.array(asymmetry),
+        "seconds": np.array(time.perf_counter() - began),
+    }
+
+
+def _from_arrays(arrays: dict[str, Reals]) -> FlankCompliance:
+    numbers = (float(arrays[name]) for name in ("depth", "asymmetry", "seconds"))
+    return FlankCompliance(arrays["roll"], arrays["axial"], arrays["influence"], *numbers)
+
+
+def _key(gear: CylindricalGear, sector: GearSector, material: Material, layer: float) -> str:
+    """Hash of all that a compliance depends on, besides what makes it."""
+    numbers = np.array([material.youngs_modulus, material.poisson_ratio, layer, gear.base_helix_angle])
+    arrays = (sector.points, sector.hexahedra, sector.flanks, sector.in_layer, sector.held, numbers)
+    return kept.digest([repr(gear).encode(), *(array.tobytes() for array in arrays)])
+
+
+@cache
+def _makers() -> str:
+    """Hash of the sources that make a compliance, and of the versions of what they call."""
+    here = Path(__file__).parent
+    sources = [(here / f"{name}.py").read_bytes() for name in MAKERS]
+    return kept.digest([*sources, *(version(name).encode() for name in ("scikit-fem", "scipy", "numpy"))])
 
 
 def pair_compliances(
@@ -164,6 +216,7 @@ def pair_compliances(
     face_widths: tuple[float, float],
     materials: tuple[Material, Material] | None = None,
     settings: SectorSettings | None = None,
+    keep: bool = True,
 ) -> tuple[FlankCompliance, FlankCompliance]:
     """Compliance of pinion and gear, each in a thread of its own.
 
@@ -177,6 +230,8 @@ def pair_compliances(
     materials : (Material, Material), optional
         Steel where nothing is given.
     settings : SectorSettings, optional
+    keep : bool
+        As of `flank_compliance`.
 
     Returns
     -------
@@ -204,7 +259,7 @@ def pair_compliances(
     mate = gear.mirrored() if pinion.helix_angle * gear.helix_angle > 0.0 else gear
     with ThreadPoolExecutor(2) as pool:
         waiting = [
-            pool.submit(flank_compliance, one, width, material, settings)
+            pool.submit(flank_compliance, one, width, material, settings, keep)
             for one, width, material in zip((pinion, mate), face_widths, both, strict=True)
         ]
     return waiting[0].result(), waiting[1].result()
