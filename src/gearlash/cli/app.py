@@ -21,6 +21,7 @@ from .commands.run import run
 from .commands.schema import schema
 from .commands.sweep import sweep
 from .commands.tolerance import tolerance
+from .commands.verify import verify
 from .commands.zones import zones
 
 LONGEST_ARGUMENT, MOST_ARGUMENTS = 4096, 1000  # characters: as much as a path may have
@@ -85,6 +86,7 @@ for command in (
     zones,
     tolerance,
     compare,
+    verify,
     reproduce,
     schema,
 ):

@@ -19,6 +19,7 @@ ANSWER_KINDS = {
     "report": "ReportAnswer",
     "tolerance": "ToleranceAnswer",
     "compare": "CompareAnswer",
+    "verify": "VerifyAnswer",
     "reproduce": "ReproduceAnswer",
     "problem": "ProblemAnswer",
 }

@@ -12,6 +12,7 @@ from .extra import MissingExtraError, require_extra
 from .flanks import Flanks
 from .line_contact import LineContact
 from .quasi_static import QuasiStatic, quasi_static
+from .reading import Reading, read_motion
 from .topography import Relief, Topography
 
 __all__ = [
@@ -27,6 +28,7 @@ __all__ = [
     "Modes",
     "Motion",
     "QuasiStatic",
+    "Reading",
     "Relief",
     "RigidBody",
     "RimModes",
@@ -36,6 +38,7 @@ __all__ = [
     "energy_balance",
     "natural_frequencies",
     "quasi_static",
+    "read_motion",
     "require_extra",
     "simulate",
 ]

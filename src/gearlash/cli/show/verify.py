@@ -1,0 +1,95 @@
+"""A verification in the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.text import Text
+
+from gearlash.cli.answers.verify import ConfigurationCompared, PointComputed, VerifyAnswer
+
+from .layout import facts, headline, note, table
+
+LIMITS = (
+    "Both models were given the same inputs before anything was computed (--json lists them and every "
+    "setting). Each row is one motion, from teeth pressed together on the drive side: others may coexist with "
+    "it. There is no friction in either model. What the multibody model assumes beyond the case (bearings "
+    "along the line of centres and against tilt, the phase of the error) is varied under `settings beside`."
+)
+
+
+def verify_view(answer: VerifyAnswer, width: int) -> Iterator[Text]:
+    """Sentence, meshes, and each configuration with the lumped model beside it."""
+    yield from headline(answer.sentence, width)
+    if answer.status != "ok":
+        yield from facts(
+            "", [("status", answer.status), ("message", answer.message), ("what to do", answer.advice)], width
+        )
+    rows = [
+        (
+            f"{mesh.face_width:.4g} mm",
+            f"{mesh.stiffness:.4g} N/m",
+            " ".join(f"{100.0 * ripple:.2g} %" for ripple in mesh.ripples),
+            f"{mesh.transmission_error:.3g} µm",
+            f"{mesh.transverse_contact_ratio:.3f} + {mesh.overlap_ratio:.3f}",
+        )
+        for mesh in answer.meshes
+    ]
+    columns = [("face width", "right"), ("mean stiffness", "right"), ("ripple, orders 1 2 3", "right"),
+               ("static error", "right"), ("contact ratio", "right")]  # fmt: skip
+    yield from table("The mesh of real teeth", columns, rows, width)
+    for one in answer.configurations:
+        yield from _configuration(one, width)
+    yield from note(LIMITS, width)
+
+
+def _configuration(one: ConfigurationCompared, width: int) -> Iterator[Text]:
+    rules = list(dict.fromkeys(p.rule for p in one.lumped))
+    labels = {(p.omega, p.rule): p.label for p in one.lumped}
+    columns = [("speed", "right"), ("ω", "right"), ("real teeth", "left"), ("apart", "right"),
+               ("least/mean", "right"), ("peak/mean", "right"),
+               *((f"lumped, {rule}", "left") for rule in rules)]  # fmt: skip
+    rows = [[*_row(p), *(labels.get((p.omega, rule), "") for rule in rules)] for p in one.points]
+    yield from table(f"{one.name}: {one.held}", columns, rows, width)
+    numbers = ", ".join(f"{name} {value:.4g}" for name, value in one.numbers.items())
+    facts_ = [("torque, error", f"{one.torque:.4g} N·m, {one.error:.4g} µm"), ("numbers", numbers)]
+    if one.window.omega:
+        facts_ += [("contact kept", _kept(one))]
+    yield from facts("", facts_, width)
+    if one.beside:
+        beside = [[p.setting, *_row(p)] for p in one.beside]
+        yield from table("settings beside", [("setting", "left"), *columns[:6]], beside, width)
+
+
+def _row(p: PointComputed) -> list[str]:
+    mean = p.mean_force or 1.0
+    return [
+        f"{p.speed:.0f} rpm",
+        f"{p.omega:.4f}",
+        p.label,
+        f"{100.0 * p.apart:.1f} %",
+        f"{p.least_force / mean:.2f}",
+        f"{p.greatest_force / mean:.2f}",
+    ]
+
+
+def _kept(one: ConfigurationCompared) -> str:
+    """Where teeth stay in contact, speed rising and falling."""
+    told = []
+    for way, labels in (("rising", one.window.up), ("falling", one.window.down)):
+        told.append(f"speed {way}: {spans(one.window.speed, labels)}")
+    return "; ".join(told)
+
+
+def spans(speeds: tuple[float, ...], labels: tuple[str, ...]) -> str:
+    """Runs of grid speeds whose label has no impact: ``3700 to 4250 rpm``."""
+    runs: list[list[float]] = []
+    inside = False
+    for speed, label in zip(speeds, labels, strict=True):
+        free = label.endswith("-0-0")
+        if free and inside:
+            runs[-1][1] = speed
+        elif free:
+            runs.append([speed, speed])
+        inside = free
+    return ", ".join(f"{low:.0f} to {high:.0f} rpm" for low, high in runs) or "nowhere on the grid"

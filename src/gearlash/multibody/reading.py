@@ -1,0 +1,160 @@
+"""What a motion of bodies in space shows, read by the definitions of the lumped model.
+
+A mesh cycle is one pitch of the pinion's rotation. The teeth are apart where no slice of either side carries
+force. An impact is a beginning of contact; P-Q-R counts those of the drive side and of the back side in one
+period of P mesh cycles.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.system import Signature
+
+from .bodies import SPIN
+from .dynamics import Motion
+
+Array = NDArray[np.float64]
+SAMPLES = 64
+"""Readings a mesh cycle that two cycles are compared by."""
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Figures of a motion over whole mesh cycles.
+
+    Attributes
+    ----------
+    label : Signature or None
+        None where the motion does not come back within `longest` cycles.
+    returns : float
+        How far the motion misses itself after P cycles, over the range of its force.
+    cycles : int
+        That were read.
+    apart : float
+        Share of time in which no tooth carries.
+    drive_impacts, back_impacts : int
+        Beginnings of contact in all cycles read.
+    least, mean, most : float
+        Normal force of the drive side, N.
+    most_back : float
+        Largest normal force of the back side, N.
+    orders : ndarray, shape (n,)
+        Amplitudes of the force at mesh orders 1/2, 1, 3/2, …, N.
+    phase, force : ndarray
+        The last `shown` mesh cycles: phase in mesh cycles, drive force less back force in N.
+    speed : float
+        Mean speed of the pinion, rad/s.
+    """
+
+    label: Signature | None
+    returns: float
+    cycles: int
+    apart: float
+    drive_impacts: int
+    back_impacts: int
+    least: float
+    mean: float
+    most: float
+    most_back: float
+    orders: Array
+    phase: Array
+    force: Array
+    speed: float
+
+
+def read_motion(
+    motion: Motion, teeth: int, *, longest: int = 8, tolerance: float = 0.01, shown: int = 2
+) -> Reading:
+    """Period, label and figures of a motion that has settled.
+
+    Parameters
+    ----------
+    motion : Motion
+        Kept at every step or nearly so, over at least twice ``longest`` mesh cycles.
+    teeth : int
+        Of the pinion.
+    longest : int
+        Longest period that is looked for, mesh cycles.
+    tolerance : float
+        A motion has come back where its force is within this share of the force's range, at all times of the
+        cycles compared.
+    shown : int
+        Mesh cycles of force that are kept.
+
+    Returns
+    -------
+    Reading
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from gearlash.multibody import Motion, read_motion
+    >>> t = np.linspace(0.0, 16.0, 2049)
+    >>> q = np.zeros((2049, 12))
+    >>> q[:, 5] = 2.0 * np.pi * t / 20
+    >>> force = np.maximum(1.0 + 1.5 * np.cos(2.0 * np.pi * t), 0.0)
+    >>> motion = Motion(t, q, np.gradient(q, t, axis=0), np.outer(force, [1.0, 0, 0, 0, 0]))
+    >>> reading = read_motion(motion, 20)
+    >>> str(reading.label), round(reading.apart, 2)
+    ('1-1-0', 0.27)
+    """
+    phase = motion.q[:, SPIN] * teeth / (2.0 * np.pi)
+    first, last = int(np.ceil(phase[0] - 1e-9)), int(np.floor(phase[-1] + 1e-9))
+    cycles = last - first
+    grid = first + np.arange(cycles * SAMPLES) / SAMPLES
+    drive = np.interp(grid, phase, motion.drive_force)
+    back = np.interp(grid, phase, motion.back_force)
+    force = drive - back
+    period, returns = _period(force.reshape(cycles, SAMPLES), longest, tolerance)
+    within = (phase >= first) & (phase < last)
+    begun = [_beginnings(side[within]) for side in (motion.drive_force, motion.back_force)]
+    label = None
+    if period is not None:
+        recent = phase >= last - period * (cycles // period)
+        counts = [_beginnings(side[recent & within]) for side in (motion.drive_force, motion.back_force)]
+        drive_impacts, back_impacts = (round(count / (cycles // period)) for count in counts)
+        label = Signature(period, drive_impacts, back_impacts)
+    free = (motion.drive_force[within] <= 0.0) & (motion.back_force[within] <= 0.0)
+    spectrum = np.abs(np.fft.rfft(force[-(cycles // 2 * 2) * SAMPLES :])) * 2.0 / (cycles // 2 * 2 * SAMPLES)
+    half_orders = spectrum[:: cycles // 2][1:17] if cycles >= 2 else np.zeros(0)
+    return Reading(
+        label=label,
+        returns=returns,
+        cycles=cycles,
+        apart=float(np.mean(free)),
+        drive_impacts=begun[0],
+        back_impacts=begun[1],
+        least=float(motion.drive_force[within].min()),
+        mean=float(force.mean()),
+        most=float(motion.drive_force[within].max()),
+        most_back=float(motion.back_force[within].max()),
+        orders=half_orders,
+        phase=grid[-shown * SAMPLES :] - (last - shown),
+        force=force[-shown * SAMPLES :],
+        speed=float((motion.q[-1, SPIN] - motion.q[0, SPIN]) / (motion.t[-1] - motion.t[0])),
+    )
+
+
+def _beginnings(force: Array) -> int:
+    """How often a side begins to carry; what carries at the first reading began before."""
+    carries = force > 0.0
+    return int(np.count_nonzero(carries[1:] & ~carries[:-1]))
+
+
+def _period(cycles: Array, longest: int, tolerance: float) -> tuple[int | None, float]:
+    """The shortest period after which the force comes back, and by how much it misses."""
+    span = float(np.ptp(cycles))
+    if span == 0.0:
+        return 1, 0.0
+    missed = {
+        p: float(np.abs(cycles[p:] - cycles[:-p])[-longest:].max()) / span
+        for p in range(1, min(longest, len(cycles) // 2) + 1)
+    }
+    for p, off in missed.items():
+        if off <= tolerance:
+            return p, off
+    return None, min(missed.values(), default=1.0)

@@ -1,0 +1,138 @@
+"""The lumped model at the inputs of the multibody one, under every contact rule."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.case import Case
+from gearlash.jobs import Execution
+from gearlash.results import Axis
+from gearlash.studies.point import point
+from gearlash.studies.sweep import sweeps
+from gearlash.system import ContactRule
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class LumpedInputs:
+    """What the multibody model hands to the lumped one.
+
+    Attributes
+    ----------
+    stiffness : float
+        Mean, N/m.
+    ripples, ripple_phases : tuple of float
+        Of the mesh orders 1, 2, … of the stiffness over its mean, and rad, cosines of the mesh phase.
+    torque : float
+        N·m.
+    error, error_phase : float
+        m and rad, in the same mesh phase.
+    """
+
+    stiffness: float
+    ripples: tuple[float, ...]
+    ripple_phases: tuple[float, ...]
+    torque: float
+    error: float
+    error_phase: float
+
+
+@dataclass(frozen=True)
+class LumpedPoint:
+    """A motion of the lumped model.
+
+    Attributes
+    ----------
+    omega : float
+    rule : ContactRule
+    label : str
+        P-Q-R, or what the motion is where it has none.
+    apart : float or None
+        Share of time in which the teeth do not touch; None where there is no orbit.
+    """
+
+    omega: float
+    rule: ContactRule
+    label: str
+    apart: float | None
+
+
+def lumped_case(case: Case, given: LumpedInputs, rule: ContactRule) -> Case:
+    """The case with what the multibody model gives in place of its own.
+
+    Parameters
+    ----------
+    case : Case
+    given : LumpedInputs
+    rule : ContactRule
+
+    Returns
+    -------
+    Case
+    """
+    known = {value.path for value in case.values()}
+    changes: dict[str, object] = {
+        "mesh.mean_stiffness": f"{given.stiffness!r} N/m",
+        "operation.torque": f"{given.torque!r} N*m",
+        "mesh.error": f"{given.error * 1e6!r} um",
+        "dimensionless.error_phase": given.error_phase,
+        "model.contact": str(rule),
+    }
+    for n in range(1, 9):
+        tail = "" if n == 1 else f"_{n}"
+        if n <= len(given.ripples):
+            changes[f"dimensionless.ripple{tail}"] = given.ripples[n - 1]
+            changes[f"dimensionless.ripple_phase{tail}"] = given.ripple_phases[n - 1]
+        elif f"dimensionless.ripple{tail}" in known:
+            changes[f"dimensionless.ripple{tail}"] = 0.0
+    return case.with_overrides(changes)
+
+
+def lumped_points(case: Case, given: LumpedInputs, omegas: tuple[float, ...]) -> tuple[LumpedPoint, ...]:
+    """The motions from the cold start, under every rule.
+
+    Parameters
+    ----------
+    case : Case
+    given : LumpedInputs
+    omegas : tuple of float
+
+    Returns
+    -------
+    tuple of LumpedPoint
+    """
+    found = []
+    for rule in ContactRule:
+        family, _ = lumped_case(case, given, rule).family()
+        for omega in omegas:
+            one = point(family, {"omega": omega})
+            found.append(LumpedPoint(omega, rule, str(one.label or one.status), one.share_without_contact))
+    return tuple(found)
+
+
+def lumped_window(
+    case: Case, given: LumpedInputs, omegas: Array, execution: Execution | None = None
+) -> dict[ContactRule, tuple[tuple[str, ...], tuple[str, ...]]]:
+    """Labels over the grid going up and going down, under every rule, both in ascending order of speed.
+
+    Parameters
+    ----------
+    case : Case
+    given : LumpedInputs
+    omegas : ndarray
+    execution : Execution, optional
+
+    Returns
+    -------
+    dict
+    """
+    found = {}
+    for rule in ContactRule:
+        chosen = lumped_case(case, given, rule)
+        up, down = sweeps(chosen, Axis("omega", omegas), ("up", "down"), execution=execution)
+        found[rule] = tuple(tuple(str(p.label or p.status) for p in each.points) for each in (up, down))
+    return found

@@ -1,0 +1,148 @@
+"""The mesh of the multibody model at one face width: compliance, contact, and what follows of both."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.gears import CylindricalPair
+from gearlash.multibody.contact import Compliance, MeshContact
+from gearlash.multibody.topography import Topography
+
+from .inputs import ORDERS, Inputs
+from .static import loaded_mesh
+
+Array = NDArray[np.float64]
+SLICES = 21
+PHASES = 32
+"""Of a mesh cycle, at which the stiffness is computed."""
+CLOSE = 2e-3
+"""Of a stiffness to the one wanted, relative."""
+MOST_WIDTHS = 6
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """A pair at one face width.
+
+    Attributes
+    ----------
+    pair : CylindricalPair
+    compliance : (Compliance, Compliance)
+        Of pinion and gear.
+    torque : float
+        At which what follows was computed, N·m.
+    curve : ndarray, shape (n,)
+        Stiffness dF/dδ over the mesh cycle, N/m; phases k/n.
+    approach : ndarray, shape (n,)
+        Static transmission error under load, m; perfect flanks.
+    """
+
+    pair: CylindricalPair
+    compliance: tuple[Compliance, Compliance]
+    torque: float
+    curve: Array
+    approach: Array
+
+    @property
+    def width(self) -> float:
+        """Of the teeth, m."""
+        return self.pair.face_width
+
+    @property
+    def stiffness(self) -> float:
+        """Mean over the mesh cycle, N/m."""
+        return float(self.curve.mean())
+
+    @cached_property
+    def _harmonics(self) -> NDArray[np.complex128]:
+        return np.fft.rfft(self.curve) * 2.0 / len(self.curve) / self.stiffness
+
+    @property
+    def ripples(self) -> tuple[float, ...]:
+        """ε of the mesh orders 1, 2, …: k = k_m (1 + Σ ε_n cos(n θ + φ_n))."""
+        return tuple(float(abs(self._harmonics[n])) for n in ORDERS)
+
+    @property
+    def ripple_phases(self) -> tuple[float, ...]:
+        """φ_n, rad."""
+        return tuple(float(np.angle(self._harmonics[n])) for n in ORDERS)
+
+    def contact(
+        self, inputs: Inputs, *, error: float = 0.0, error_phase: float = 0.0, damping: float = 1.0
+    ) -> MeshContact:
+        """The contact with an error on its flanks, damped as ξ_m asks for.
+
+        Parameters
+        ----------
+        inputs : Inputs
+        error : float
+            Zero to peak, once a mesh cycle, m.
+        error_phase : float
+            rad.
+        damping : float
+            Over what matches ξ_m: the damping time 2 ξ_m/√(k/m_e).
+
+        Returns
+        -------
+        MeshContact
+        """
+        time = 2.0 * damping * inputs.mesh_damping / inputs.natural_frequency(self.stiffness)
+        shape = Topography(error=((error, error_phase, 1),)) if error else Topography()
+        return MeshContact.of(self.pair, self.compliance, slices=SLICES, damping_time=time, topography=shape)
+
+
+def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
+    """The mesh of the inputs at a face width.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    width : float
+        m.
+    torque : float
+        On the pinion, N·m.
+
+    Returns
+    -------
+    Mesh
+    """
+    from gearlash.multibody.compliance import flank_compliance
+
+    pair = replace(inputs.pair, face_width=width)
+    pinion, gear = pair.gears
+    mate = gear.mirrored() if gear.helix_angle * pinion.helix_angle > 0.0 else gear
+    compliance = flank_compliance(pinion, width), flank_compliance(mate, width)
+    contact = MeshContact.of(pair, compliance, slices=SLICES)
+    curve, approach = loaded_mesh(contact, torque, PHASES)
+    return Mesh(pair, compliance, torque, curve, approach)
+
+
+def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:
+    """The face width whose computed stiffness is that of the case, and its mesh.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    full : Mesh
+        Of the width of the case: where the search begins.
+
+    Returns
+    -------
+    Mesh
+    """
+    wanted, found = inputs.mean_stiffness, full
+    for _ in range(MOST_WIDTHS):
+        if abs(found.stiffness / wanted - 1.0) < CLOSE:
+            break
+        found = mesh_of(inputs, round(found.width * wanted / found.stiffness, 5), inputs.torque)
+    return found
+
+
+def mesh_phase(turn: float, teeth: int) -> float:
+    """Mesh phase of a turn of the pinion, in mesh cycles."""
+    return turn * teeth / (2.0 * pi)

@@ -1,0 +1,148 @@
+"""Which points are computed: fixed before the first one is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .inputs import Inputs
+from .settings import PLANNED, Setting
+
+Array = NDArray[np.float64]
+WINDOW = (0.80, 1.15, 29)
+"""Speeds of the window over the last one asked for: from, to, how many."""
+AT_WINDOW = Setting("window", steps=160, settle=40, read=16)
+"""Every speed begins from the motion of its neighbour, so that less has to settle."""
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """One way to hold the inputs of both models against each other.
+
+    Attributes
+    ----------
+    name : str
+    told : str
+        What is held.
+    width : float
+        Of the teeth, m.
+    stiffness : float
+        Of the multibody mesh at this width and torque, N/m.
+    torque : float
+        N·m.
+    error : float
+        m.
+    omegas : tuple of float
+        Mesh frequency over √(stiffness/m_e).
+    """
+
+    name: str
+    told: str
+    width: float
+    stiffness: float
+    torque: float
+    error: float
+    omegas: tuple[float, ...]
+
+    def numbers(self, inputs: Inputs) -> dict[str, float]:
+        """The dimensionless numbers: E k/F, (b/2) k/F, and k over that of the case.
+
+        Parameters
+        ----------
+        inputs : Inputs
+
+        Returns
+        -------
+        dict of str to float
+        """
+        force = inputs.mean_force * self.torque / inputs.torque
+        return {
+            "error over static deflection": self.error * self.stiffness / force,
+            "half backlash over static deflection": 0.5 * inputs.backlash * self.stiffness / force,
+            "stiffness over that of the case": self.stiffness / inputs.mean_stiffness,
+        }
+
+
+def configurations(
+    inputs: Inputs, matched: tuple[float, float], full: tuple[float, float]
+) -> tuple[Configuration, ...]:
+    """The three configurations.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    matched, full : (float, float)
+        Face width in m and stiffness in N/m: of the width that has the stiffness of the case, and of the
+        width of the case.
+
+    Returns
+    -------
+    tuple of Configuration
+    """
+    grown = full[1] / inputs.mean_stiffness
+    slower = tuple(omega / float(np.sqrt(grown)) for omega in inputs.speeds)
+    return (
+        Configuration(
+            "stiffness",
+            "the face width whose computed stiffness is that of the case: all numbers, dimensionless and "
+            "absolute, are those of the case",
+            *matched,
+            inputs.torque,
+            inputs.error,
+            inputs.speeds,
+        ),
+        Configuration(
+            "dimensionless",
+            "the face width of the case; E k/F, b k/F and the mesh frequency over that of the mesh are held: "
+            "torque and speed grow with the stiffness",
+            *full,
+            inputs.torque * grown,
+            inputs.error,
+            inputs.speeds,
+        ),
+        Configuration(
+            "absolute",
+            "the face width of the case; torque, error, backlash and speed as in the case",
+            *full,
+            inputs.torque,
+            inputs.error,
+            slower,
+        ),
+    )
+
+
+@dataclass(frozen=True)
+class Plan:
+    """All that is computed.
+
+    Attributes
+    ----------
+    planned : Setting
+        Of every configuration at every speed.
+    beside : tuple of Setting
+        Of the first configuration at every speed.
+    window : Setting
+    window_over : (float, float, int)
+        Speeds of the window over the last speed: from, to, how many; 0 for none.
+    """
+
+    planned: Setting = PLANNED
+    beside: tuple[Setting, ...] = ()
+    window: Setting = AT_WINDOW
+    window_over: tuple[float, float, int] = WINDOW
+
+    def window_omegas(self, configuration: Configuration) -> Array:
+        """Of one configuration, ascending.
+
+        Parameters
+        ----------
+        configuration : Configuration
+
+        Returns
+        -------
+        ndarray
+        """
+        low, high, count = self.window_over
+        return np.linspace(low, high, count) * configuration.omegas[-1]

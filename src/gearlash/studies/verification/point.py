@@ -1,0 +1,210 @@
+"""One operating point of the multibody model: settled, read, and what its solver did said."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.multibody import (
+    Bearings,
+    Contact,
+    Machine,
+    Reading,
+    RigidBody,
+    energy_balance,
+    read_motion,
+    simulate,
+)
+
+from .inputs import Inputs
+from .settings import Setting
+
+Array = NDArray[np.float64]
+GOVERNED = 20.0
+"""Mesh cycles in which the governor takes a deviation of the mean speed away."""
+AXES = {"": (), "centre-line": (0, 3, 4, 6, 9, 10), "lumped": (0, 1, 2, 3, 4, 6, 7, 8, 9, 10)}
+"""Coordinates that are held."""
+
+
+@dataclass(frozen=True)
+class Held:
+    """A contact whose forces along some coordinates are taken up by supports that do not give.
+
+    Attributes
+    ----------
+    contact : Contact
+    held : tuple of int
+        Coordinates.
+    """
+
+    contact: Contact
+    held: tuple[int, ...]
+
+    def forces(self, t: float, q: Array, v: Array) -> Array:
+        """Generalised forces with none along what is held."""
+        found = self.contact.forces(t, q, v)
+        found[list(self.held)] = 0.0
+        return found
+
+    def record(self, t: float, q: Array, v: Array) -> Array:
+        """As of the contact itself."""
+        return self.contact.record(t, q, v)
+
+
+@dataclass(frozen=True)
+class PointFound:
+    """A point of the multibody model.
+
+    Attributes
+    ----------
+    omega : float
+        Mesh frequency over √(k/m_e) of the multibody mesh.
+    rpm : float
+        Speed of the pinion that was asked for.
+    setting : str
+        Name of the setting.
+    reading : Reading
+    energy_residual : float
+        Of the energy balance over the cycles read.
+    q, v : ndarray
+        State at the end: what a neighbour begins from.
+    """
+
+    omega: float
+    rpm: float
+    setting: str
+    reading: Reading
+    energy_residual: float
+    q: Array
+    v: Array
+
+
+def machine_of(inputs: Inputs, setting: Setting, torque: float, speed: float, period: float) -> Machine:
+    """Bodies, bearings, drive and load.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    setting : Setting
+    torque : float
+        On the pinion, N·m.
+    speed : float
+        Of the pinion, rad/s.
+    period : float
+        Of a mesh cycle, s.
+
+    Returns
+    -------
+    Machine
+    """
+    bodies, bearings = [], []
+    sides = zip(inputs.masses, inputs.axial_inertias, inputs.radii, inputs.body_widths, strict=True)
+    for i, (mass, inertia, radius, width) in enumerate(sides):
+        across = mass * (3.0 * radius**2 + width**2) / 12.0
+        body = RigidBody(mass, inertia, across)
+        bodies.append(body)
+        lateral = 0.0 if inputs.bearing_y is None else inputs.bearing_y[i]
+        axial = 0.0 if inputs.bearing_z is None else inputs.bearing_z[i]
+        tilt = 0.25 * lateral * setting.bearing_span**2
+        stiffness = (setting.bearing_x * lateral, lateral, axial, tilt, tilt)
+        ratio = setting.bearing_damping * inputs.bearing_damping
+        bearings.append(Bearings.from_ratio(stiffness, body, ratio))
+    return Machine(
+        (bodies[0], bodies[1]),
+        (bearings[0], bearings[1]),
+        (inputs.pair.pinion.teeth, inputs.pair.gear.teeth),
+        torque,
+        speed,
+        GOVERNED * period,
+    )
+
+
+def run_point(
+    inputs: Inputs,
+    contact: Contact,
+    setting: Setting,
+    *,
+    omega: float,
+    stiffness: float,
+    torque: float,
+    start: tuple[Array, Array] | None = None,
+    size: int = 12,
+) -> PointFound:
+    """Settle at one speed and read the motion.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    contact : Contact
+        Of the teeth.
+    setting : Setting
+    omega : float
+        Mesh frequency over √(stiffness/m_e).
+    stiffness : float
+        Of the multibody mesh, N/m.
+    torque : float
+        On the pinion, N·m.
+    start : (ndarray, ndarray), optional
+        State of a neighbour; pressed together on the drive side without one.
+    size : int
+        Number of coordinates.
+
+    Returns
+    -------
+    PointFound
+    """
+    teeth = inputs.pair.pinion.teeth
+    speed = omega * inputs.natural_frequency(stiffness) / teeth
+    period = 2.0 * pi / (teeth * speed)
+    machine = machine_of(inputs, setting, torque, speed, period)
+    held = AXES["lumped" if inputs.bearing_y is None else setting.held]
+    carried = Held(contact, held) if held else contact
+    q, v = _start(inputs, machine, stiffness, torque, start, size)
+    step = period / setting.steps
+    settled = simulate(
+        machine,
+        carried,
+        q,
+        v,
+        step=step,
+        steps=setting.settle * setting.steps,
+        every=setting.settle * setting.steps,
+        solver=setting.solver,
+    )
+    steps = (setting.read + 1) * setting.steps  # one more: whole mesh cycles lie within
+    motion = simulate(
+        machine, carried, settled.q[-1], settled.v[-1], step=step, steps=steps, solver=setting.solver
+    )
+    return PointFound(
+        omega=omega,
+        rpm=speed * 30.0 / pi,
+        setting=setting.name,
+        reading=read_motion(motion, teeth),
+        energy_residual=energy_balance(machine, motion).residual,
+        q=motion.q[-1],
+        v=motion.v[-1],
+    )
+
+
+def _start(
+    inputs: Inputs,
+    machine: Machine,
+    stiffness: float,
+    torque: float,
+    start: tuple[Array, Array] | None,
+    size: int,
+) -> tuple[Array, Array]:
+    """Rolling at the speed: as the neighbour moved about its own, or pressed together."""
+    radii = [0.5 * gear.base_diameter for gear in inputs.pair.gears]
+    if start is not None:
+        q, v = start[0].copy(), start[1].copy()
+        v += machine.rolling() * (1.0 - v[5] / machine.speed)
+        return q, v
+    q, v = np.zeros(size), machine.rolling()
+    over = cos(inputs.pair.pinion.base_helix_angle)
+    force = torque / (radii[0] * over)
+    q[5] = (0.5 * inputs.backlash + force / stiffness) / (radii[0] * over)
+    return q, v

@@ -1,0 +1,86 @@
+"""Every choice of a verification that no case makes, with its value: fixed before anything is computed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+
+from gearlash.multibody import Solver
+
+
+@dataclass(frozen=True)
+class Setting:
+    """How one point of the multibody model is computed, and what is assumed for it.
+
+    Attributes
+    ----------
+    name : str
+        What sets it apart from the first.
+    bearing_x : float
+        Stiffness along the line of centres over that across it.
+    bearing_span : float
+        Distance of the two bearings of a shaft, m: tilt stiffness = k_y span²/4.
+    held : {"", "centre-line", "lumped"}
+        Directions that are held: none; the line of centres and all tilts; all but rotation.
+    error_turn : float
+        Added to the phase of the error, rad.
+    contact_damping, bearing_damping : float
+        Over what matches ξ_m and ξ_b.
+    flexible : bool
+        Whether the gear's body bends.
+    steps : int
+        Of the integrator, a mesh cycle.
+    settle, read : int
+        Mesh cycles before those that are read, and those.
+    solver : Solver
+    """
+
+    name: str = "as planned"
+    bearing_x: float = 1.0
+    bearing_span: float = 0.15
+    held: str = ""
+    error_turn: float = 0.0
+    contact_damping: float = 1.0
+    bearing_damping: float = 1.0
+    flexible: bool = False
+    steps: int = 256
+    settle: int = 80
+    read: int = 24
+    solver: Solver = Solver.RK44
+
+    def told(self) -> dict[str, str]:
+        """Every choice as text, by name."""
+        return {each.name: str(getattr(self, each.name)) for each in fields(self)}
+
+
+PLANNED = Setting()
+
+
+def sensitivity(planned: Setting = PLANNED) -> tuple[Setting, ...]:
+    """The settings beside the planned one, each with one change.
+
+    Parameters
+    ----------
+    planned : Setting
+
+    Returns
+    -------
+    tuple of Setting
+    """
+    quarter = 1.5707963267948966
+    changes: tuple[tuple[str, dict[str, object]], ...] = (
+        ("bearing x stiffness / 4", {"bearing_x": 0.25}),
+        ("bearing x stiffness × 4", {"bearing_x": 4.0}),
+        ("tilt stiffness / 4", {"bearing_span": 0.5 * planned.bearing_span}),
+        ("tilt stiffness × 4", {"bearing_span": 2.0 * planned.bearing_span}),
+        ("centre line and tilts held", {"held": "centre-line"}),
+        ("error phase + 90°", {"error_turn": quarter}),
+        ("error phase + 180°", {"error_turn": 2.0 * quarter}),
+        ("error phase + 270°", {"error_turn": 3.0 * quarter}),
+        ("contact damping / 2", {"contact_damping": 0.5}),
+        ("contact damping × 2", {"contact_damping": 2.0}),
+        ("bearing damping / 2", {"bearing_damping": 0.5}),
+        ("bearing damping × 2", {"bearing_damping": 2.0}),
+        ("step / 2", {"steps": 2 * planned.steps}),
+        ("generalized-α", {"solver": Solver.GENERALIZED_ALPHA}),
+    )
+    return tuple(replace(planned, name=name, **change) for name, change in changes)  # pyright: ignore[reportArgumentType]

@@ -1,0 +1,268 @@
+"""The whole verification: meshes, points, window, settings beside, and the lumped model beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from math import pi
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.case import Case
+from gearlash.jobs import Chain, Execution, Part, run
+from gearlash.multibody import require_extra
+from gearlash.multibody.dynamics import SimulationError
+from gearlash.multibody.tooth_contact import ToothContact
+
+from .inputs import Inputs, inputs_of
+from .lumped import LumpedInputs, LumpedPoint, lumped_points, lumped_window
+from .mesh import Mesh, matched_mesh, mesh_of
+from .plan import Configuration, Plan, configurations
+from .point import PointFound, run_point
+from .settings import Setting
+
+Array = NDArray[np.float64]
+Tell = Callable[[str, Any], object]
+SLOWER = 0.9
+"""The second speed over that of the case, where none is named: 3600 rpm beside 4000 rpm."""
+
+
+@dataclass(frozen=True)
+class Compared:
+    """One configuration with all that was found in it.
+
+    Attributes
+    ----------
+    configuration : Configuration
+    given : LumpedInputs
+        What the lumped model got.
+    points : tuple of PointFound
+        At the speeds asked for.
+    beside : tuple of PointFound
+        With other settings, at the same speeds.
+    window_omegas : ndarray
+    up, down : tuple of PointFound
+        Over the window, each in the order in which they were computed.
+    lumped : tuple of LumpedPoint
+        At the speeds asked for, under every rule.
+    lumped_window : dict
+        Labels over the window, going up and down, by rule.
+    """
+
+    configuration: Configuration
+    given: LumpedInputs
+    points: tuple[PointFound, ...]
+    beside: tuple[PointFound, ...]
+    window_omegas: Array
+    up: tuple[PointFound, ...]
+    down: tuple[PointFound, ...]
+    lumped: tuple[LumpedPoint, ...]
+    lumped_window: dict[Any, tuple[tuple[str, ...], tuple[str, ...]]]
+
+
+@dataclass(frozen=True)
+class Verification:
+    """What was compared, with every input and setting.
+
+    Attributes
+    ----------
+    inputs : Inputs
+    plan : Plan
+    meshes : tuple of Mesh
+        Of the matched width, and of the width of the case.
+    compared : tuple of Compared
+    failures : tuple of str
+        Points that could not be integrated, and why.
+    reason : str
+        Empty where nothing stopped it.
+    """
+
+    inputs: Inputs
+    plan: Plan
+    meshes: tuple[Mesh, ...]
+    compared: tuple[Compared, ...]
+    failures: tuple[str, ...]
+    reason: str
+
+
+@dataclass(frozen=True)
+class _Task:
+    """One point for a worker."""
+
+    inputs: Inputs
+    contact: ToothContact
+    setting: Setting
+    omega: float
+    stiffness: float
+    torque: float
+
+
+def verification(
+    case: Case,
+    *,
+    speeds: Sequence[float] = (),
+    plan: Plan | None = None,
+    execution: Execution | None = None,
+    tell: Tell = lambda stage, progress: None,
+) -> Verification:
+    """Compare a case with a model of bodies in space with real teeth.
+
+    Parameters
+    ----------
+    case : Case
+        Of a helical or spur pair with teeth, masses and backlash.
+    speeds : sequence of float
+        ω of the case; its own and nine tenths of it where none is named.
+    plan : Plan, optional
+        What is computed; fixed before anything is.
+    execution : Execution, optional
+        Who does the work.
+    tell : callable
+        Hears the stage and how far it is.
+
+    Returns
+    -------
+    Verification
+
+    Raises
+    ------
+    MissingExtraError
+        Without Exudyn and scikit-fem.
+    NotVerifiableError
+        For a case that says too little.
+    """
+    require_extra()
+    own = case.family()[0].complete()["omega"]
+    inputs = inputs_of(case, tuple(speeds) or (SLOWER * own, own))
+    chosen = Plan() if plan is None else plan
+    work = Execution() if execution is None else execution
+    tell("compliance of the teeth (finite elements)", None)
+    full = mesh_of(inputs, inputs.pair.face_width, inputs.torque)
+    matched = matched_mesh(inputs, full)
+    meshes = (matched, full)
+    held = configurations(inputs, (matched.width, matched.stiffness), (full.width, full.stiffness))
+    chains = _chains(inputs, chosen, held, meshes)
+    progress = replace(work, progress=lambda each: tell("bodies in space", each))
+    outcome = run(_work, chains, progress)
+    tell("lumped model", None)
+    compared = tuple(
+        _compared(case, inputs, chosen, one, _mesh(meshes, one), outcome.results) for one in held
+    )
+    failures = tuple(
+        f"{' '.join(map(str, name))}: {each}"
+        for name, found in outcome.results.items()
+        for each in found
+        if isinstance(each, str)
+    )
+    return Verification(inputs, chosen, meshes, compared, failures, outcome.reason)
+
+
+def _mesh(meshes: tuple[Mesh, ...], one: Configuration) -> Mesh:
+    return next(mesh for mesh in meshes if mesh.width == one.width)
+
+
+def _chains(
+    inputs: Inputs, plan: Plan, held: tuple[Configuration, ...], meshes: tuple[Mesh, ...]
+) -> list[Chain]:
+    """The window first: its chains are the longest."""
+    chains = []
+    for one in held:
+        mesh = _mesh(meshes, one)
+        tasks = [
+            _task(inputs, one, mesh, replace(plan.window, name="window"), omega)
+            for omega in plan.window_omegas(one)
+        ]
+        if tasks:
+            sizes = (1,) * len(tasks)
+            chains.append(Chain((one.name, "up"), tuple(tasks), sizes))
+            chains.append(Chain((one.name, "down"), tuple(reversed(tasks)), sizes))
+    for i, one in enumerate(held):
+        settings = (plan.planned, *plan.beside) if i == 0 else (plan.planned,)
+        for setting in settings:
+            for omega in one.omegas:
+                task = _task(inputs, one, _mesh(meshes, one), setting, omega)
+                chains.append(Chain((one.name, setting.name, omega), (task,), (1,)))
+    return chains
+
+
+def _task(inputs: Inputs, one: Configuration, mesh: Mesh, setting: Setting, omega: float) -> _Task:
+    contact = mesh.contact(
+        inputs,
+        error=one.error,
+        error_phase=error_phase(inputs, mesh) + setting.error_turn,
+        damping=setting.contact_damping,
+    )
+    return _Task(inputs, ToothContact(contact.tables), setting, omega, one.stiffness, one.torque)
+
+
+def error_phase(inputs: Inputs, mesh: Mesh) -> float:
+    """Phase of the error on the flanks, as far from the mesh's stiffness as in the case.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    mesh : Mesh
+
+    Returns
+    -------
+    float
+        rad; against the mesh order of the stiffness that is the largest in the case.
+    """
+    order = inputs.ripple_order
+    moved = mesh.ripple_phases[order - 1] - inputs.ripple_phase
+    return (inputs.error_phase + moved / order) % (2.0 * pi)
+
+
+def _work(task: _Task, carry: tuple[Array, Array] | None) -> Part:
+    """One point; the next of its chain begins from its motion. One that cannot be integrated is left out."""
+    try:
+        found = run_point(
+            task.inputs,
+            task.contact,
+            task.setting,
+            omega=task.omega,
+            stiffness=task.stiffness,
+            torque=task.torque,
+            start=carry,
+        )
+    except SimulationError as error:
+        return Part((str(error),), None)
+    return Part((found,), (found.q, found.v))
+
+
+def _compared(
+    case: Case,
+    inputs: Inputs,
+    plan: Plan,
+    one: Configuration,
+    mesh: Mesh,
+    results: dict[Any, tuple[Any, ...]],
+) -> Compared:
+    given = LumpedInputs(
+        one.stiffness,
+        mesh.ripples,
+        mesh.ripple_phases,
+        one.torque,
+        one.error,
+        error_phase(inputs, mesh),
+    )
+    omegas = plan.window_omegas(one)
+    alone = [found for key, found in results.items() if key[0] == one.name and len(key) == 3]
+    points = [each for found in alone for each in found if isinstance(each, PointFound)]
+    return Compared(
+        configuration=one,
+        given=given,
+        points=tuple(p for p in points if p.setting == plan.planned.name),
+        beside=tuple(p for p in points if p.setting != plan.planned.name),
+        window_omegas=omegas,
+        up=_points(results.get((one.name, "up"), ())),
+        down=_points(results.get((one.name, "down"), ())),
+        lumped=lumped_points(case, given, one.omegas),
+        lumped_window=lumped_window(case, given, omegas) if len(omegas) else {},
+    )
+
+
+def _points(found: tuple[Any, ...]) -> tuple[PointFound, ...]:
+    return tuple(each for each in found if isinstance(each, PointFound))
