@@ -51,6 +51,7 @@ of every curve N `curve-N.json` (for `--resume`), `curve-N.nc`, `curve-N.csv` |
 of two axes `zone.json`, the boundary as `zone.csv`, `zone.svg`, `zone.pdf` |
 | tolerance | `tolerance.json`, `tolerance.csv`, and of complete work `tolerance.svg`, `tolerance.pdf` |
 | compare | `compare.json`, `compare.csv`, and of complete work `compare.svg`, `compare.pdf` |
+| verify | `verify.json` |
 | report | `report.html`, `report.json`, `verdict.json`, `figures/`, and as data `speed.csv`, `speed.nc` (a \
 row for every point of both sweeps), `history-nominal.csv`, `history-nominal.nc`, `spectrum-nominal.csv`, \
 `spectrum-nominal.nc` (the motion at the present speed), `history-hardest.csv`, `history-hardest.nc`, \

@@ -27,6 +27,7 @@ COMMANDS = (
     "zones",
     "tolerance",
     "compare",
+    "verify",
     "reproduce",
     "schema",
 )

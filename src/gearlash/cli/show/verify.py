@@ -12,9 +12,9 @@ from .layout import facts, headline, note, table
 
 LIMITS = (
     "Both models were given the same inputs before anything was computed (--json lists them and every "
-    "setting). Each row is one motion, from teeth pressed together on the drive side: others may coexist with "
-    "it. There is no friction in either model. What the multibody model assumes beyond the case (bearings "
-    "along the line of centres and against tilt, the phase of the error) is varied under `settings beside`."
+    "setting). Each row is one motion, from teeth pressed together on the drive side: others may coexist. "
+    "There is no friction in either model. What the multibody model assumes beyond the case (bearings along "
+    "the line of centres and against tilt, the phase of the error) is varied under `settings beside`."
 )
 
 

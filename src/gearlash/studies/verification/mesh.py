@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.gears import CylindricalPair
-from gearlash.multibody.contact import Compliance, MeshContact
+from gearlash.multibody.contact import MeshContact
 from gearlash.multibody.topography import Topography
 
 from .inputs import ORDERS, Inputs
@@ -20,9 +19,11 @@ Array = NDArray[np.float64]
 SLICES = 21
 PHASES = 32
 """Of a mesh cycle, at which the stiffness is computed."""
-CLOSE = 2e-3
+CLOSE = 5e-3
 """Of a stiffness to the one wanted, relative."""
-MOST_WIDTHS = 6
+MOST_WIDTHS = 4
+FINEST = 1e-4
+"""Widths are whole multiples of this, m."""
 
 
 @dataclass(frozen=True)
@@ -32,8 +33,8 @@ class Mesh:
     Attributes
     ----------
     pair : CylindricalPair
-    compliance : (Compliance, Compliance)
-        Of pinion and gear.
+    perfect : MeshContact
+        Of flanks without error, undamped.
     torque : float
         At which what follows was computed, N·m.
     curve : ndarray, shape (n,)
@@ -43,7 +44,7 @@ class Mesh:
     """
 
     pair: CylindricalPair
-    compliance: tuple[Compliance, Compliance]
+    perfect: MeshContact
     torque: float
     curve: Array
     approach: Array
@@ -93,7 +94,7 @@ class Mesh:
         """
         time = 2.0 * damping * inputs.mesh_damping / inputs.natural_frequency(self.stiffness)
         shape = Topography(error=((error, error_phase, 1),)) if error else Topography()
-        return MeshContact.of(self.pair, self.compliance, slices=SLICES, damping_time=time, topography=shape)
+        return self.perfect.with_(damping_time=time, topography=shape)
 
 
 def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
@@ -111,15 +112,12 @@ def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
     -------
     Mesh
     """
-    from gearlash.multibody.compliance import flank_compliance
+    from gearlash.multibody.compliance import pair_compliances
 
     pair = replace(inputs.pair, face_width=width)
-    pinion, gear = pair.gears
-    mate = gear.mirrored() if gear.helix_angle * pinion.helix_angle > 0.0 else gear
-    compliance = flank_compliance(pinion, width), flank_compliance(mate, width)
-    contact = MeshContact.of(pair, compliance, slices=SLICES)
+    contact = MeshContact.of(pair, pair_compliances(pair, (width, width)), slices=SLICES)
     curve, approach = loaded_mesh(contact, torque, PHASES)
-    return Mesh(pair, compliance, torque, curve, approach)
+    return Mesh(pair, contact, torque, curve, approach)
 
 
 def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:
@@ -136,13 +134,11 @@ def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:
     Mesh
     """
     wanted, found = inputs.mean_stiffness, full
+    slope = found.stiffness / found.width
     for _ in range(MOST_WIDTHS):
         if abs(found.stiffness / wanted - 1.0) < CLOSE:
             break
-        found = mesh_of(inputs, round(found.width * wanted / found.stiffness, 5), inputs.torque)
+        width = found.width + (wanted - found.stiffness) / slope
+        last, found = found, mesh_of(inputs, FINEST * round(width / FINEST), inputs.torque)
+        slope = (last.stiffness - found.stiffness) / (last.width - found.width)
     return found
-
-
-def mesh_phase(turn: float, teeth: int) -> float:
-    """Mesh phase of a turn of the pinion, in mesh cycles."""
-    return turn * teeth / (2.0 * pi)

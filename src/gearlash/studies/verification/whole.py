@@ -151,7 +151,7 @@ def verification(
         _compared(case, inputs, chosen, one, _mesh(meshes, one), outcome.results) for one in held
     )
     failures = tuple(
-        f"{' '.join(map(str, name))}: {each}"
+        f"{name}: {each}"
         for name, found in outcome.results.items()
         for each in found
         if isinstance(each, str)
