@@ -5,16 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Annotated, Literal
 
+import numpy as np
+
 from gearlash.case import Case
 
 from .outcome import INCOMPLETE, OK, RESUME
 from .parts import CaseUsed, case_used
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.studies.verification import Compared, Mesh, PointFound, Verification
-
-FIRST = "always"
-"""The contact rule of the lumped model that the sentence compares with where the case has no other."""
+    from gearlash.studies.verification import Compared, LumpedPoint, Mesh, PointFound, Verification
 
 
 @dataclass(frozen=True)
@@ -29,6 +28,8 @@ class MeshComputed:
     transmission_error: Annotated[float, "of perfect flanks under the torque, peak to peak, um"]
     transverse_contact_ratio: float
     overlap_ratio: float
+    total_contact_ratio: Annotated[float, "mean number of pairs of teeth that carry under the torque"]
+    backlash: Annotated[float, "normal, that the flanks leave, um"]
     torque: Annotated[float, "of the pinion, N m, at which these were computed"]
 
 
@@ -104,6 +105,7 @@ class VerifyAnswer:
     inputs: Annotated[dict[str, str], "what both models were given, fixed before anything was computed"]
     settings: Annotated[tuple[dict[str, str], ...], "every setting that was tried"]
     meshes: tuple[MeshComputed, ...]
+    stated: Annotated[tuple[LumpedComputed, ...], "the case as it is, with the stiffness that it states"]
     configurations: tuple[ConfigurationCompared, ...]
     result: Literal["verify"] = "verify"
 
@@ -115,7 +117,7 @@ def verify_answer(case: Case, found: Verification) -> VerifyAnswer:
     configurations = tuple(_configuration(found, one) for one in found.compared)
     plan = found.plan
     return VerifyAnswer(
-        sentence=_sentence(case, configurations),
+        sentence=_sentence(found, configurations),
         status=OK if complete else INCOMPLETE,
         message="; ".join(said),
         advice="" if complete else RESUME,
@@ -123,6 +125,7 @@ def verify_answer(case: Case, found: Verification) -> VerifyAnswer:
         inputs=_inputs(found),
         settings=tuple(one.told() for one in (plan.planned, plan.window, *plan.beside)),
         meshes=tuple(_mesh(mesh) for mesh in found.meshes),
+        stated=tuple(map(_lumped, found.stated)),
         configurations=configurations,
     )
 
@@ -140,10 +143,12 @@ def _mesh(mesh: Mesh) -> MeshComputed:
         face_width=mesh.width * 1e3,
         stiffness=mesh.stiffness,
         ripples=mesh.ripples,
-        transmission_error=float(mesh.approach.max() - mesh.approach.min()) * 1e6,
+        transmission_error=float(np.ptp(mesh.static.transmission_error)) * 1e6,
         transverse_contact_ratio=mesh.pair.transverse_contact_ratio,
         overlap_ratio=mesh.pair.overlap_ratio,
-        torque=mesh.torque,
+        torque=mesh.static.torque,
+        total_contact_ratio=mesh.static.total_contact_ratio,
+        backlash=mesh.static.backlash * 1e6,
     )
 
 
@@ -160,7 +165,7 @@ def _configuration(found: Verification, one: Compared) -> ConfigurationCompared:
         error_phase=one.given.error_phase,
         points=tuple(map(_point, one.points)),
         beside=tuple(map(_point, one.beside)),
-        lumped=tuple(LumpedComputed(p.omega, str(p.rule), p.label, p.apart) for p in one.lumped),
+        lumped=tuple(map(_lumped, one.lumped)),
         window=WindowComputed(
             omega=tuple(map(float, one.window_omegas)),
             speed=tuple(rpm),
@@ -170,6 +175,10 @@ def _configuration(found: Verification, one: Compared) -> ConfigurationCompared:
             lumped_down={str(rule): labels[1] for rule, labels in one.lumped_window.items()},
         ),
     )
+
+
+def _lumped(point: LumpedPoint) -> LumpedComputed:
+    return LumpedComputed(point.omega, str(point.rule), point.label, point.apart)
 
 
 def _labels(points: tuple[PointFound, ...], omegas: object) -> tuple[str, ...]:
@@ -202,24 +211,39 @@ def _point(point: PointFound) -> PointComputed:
     )
 
 
-def _sentence(case: Case, configurations: tuple[ConfigurationCompared, ...]) -> str:
-    """What the first configuration shows at each speed, against the case's contact rule."""
-    if not configurations or not configurations[0].points:
-        return f"{case.name}: nothing was computed of the multibody model"
-    first = configurations[0]
-    rule = next((str(v.value) for v in case.values() if v.path == "model.contact"), FIRST)
+def _sentence(found: Verification, configurations: tuple[ConfigurationCompared, ...]) -> str:
+    """At each speed what real teeth do in every configuration, beside the case as it is."""
+    name = found.inputs.case
+    if not any(one.points for one in configurations):
+        return f"{name}: nothing was computed of the multibody model"
     told = []
-    for point in first.points:
-        beside = next((p for p in first.lumped if p.omega == point.omega and p.rule == rule), None)
-        if beside is None:
-            continue
-        told.append(f"at {point.speed:.0f} rpm {_verdict(point, beside.label)}")
-    return f"{case.name} with real teeth: {'; '.join(told)}" if told else f"{case.name}: no point to compare"
+    for i, stated in enumerate(found.stated):
+        does = [_at(one, i) for one in configurations]
+        speed = found.inputs.rpm(found.inputs.speeds[i], found.inputs.mean_stiffness)
+        real = ", ".join(
+            f"{label} ({one.name})" for one, label in zip(configurations, does, strict=True) if label
+        )
+        told.append(f"at {speed:.0f} rpm {stated.label} by the case, with real teeth {real}")
+    return f"{name}: {_count(found, configurations)}; {'; '.join(told)}"
 
 
-def _verdict(point: PointComputed, lumped: str) -> str:
-    """One point in words: what real teeth do, then whether the lumped model says so."""
-    does = f"teeth part ({point.label})" if point.apart > 0.0 else f"teeth stay in contact ({point.label})"
-    if point.label == lumped:
-        return f"{does}, as in the lumped model"
-    return f"{does}; the lumped model says {lumped}"
+def _at(one: ConfigurationCompared, index: int) -> str:
+    """Label of the point at the index-th speed; empty where it was not computed."""
+    omegas = sorted({p.omega for p in one.lumped}, key=[p.omega for p in one.lumped].index)
+    return next((p.label for p in one.points if p.omega == omegas[index]), "")
+
+
+def _count(found: Verification, configurations: tuple[ConfigurationCompared, ...]) -> str:
+    """In how many ways to hold the inputs real teeth move as the case says, at all speeds."""
+    agree = [
+        one.name
+        for one in configurations
+        if all(_at(one, i) == stated.label for i, stated in enumerate(found.stated))
+    ]
+    every = len(configurations)
+    if len(agree) == every:
+        return "real teeth move as the case says"
+    if not agree:
+        return f"real teeth do not move as the case says in any of {every} ways to hold the inputs"
+    ways = f"{len(agree)} of {every} ways to hold the inputs ({', '.join(agree)})"
+    return f"real teeth move as the case says in {ways}"

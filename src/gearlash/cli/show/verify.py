@@ -38,6 +38,8 @@ def verify_view(answer: VerifyAnswer, width: int) -> Iterator[Text]:
     columns = [("face width", "right"), ("mean stiffness", "right"), ("ripple, orders 1 2 3", "right"),
                ("static error", "right"), ("contact ratio", "right")]  # fmt: skip
     yield from table("The mesh of real teeth", columns, rows, width)
+    stated = [(f"ω {p.omega:.4f}", f"{p.label} ({p.rule})") for p in answer.stated]
+    yield from facts("The case as it is", stated, width)
     for one in answer.configurations:
         yield from _configuration(one, width)
     yield from note(LIMITS, width)

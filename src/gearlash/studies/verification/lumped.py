@@ -12,7 +12,7 @@ from gearlash.jobs import Execution
 from gearlash.results import Axis
 from gearlash.studies.point import point
 from gearlash.studies.sweep import sweeps
-from gearlash.system import ContactRule
+from gearlash.system import ContactRule, Family
 
 Array = NDArray[np.float64]
 
@@ -92,6 +92,23 @@ def lumped_case(case: Case, given: LumpedInputs, rule: ContactRule) -> Case:
     return case.with_overrides(changes)
 
 
+def stated_points(case: Case, omegas: tuple[float, ...]) -> tuple[LumpedPoint, ...]:
+    """The motions of the case as it is, with the stiffness that it states, from the cold start.
+
+    Parameters
+    ----------
+    case : Case
+    omegas : tuple of float
+
+    Returns
+    -------
+    tuple of LumpedPoint
+    """
+    rule = next(ContactRule(str(v.value)) for v in case.values() if v.path == "model.contact")
+    family, _ = case.family()
+    return tuple(_point(family, rule, omega) for omega in omegas)
+
+
 def lumped_points(case: Case, given: LumpedInputs, omegas: tuple[float, ...]) -> tuple[LumpedPoint, ...]:
     """The motions from the cold start, under every rule.
 
@@ -108,10 +125,13 @@ def lumped_points(case: Case, given: LumpedInputs, omegas: tuple[float, ...]) ->
     found = []
     for rule in ContactRule:
         family, _ = lumped_case(case, given, rule).family()
-        for omega in omegas:
-            one = point(family, {"omega": omega})
-            found.append(LumpedPoint(omega, rule, str(one.label or one.status), one.share_without_contact))
+        found += [_point(family, rule, omega) for omega in omegas]
     return tuple(found)
+
+
+def _point(family: Family, rule: ContactRule, omega: float) -> LumpedPoint:
+    one = point(family, {"omega": omega})
+    return LumpedPoint(omega, rule, str(one.label or one.status), one.share_without_contact)
 
 
 def lumped_window(

@@ -3,19 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
-
-import numpy as np
-from numpy.typing import NDArray
 
 from gearlash.gears import CylindricalPair
 from gearlash.multibody.contact import MeshContact
+from gearlash.multibody.quasi_static import QuasiStatic, quasi_static
 from gearlash.multibody.topography import Topography
 
 from .inputs import ORDERS, Inputs
-from .static import loaded_mesh
 
-Array = NDArray[np.float64]
 SLICES = 21
 PHASES = 32
 """Of a mesh cycle, at which the stiffness is computed."""
@@ -35,19 +30,13 @@ class Mesh:
     pair : CylindricalPair
     perfect : MeshContact
         Of flanks without error, undamped.
-    torque : float
-        At which what follows was computed, N·m.
-    curve : ndarray, shape (n,)
-        Stiffness dF/dδ over the mesh cycle, N/m; phases k/n.
-    approach : ndarray, shape (n,)
-        Static transmission error under load, m; perfect flanks.
+    static : QuasiStatic
+        A mesh cycle under the torque, perfect flanks.
     """
 
     pair: CylindricalPair
     perfect: MeshContact
-    torque: float
-    curve: Array
-    approach: Array
+    static: QuasiStatic
 
     @property
     def width(self) -> float:
@@ -57,21 +46,17 @@ class Mesh:
     @property
     def stiffness(self) -> float:
         """Mean over the mesh cycle, N/m."""
-        return float(self.curve.mean())
-
-    @cached_property
-    def _harmonics(self) -> NDArray[np.complex128]:
-        return np.fft.rfft(self.curve) * 2.0 / len(self.curve) / self.stiffness
+        return self.static.mean_stiffness
 
     @property
     def ripples(self) -> tuple[float, ...]:
         """ε of the mesh orders 1, 2, …: k = k_m (1 + Σ ε_n cos(n θ + φ_n))."""
-        return tuple(float(abs(self._harmonics[n])) for n in ORDERS)
+        return tuple(self.static.ripple(n)[0] for n in ORDERS)
 
     @property
     def ripple_phases(self) -> tuple[float, ...]:
         """φ_n, rad."""
-        return tuple(float(np.angle(self._harmonics[n])) for n in ORDERS)
+        return tuple(self.static.ripple(n)[1] for n in ORDERS)
 
     def contact(
         self, inputs: Inputs, *, error: float = 0.0, error_phase: float = 0.0, damping: float = 1.0
@@ -116,8 +101,7 @@ def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
 
     pair = replace(inputs.pair, face_width=width)
     contact = MeshContact.of(pair, pair_compliances(pair, (width, width)), slices=SLICES)
-    curve, approach = loaded_mesh(contact, torque, PHASES)
-    return Mesh(pair, contact, torque, curve, approach)
+    return Mesh(pair, contact, quasi_static(contact, torque, phases=PHASES))
 
 
 def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:

@@ -17,7 +17,7 @@ from gearlash.multibody.dynamics import SimulationError
 from gearlash.multibody.tooth_contact import ToothContact
 
 from .inputs import Inputs, inputs_of
-from .lumped import LumpedInputs, LumpedPoint, lumped_points, lumped_window
+from .lumped import LumpedInputs, LumpedPoint, lumped_points, lumped_window, stated_points
 from .mesh import Mesh, matched_mesh, mesh_of
 from .plan import Configuration, Plan, configurations
 from .point import PointFound, run_point
@@ -72,6 +72,8 @@ class Verification:
     plan : Plan
     meshes : tuple of Mesh
         Of the matched width, and of the width of the case.
+    stated : tuple of LumpedPoint
+        The case as it is, at its own ω.
     compared : tuple of Compared
     failures : tuple of str
         Points that could not be integrated, and why.
@@ -82,6 +84,7 @@ class Verification:
     inputs: Inputs
     plan: Plan
     meshes: tuple[Mesh, ...]
+    stated: tuple[LumpedPoint, ...]
     compared: tuple[Compared, ...]
     failures: tuple[str, ...]
     reason: str
@@ -156,7 +159,8 @@ def verification(
         for each in found
         if isinstance(each, str)
     )
-    return Verification(inputs, chosen, meshes, compared, failures, outcome.reason)
+    stated = stated_points(case, inputs.speeds)
+    return Verification(inputs, chosen, meshes, stated, compared, failures, outcome.reason)
 
 
 def _mesh(meshes: tuple[Mesh, ...], one: Configuration) -> Mesh:

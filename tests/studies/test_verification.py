@@ -1,0 +1,126 @@
+"""A verification from a case to its answer: short motions, and a compliance without finite elements."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+
+import gearlash as gl
+from gearlash.cli.answers.verify import VerifyAnswer, verify_answer
+from gearlash.cli.show.verify import spans, verify_view
+from gearlash.gears import backlash
+from gearlash.multibody import Motion, read_motion
+from gearlash.studies.verification import (
+    NotVerifiableError,
+    Plan,
+    Setting,
+    Verification,
+    inputs_of,
+    sensitivity,
+    verification,
+)
+from multibody.standin import standin
+
+SHORT = Setting(steps=64, settle=4, read=16)
+
+
+def _soft(pair, widths):
+    return tuple(standin(gear, width) for gear, width in zip(pair.gears, widths, strict=True))
+
+
+@pytest.fixture(scope="module")
+def found() -> Verification:
+    plan = Plan(
+        planned=SHORT,
+        beside=(replace(SHORT, name="held", held="centre-line"),),
+        window=replace(SHORT, name="window", settle=2),
+        window_over=(0.95, 1.0, 2),
+    )
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("gearlash.multibody.compliance.pair_compliances", _soft)
+        return verification(gl.load_case("article"), plan=plan)
+
+
+def test_every_point_of_the_plan_is_there(found: Verification):
+    assert found.reason == ""
+    assert found.failures == ()
+    assert [one.configuration.name for one in found.compared] == ["stiffness", "dimensionless", "absolute"]
+    for i, one in enumerate(found.compared):
+        assert [p.omega for p in one.points] == list(one.configuration.omegas)
+        assert len(one.beside) == (2 if i == 0 else 0)
+        assert sorted(p.omega for p in one.up) == sorted(p.omega for p in one.down) == list(one.window_omegas)
+        assert len(one.lumped) == 6
+    assert [p.label for p in found.stated] == ["1-1-0", "1-0-0"]
+
+
+def test_what_is_held_is_held(found: Verification):
+    case, inputs = found.compared, found.inputs
+    first, dimensionless, absolute = (one.configuration for one in case)
+    numbers = [one.numbers(inputs) for one in (first, dimensionless)]
+    assert first.stiffness == pytest.approx(inputs.mean_stiffness, rel=5e-3)
+    for name in ("error over static deflection", "half backlash over static deflection"):
+        assert numbers[0][name] == pytest.approx(numbers[1][name], rel=5e-3)
+    assert (absolute.torque, absolute.error) == (inputs.torque, inputs.error)
+    speeds = [p.rpm for p in case[2].points]
+    assert speeds == pytest.approx([3600.0, 4000.0], rel=1e-9)
+
+
+def test_mean_force_is_the_torque_over_the_base_radius(found: Verification):
+    for one in found.compared:
+        pinion = found.inputs.pair.pinion
+        force = one.configuration.torque / (0.5 * pinion.base_diameter * np.cos(pinion.base_helix_angle))
+        assert one.points[1].reading.mean == pytest.approx(force, rel=0.25)  # far from settled
+
+
+def test_answer_lists_every_input_and_setting(found: Verification):
+    answer = verify_answer(gl.load_case("article"), found)
+    assert answer.status == "ok"
+    assert answer.sentence.startswith("article: real teeth ")
+    assert {"torque", "backlash", "error", "pinion.thickness_allowance", "centre_distance"} <= set(
+        answer.inputs
+    )
+    assert [setting["name"] for setting in answer.settings] == ["as planned", "window", "held"]
+    assert set(answer.settings[0]) == {each.name for each in fields(Setting)}
+    assert isinstance(answer, VerifyAnswer)
+    text = "\n".join(line.plain for line in verify_view(answer, 100))
+    assert "There is no friction" in text
+    assert "contact kept" in text
+    assert json.dumps(answer.configurations[0].window.up)
+
+
+def test_inputs_are_those_of_the_case():
+    inputs = inputs_of(gl.load_case("article"), (1.0,))
+    assert backlash.of_pair(inputs.pair).normal == pytest.approx(100e-6, rel=1e-9)
+    assert inputs.rpm(1.0471283052204245, inputs.mean_stiffness) == pytest.approx(4000.0, rel=1e-9)
+    with pytest.raises(NotVerifiableError, match="says too little"):
+        inputs_of(gl.load_case("kahraman-singh"), (1.0,))
+
+
+def test_settings_beside_change_one_thing_each():
+    planned = Setting()
+    for setting in sensitivity(planned):
+        changed = [f.name for f in fields(Setting) if getattr(setting, f.name) != getattr(planned, f.name)]
+        assert len(changed) == 2
+        assert changed[0] == "name"
+
+
+def test_speeds_in_contact_are_told_as_runs():
+    assert spans((1.0, 2.0, 3.0, 4.0), ("1-1-0", "1-0-0", "2-0-0", "1-1-0")) == "2 to 3 rpm"
+    assert spans((1.0, 2.0), ("1-1-0", "none")) == "nowhere on the grid"
+
+
+@pytest.mark.parametrize(("period", "impacts"), [(1, 1), (2, 1), (3, 2)])
+def test_label_counts_beginnings_of_contact_in_a_period(period: int, impacts: int):
+    t = np.linspace(0.0, 24.0, 24 * 128 + 1)
+    q = np.zeros((len(t), 12))
+    q[:, 5] = 2.0 * np.pi * t / 28
+    force = np.full(len(t), 1.0)
+    for k in range(impacts):
+        force[np.abs((t + 0.2 * k) % period - 0.5) < 0.05] = 0.0
+    motion = Motion(t, q, np.zeros_like(q), np.outer(force, [100.0, 0, 0, 0, 0]))
+    reading = read_motion(motion, 28)
+    assert reading.label == gl.Signature(period, impacts, 0)
+    assert reading.apart == pytest.approx(0.1 * impacts / period, abs=0.01)
