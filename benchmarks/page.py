@@ -38,6 +38,7 @@ One trajectory runs on the attractor, thousands of periods in one call (ten for 
 every evaluation). Many are {together} motions from states scattered by {spread:g} about the attractor
 (without impacts: by so little that none occur), over {periods} periods: on a stable orbit they would soon
 be one and the same motion, and lanes that all turn the same way measure nothing. All march all of them.
+Contact of teeth in space is the kernel of the multibody model: forces on both bodies from one pose.
 Errors are largest ones over one period, of one trajectory from up to 100 states of the attractor (a
 period-one orbit has one), against heyoka's Taylor method in 80-bit arithmetic with tolerance 1e-20, an
 integrator that shares nothing with gearlash; for heyoka's own rows it is the same code with more digits.

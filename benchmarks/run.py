@@ -16,6 +16,7 @@ from .results import OWN, Benchmark, Row
 from .sizes import curves
 from .special_curves import curve_rows
 from .startup import long_rows, start_rows
+from .tooth_contact import contact_rows
 from .trajectories import trajectory_rows
 from .works import works
 
@@ -46,6 +47,8 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
     branches, spent_on = branch_rows(1 if quick else MAPPED, quick)
     progress("curves in two parameters")
     followed = curve_rows(1 if quick else MAPPED, quick)
+    progress("contact of teeth")
+    pressed = contact_rows(repeats, quick)
     progress("map")
     mapped, facts = pixel_rows(10 if quick else 400, 1 if quick else MAPPED)
     progress("start-up")
@@ -53,7 +56,7 @@ def benchmark(quick: bool = False, progress: Callable[[str], object] = _silent) 
     if not quick:
         progress("first run and whole study")
         starts += long_rows()
-    rows = [*one, *many, *questions, *branches, *followed, *mapped, *starts]
+    rows = [*one, *many, *questions, *branches, *followed, *pressed, *mapped, *starts]
     progress("sizes")
     sizes = curves(repeats, quick)
     progress("limits")

@@ -79,6 +79,7 @@ def test_a_closed_loop_does_no_work(name: str):
     assert abs(done.sum()) < 1e-4 * np.abs(done).sum()
 
 
+@pytest.mark.jit_and_nojit
 def test_side_by_side_and_turned_over_are_the_same():
     """Half a turn of the whole pair about the line of centres changes sides and nothing else."""
     mesh = plain("helical")
@@ -209,6 +210,7 @@ def test_an_outward_rim_closes_the_gap():
     )
 
 
+@pytest.mark.jit_and_nojit
 @pytest.mark.parametrize("pressed", [0.5e-6, 3e-6, 20e-6])
 def test_the_flattening_is_that_of_weber_and_banaschek(pressed: float):
     """Rigid teeth: what is left is the approach of one line of contact to the other."""
