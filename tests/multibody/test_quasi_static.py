@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos
 
 import numpy as np
@@ -103,3 +104,24 @@ def test_no_torque_is_refused():
         quasi_static(plain("spur"), 0.0)
     with pytest.raises(GearlashError, match="in each other"):
         quasi_static(plain("spur"), 1e6)
+
+
+def test_wider_axes_have_shorter_contact_and_more_backlash():
+    mesh, wide = plain("spur"), np.zeros(12)
+    wide[6] = 200e-6
+    there = replace(mesh.flanks.pair, stated_centre_distance=mesh.flanks.pair.centre_distance + 200e-6)
+    found, before = (quasi_static(mesh, 0.01, 200, displaced=q) for q in (wide, None))
+    assert found.backlash == pytest.approx(backlash.of_pair(there).normal, abs=1e-12)
+    assert before.transverse_contact_ratio - found.transverse_contact_ratio == pytest.approx(
+        mesh.flanks.pair.transverse_contact_ratio - there.transverse_contact_ratio, abs=0.015
+    )
+
+
+def test_tilted_axes_carry_at_one_end():
+    mesh, tilted = plain("spur"), np.zeros(12)
+    tilted[9] = 3e-4  # the gear about the line of centres
+    found, straight = (quasi_static(mesh, 20.0, 16, displaced=q) for q in (tilted, None))
+    across = found.loads.sum(axis=(0, 1))
+    assert max(across[0], across[-1]) > 3.0 * min(across[0], across[-1])
+    assert found.mean_stiffness < straight.mean_stiffness
+    assert found.force.mean() == pytest.approx(straight.force.mean(), rel=1e-3)

@@ -117,7 +117,9 @@ class QuasiStatic:
         return float(abs(found)), float(np.angle(found))
 
 
-def quasi_static(contact: MeshContact, torque: float, phases: int = 64) -> QuasiStatic:
+def quasi_static(
+    contact: MeshContact, torque: float, phases: int = 64, displaced: Reals | None = None
+) -> QuasiStatic:
     """Turn a pair slowly through one mesh cycle.
 
     Parameters
@@ -128,6 +130,9 @@ def quasi_static(contact: MeshContact, torque: float, phases: int = 64) -> Quasi
         On the pinion, N·m; above 0: side 0 works.
     phases : int
         In the cycle, from 8.
+    displaced : ndarray, shape (12,), optional
+        Where the bearings hold the bodies, as a pose of `MeshContact.forces`: other centre distance,
+        misalignment; as drawn where nothing is given. Both turns in it are 0.
 
     Returns
     -------
@@ -141,7 +146,8 @@ def quasi_static(contact: MeshContact, torque: float, phases: int = 64) -> Quasi
     if not torque > 0.0:
         raise GearlashError(f"torque {torque:g} N·m: it is above 0")
     at = np.arange(phases) / phases
-    points = [_point(contact, torque, float(u)) for u in at]
+    held = np.zeros(12) if displaced is None else np.asarray(displaced, dtype=float)
+    points = [_point(contact, torque, float(u), held) for u in at]
     error, unloaded, stiffness, play = (
         np.array(column) for column in zip(*(p[:4] for p in points), strict=True)
     )
@@ -159,16 +165,18 @@ def quasi_static(contact: MeshContact, torque: float, phases: int = 64) -> Quasi
     )
 
 
-def _point(contact: MeshContact, torque: float, phase: float) -> tuple[float, float, float, float, Details]:
+def _point(
+    contact: MeshContact, torque: float, phase: float, held: Reals
+) -> tuple[float, float, float, float, Details]:
     """Transmission error, the same without load, stiffness, backlash, and the contacts at one phase."""
     flanks = contact.flanks
     lever = flanks.base_radii[1] * cos(flanks.base_helix)
     turn = phase * flanks.phase_pitch
-    rest = contact.details(*_pose(contact, turn, 0.0))
+    rest = contact.details(*_pose(contact, held, turn, 0.0))
     target = torque * flanks.base_radii[1] / flanks.base_radii[0]
 
     def missing(behind: float) -> float:
-        q, v = _pose(contact, turn, behind)
+        q, v = _pose(contact, held, turn, behind)
         return target + float(contact.forces(q, v)[11])
 
     touching, step = rest.nearest[0], 1e-6
@@ -180,14 +188,15 @@ def _point(contact: MeshContact, torque: float, phase: float) -> tuple[float, fl
     probe = PROBE * (behind - touching)
     stiffness = (missing(behind - probe) - missing(behind + probe)) / (2.0 * probe) / lever
     half = 0.5 * flanks.play
-    details = contact.details(*_pose(contact, turn, behind))
+    details = contact.details(*_pose(contact, held, turn, behind))
     return behind - half, touching - half, stiffness, sum(rest.nearest), details
 
 
-def _pose(contact: MeshContact, turn: float, behind: float) -> tuple[Reals, Reals]:
+def _pose(contact: MeshContact, held: Reals, turn: float, behind: float) -> tuple[Reals, Reals]:
     """The pinion turned, the gear behind by so much, normal to the flanks; at rest."""
     first, second = contact.flanks.base_radii
     q = np.zeros(12 + int(contact.tables.counts[places.MODES]))
+    q[:12] = held
     q[5] = turn
     q[11] = (behind / cos(contact.flanks.base_helix) - first * turn) / second
     return q, np.zeros(len(q))
