@@ -12,6 +12,7 @@ from branches.curved import article, followed, lowest, named, only
 from branches.followed import bundled, six
 from gearlash.branches.continuation import ContinuationSettings, SpecialKind
 from gearlash.branches.curves import CodimTwoKind, Curve
+from gearlash.results.curve_file import load_curve, save_curve
 
 STEPS = ContinuationSettings(certify=False, longest=0.1)
 FINE = ContinuationSettings(certify=False, longest=0.03)
@@ -123,3 +124,24 @@ def test_all_three_curves_tell_the_point_they_leave():
         inside = np.array([point.values for point in leaving(which).points])
         assert (inside >= np.array((0.343, 0.0465)) - 1e-12).all()
         assert (inside <= np.array((0.346, 0.049)) + 1e-12).all()
+
+
+def test_the_point_comes_back_from_the_file_of_its_curve(tmp_path):
+    """From the point in the file along every curve that leaves it, and from another orbit in the file."""
+    found = only(article(), CodimTwoKind.GRAZING_DOUBLING)
+    kept = load_curve(save_curve(article(), tmp_path / "curve.json", bundled()))
+    again = only(kept, CodimTwoKind.GRAZING_DOUBLING)
+    assert again.values == found.values
+    limits = (0.343, 0.0465), (0.346, 0.049)
+    for kind in (SpecialKind.DOUBLING, SpecialKind.GRAZING):
+        curve = followed(
+            bundled(), {**kept.values, **named(PLANE, again.values)}, PLANE, again, *limits, kind
+        )
+        assert only(curve, CodimTwoKind.GRAZING_DOUBLING).values == pytest.approx(found.values, abs=1e-9)
+    near = [
+        point for point in kept.points if 0.0465 < point.values[1] < 0.049 and 0.343 < point.values[0] < 0.346
+    ]
+    far = max(near, key=lambda point: abs(point.values[1] - found.values[1]))
+    values = {**kept.values, **named(PLANE, far.values)}
+    curve = followed(bundled(), values, PLANE, far, *limits, SpecialKind.DOUBLING)
+    assert only(curve, CodimTwoKind.GRAZING_DOUBLING).values == pytest.approx(found.values, abs=1e-9)

@@ -10,7 +10,7 @@ from matplotlib.patches import PathPatch
 from gearlash import plots
 from gearlash.plots import style
 from gearlash.plots.fills import NONE, fills
-from gearlash.plots.plane import HEIGHT, WIDTH, _rooms
+from gearlash.plots.plane import HEIGHT, WIDTH, rooms
 from gearlash.plots.regimes import BACK, DRIVE, FREE, UNRESOLVED, Regime, regime
 from gearlash.system import MotionKind, Signature, UnknownNameError, read_label
 from plots.made import dataset, plane
@@ -95,10 +95,10 @@ def test_a_name_stands_inside_its_region_or_not_at_all():
     mask[10, 20] = True
     edges = np.arange(31.0), np.arange(21.0)
     wide = 4 * WIDTH / 30
-    [(x, y)] = _rooms(edges, mask, 0.35 * wide)
+    [(x, y)] = rooms(edges, mask, 0.35 * wide)
     assert 3.0 < x < 7.0
     assert y == pytest.approx(10.0, abs=1.0)
-    assert list(_rooms(edges, mask, 0.55 * wide)) == []
+    assert list(rooms(edges, mask, 0.55 * wide)) == []
     assert HEIGHT < WIDTH
 
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from itertools import pairwise
+from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
@@ -12,17 +10,17 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from scipy.interpolate import PchipInterpolator
 
-from gearlash.branches.curves import CodimTwoKind, Curve, CurveEndKind, CurvePoint
+from gearlash.branches.curves import CodimTwoKind, Curve
 from gearlash.case import Case
 from gearlash.system import Family, GearlashError, given
 
 from . import style
 from .branch_lines import LEADER, SMALL
+from .curve_pieces import LOST, LOST_LOOK, MARKERS, Drawn, Piece, pieces_of
 from .legends import legend_below
 from .plane import fill_plane
-from .plane_lines import BETWEEN, LOOKS, OTHER
+from .plane_lines import LOOKS, OTHER
 from .room import Room, around
 from .scales import scales
 from .units import ASSUMED, Twin, Units, literal
@@ -39,28 +37,7 @@ FAINT = 0.35
 LEGEND = 18.0  # mm: height of a legend for which there is room
 ROOM = 0.02  # of the picture, around what is in it
 PALE = 0.4  # how much of the colours of a map behind curves is left
-MARKERS = {
-    CodimTwoKind.GRAZING_DOUBLING: "o",
-    CodimTwoKind.GRAZING_FOLD: "D",
-    CodimTwoKind.GRAZING_TORUS: "s",
-    CodimTwoKind.CORNER: "^",
-    CodimTwoKind.TWO_GRAZINGS: "P",
-    CodimTwoKind.DEGENERATE: "v",
-    CodimTwoKind.FLAT: "*",
-    CodimTwoKind.NO_ROOT: "X",
-    CodimTwoKind.CUSP: "<",
-    CodimTwoKind.GENERALISED_DOUBLING: ">",
-    CodimTwoKind.FOLD_FLIP: "h",
-    CodimTwoKind.ONE_ONE: "p",
-    CodimTwoKind.ONE_TWO: "d",
-    CodimTwoKind.ONE_THREE: "8",
-    CodimTwoKind.ONE_FOUR: "H",
-}
 MARKER = {"ls": "none", "color": style.INK, "mfc": "white", "ms": 4.6, "mew": 0.7}
-LOST = {
-    CurveEndKind.TOUCH, CurveEndKind.SHORT, CurveEndKind.UNBUILT, CurveEndKind.POINTS, CurveEndKind.CANCELLED,
-}  # fmt: skip
-LOST_LOOK = {"ls": "none", "marker": "x", "color": style.INK, "ms": 3.6, "mew": 0.8}
 FAR = (1.0, 2.4)  # mm: of a number from its marker
 REACH = 0.8  # mm: half the size of a marker
 BESIDE = (
@@ -143,7 +120,7 @@ def curve_diagram(
     panel.set_xlim(*limits[0])
     panel.set_ylim(*limits[1])
     room = Room(panel, INNER, TALL)
-    drawn = [_Drawn(curve, list(_pieces(curve))) for curve in curves]
+    drawn = [Drawn(curve, list(pieces_of(curve))) for curve in curves]
     known = dict[str, Array]()
     for each in drawn:
         _draw(panel, room, each, known)
@@ -183,57 +160,7 @@ def _limits(curves: Sequence[Curve]) -> list[tuple[float, float]]:
     return found
 
 
-@dataclass(frozen=True, eq=False)
-class _Piece:
-    """A part of a curve within which neither admissibility nor stability nor the label changes."""
-
-    values: Array  # (m, 2)
-    label: str
-    admissible: bool
-    stable: bool
-
-
-@dataclass(frozen=True, eq=False)
-class _Drawn:
-    curve: Curve
-    pieces: list[_Piece]
-
-
-def _pieces(curve: Curve) -> Iterator[_Piece]:
-    """Cut at special points too, where a curve may have a corner."""
-    nodes: list[CurvePoint] = sorted(
-        [*curve.points, *(special.point for special in curve.special)], key=lambda point: point.arclength
-    )
-    corners = {special.arclength for special in curve.special}
-    run = nodes[:1]
-    for one, other in pairwise(nodes):
-        run.append(other)
-        if other.arclength in corners or _look(one) != _look(other) or other is nodes[-1]:
-            middle = run[len(run) // 2] if len(run) > 2 else run[0]
-            yield _Piece(_smooth(run), *_look(middle))
-            run = [other]
-    if len(nodes) == 1:
-        yield _Piece(np.array([nodes[0].values]), *_look(nodes[0]))
-
-
-def _look(point: CurvePoint) -> tuple[str, bool, bool]:
-    return str(point.signature), point.admissible, point.unstable == 0
-
-
-def _smooth(run: Sequence[CurvePoint]) -> Array:
-    """Monotone cubics along the arclength, through every point."""
-    s = np.array([point.arclength for point in run])
-    values = np.array([point.values for point in run], dtype=np.float64)
-    kept = np.append(True, np.diff(s) > 0.0)
-    s, values = s[kept], values[kept]
-    if len(s) < 3:
-        return values
-    fine = np.append(np.linspace(s[:-1], s[1:], BETWEEN, endpoint=False, axis=1).ravel(), s[-1])
-    found: Array = PchipInterpolator(s, values)(fine)
-    return found
-
-
-def _draw(panel: Axes, room: Room, drawn: _Drawn, known: dict[str, Array]) -> None:
+def _draw(panel: Axes, room: Room, drawn: Drawn, known: dict[str, Array]) -> None:
     """What runs along ``known`` curves of its kind (points in mm) is not drawn again: dashes would close."""
     kind = str(drawn.curve.kind)
     colour, dashes = LOOKS.get(kind, OTHER)
@@ -285,10 +212,10 @@ def _special(panel: Axes, room: Room, curves: Sequence[Curve]) -> list[str]:
     return [f"Numbers: {row}{left_out}."]
 
 
-def _label(panel: Axes, room: Room, drawn: _Drawn) -> None:
+def _label(panel: Axes, room: Room, drawn: Drawn) -> None:
     """Every label of the curve once, beside its longest piece."""
     colour, _ = LOOKS.get(str(drawn.curve.kind), OTHER)
-    longest: dict[str, _Piece] = {}
+    longest: dict[str, Piece] = {}
     for piece in drawn.pieces:
         known = longest.get(piece.label)
         if piece.admissible and (known is None or len(piece.values) > len(known.values)):
@@ -307,7 +234,7 @@ def _label(panel: Axes, room: Room, drawn: _Drawn) -> None:
             )  # fmt: skip
 
 
-def _key(drawn: Sequence[_Drawn]) -> list[Line2D | Patch]:
+def _key(drawn: Sequence[Drawn]) -> list[Line2D | Patch]:
     """Kinds of curves, and what their widths mean where there are several."""
     found: list[Line2D | Patch] = []
     for kind in dict.fromkeys(str(each.curve.kind) for each in drawn):

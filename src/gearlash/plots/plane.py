@@ -87,7 +87,7 @@ def plane(
     codes = np.asarray(dataset["label"].values, dtype=np.int64)
     names = [read_label(str(each)) for each in dataset["label_name"].values]
     looks = _looks(names, codes)
-    edges = _edges(dataset[x].values), _edges(dataset[y].values)
+    edges = edges_of(dataset[x].values), edges_of(dataset[y].values)
     made = style.figure(style.PAGE, height + 38.0)
     panel = made.subplots()
     _fill(panel, edges, codes, looks)
@@ -118,7 +118,7 @@ def fill_plane(panel: Axes, dataset: xr.Dataset, names: tuple[str, str], strengt
     codes = np.asarray(dataset["label"].values, dtype=np.int64)
     looks = _looks([read_label(str(each)) for each in dataset["label_name"].values], codes)
     pale = [replace(each, colour=_paler(each.colour, strength)) for each in looks]
-    _fill(panel, (_edges(dataset[names[0]].values), _edges(dataset[names[1]].values)), codes, pale)
+    _fill(panel, (edges_of(dataset[names[0]].values), edges_of(dataset[names[1]].values)), codes, pale)
     ordered = dict(zip(looks, pale, strict=True))
     return [_patch(ordered[each]) for each in legend_order(looks)]
 
@@ -153,13 +153,13 @@ def _fill(panel: Axes, edges: tuple[Array, Array], codes: NDArray[np.int64], loo
     panel.pcolormesh(*edges, shown, cmap=colours, vmin=-0.5, vmax=len(looks) - 0.5, rasterized=True)
     for fill in dict.fromkeys(fill for fill in looks if fill.hatch):
         alike = [i for i, other in enumerate(looks) if other == fill]
-        cells = _cells(edges, np.isin(shown, alike))
-        panel.add_patch(PathPatch(cells, fill=False, hatch=fill.hatch, linewidth=0.0, edgecolor=style.GREY))
+        path = cells(edges, np.isin(shown, alike))
+        panel.add_patch(PathPatch(path, fill=False, hatch=fill.hatch, linewidth=0.0, edgecolor=style.GREY))
     panel.set_xlim(edges[0][0], edges[0][-1])
     panel.set_ylim(edges[1][0], edges[1][-1])
 
 
-def _cells(edges: tuple[Array, Array], mask: NDArray[np.bool_]) -> Path:
+def cells(edges: tuple[Array, Array], mask: NDArray[np.bool_]) -> Path:
     """One path of rectangles: every run of pixels in every row."""
     x, y = edges
     steps = np.diff(np.pad(mask.astype(np.int8), ((0, 0), (1, 1))), axis=1)
@@ -184,7 +184,7 @@ def _name(
 ) -> None:
     """The label inside every region that has room for it."""
     for code, text in enumerate(map(short, names)):
-        for x, y in _rooms(edges, codes == code, CHARACTER * len(text) / 2.0 + 0.4, height):
+        for x, y in rooms(edges, codes == code, CHARACTER * len(text) / 2.0 + 0.4, height):
             boxed = {"facecolor": looks[code].colour, "edgecolor": "none", "pad": 0.8}
             panel.text(
                 x, y, text,
@@ -193,13 +193,17 @@ def _name(
             )  # fmt: skip
 
 
-def _rooms(
-    edges: tuple[Array, Array], mask: NDArray[np.bool_], reach: float, height: float = HEIGHT
+def rooms(
+    edges: tuple[Array, Array],
+    mask: NDArray[np.bool_],
+    reach: float,
+    height: float = HEIGHT,
+    width: float = WIDTH,
 ) -> Iterator[tuple[float, float]]:
     """A place in every connected part of a mask that holds a circle of this radius (mm): where the widest
     one lies, and of several such places the one nearest to the middle of the part."""
     x, y = edges
-    size = (height / mask.shape[0], WIDTH / mask.shape[1])
+    size = (height / mask.shape[0], width / mask.shape[1])
     parts, count = ndimage.label(mask)  # pyright: ignore[reportGeneralTypeIssues]
     for part in range(1, count + 1):
         inside = parts == part
@@ -216,7 +220,7 @@ def _rooms(
         yield float(x[column] + x[column + 1]) / 2.0, float(y[row] + y[row + 1]) / 2.0
 
 
-def _edges(values: Array) -> Array:
+def edges_of(values: Array) -> Array:
     """Limits (m+1,) of the cells around the values; outer cells reach as far out as in."""
     if len(values) == 1:
         return values[0] + np.array([-0.5, 0.5]) * (abs(values[0]) or 1.0)

@@ -50,12 +50,18 @@ class Room:
         self.curves = np.concatenate([self.curves, points[inside]])
 
     def place(
-        self, text: str, size: float, places: Sequence[tuple[float, float]], most: int | None = None
+        self,
+        text: str,
+        size: float,
+        places: Sequence[tuple[float, float]],
+        most: int | None = None,
+        turned: bool = False,
     ) -> tuple[float, float] | None:
         """The place (its centre, in mm) with the least of curves under a text of this size (points), of those
         that lie inside and on no other text; None where there is none, or ``most`` points of curves are
-        covered everywhere. The text is taken to stand there from now on."""
-        half = _half(text, size)
+        covered everywhere. The text, ``turned`` by a right angle or not, is taken to stand there from now
+        on."""
+        half = _half(text, size)[::-1] if turned else _half(text, size)
         best, least = None, np.inf
         for u, v in places:
             box = u - half[0], v - half[1], u + half[0], v + half[1]
@@ -73,6 +79,10 @@ class Room:
     def mark(self, u: float, v: float, reach: float) -> None:
         """No text covers what lies there (in mm)."""
         self.boxes.append((u - reach, v - reach, u + reach, v + reach))
+
+    def mark_box(self, left: float, low: float, right: float, high: float) -> None:
+        """The same of a rectangle."""
+        self.boxes.append((left, low, right, high))
 
     def covered(self, x: Array, y: Array, others: Array) -> bool:
         """Whether a curve runs along others (points in mm, no farther than `APART` from each other)."""

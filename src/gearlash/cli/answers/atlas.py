@@ -11,12 +11,19 @@ from gearlash.system import Label, Status
 
 from .excitation import idle_study
 from .outcome import PIXELS, study_status
-from .parts import CaseUsed, case_used
+from .parts import CaseUsed, case_used, rests_in
 from .sweep import AxisUsed, axis_used
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.results.atlas import Atlas, AtlasCurve, AtlasPoint
 
+NOT_LOOKED_FOR = (
+    "motions that neither the map nor the sweeps along lines show, and that no branch leads to",
+    "curves of special points at which no motion that attracts begins, ends or changes, but for those beside "
+    "the changes of the map",
+    "what lies between two neighbouring pixels of one label",
+    "ends of basins of attraction",
+)
 CURVES = "curves from them"  # the stage in which the first curves are followed
 Place = Annotated[tuple[float, float], "values of the two parameters, dimensionless"]
 
@@ -113,6 +120,10 @@ class AtlasAnswer:
     ]
     not_explained: Annotated[tuple[ChangeFound, ...], "those that no curve and no coexistence explains"]
     undone: Annotated[tuple[LeftUndone, ...], "what was left undone, and why"]
+    rests_on: Annotated[
+        tuple[tuple[str, ...], ...], "assumed values behind computed values of x and y, in the unit asked for"
+    ]
+    not_looked_for: Annotated[tuple[str, ...], "what this atlas says nothing about"]
     result: Literal["atlas"] = "atlas"
 
 
@@ -154,6 +165,8 @@ def atlas_answer(
         undone=tuple(
             LeftUndone(each.what, _text(each.label), each.values, each.why) for each in found.undone
         ),
+        rests_on=tuple(rests_in(case, a.name, a.asked.name, a.asked.unit) for a in (x, y)),
+        not_looked_for=NOT_LOOKED_FOR,
     )
 
 

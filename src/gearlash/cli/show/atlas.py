@@ -12,9 +12,14 @@ from gearlash.cli.answers.asked import Asked
 from gearlash.cli.answers.atlas import AtlasAnswer, CurveFound, StraightFound
 
 from .layout import facts, headline, note, table
-from .numbers import number
+from .numbers import Marks, number
 
 MOST_CURVES, MOST_POINTS, MOST_LEFT = 60, 60, 20  # lines; all of them are in --json
+KEY = (
+    "motion: P-Q-R of the orbits of a curve in order, each once: P cycles with Q impacts on the drive side, "
+    "R on the back side; what touches is not counted. attracts: share of the orbits with no multiplier "
+    "outside the unit circle."
+)
 DIGITS = 8  # of what was solved for
 MEANING = {
     "curve": "a curve of these motions lies between the two pixels",
@@ -28,20 +33,22 @@ MEANING = {
 
 def atlas_view(answer: AtlasAnswer, width: int) -> Iterator[Text]:
     """Sentence, curves, points, the check, and what was left undone."""
+    marks = Marks({})
     yield from headline(answer.sentence, width)
     if answer.status != "ok":
         rows = [("status", answer.status), ("message", answer.message), ("done", ", ".join(answer.done))]
         yield from facts("", [row for row in rows if row[1]], width)
-    yield from _curves(answer, width)
-    yield from _points(answer, width)
-    yield from _check(answer, width)
-    yield from _undone(answer, width)
-    yield from note(
-        "An atlas has what was found: motions that neither its map nor its sweeps show are not in it.", width
-    )
+    yield from _curves(answer, marks, width)
+    yield from _points(answer, marks, width)
+    yield from _check(answer, marks, width)
+    yield from _undone(answer, marks, width)
+    yield from note(f"Not looked for: {'; '.join(answer.not_looked_for)}.", width)
+    footnote = marks.footnote()
+    if footnote:
+        yield from note(footnote, width)
 
 
-def _curves(answer: AtlasAnswer, width: int) -> Iterator[Text]:
+def _curves(answer: AtlasAnswer, marks: Marks, width: int) -> Iterator[Text]:
     if not answer.curves:
         return
     shown = answer.curves[:MOST_CURVES]
@@ -52,42 +59,48 @@ def _curves(answer: AtlasAnswer, width: int) -> Iterator[Text]:
             str(curve.kind),
             _labels(curve),
             f"{100.0 * curve.attracting / curve.points:.0f} %",
-            "; ".join([*_ends(answer, curve), *(_straight(answer, each) for each in curve.straight)]),
+            "; ".join(
+                [*_ends(answer, curve, marks), *(_straight(answer, each, marks) for each in curve.straight)]
+            ),
         ]
         for curve in shown
     ]
     yield from table(_title("Curves", len(shown), len(answer.curves)), columns, rows, width)
+    yield from note(KEY, width)
 
 
 def _labels(curve: CurveFound) -> str:
     first = ", ".join(map(str, curve.labels[:2]))
     left = len(curve.labels) - 2
-    return f"{first} + {left}" if left > 0 else first
+    return f"{first} and {left} more" if left > 0 else first
 
 
-def _ends(answer: AtlasAnswer, curve: CurveFound) -> list[str]:
+def _ends(answer: AtlasAnswer, curve: CurveFound, marks: Marks) -> list[str]:
     kinds = dict.fromkeys(str(end.kind) for end in curve.ends)
     if list(kinds) == ["limit of a parameter"]:
         return ["from limit to limit"]
     if len(kinds) == 1 and next(iter(kinds)).startswith("closed"):
         return ["closed loop"]
-    return [f"{end.kind} at {_place(answer, end.values)}" for end in curve.ends]
+    return [f"{end.kind} at {_place(answer, end.values, marks)}" for end in curve.ends]
 
 
-def _straight(answer: AtlasAnswer, piece: StraightFound) -> str:
+def _straight(answer: AtlasAnswer, piece: StraightFound, marks: Marks) -> str:
     one, other = answer.x.asked, answer.y.asked
+    rests = answer.rests_on
     free, held = (other, one) if piece.name == answer.y.name else (one, other)
-    span = free.span(piece.lower, piece.upper)
-    return f"straight: {held.text(piece.value, DIGITS)} for {span}"
+    on_free, on_held = (rests[1], rests[0]) if piece.name == answer.y.name else rests
+    value, span = held.text(piece.value, DIGITS), free.span(piece.lower, piece.upper)
+    return f"straight: {marks.of(value, on_held)} for {marks.of(span, on_free)}"
 
 
-def _points(answer: AtlasAnswer, width: int) -> Iterator[Text]:
+def _points(answer: AtlasAnswer, marks: Marks, width: int) -> Iterator[Text]:
     if not answer.points:
         return
     shown = answer.points[:MOST_POINTS]
     x, y = answer.x.asked, answer.y.asked
+    heads = [marks.of(_heading(a), on) for a, on in zip((x, y), answer.rests_on, strict=True)]
     columns = [
-        ("", "right"), (_heading(x), "right"), (_heading(y), "right"), ("motion", "left"),
+        ("", "right"), *((head, "right") for head in heads), ("motion", "left"),
         ("curves", "left"), ("kind", "left"),
     ]  # fmt: skip
     rows = [
@@ -105,7 +118,7 @@ def _points(answer: AtlasAnswer, width: int) -> Iterator[Text]:
     yield from table(title, columns, rows, width)
 
 
-def _check(answer: AtlasAnswer, width: int) -> Iterator[Text]:
+def _check(answer: AtlasAnswer, marks: Marks, width: int) -> Iterator[Text]:
     rows = [(str(count), MEANING[kind]) for kind, count in answer.changes.items() if count]
     if not rows:
         return
@@ -114,7 +127,7 @@ def _check(answer: AtlasAnswer, width: int) -> Iterator[Text]:
     if shown:
         lines = [
             [
-                f"{_place(answer, each.values[0])} to {_place(answer, each.values[1])}",
+                f"{_place(answer, each.values[0], marks)} to {_place(answer, each.values[1], marks)}",
                 f"{each.labels[0]} | {each.labels[1]}",
                 each.note,
             ]
@@ -124,7 +137,7 @@ def _check(answer: AtlasAnswer, width: int) -> Iterator[Text]:
         yield from table(title, [("between", "left"), ("motions", "left"), ("", "left")], lines, width)
 
 
-def _undone(answer: AtlasAnswer, width: int) -> Iterator[Text]:
+def _undone(answer: AtlasAnswer, marks: Marks, width: int) -> Iterator[Text]:
     """What was left undone, what is alike together."""
     alike = Counter((each.what, each.why) for each in answer.undone)
     if not alike:
@@ -132,15 +145,16 @@ def _undone(answer: AtlasAnswer, width: int) -> Iterator[Text]:
     first = {(each.what, each.why): each for each in reversed(answer.undone)}
     shown = list(alike.items())[:MOST_LEFT]
     rows = [
-        [str(count), what, first[what, why].label, _place(answer, first[what, why].values), why]
+        [str(count), what, first[what, why].label, _place(answer, first[what, why].values, marks), why]
         for (what, why), count in shown
     ]
     columns = [("count", "right"), ("what", "left"), ("the first", "left"), ("at", "left"), ("why", "left")]
     yield from table(_title("Left undone", len(shown), len(alike)), columns, rows, width)
 
 
-def _place(answer: AtlasAnswer, values: tuple[float, float]) -> str:
-    return f"{answer.x.asked.text(values[0])}, {answer.y.asked.text(values[1])}"
+def _place(answer: AtlasAnswer, values: tuple[float, float], marks: Marks) -> str:
+    texts = answer.x.asked.text(values[0]), answer.y.asked.text(values[1])
+    return ", ".join(marks.of(text, on) for text, on in zip(texts, answer.rests_on, strict=True))
 
 
 def _heading(asked: Asked) -> str:

@@ -29,7 +29,7 @@ from .made import curves_of, points_of, undone_of
 from .seeds import Seed, doubled_seed, seed_of_special, seeds_of_two
 
 CURVES, LINES, DEPTH, LONGEST = 60, 3, 2, 12
-STEPS = ContinuationSettings(first=0.01, longest=0.1, most_points=100, certify=False)
+STEPS = ContinuationSettings(first=0.01, longest=0.1, most_points=300, certify=False)
 FEWEST = 2  # values of an axis
 OUTSIDE = 1e-6  # how far outside the unit circle a multiplier of a point where two things happen is
 TIME = "the time that was given is over"
