@@ -23,6 +23,7 @@ from . import drawn, play, relief
 from .curves import STEMS
 from .keys import EQUIVALENT_MASS, GEARS, REFERENCE
 from .loaded import is_loaded
+from .meshing import ValueProblemError, impossible
 from .rules import EntriesByKey, PairRules
 from .shared import HIGHEST_HARMONIC
 from .teeth import Teeth
@@ -91,6 +92,9 @@ def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = 
         if unfit:
             return Completed(known, problems=unfit)
         worked = play.at_work(rules.places, known, pair)
+        cannot = tuple(impossible(known, worked or pair)) if has_drawing else ()
+        if cannot:
+            return Completed(known, problems=cannot)
         flanks = relief.ReliefReader(rules.places, known, worked or pair)
         drawing = replace(_drawing(rules, known, pair), modification=flanks.read(), at_work=worked)
         load = known.get("load")
@@ -102,10 +106,14 @@ def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = 
         known |= {e.key: e for e in flanks.found}
         known |= {e.key: e for e in _entries(rules, _estimates(drawing, wanted)) if not _stated(known, e.key)}
         more = play.added(rules.places, known, pair)
-        play.checked(known, more)
+        jammed = tuple(play.jammed(known, more))
+        if jammed:
+            return Completed(known, problems=jammed)
+    except ValueProblemError as error:
+        return Completed(known, problems=(error.problem,))
     except GearlashError as error:
         return Completed(known, problems=(Problem("mesh", None, f"teeth that mesh ({error})"),))
-    return Completed(known, drawing, tuple(_refused(known, entries)), play_added=more)
+    return Completed(known, drawing, tuple(_refused(known, entries, pair)), play_added=more)
 
 
 def _converted(entries: EntriesByKey) -> Iterator[Entry]:
@@ -302,7 +310,7 @@ def _stated(entries: EntriesByKey, key: str) -> bool:
     return key in entries or (leaf == "inertia" and f"{gear}.mass" in entries)
 
 
-def _refused(entries: EntriesByKey, stated: EntriesByKey) -> Iterator[Problem]:
+def _refused(entries: EntriesByKey, stated: EntriesByKey, pair: CylindricalPair) -> Iterator[Problem]:
     """Estimates that no pair can have."""
     gap = entries.get("D")
     if gap is not None and gap.least is not None and not (isfinite(gap.number) and gap.number > 0.0):
@@ -316,8 +324,12 @@ def _refused(entries: EntriesByKey, stated: EntriesByKey) -> Iterator[Problem]:
         ]
         path = words[0] if words else "mesh"
         shown = repr(stated[path].text) if path in stated else None
+        more = ""
+        if path == drawn.CENTRE:
+            more = f", of which they need {1e3 * pair.tight_centre_distance:.6g} mm and more"
         yield Problem(
             path,
             shown,
-            f"teeth with play; these have {gap.number * 1e6:.4g} um of backlash at this centre distance",
+            f"teeth with play; these have {gap.number * 1e6:.4g} um of backlash at this centre distance"
+            f"{more}",
         )

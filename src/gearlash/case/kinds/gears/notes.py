@@ -15,6 +15,8 @@ from gearlash.system import evaluate
 from . import relief
 from .at_torque import loaded_of
 from .curves import TABLE
+from .estimated import is_drawn
+from .meshing import normal_force, unusual
 from .pair import GearPair
 from .shared import HIGHEST_HARMONIC
 
@@ -26,6 +28,7 @@ def notes(pair: GearPair) -> Iterator[Note]:
     yield from _stiffness(pair)
     yield from _cycles(pair)
     yield from _relief(pair)
+    yield from _teeth(pair)
     for clearance in pair.family().system().clearances:
         yield from notes_on_sides(clearance, "mesh.back_stiffness")
 
@@ -43,6 +46,13 @@ def _cycles(pair: GearPair) -> Iterator[Note]:
         f"all repeats after {cycles} mesh cycles only ({', '.join(turns)}): tables, memory and time of "
         f"one motion are about {cycles} times those of one mesh cycle, and P counts {cycles}, {2 * cycles} …",
     )
+
+
+def _teeth(pair: GearPair) -> Iterator[Note]:
+    drawing = pair.completed.drawing
+    if drawing is not None and is_drawn(pair.stated):
+        torque = float(pair.scales.torque(pair.numbers.parameters["load"]))
+        yield from unusual(pair.entries, drawing, normal_force(drawing.pair, torque))
 
 
 def _relief(pair: GearPair) -> Iterator[Note]:

@@ -19,6 +19,7 @@ from . import play
 from .checks import contradictions, missing
 from .estimated import Completed, complete, is_drawn, is_estimable
 from .excitation import Curves, Reconstructed, reconstructed
+from .keys import REFERENCE
 from .loaded import unloaded
 from .numbers import numbers
 from .phases import assumed_phases
@@ -61,7 +62,8 @@ class GearPair:
         wrongly."""
         found = missing(self.rules, self.entries, present)
         if self.completed.problems or is_drawn({*self.stated, *present}):
-            found = [p for p in found if not is_estimable(p.path)]
+            nothing = "D" in self.stated  # of which half would be D_c
+            found = [p for p in found if not is_estimable(p.path) or (p.path == REFERENCE and nothing)]
         refused = [p for p in self.completed.refused if not (p.missing and p.path in present)]
         return [*self.completed.problems, *refused, *found]
 

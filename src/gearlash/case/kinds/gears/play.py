@@ -11,7 +11,6 @@ from gearlash.case.units import LENGTH, TEMPERATURE
 from gearlash.gears import CylindricalPair
 from gearlash.gears.backlash import Growth, of_pair
 from gearlash.gears.materials import MATERIALS, named
-from gearlash.system import GearlashError
 
 from .keys import GEARS
 from .places import Places
@@ -94,20 +93,27 @@ def _rise(entries: EntriesByKey, key: str) -> float:
     return 0.0 if entry is None else entry.number - OF_DRAWINGS
 
 
+def temperatures(entries: EntriesByKey) -> dict[str, float]:
+    """Of pinion and gear at work, °C."""
+    return {gear: OF_DRAWINGS + _rise(entries, f"{gear}.temperature") for gear in GEARS}
+
+
 def unusable(entries: EntriesByKey) -> tuple[Problem, ...]:
     """Words of this page where no teeth are known that they could act on."""
     expected = "teeth, module and helix angle beside it, which tell how the backlash follows it"
     return tuple(Problem(entries[key].path, repr(entries[key].text), expected) for key in stated(entries)[:1])
 
 
-def checked(entries: EntriesByKey, more: float) -> None:
-    """Raises `GearlashError` where no play is left."""
+def jammed(entries: EntriesByKey, more: float) -> Iterator[Problem]:
+    """A backlash of which none is left at work."""
     play = entries.get("D")
-    if play is not None and play.path == STATED and play.number + more < 0.0:
-        raise GearlashError(
-            f"of {1e6 * play.number:.4g} um of backlash temperatures and centre distance take "
-            f"{-1e6 * more:.4g} um"
+    if stated(entries) and play is not None and play.path == STATED and play.number + more < 0.0:
+        taken = f"{-1e6 * more:.4g} um"
+        expected = (
+            f"more than {taken}, as of {1e6 * play.number:.4g} um of backlash temperatures and centre "
+            f"distance take {taken}"
         )
+        yield Problem(STATED, repr(play.text) if play.text else None, expected)
 
 
 def act_on(entries: EntriesByKey) -> bool:

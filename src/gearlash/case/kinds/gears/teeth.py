@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
-from math import cos, log, pi, radians, tan
+from math import atan, cos, degrees, inf, log, pi, radians, tan
 
 from gearlash.case.entries import Entry
+from gearlash.case.errors import Problem
 from gearlash.case.stated import Provenance
 from gearlash.gears import BasicRack, CylindricalGear, CylindricalPair, inspection
 from gearlash.gears.cylindrical_pair import shift_sum
+from gearlash.system import GearlashError
 
 from .drawn import CENTRE, RACK, RACKS, SHIFT_SUM
 from .keys import GEARS
+from .meshing import ValueProblemError
 from .rules import EntriesByKey, PairRules
 
 PRESSURE_ANGLE = radians(20.0)
+MOST_SHIFT = 3.0
+"""|x| beyond which a measure is that of another gear."""
 USUAL_WIDTH = 10.0
 """Face width over the module where none is stated."""
 
@@ -61,7 +67,16 @@ class Teeth:
         if angle is None:
             angle = PRESSURE_ANGLE
             self._assume("mesh.pressure_angle", angle, "not stated: 20° of ISO 53")
-        return replace(RACKS[self.rules.places.chosen(self.entries, RACK)], pressure_angle=angle)
+        rack = replace(RACKS[self.rules.places.chosen(self.entries, RACK)], pressure_angle=angle)
+        room = _room(rack.dedendum, angle)
+        if room < 0.0:
+            most = degrees(atan(pi / 4 / rack.dedendum))
+            entry = self.entries["mesh.pressure_angle"]
+            expected = (
+                f"up to {int(10 * most) / 10:g} deg: with more, this rack ends in a point before its tip"
+            )
+            raise ValueProblemError(Problem(entry.path, repr(entry.text), expected))
+        return replace(rack, root_radius=min(rack.root_radius, room))
 
     def _face_width(self) -> float:
         stated = [w for gear in GEARS if (w := self.number(f"{gear}.face_width")) is not None]
@@ -123,15 +138,35 @@ class Teeth:
         span, teeth = self.number(f"{name}.span"), self.number(f"{name}.span_teeth")
         if span is not None:
             k = inspection.span_teeth(gear) if teeth is None else int(teeth)
-            return inspection.with_span(gear, span, k).profile_shift, f"from W_{k}"
+            nominal = f"{1e3 * inspection.span_measurement(gear.nominal(), k):.5g} mm over {k} teeth"
+            x = self._measurable(f"{name}.span", nominal, lambda: inspection.with_span(gear, span, k))
+            return x, f"from W_{k}"
         ball = self.number(f"{name}.ball_diameter")
         for leaf, pins in (("over_balls", False), ("over_pins", True)):
             dimension = self.number(f"{name}.{leaf}")
             if dimension is not None:
                 ball = 1.75 * gear.normal_module if ball is None else ball
                 how = f"from the dimension over {'pins' if pins else 'balls'} of {ball * 1e3:.5g} mm"
-                return inspection.with_dimension_over_balls(gear, dimension, ball, pins).profile_shift, how
+                measure = inspection.dimension_over_pins if pins else inspection.dimension_over_balls
+                nominal = f"{1e3 * measure(gear.nominal(), ball):.5g} mm"
+                x = self._measurable(
+                    f"{name}.{leaf}",
+                    nominal,
+                    lambda d=dimension, b=ball, p=pins: inspection.with_dimension_over_balls(gear, d, b, p),
+                )
+                return x, how
         return None
+
+    def _measurable(self, path: str, nominal: str, gear: Callable[[], CylindricalGear]) -> float:
+        """The generating profile shift of a measure. Raises `ValueProblemError` for one of no such gear."""
+        try:
+            x = gear().profile_shift
+        except GearlashError:
+            x = inf
+        if abs(x) > MOST_SHIFT:
+            expected = f"a measure of such teeth: {nominal} without profile shift"
+            raise ValueProblemError(Problem(path, repr(self.entries[path].text), expected))
+        return x
 
     def _shifted(self, gear: str, x: float, why: str) -> float:
         self._assume(f"{gear}.profile_shift", x, why)
@@ -151,8 +186,32 @@ class Teeth:
         """With the stated tip, root and allowance."""
         allowance = self.number(f"{name}.thickness_allowance") or self.allowances.get(name, 0.0)
         tip, root = self.number(f"{name}.tip_diameter"), self.number(f"{name}.root_diameter")
-        gear = replace(gear, thickness_allowance=allowance, stated_tip_diameter=tip)
-        return gear if root is None else replace(gear, rack=_with_root(gear, root))
+        gear = replace(gear, thickness_allowance=allowance)
+        if root is not None:
+            self._root_fits(name, gear, root)
+            gear = replace(gear, rack=_with_root(gear, root))
+        if tip is not None:
+            least = max(gear.base_diameter, gear.root_diameter)
+            if not tip > least:
+                usual = f"{1e3 * gear.tip_diameter:.5g} mm is usual"
+                path = f"{name}.tip_diameter"
+                expected = f"more than {1e3 * least:.5g} mm, that of base or root circle; {usual}"
+                raise ValueProblemError(Problem(path, repr(self.entries[path].text), expected))
+        return replace(gear, stated_tip_diameter=tip)
+
+    def _root_fits(self, name: str, gear: CylindricalGear, root: float) -> None:
+        """Raises `ValueProblemError` for a root that no rack cuts into these teeth."""
+        angle, module = gear.rack.pressure_angle, gear.normal_module
+        deepest = gear.reference_diameter - 2.0 * module * (
+            pi / 4 / tan(angle) - gear.generating_profile_shift
+        )
+        if not deepest < root < gear.tip_diameter:
+            path = f"{name}.root_diameter"
+            expected = (
+                f"between {1e3 * deepest:.5g} and {1e3 * gear.tip_diameter:.5g} mm, "
+                f"{1e3 * gear.root_diameter:.5g} mm is usual"
+            )
+            raise ValueProblemError(Problem(path, repr(self.entries[path].text), expected))
 
 
 def _pinion_share(total: float, pair: CylindricalPair) -> float:
@@ -167,6 +226,10 @@ def _with_root(gear: CylindricalGear, root: float) -> BasicRack:
     """The rack whose tip cuts this root diameter; its rounding as large as it has room."""
     rack, module = gear.rack, gear.normal_module
     dedendum = gear.generating_profile_shift + (gear.reference_diameter - root) / (2.0 * module)
-    angle = rack.pressure_angle
-    room = (pi / 4 - dedendum * tan(angle)) / (1.0 / cos(angle) - tan(angle))
+    room = _room(dedendum, rack.pressure_angle)
     return replace(rack, dedendum=dedendum, root_radius=max(0.0, min(rack.root_radius, room)))
+
+
+def _room(dedendum: float, angle: float) -> float:
+    """The largest rounding that the tip of a rack has room for, over m_n; below 0 it is a point before."""
+    return (pi / 4 - dedendum * tan(angle)) / (1.0 / cos(angle) - tan(angle))
