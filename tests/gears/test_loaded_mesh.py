@@ -176,3 +176,25 @@ def test_teeth_that_leave_before_the_next_come_are_refused():
     assert 0.0 < far.total_contact_ratio < 1.0
     with pytest.raises(GearlashError, match="no pair touches"):
         contact_lines(far, LONG, 1e5, STEEL).under(1e3)
+
+
+@pytest.mark.parametrize(
+    ("torque", "amount", "length", "crowning", "elements", "within"),
+    [(77.0, 0.0, 1e-3, 0.0, 16.1e8, 0.05), (400.0, 49e-6, 3.25e-3, 60e-6, 7.7e8, 0.1),
+     (80.0, 69e-6, 7.6e-3, 37e-6, 3.75e8, 0.2)],
+)  # fmt: skip
+def test_the_mesh_of_the_article_against_three_dimensional_finite_elements(
+    torque, amount, length, crowning, elements, within
+):
+    # Mean stiffness that the quasi-static contact of `gearlash.multibody` has for this pair, 65 mm wide, with
+    # the same relief at both tips. There neighbouring slices help each other; here they do not: the less of
+    # the width bears, the softer are these.
+    gears = [CylindricalGear(z, 4e-3, np.radians(18.0)) for z in (28, 70)]
+    pair = CylindricalPair(gears[0], gears[1], face_width=65e-3)
+    tip = Relief(amount, length)
+    modification = PairModification(FlankModification(tip, crowning=crowning), FlankModification(tip))
+    drawing = Drawing(pair, torque=torque, modification=modification)
+    lines = contact_lines(pair, modification, drawing.line_load or 0.0, STEEL)
+    found = lines.under(drawing.normal_force).mean_stiffness
+    assert found == pytest.approx(elements, rel=within)
+    assert found < elements

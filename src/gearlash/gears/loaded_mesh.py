@@ -37,7 +37,7 @@ from .tooth_pair import pair_stiffness
 Reals = NDArray[np.float64]
 PLACES = 97
 """Along the path of contact, where the stiffness of a pair of teeth is computed."""
-SPUR_POINTS, POINTS = 1024, 256
+SPUR_POINTS, POINTS = 1024, 512
 """Phases of a mesh cycle: of one slice, whose steps are sharp, and of many."""
 SLICES = 64
 
