@@ -78,7 +78,7 @@ def test_forces_do_positive_work_without_the_dent(flanks):
 
 def test_the_other_hand_is_the_mirror_image():
     gears = CylindricalGear(30, 4e-3, radians(18.0)), CylindricalGear(30, 4e-3, radians(18.0))
-    settings = SectorSettings(Fineness(2, 1, 1, 2, 3), teeth=3)
+    settings = SectorSettings(Fineness(flank=2, fillet=1, core=1, rim=2, axial=3), teeth=3)
     right, left = pair_compliances(CylindricalPair(*gears), (0.03, 0.03), settings=settings, keep=False)
     nr, nz = len(right.roll), len(right.axial)
     shape = (3, nr, nz, nr, nz)

@@ -18,7 +18,7 @@ from gearlash.multibody.compliance import SectorSettings, flank_compliance
 from gearlash.multibody.tooth_section import Fineness
 
 GEAR = CylindricalGear(30, 4e-3)
-COARSE = SectorSettings(Fineness(1, 1, 1, 1, 1), teeth=3)
+COARSE = SectorSettings(Fineness(flank=1, fillet=1, core=1, rim=1, axial=1), teeth=3)
 
 
 @pytest.fixture
@@ -64,7 +64,7 @@ def test_it_is_made_once_and_comes_back_as_it_was(folder: Path, made: list[str])
         {"material": named("nodular-cast-iron")},
         {"settings": replace(COARSE, layer=0.15)},
         {"settings": replace(COARSE, rim_depth=3.0)},
-        {"settings": SectorSettings(Fineness(1, 1, 1, 1, 2), teeth=3)},
+        {"settings": SectorSettings(Fineness(flank=1, fillet=1, core=1, rim=1, axial=2), teeth=3)},
     ],
 )
 def test_nothing_that_it_depends_on_is_overlooked(other: dict, folder: Path, made: list[str]):

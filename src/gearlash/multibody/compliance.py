@@ -13,7 +13,6 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cache
 from importlib.metadata import version
-from math import cos, hypot, sin
 from pathlib import Path
 
 import numpy as np
@@ -29,12 +28,13 @@ from . import kept
 from .dent import half_plane_depth
 from .elastic import ElasticModel, elastic_model
 from .extra import require_extra
+from .flank_loads import flank_loads
 from .hexahedra import GearSector, gear_sector
 from .tooth_section import Fineness, default_depth, tooth_section
 
 Reals = NDArray[np.float64]
 Integers = NDArray[np.int64]
-MAKERS = ("compliance", "dent", "elastic", "hexahedra", "tooth_section")
+MAKERS = ("compliance", "dent", "elastic", "flank_loads", "hexahedra", "tooth_section")
 """Modules on which a kept compliance depends."""
 
 
@@ -154,7 +154,7 @@ def flank_compliance(
     >>> coarse = SectorSettings(Fineness(flank=2, fillet=1, core=1, rim=1, axial=2), teeth=3)
     >>> flanks = flank_compliance(CylindricalGear(30, 4e-3), 0.02, settings=coarse)
     >>> flanks.influence.shape
-    (3, 9, 9)
+    (3, 15, 15)
     """
     if not face_width > 0.0:
         raise GearlashError(f"face width {face_width:g} m: it is above 0")
@@ -179,10 +179,9 @@ def _made(
 ) -> dict[str, Reals]:
     """What a `FlankCompliance` has, by finite elements."""
     began = time.perf_counter()
-    influence, asymmetry = _influence(gear, sector, material)
-    corners = sector.points[sector.flanks[0, :, 0]]
+    roll, influence, asymmetry = _influence(gear, sector, material)
     return {
-        "roll": np.array([gear.roll_length(2.0 * hypot(x, y)) for x, y, _ in corners]),
+        "roll": roll,
         "axial": np.linspace(-0.5 * face_width, 0.5 * face_width, sector.flanks.shape[2]),
         "influence": influence,
         "depth": np.array(half_plane_depth(layer, material.poisson_ratio)),
@@ -270,50 +269,18 @@ def _odd_at_most(teeth: int, all_teeth: int) -> int:
     return min(teeth, all_teeth - 1 - all_teeth % 2)
 
 
-def _line_loads(gear: CylindricalGear, model: ElasticModel, flank: Integers) -> sparse.csc_array:
-    """Unit forces into a flank, shape (dof, nr·nz), each spread along z as a hat over its neighbours.
-
-    On an edge with nodes a, m, b the hat of a gives a third to a, two thirds to m and nothing to b.
-    """
-    rows, columns = flank.shape
-    size = 3 * len(model.nodes)
-    entries: list[tuple[Integers, Integers, Reals]] = []
-    for column in range(columns):
-        edges = [edge for edge in (column - 1, column) if 0 <= edge < columns - 1]
-        place = np.arange(rows) * columns + column
-        parts = [(flank[:, column], 1.0 / 3.0)]
-        for edge in edges:
-            parts.append((model.between(flank[:, edge], flank[:, edge + 1]), 2.0 / 3.0 / len(edges)))
-        for nodes, share in parts:
-            push = -share * _outward(gear, model.nodes[nodes])
-            at = 3 * nodes[:, None] + np.arange(3)
-            entries.append((at.ravel(), np.repeat(place, 3), push.ravel()))
-    at, place, push = (np.concatenate(part) for part in zip(*entries, strict=True))
-    return sparse.coo_array((push, (at, place)), shape=(size, rows * columns)).tocsc()
-
-
-def _outward(gear: CylindricalGear, points: Reals) -> Reals:
-    """Normals of the flank on the side of larger angles, out of the tooth."""
-    radius = np.hypot(points[:, 0], points[:, 1])
-    radial = np.column_stack([points[:, 0], points[:, 1]]) / radius[:, None]
-    around = np.column_stack([-radial[:, 1], radial[:, 0]])
-    pressure = np.array([gear.pressure_angle_at(2.0 * r) for r in radius])[:, None]
-    across = cos(gear.base_helix_angle) * (np.cos(pressure) * around + np.sin(pressure) * radial)
-    along = -sin(gear.base_helix_angle) * np.sign(gear.helix_angle)
-    return np.column_stack([across, np.full(len(points), along)])
-
-
-def _influence(gear: CylindricalGear, sector: GearSector, material: Material) -> tuple[Reals, float]:
-    """Influence of the middle tooth's flank on all, without the layer; and how far it is from symmetric."""
+def _influence(gear: CylindricalGear, sector: GearSector, material: Material) -> tuple[Reals, Reals, float]:
+    """Roll lengths; influence of the middle tooth's flank on all, without the layer; and its asymmetry."""
     model = elastic_model(sector.points, sector.hexahedra, material)
-    loads = [_line_loads(gear, model, flank) for flank in sector.flanks]
+    flanks = [flank_loads(gear, model, flank) for flank in sector.flanks]
+    loads = [flank.forces for flank in flanks]
     middle = len(loads) // 2
     whole = _displacements(model, sector.held, loads[middle])
     raw = np.stack([(load.T @ whole).T for load in loads])
     raw[middle] -= _layer_influence(gear, sector, sector.flanks[middle], material)
     mirrored = raw[::-1].transpose(0, 2, 1)
     asymmetry = float(np.abs(raw - mirrored).max() / np.abs(raw).max())
-    return 0.5 * (raw + mirrored), asymmetry
+    return flanks[middle].roll, 0.5 * (raw + mirrored), asymmetry
 
 
 def _layer_influence(gear: CylindricalGear, sector: GearSector, flank: Integers, material: Material) -> Reals:
@@ -322,7 +289,7 @@ def _layer_influence(gear: CylindricalGear, sector: GearSector, flank: Integers,
     own, inside = np.unique(hexahedra, return_inverse=True)
     model = elastic_model(sector.points[own], inside.reshape(hexahedra.shape), material)
     joined = np.isin(own, sector.hexahedra[~sector.in_layer])
-    load = _line_loads(gear, model, np.searchsorted(own, flank))
+    load = flank_loads(gear, model, np.searchsorted(own, flank)).forces
     return load.T @ _displacements(model, joined, load)
 
 

@@ -7,6 +7,7 @@ N/m.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -47,18 +48,24 @@ class ElasticModel:
 
         Parameters
         ----------
-        first, second : ndarray of int, shape (k,)
+        first, second : ndarray of int
             Corners at the ends of each edge, in any order.
 
         Returns
         -------
-        ndarray of int, shape (k,)
+        ndarray of int
+            Of their shape.
         """
-        corners = len(self.nodes) - len(self.edges)
-        key = self.edges.min(axis=1) * corners + self.edges.max(axis=1)
-        order = np.argsort(key)
-        asked = np.minimum(first, second) * corners + np.maximum(first, second)
-        return corners + order[np.searchsorted(key, asked, sorter=order)]
+        keys, order = self._edges_in_order
+        asked = np.minimum(first, second) * len(self.nodes) + np.maximum(first, second)
+        return len(self.nodes) - len(self.edges) + order[np.searchsorted(keys, asked)]
+
+    @cached_property
+    def _edges_in_order(self) -> tuple[Integers, Integers]:
+        """A number for each edge from its two corners, rising, and the rows of the edges."""
+        keys = self.edges.min(axis=1) * len(self.nodes) + self.edges.max(axis=1)
+        order = np.argsort(keys)
+        return keys[order], order
 
 
 def elastic_model(points: Reals, hexahedra: Integers, material: Material) -> ElasticModel:

@@ -141,7 +141,7 @@ class _Plane:
             own = np.vstack([foot, rest])
             quads.append(_quads(own))
             below_flank = np.zeros((tooth.shape[0] - 1, tooth.shape[1] - 1), dtype=bool)
-            below_flank[:, -1] = k == teeth // 2
+            below_flank[:, -section.layer :] = k == teeth // 2
             layers.append(below_flank.ravel())
             flanks.append(own[section.involute :, -1])
         held = np.zeros(count, dtype=bool)

@@ -32,6 +32,8 @@ class Fineness:
         Rows of elements on the involute; at least 1.
     fillet : int
         Rows on the upper half of each fillet, and columns of the rim below its lower half; at least 1.
+    layer : int
+        Columns in the layer below each flank; at least 1.
     core : int
         Columns between the layers below both flanks; at least 1.
     rim : int
@@ -48,13 +50,14 @@ class Fineness:
 
     flank: int = 6
     fillet: int = 2
+    layer: int = 1
     core: int = 2
     rim: int = 4
     axial: int = 12
 
     def __post_init__(self) -> None:
         """Every block has an element."""
-        if min(self.flank, self.fillet, self.core, self.rim, self.axial) < 1:
+        if min(self.flank, self.fillet, self.layer, self.core, self.rim, self.axial) < 1:
             raise GearlashError("every block of a tooth has at least one element")
 
     def finer(self, times: int) -> Fineness:
@@ -72,6 +75,7 @@ class Fineness:
         return Fineness(
             times * self.flank,
             times * self.fillet,
+            times * self.layer,
             times * self.core,
             times * self.rim,
             times * self.axial,
@@ -90,6 +94,8 @@ class ToothSection:
         Its first row is in the last row of the rim. The last column is the flank with angles above 0.
     involute : int
         Row of the tooth at which the involute starts.
+    layer : int
+        Columns of the layer below each flank.
     depth : float
         Of the layers below the flanks, normal to them, m.
     """
@@ -97,6 +103,7 @@ class ToothSection:
     rim: Reals
     tooth: Reals
     involute: int
+    layer: int
     depth: float
 
     @property
@@ -144,7 +151,7 @@ def tooth_section(
     tooth = _tooth(gear, side, layer, fineness)
     involute = len(foot) - 1
     top = np.concatenate([_mirrored(below)[:-1], tooth[0], below[::-1][1:]])
-    return ToothSection(_rim(gear, top, rim_depth, fineness.rim), tooth, involute, layer)
+    return ToothSection(_rim(gear, top, rim_depth, fineness.rim), tooth, involute, fineness.layer, layer)
 
 
 def default_depth(gear: CylindricalGear) -> float:
@@ -193,7 +200,7 @@ def _mirrored(points: Reals) -> Reals:
 
 def _tooth(gear: CylindricalGear, side: Reals, depth: float, fineness: Fineness) -> Reals:
     """Rows of constant radius; columns flank, layer, core, layer, flank."""
-    across = np.empty((len(side), fineness.core + 3, 2))
+    across = np.empty((len(side), fineness.core + 2 * fineness.layer + 1, 2))
     involute = len(side) - fineness.flank - 1
     for row, (radius, half) in enumerate(side):
         at = max(radius, side[involute, 0])
@@ -205,7 +212,9 @@ def _tooth(gear: CylindricalGear, side: Reals, depth: float, fineness: Fineness)
                 f"{2e3 * half * radius:.4g} mm thick at a radius of {radius * 1e3:.4g} mm"
             )
         across[row, :, 0] = radius
-        across[row, :, 1] = np.concatenate([[-half], np.linspace(-inner, inner, fineness.core + 1), [half]])
+        outer = np.linspace(half, inner, fineness.layer + 1)
+        core = np.linspace(-inner, inner, fineness.core + 1)
+        across[row, :, 1] = np.concatenate([-outer[:-1], core, outer[::-1][1:]])
     return across
 
 
