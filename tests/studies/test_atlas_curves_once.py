@@ -71,3 +71,16 @@ def test_two_that_touch_in_one_orbit_alone_stay_two():
     middle = (count // 2) / count
     atlas = drawn()
     assert [atlas.add(each, "of a branch") for each in (part(0.0, middle), part(middle, 1.0))] == [0, 1]
+
+
+def test_beside_a_point_where_two_things_happen_a_step_is_between_two_points_of_the_curve():
+    atlas = drawn()
+    atlas.add(curve(), "of a branch")
+    (line,), (special,) = atlas.lines, curve().special
+    at = [node.values for node in line.nodes].index(special.values)
+    for step in (at - 1, at):
+        before, after = line.around(step)
+        assert before.arclength <= special.arclength <= after.arclength
+        assert before in line.curve.points
+        assert after in line.curve.points
+        assert {str(before.signature), str(after.signature)} == {"1-1-0", "1-1-1"}

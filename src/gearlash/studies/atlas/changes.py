@@ -96,7 +96,10 @@ class Check:
         if not isinstance(a, Signature) or not isinstance(b, Signature):
             return LabelChange(*about, LabelChangeKind.APERIODIC)
         crossed = steps.crossed(*((np.array(each) - self.drawn.lower) / self.drawn.width for each in values))
-        known = {number: list(links_of_step(self.drawn.lines[number].curve, i)) for number, i in crossed}
+        known = dict[int, list[Link]]()
+        for number, i in crossed:
+            line = self.drawn.lines[number]
+            known.setdefault(number, []).extend(links_of_step(line.curve, line.around(i)))
         met = list(self._met(one, other))
         for special, number, last in met:
             if number >= 0:

@@ -68,6 +68,15 @@ class Line:
         near = np.flatnonzero(away <= np.maximum(SAGITTA * length, self.bent) + ROUNDING)
         return [(int(i), float(part[i])) for i in near]
 
+    def around(self, step: int) -> tuple[CurvePoint, ...]:
+        """The points of the curve on both sides of a step, of which an end may be one where two things
+        happen."""
+        last = min(step + 1, len(self.nodes) - 1)
+        left, right = self.nodes[step].arclength, self.nodes[last].arclength
+        points = self.curve.points
+        before = [point for point in points if point.arclength <= left][-1:]
+        return (*before, *[point for point in points if point.arclength >= right][:1])
+
     @cached_property
     def bent(self) -> Array:
         """(m - 1,): how far beside their chords the steps may lie, by how far their ends lie beside those of
@@ -98,7 +107,7 @@ class Line:
             return False
         return touch is None or any(
             _one_touch(mine, touch, shift * cycles, self.period)
-            for point in (self.nodes[i], self.nodes[j])
+            for point in self.around(i)
             for mine in point.touches
         )
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from gearlash.branches.continuation import Extremum, SpecialKind, SpecialPoint
-from gearlash.branches.curves import Curve
+from gearlash.branches.curves import Curve, CurvePoint
 from gearlash.system import Signature
 
 
@@ -19,9 +19,8 @@ class Link:
     other: Signature | int | None
 
 
-def links_of_step(curve: Curve, step: int) -> Iterator[Link]:
-    """Of a curve on one of its steps, as far as it bounds motions that attract."""
-    points = curve.points[step : step + 2]
+def links_of_step(curve: Curve, points: Sequence[CurvePoint]) -> Iterator[Link]:
+    """Of a curve between some of its points, as far as it bounds motions that attract."""
     if not any(point.unstable == 0 and point.admissible for point in points):
         return
     for point in points:
