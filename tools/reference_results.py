@@ -38,7 +38,8 @@ FOLDER = """\
 
 | command | files |
 |---|---|
-| run | `run.json`, `portrait.svg`, `portrait.pdf`, `history.svg`, `history.pdf` |
+| run | `run.json`, `history.nc`, `spectrum.nc`, `portrait.svg`, `portrait.pdf`, `history.svg`, \
+`history.pdf` |
 | sweep | `sweep.json`, `sweep.nc`, and of a complete sweep `sweep.svg`, `sweep.pdf` |
 | map | `map.json`, `map.nc`, and of a complete map `map.svg`, `map.pdf` |
 | branch | `branch.json`, `special.csv`, `branch.svg`, `branch.pdf`, and of every branch N \
@@ -72,6 +73,48 @@ points, NetCDF the same columns with the case as attributes.
 branches of periodic orbits: special points and ends whole, all other orbits in columns).
 Its records have the fields of `gearlash.article.reproduction`; curves are thinned, and complex
 numbers are `{"re", "im"}`.
+"""
+CSV = """\
+## Tables as CSV
+
+With `--csv` a command prints its main table, and nothing else, on standard output; with `--out DIR` it
+writes all of its tables into the folder instead.
+
+| command | tables, the main one first |
+|---|---|
+| run | `history.csv` (a row a sample), `spectrum.csv` (a row a line of the order spectrum), `events.csv` |
+| sweep | `sweep.csv` (a row a point and direction), `regimes.csv` |
+| map | `map.csv` (a row a pixel) |
+| branch | `branch-1.csv` … (a row an orbit), `special.csv` |
+| curve | `curve-1.csv` … (a row an orbit), `special.csv` |
+| atlas | `curves.csv` (a row an orbit of every curve), `points.csv`, `map.csv` |
+| graze | `graze.csv` |
+| zones | `zones.csv`, `residents.csv` (motions in them), `sweep.csv`; of two axes `zone.csv` |
+| tolerance | `tolerance.csv`, `bands.csv`, `inputs.csv` |
+| compare | `compare.csv`, `jumps.csv` |
+| report | those of its folder |
+
+Files are UTF-8 without a mark, with a line end after every row. The first line has names, with units in
+brackets in ASCII (`mesh_force [N]`, `gap [um]`); a name without a unit is dimensionless, and the same
+quantity may stand in both. Numbers have every digit, truth values are 1 and 0, an empty cell has no number.
+Columns are parted by commas, decimals by points; with `--decimal-comma` by semicolons and commas, as
+spreadsheets expect it in many countries. `gearlash compare` and `[curves]` of a case read both.
+Spreadsheets take some labels (`1-1-0`) for dates: import these columns as text, or use `period`, `drive`
+and `back`. What is several numbers a point (states, points on sections) is in the NetCDF files only.
+
+`history.nc` and `spectrum.nc` have the columns of `history.csv` and `spectrum.csv` as variables of one
+dimension with `units` and `long_name`. A history is one period of an orbit, or 64 mesh cycles of another
+motion, in 256 equal steps a mesh cycle (fewer where a period is longer than 256). Of an orbit the lines of a
+spectrum are its Fourier series; of another motion a Hann window is taken. `rms` is that of a line (of order
+0 the modulus of the mean), levels are 20 lg of it over what stands in brackets (1 uN, 1 pm, 1 nm/s; of
+dimensionless numbers 1).
+
+| reader | |
+|---|---|
+| pandas | `pd.read_csv("sweep.csv")`; with decimal commas `pd.read_csv("sweep.csv", sep=";", decimal=",")` |
+| xarray | `xr.open_dataset("history.nc")` |
+| MATLAB | `readtable("sweep.csv", VariableNamingRule="preserve")`; `ncread("history.nc", "mesh_force")` |
+| Excel, Calc | open the file; where decimals have commas that of `--decimal-comma` |
 """
 NETCDF = """\
 ## NetCDF
@@ -149,6 +192,7 @@ def results_page() -> str:
         parts.append("\n".join(_answer(kind, answer_kind(kind), seen)))
     parts += [
         FOLDER,
+        CSV,
         NETCDF,
         "\n".join(_variables()),
         MAPS,

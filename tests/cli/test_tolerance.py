@@ -23,7 +23,7 @@ def test_an_answer_in_the_units_asked_with_files(gearlash: Gearlash, tmp_path: P
     assert answer["worst_margin"] < answer["nominal_margin"]
     assert (tmp_path / "out" / "tolerance.svg").exists()
     lines = (tmp_path / "out" / "tolerance.csv").read_text().splitlines()
-    assert lines[0] == '"pinion_speed [rpm]","probability","standard error"'
+    assert lines[0] == "pinion_speed [rpm],probability,standard_error"
     assert len(lines) == 4
     again = gearlash(*ASKED, *limits, "--workers", "2", "--json")
     assert json.loads(again.out) == answer

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 from gearlash.case import Case, CaseError, Problem
 from gearlash.case.units import pretty
-from gearlash.results import table
 from gearlash.results.branch_dataset import branch_dataset
 from gearlash.results.branch_file import branch_text
 from gearlash.results.store import netcdf, write_together
 
+from .command_tables import branch_tables
 from .files import draw_if
 from .folder import OutFolder
 from .jsonio import text
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from gearlash.studies.switches import SwitchedBranch
 
     from .answers.branch import BranchAnswer
+    from .tables import CsvAsked
 
 NUMBERED = re.compile(r"branch-\d+\.(json|nc|csv)")
 FIRST = ("branch-1.json", "branch-1.nc", "branch-1.csv")
@@ -57,6 +58,7 @@ def write_branches(
     found: Sequence[SwitchedBranch],
     datasets: Sequence[xr.Dataset] | None,
     answer: BranchAnswer,
+    csv: CsvAsked,
     measure: str,
     span: Sequence[float] = (),
 ) -> None:
@@ -67,11 +69,11 @@ def write_branches(
     if made is None:
         made = [branch_dataset(case, each.branch, extremes=False) for each in found]
     contents: dict[Any, bytes | memoryview] = {folder.file("branch.json"): text(answer).encode("utf-8")}
-    contents[folder.file("special.csv")] = _special_table(made).encode("utf-8")
+    for name, content in csv.bytes_of(branch_tables(made)).items():
+        contents[folder.file(name)] = content
     for i, (each, dataset) in enumerate(zip(found, made, strict=True), 1):
         contents[folder.file(f"branch-{i}.json")] = branch_text(each.branch, case)
         contents[folder.file(f"branch-{i}.nc")] = netcdf(dataset)
-        contents[folder.file(f"branch-{i}.csv")] = table(dataset).to_csv().encode("utf-8")
     older = [path for path in folder.path.glob("branch-*.*") if folder.owns(path.name)]
     gone = [path for path in older if path not in contents]
     write_together(contents, instead_of=[*gone, folder.file("branch.svg"), folder.file("branch.pdf")])
@@ -95,17 +97,3 @@ def _figure(
     title = f"{'Branches' if len(datasets) > 1 else 'Branch'} of {case.name} over {asked.title}"
     units = plots.Units.of(case)
     return plots.branch_diagram(datasets, measure, title=title, span=span, units=units, along=along)
-
-
-def _special_table(datasets: Sequence[xr.Dataset]) -> str:
-    """All special points, one row each, with the number of the branch and its own, as in the answer."""
-    import pandas as pd
-
-    frames = []
-    for i, dataset in enumerate(datasets, 1):
-        names = [name for name, each in dataset.data_vars.items() if each.dims == ("special",)]
-        frame = dataset[names].to_dataframe().rename(columns=lambda name: name.removeprefix("special_"))
-        frame.insert(0, "branch", i)
-        frame.insert(1, "number", range(1, len(frame) + 1))
-        frames.append(frame)
-    return pd.concat(frames).to_csv(index=False) if frames else ""

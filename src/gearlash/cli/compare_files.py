@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from gearlash.case import Case
+from gearlash.case.units import pretty
 from gearlash.results.store import write_together
 
 from .files import draw_if
@@ -17,26 +18,15 @@ if TYPE_CHECKING:
     from .answers.compare import CompareAnswer
 
 
-def write_compare(folder: OutFolder, case: Case, found: Comparison, answer: CompareAnswer) -> None:
+def write_compare(
+    folder: OutFolder, case: Case, found: Comparison, answer: CompareAnswer, table: str
+) -> None:
     """The answer (JSON), a row for each speed (CSV) and, where all was computed, the overlay."""
-    unit = f" [{answer.unit}]" if answer.unit else ""
-    speed = f"speed [{answer.speed_unit}]" if answer.speed_unit else "omega"
-    names = (speed, f"measured{unit}", f"rising{unit}", f"falling{unit}", f"residual{unit}", "motion rising",
-             "motion falling")  # fmt: skip
-    rows = [
-        ",".join(
-            [
-                *("" if x is None else repr(x) for x in (p.speed, p.measured, p.up, p.down, p.residual)),
-                p.label_up,
-                p.label_down,
-            ]
-        )
-        for p in answer.points
-    ]
-    lines = "\n".join([",".join(f'"{name}"' for name in names), *rows]) + "\n"
+    unit = f" [{pretty(answer.unit)}]" if answer.unit else ""
+    speed = f"speed [{pretty(answer.speed_unit)}]" if answer.speed_unit else "ω"
     contents = {
         folder.file("compare.json"): text(answer).encode("utf-8"),
-        folder.file("compare.csv"): lines.encode("utf-8"),
+        folder.file("compare.csv"): table.encode("utf-8"),
     }
     write_together(contents, instead_of=[folder.file(f"compare.{kind}") for kind in ("svg", "pdf")])
     words = answer.quantity.replace("_", " ")
@@ -46,7 +36,7 @@ def write_compare(folder: OutFolder, case: Case, found: Comparison, answer: Comp
         lambda plots: plots.overlay(
             [p.speed for p in answer.points], [p.measured for p in answer.points],
             [p.up for p in answer.points], [p.down for p in answer.points],
-            speed.replace("omega", "ω"), f"{words}, {answer.figure}{order}{unit}",
+            speed, f"{words}, {answer.figure}{order}{unit}",
             f"{case.name}: measured and computed", [(jump.lower, jump.upper) for jump in answer.jumps],
         ),
     )  # fmt: skip

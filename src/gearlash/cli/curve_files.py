@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from gearlash.case import Case
 from gearlash.case.units import pretty
-from gearlash.results import table
 from gearlash.results.branch_file import branch_text
 from gearlash.results.curve_dataset import curve_dataset
 from gearlash.results.curve_file import curve_text
 from gearlash.results.store import netcdf, write_together
 
+from .command_tables import curve_tables
 from .files import draw_if
 from .folder import OutFolder
 from .jsonio import text
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from .answers.curve import CurveAnswer
     from .answers.curve_parts import Begun
     from .curve_inputs import CurveInputs
+    from .tables import CsvAsked
 
 FIGURES = ("curve.svg", "curve.pdf")
 
@@ -34,20 +35,22 @@ def file_names(count: int) -> list[str]:
     return ["curve.json", "special.csv", "branch-1.json", *FIGURES, *kept]
 
 
-def write_curves(folder: OutFolder, asked: CurveInputs, found: Sequence[Begun], answer: CurveAnswer) -> None:
+def write_curves(
+    folder: OutFolder, asked: CurveInputs, found: Sequence[Begun], answer: CurveAnswer, csv: CsvAsked
+) -> None:
     """The answer (JSON), every curve as a file to resume from (JSON), as data (NetCDF) and as a table (CSV),
     all points of the tables as one (CSV), the branch they begin at (JSON), and the figure as SVG and PDF."""
     case = asked.case
     curves = [each.curve for each in found if each.curve is not None]
     contents: dict[Any, bytes | memoryview] = {folder.file("curve.json"): text(answer).encode("utf-8")}
-    contents[folder.file("special.csv")] = _special_table(answer).encode("utf-8")
+    for name, content in csv.bytes_of(curve_tables(case, curves, answer)).items():
+        contents[folder.file(name)] = content
     if asked.branch is not None:
         contents[folder.file("branch-1.json")] = branch_text(asked.branch, case)
     for i, curve in enumerate(curves, 1):
         dataset = curve_dataset(case, curve)
         contents[folder.file(f"curve-{i}.json")] = curve_text(curve, case)
         contents[folder.file(f"curve-{i}.nc")] = netcdf(dataset)
-        contents[folder.file(f"curve-{i}.csv")] = table(dataset).to_csv().encode("utf-8")
     older = [path for path in folder.path.glob("curve-*.*") if folder.owns(path.name)]
     gone = [path for path in older if path not in contents]
     write_together(contents, instead_of=[*gone, *(folder.file(name) for name in FIGURES)])
@@ -69,31 +72,3 @@ def _along(plots: Any, limit: LimitsUsed) -> Any:
         return None
     rests = any(each.rests_on for each in limit.physical_lower if each.name == asked.name)
     return plots.Twin(asked.factor, asked.title, pretty(asked.unit), rests)
-
-
-def _special_table(answer: CurveAnswer) -> str:
-    """All points of the tables, one row each, with the number of the curve and its own."""
-    import pandas as pd
-
-    one, two = answer.axes
-    rows = [
-        {
-            "curve": curve.number,
-            "number": point.number,
-            "kind": point.kind,
-            one.name: point.values[0],
-            f"{one.name}_error": point.errors[0],
-            two.name: point.values[1],
-            f"{two.name}_error": point.errors[1],
-            **{each.name: each.value for part in point.physical for each in part},
-            "label_before": point.label_before,
-            "label_after": point.label_after,
-            "solved": point.solved,
-            "admissible": point.admissible,
-            "status": point.status,
-            "note": point.note,
-        }
-        for curve in answer.curves
-        for point in curve.special
-    ]
-    return pd.DataFrame(rows).to_csv(index=False) if rows else ""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from gearlash.case import Case
 from gearlash.case.units import pretty
 from gearlash.results import PlaneMap, Sweep, plane_dataset, sweep_dataset
+from gearlash.results.dataset import FORMAT_VERSION
 from gearlash.results.store import netcdf, write_together
 
 from .folder import MOTION_FILES, OutFolder
@@ -94,8 +95,23 @@ def write_motion(folder: OutFolder, case: Case, attractor: Attractor, answer: Ru
     found = None if answer.numbers is None else optional(lambda: motion(attractor))
     if found is None:
         return
+    optional(lambda: _write_series(folder, case, attractor, answer))
     draw_if(folder, "portrait", True, lambda plots: plots.portrait(found, units=plots.Units.of(case)))
     draw_if(folder, "history", True, lambda plots: plots.history(found, units=plots.Units.of(case)))
+
+
+def _write_series(folder: OutFolder, case: Case, attractor: Attractor, answer: RunAnswer) -> None:
+    """History and order spectrum as data (NetCDF)."""
+    from gearlash.results.columns import dataset_of_table
+    from gearlash.results.provenance import provenance
+
+    from .command_tables import series_tables
+
+    about = {"gearlash_format": FORMAT_VERSION, **provenance(case)}
+    tables = series_tables(case, answer.parameters, attractor)
+    dims = {"history": "sample", "spectrum": "line"}
+    made = {name: dataset_of_table(table, dims[name], about) for name, table in tables.items()}
+    write_together({folder.file(f"{name}.nc"): netcdf(data) for name, data in made.items()})
 
 
 def draw_if(folder: OutFolder, name: str, complete: bool, figure: Callable[[Any], Figure]) -> None:

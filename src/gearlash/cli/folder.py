@@ -16,7 +16,7 @@ from gearlash.system import GearlashError, given
 from .hold import HeldError, Hold, hold
 from .jsonio import write_text
 
-MOTION_FILES = ("portrait.svg", "portrait.pdf", "history.svg", "history.pdf")
+MOTION_FILES = ("portrait.svg", "portrait.pdf", "history.svg", "history.pdf", "history.nc", "spectrum.nc")
 MARKER = ".gearlash.json"
 LARGEST_MARKER = 100_000  # bytes
 

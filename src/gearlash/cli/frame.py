@@ -90,15 +90,23 @@ class StudyInputs:
         return search_settings(self.family, periods, max_period, self.typed_case)
 
 
-def deliver(answer: Any, as_json: bool, keep: Callable[[], object] | None = None) -> ExitCode:
-    """Keeps an answer in the folder of --out, if there is one, and shows it, as JSON or by the view of its
-    command. Returns the exit code of its status."""
+def deliver(
+    answer: Any,
+    as_json: bool,
+    keep: Callable[[], object] | None = None,
+    printed: Callable[[], object] | None = None,
+) -> ExitCode:
+    """Keeps an answer in the folder of --out, if there is one, and shows it: as JSON, by the view of its
+    command, or as what is ``printed`` in place of that. Returns the exit code of its status."""
     with delivery():
         try:
             if keep is not None:
                 keep()
         finally:  # an answer that took long is shown even if it cannot be kept
-            show_answer(answer, as_json)
+            if printed is None:
+                show_answer(answer, as_json)
+            else:
+                printed()
     return code_of(answer.status)
 
 

@@ -63,6 +63,18 @@ AsJson = Annotated[
         "(gearlash schema --result describes it).",
     ),
 ]
+AsCsv = Annotated[
+    bool,
+    typer.Option(
+        "--csv",
+        help="Tables as CSV: into the folder of --out, or, without one, the main table on standard output "
+        "and nothing else.",
+    ),
+]
+DecimalComma = Annotated[
+    bool,
+    typer.Option("--decimal-comma", help="The same with decimal commas and semicolons between columns."),
+]
 Out = Annotated[
     Path | None,
     typer.Option(

@@ -17,17 +17,13 @@ if TYPE_CHECKING:
     from .answers.tolerance import ToleranceAnswer
 
 
-def write_tolerance(folder: OutFolder, case: Case, found: Tolerance, answer: ToleranceAnswer) -> None:
+def write_tolerance(
+    folder: OutFolder, case: Case, found: Tolerance, answer: ToleranceAnswer, table: str
+) -> None:
     """The answer (JSON), the probability as a table (CSV) and, where all was computed, the figure."""
-    name = f"{answer.axis} [{answer.unit}]" if answer.unit else answer.axis
-    lines = [f'"{name}","probability","standard error"']
-    for value, share, error in zip(answer.values, answer.probability, answer.probability_error, strict=True):
-        lines.append(
-            f"{value!r},{'' if share is None else repr(share)},{'' if error is None else repr(error)}"
-        )
     contents = {
         folder.file("tolerance.json"): text(answer).encode("utf-8"),
-        folder.file("tolerance.csv"): ("\n".join(lines) + "\n").encode("utf-8"),
+        folder.file("tolerance.csv"): table.encode("utf-8"),
     }
     write_together(contents, instead_of=[folder.file(f"tolerance.{kind}") for kind in ("svg", "pdf")])
     draw_if(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,12 +14,14 @@ from .exits import ExitCode
 if TYPE_CHECKING:
     from gearlash.orbits import Settings as SearchSettings
     from gearlash.plots import Twin
+    from gearlash.results.columns import Column
     from gearlash.studies.plane_zone import PlaneZone
 
     from .answers.plane_zone import PlaneZoneAnswer
     from .folder import OutFolder
     from .frame import StudyInputs
     from .inputs import TypedLimits
+    from .tables import CsvAsked
 
 FILES = ("zone.json", "zone.csv", "zone.svg", "zone.pdf")
 
@@ -35,6 +35,7 @@ def zone_in_plane(
     initial: list[str] | None,
     search: tuple[int | None, int | None],
     as_json: bool,
+    csv: CsvAsked,
     out: Path | None,
 ) -> ExitCode:
     """Reads, computes, keeps and shows it."""
@@ -61,9 +62,9 @@ def zone_in_plane(
 
     def keep() -> None:
         if folder:
-            _write(folder, asked.case, zone, answer)
+            _write(folder, asked.case, zone, answer, csv)
 
-    return deliver(answer, as_json, keep)
+    return deliver(answer, as_json, keep, csv.printing(lambda: {"zone": _table(answer)}))
 
 
 def _limits(case: Case, over: Sequence[str], settings: list[str] | None) -> list[TypedLimits]:
@@ -140,7 +141,7 @@ def _zone(
         )  # fmt: skip
 
 
-def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnswer) -> None:
+def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnswer, csv: CsvAsked) -> None:
     """The answer (JSON), the boundary (CSV), and the figure as SVG and PDF."""
     from gearlash.results.store import write_together
 
@@ -149,7 +150,7 @@ def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnsw
 
     contents = {
         folder.file("zone.json"): text(answer).encode("utf-8"),
-        folder.file("zone.csv"): _table(answer).encode("utf-8"),
+        folder.file("zone.csv"): csv.text(_table(answer)).encode("utf-8"),
     }
     write_together(contents, instead_of=[folder.file(name) for name in FILES[2:]])
     twins = _twins(case, answer)
@@ -175,16 +176,19 @@ def _twins(case: Case, answer: PlaneZoneAnswer) -> list[Twin | None]:
     return found
 
 
-def _table(answer: PlaneZoneAnswer) -> str:
+def _table(answer: PlaneZoneAnswer) -> list[Column]:
     """A row an orbit of the boundary: dimensionless, and in the units that were asked for."""
-    from .answers.plane_zone import told_unit
+    from gearlash.results.columns import Column
 
-    made = io.StringIO()
-    rows = csv.writer(made, lineterminator="\n")
-    told = [f"{each.name}{told_unit(each)}" for each in answer.asked if each.unit]
-    rows.writerow(["part", "kind", "event", *answer.names, *told])
-    for number, part in enumerate(answer.boundary, start=1):
-        for values in part.values:
-            shown = [each.value(v) for each, v in zip(answer.asked, values, strict=True) if each.unit]
-            rows.writerow([number, part.kind, part.event, *map(repr, values), *map(repr, shown)])
-    return made.getvalue()
+    rows = [(i, part, values) for i, part in enumerate(answer.boundary, 1) for values in part.values]
+    found = [
+        Column("part", [i for i, _, _ in rows]),
+        Column("kind", [part.kind for _, part, _ in rows]),
+        Column("event", [part.event for _, part, _ in rows]),
+    ]
+    found += [Column(name, [v[k] for _, _, v in rows]) for k, name in enumerate(answer.names)]
+    return found + [
+        Column(asked.name, [asked.value(v[k]) for _, _, v in rows], asked.unit)
+        for k, asked in enumerate(answer.asked)
+        if asked.unit
+    ]

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
 from gearlash.case.edges import at_most
-from gearlash.case.units import pretty
 
 from .asked import Asked
 from .parts import CaseUsed, case_used, rests_in
@@ -203,8 +202,3 @@ def _sentence(
         mark = MARK if margin.bounded and any(rests) else ""
         said.append(f"the tolerances together fit into it {times(margin)} ({margin.norm}){mark}")
     return "; ".join(said)
-
-
-def told_unit(asked: Asked) -> str:
-    """Behind the name of a column: `` [rpm]``."""
-    return f" [{pretty(asked.unit)}]" if asked.unit else ""

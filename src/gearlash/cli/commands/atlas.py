@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import (
+    AsCsv,
     AsJson,
     CaseArgument,
+    DecimalComma,
     Initial,
     MaxPeriod,
     Out,
@@ -18,6 +20,10 @@ from gearlash.cli.options import (
     Workers,
 )
 
+if TYPE_CHECKING:
+    from gearlash.cli.tables import Tables
+
+TABLES = "curves", "points", "map"
 MOST_CURVES = 400
 COUNTS = 41, 21  # of the coarse map, along either axis, unless they are said
 
@@ -86,6 +92,8 @@ def atlas(
     max_period: MaxPeriod = None,
     workers: Workers = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: Out = None,
 ) -> ExitCode:
     """Along which curves do motions begin, end and change in a plane of two parameters, and where do they
@@ -99,13 +107,18 @@ def atlas(
     """
     from gearlash.cli.frame import StudyInputs, deliver
     from gearlash.cli.inputs import read_plane
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     texts = [_counted(text, count) for text, count in zip(over, (*COUNTS, *over), strict=False)]
     asked = StudyInputs.read(case, settings, initial, texts, lambda case: read_plane(case, texts, settings))
     files = [f"curve-{i}.json" for i in range(1, curves + 1)]
-    folder = asked.made_ready(out, ["atlas.nc", "atlas.json", "atlas.svg", "atlas.pdf", *files])
+    folder = asked.made_ready(
+        out, ["atlas.nc", "atlas.json", "atlas.svg", "atlas.pdf", *files, *csv.files(*TABLES)]
+    )
 
     from gearlash.cli.answers.atlas import atlas_answer
+    from gearlash.cli.command_tables import atlas_tables
     from gearlash.cli.interrupt import end_if_nothing
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.workers import executor_for
@@ -128,8 +141,12 @@ def atlas(
             from gearlash.cli.atlas_files import write_atlas
 
             write_atlas(folder, asked.case, found, answer)
+            csv.keep(folder, TABLES, tables)
 
-    return deliver(answer, as_json, keep)
+    def tables() -> Tables:
+        return atlas_tables(asked.case, found, answer)
+
+    return deliver(answer, as_json, keep, csv.printing(tables))
 
 
 def _counted(text: str, count: int | str) -> str:

@@ -9,7 +9,17 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearlash.cli.exits import ExitCode, command
-from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
+from gearlash.cli.options import (
+    AsCsv,
+    AsJson,
+    CaseArgument,
+    DecimalComma,
+    Initial,
+    MaxPeriod,
+    Out,
+    Periods,
+    Settings,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,6 +30,7 @@ if TYPE_CHECKING:
     from gearlash.case import Case
     from gearlash.cli.answers.branch import BranchAnswer
     from gearlash.cli.branch_inputs import BranchInputs
+    from gearlash.cli.tables import Tables
     from gearlash.orbits import Settings as SearchSettings
     from gearlash.studies.switches import SwitchedBranch
     from gearlash.system import Family
@@ -109,6 +120,8 @@ def branch(
     periods: Periods = None,
     max_period: MaxPeriod = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: Out = None,
 ) -> ExitCode:
     """Which motions, stable or not, lie on the branch through this one, and what bounds them?
@@ -121,12 +134,15 @@ def branch(
     """
     from gearlash.cli.branch_files import check_nothing_is_lost, write_branches
     from gearlash.cli.branch_inputs import BranchInputs, check_switches, read_switches, read_zoom, steps_of
+    from gearlash.cli.command_tables import branch_tables
     from gearlash.cli.folder import claim_if
     from gearlash.cli.frame import deliver
     from gearlash.cli.notice import load_engine
     from gearlash.cli.settings import search_settings
     from gearlash.cli.slow import tell_if_slow
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     asked = BranchInputs.read(case, settings, over, near, initial, resume, at)
     points, steps = read_switches(switch), steps_of(step)
     if asked.kept is not None and asked.point is None:
@@ -138,14 +154,19 @@ def branch(
     load_engine(data=folder is not None)
     tell_if_slow(asked.family, asked.parameters)
 
+    from gearlash.results.branch_dataset import branch_dataset
+
     answer, found = _followed(asked, search, points, depth, law, steps)
     datasets = _datasets(asked.case, found) if folder else None
 
     def keep() -> None:
         if folder:
-            write_branches(folder, asked.case, found, datasets, answer, str(measure), span)
+            write_branches(folder, asked.case, found, datasets, answer, csv, str(measure), span)
 
-    return deliver(answer, as_json, keep)
+    def tables() -> Tables:
+        return branch_tables([branch_dataset(asked.case, each.branch) for each in found])
+
+    return deliver(answer, as_json, keep, csv.printing(tables))
 
 
 def _file_names(count: int) -> list[str]:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gearlash.cli.exits import ExitCode, command
-from gearlash.cli.options import AsJson, CaseArgument, Out, Settings, Workers
+from gearlash.cli.options import AsCsv, AsJson, CaseArgument, DecimalComma, Out, Settings, Workers
 
+if TYPE_CHECKING:
+    from gearlash.cli.tables import Tables
+
+TABLES = "compare", "jumps"
 Data = Annotated[
     str,
     typer.Argument(
@@ -78,6 +82,8 @@ def compare(
     settings: Settings = None,
     workers: Workers = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: Out = None,
 ) -> ExitCode:
     """How does a measurement over speed agree with this pair?
@@ -88,17 +94,21 @@ def compare(
     """
     from gearlash.cli.frame import deliver
     from gearlash.cli.inputs import read_case
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     asked = read_case(case, settings)
 
     from gearlash.cli.folder import claim_if
     from gearlash.cli.notice import load_engine
 
-    folder = claim_if(out, [f"compare.{ending}" for ending in ("json", "csv", "svg", "pdf")])
+    files = [f"compare.{ending}" for ending in ("json", "csv", "svg", "pdf")]
+    folder = claim_if(out, [*files, *csv.files(*TABLES)])
     load_engine(data=folder is not None)
 
     from gearlash.case.measurement import load_measurement
     from gearlash.cli.answers.compare import compare_answer
+    from gearlash.cli.command_tables import compare_tables
     from gearlash.cli.interrupt import expect_results
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.workers import executor_for
@@ -124,6 +134,11 @@ def compare(
         if folder:
             from gearlash.cli.compare_files import write_compare
 
-            write_compare(folder, asked, found, answer)
+            table = csv.text(tables()["compare"])
+            write_compare(folder, asked, found, answer, table)
+            csv.keep(folder, TABLES[1:], tables)
 
-    return deliver(answer, as_json, keep)
+    def tables() -> Tables:
+        return compare_tables(answer)
+
+    return deliver(answer, as_json, keep, csv.printing(tables))

@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearlash.cli.exits import ExitCode, command
-from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
+from gearlash.cli.options import (
+    AsCsv,
+    AsJson,
+    CaseArgument,
+    DecimalComma,
+    Initial,
+    MaxPeriod,
+    Out,
+    Periods,
+    Settings,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,6 +26,7 @@ if TYPE_CHECKING:
     from gearlash.cli.answers.curve import CurveAnswer
     from gearlash.cli.answers.curve_parts import Begun
     from gearlash.cli.curve_inputs import CurveInputs
+    from gearlash.cli.tables import Tables
 
 MOST_FILES = 64  # curves that are kept in a folder
 
@@ -98,6 +109,8 @@ def curve(
     periods: Periods = None,
     max_period: MaxPeriod = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: Out = None,
 ) -> ExitCode:
     """Along which lines in two parameters do motions graze, fold or double, and where do lines meet?
@@ -109,6 +122,7 @@ def curve(
     and the figure as SVG and PDF. Ctrl-C keeps what was found, marked incomplete.
     """
     from gearlash.cli.branch_inputs import steps_of
+    from gearlash.cli.command_tables import curve_tables
     from gearlash.cli.curve_files import file_names, write_curves
     from gearlash.cli.curve_inputs import CurveInputs
     from gearlash.cli.folder import claim_if
@@ -116,7 +130,9 @@ def curve(
     from gearlash.cli.notice import load_engine
     from gearlash.cli.settings import search_settings
     from gearlash.cli.slow import tell_if_slow
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     asked = CurveInputs.read(case, settings, over, begin, resume, at, near, initial, kind, touch, doubled)
     steps = steps_of(step)
     search = search_settings(asked.family, periods, max_period, case)
@@ -135,9 +151,12 @@ def curve(
 
     def keep() -> None:
         if folder:
-            write_curves(folder, asked, found, answer)
+            write_curves(folder, asked, found, answer, csv)
 
-    return deliver(answer, as_json, keep)
+    def tables() -> Tables:
+        return curve_tables(asked.case, [each.curve for each in found if each.curve is not None], answer)
+
+    return deliver(answer, as_json, keep, csv.printing(tables))
 
 
 def _answer(asked: CurveInputs, found: Sequence[Begun]) -> CurveAnswer:

@@ -7,12 +7,23 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearlash.cli.exits import ExitCode, command
-from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
+from gearlash.cli.options import (
+    AsCsv,
+    AsJson,
+    CaseArgument,
+    DecimalComma,
+    Initial,
+    MaxPeriod,
+    Out,
+    Periods,
+    Settings,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from gearlash.branches.continuation import SpecialPoint
+    from gearlash.cli.tables import Tables
     from gearlash.orbits import Settings as SearchSettings
     from gearlash.results import Point
     from gearlash.results.followed import FollowedPath
@@ -37,6 +48,8 @@ def graze(
     periods: Periods = None,
     max_period: MaxPeriod = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: Out = None,
 ) -> ExitCode:
     """At which value does the motion just touch a boundary of the gap, and what kind of point is that?
@@ -52,18 +65,20 @@ def graze(
     from gearlash.cli.jsonio import write_file
     from gearlash.cli.notice import load_engine
     from gearlash.cli.slow import tell_if_slow
+    from gearlash.cli.tables import CsvAsked, table_of
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     chosen = read_case(case, settings, [over])
     short, changed = read_near(chosen, over, near, settings)
     named, unit = named_near(chosen, over, near)
     family, _ = chosen.family()
     parameters = family.complete(changed)
     start = read_start(family, parameters, initial)
-    folder = claim_if(out, ["graze.json"])
+    folder = claim_if(out, ["graze.json", *csv.files("graze")])
     load_engine()
     tell_if_slow(family, parameters)
 
-    from gearlash.cli.answers.graze import graze_answer
+    from gearlash.cli.answers.graze import TouchFound, graze_answer
     from gearlash.cli.settings import search_settings
 
     search = search_settings(family, periods, max_period, case)
@@ -72,7 +87,16 @@ def graze(
     answer = graze_answer(
         chosen, family, parameters, short, named, unit, first, tuple(path for path, _ in walks), found
     )
-    code = deliver(answer, as_json, lambda: folder and write_file(answer, folder.file("graze.json")))
+
+    def keep() -> None:
+        if folder:
+            write_file(answer, folder.file("graze.json"))
+            csv.keep(folder, ["graze"], tables)
+
+    def tables() -> Tables:
+        return {"graze": table_of(answer.points, TouchFound)}
+
+    code = deliver(answer, as_json, keep, csv.printing(tables))
     return ExitCode.OK if answer.points else code
 
 

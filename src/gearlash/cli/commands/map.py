@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import (
+    AsCsv,
     AsJson,
     CaseArgument,
+    DecimalComma,
     Initial,
     MaxPeriod,
     Out,
@@ -17,6 +19,9 @@ from gearlash.cli.options import (
     Settings,
     Workers,
 )
+
+if TYPE_CHECKING:
+    from gearlash.cli.tables import Tables
 
 
 @command
@@ -36,6 +41,8 @@ def map(
     max_period: MaxPeriod = None,
     workers: Workers = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: Out = None,
 ) -> ExitCode:
     """Which motion belongs to which pair of values of two parameters?
@@ -47,11 +54,14 @@ def map(
     """
     from gearlash.cli.frame import StudyInputs, deliver
     from gearlash.cli.inputs import read_plane
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     asked = StudyInputs.read(case, settings, initial, over, lambda case: read_plane(case, over, settings))
-    folder = asked.made_ready(out, ["map.nc", "map.json", "map.svg", "map.pdf"])
+    folder = asked.made_ready(out, ["map.nc", "map.json", "map.svg", "map.pdf", *csv.files("map")])
 
     from gearlash.cli.answers.map import map_answer
+    from gearlash.cli.command_tables import map_tables
     from gearlash.cli.interrupt import end_if_nothing
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.workers import executor_for
@@ -72,5 +82,9 @@ def map(
             from gearlash.cli.files import write_map
 
             write_map(folder, asked.case, found, answer)
+            csv.keep(folder, ["map"], tables)
 
-    return deliver(answer, as_json, keep)
+    def tables() -> Tables:
+        return map_tables(asked.case, found)
+
+    return deliver(answer, as_json, keep, csv.printing(tables))

@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearlash.cli.exits import ExitCode, code_of, command, delivery
-from gearlash.cli.options import AsJson, CaseArgument, MaxPeriod, Periods, ReportOut, Settings, Workers
+from gearlash.cli.options import (
+    AsCsv,
+    AsJson,
+    CaseArgument,
+    DecimalComma,
+    MaxPeriod,
+    Periods,
+    ReportOut,
+    Settings,
+    Workers,
+)
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -42,6 +52,8 @@ def report(
     max_period: MaxPeriod = None,
     workers: Workers = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: ReportOut = Path("report"),
 ) -> ExitCode:
     """May this pair run where it is meant to? A verdict first, then one page with what it rests on.
@@ -52,8 +64,10 @@ def report(
     keeps what there is by then. It is an analysis, and no approval.
     """
     from gearlash.cli.frame import StudyInputs
+    from gearlash.cli.tables import CsvAsked
     from gearlash.results.pair_question import check_pair
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     asked = StudyInputs.read(case, settings, None, [over] if over else [], lambda case: (_over(case, over),))
     check_pair(asked.case)
     from gearlash.cli.answers.report import FILES
@@ -74,7 +88,7 @@ def report(
             show_answer(report_answer(found), False)
         contents = _measured(asked, found, search, executor)
         with delivery():
-            page = render(contents, place.path, None if contents.missing else executor)
+            page = render(contents, place.path, None if contents.missing else executor, csv.style)
             answer = report_answer(found, contents, str(page))
             from gearlash.cli.jsonio import write_file
 

@@ -5,14 +5,27 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from gearlash.cli.exits import ExitCode, command
-from gearlash.cli.options import AsJson, CaseArgument, Initial, MaxPeriod, Out, Periods, Settings
+from gearlash.cli.options import (
+    AsCsv,
+    AsJson,
+    CaseArgument,
+    DecimalComma,
+    Initial,
+    MaxPeriod,
+    Out,
+    Periods,
+    Settings,
+)
 
 if TYPE_CHECKING:
     from gearlash.case import Case
     from gearlash.cli.answers.run import RunAnswer
+    from gearlash.cli.tables import Tables
     from gearlash.orbits import Attractor
     from gearlash.orbits import Settings as SearchSettings
     from gearlash.system import Family
+
+TABLES = "history", "spectrum", "events"
 
 
 @command
@@ -23,6 +36,8 @@ def run(
     periods: Periods = None,
     max_period: MaxPeriod = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: Out = None,
 ) -> ExitCode:
     """How does this pair move here? One attractor, with a plain sentence first.
@@ -36,12 +51,14 @@ def run(
     from gearlash.cli.inputs import read_case, read_start
     from gearlash.cli.interrupt import expect_results
     from gearlash.cli.slow import tell_if_slow
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     chosen = read_case(case, settings)
     family, _ = chosen.family()
     parameters = family.complete()
     start = read_start(family, parameters, initial)
-    folder = claim_if(out, ["run.json", *MOTION_FILES])
+    folder = claim_if(out, ["run.json", *MOTION_FILES, *csv.files(*TABLES)])
 
     from gearlash.cli.notice import load_engine
 
@@ -61,8 +78,14 @@ def run(
             from gearlash.cli.files import write_motion
 
             write_motion(folder, chosen, found, answer)
+            csv.keep(folder, TABLES, tables)
 
-    return deliver(answer, as_json, keep)
+    def tables() -> Tables:
+        from gearlash.cli.command_tables import run_tables
+
+        return run_tables(chosen, parameters, found, answer)
+
+    return deliver(answer, as_json, keep, csv.printing(tables))
 
 
 def _answer(

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import (
+    AsCsv,
     AsJson,
     CaseArgument,
+    DecimalComma,
     Initial,
     MaxPeriod,
     Out,
@@ -19,6 +21,10 @@ from gearlash.cli.options import (
     Workers,
 )
 
+if TYPE_CHECKING:
+    from gearlash.cli.tables import Tables
+
+SWEEP_TABLES = "sweep", "regimes"
 FALLING = " (--down follows it downwards)"  # what to do instead of typing a falling interval
 
 
@@ -37,6 +43,8 @@ def sweep(
     max_period: MaxPeriod = None,
     workers: Workers = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: Out = None,
 ) -> ExitCode:
     """How does the motion change with one parameter?
@@ -47,15 +55,20 @@ def sweep(
     """
     from gearlash.cli.frame import StudyInputs, deliver
     from gearlash.cli.inputs import read_over
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     asked = StudyInputs.read(
         case, settings, initial, [over], lambda case: (read_over(case, over, settings, FALLING),)
     )
     chosen = {"cold": cold, "up": up, "down": down}
     ways = [name for name, wanted in chosen.items() if wanted] or list(chosen)
-    folder = asked.made_ready(out, ["sweep.nc", "sweep.json", "sweep.svg", "sweep.pdf"])
+    folder = asked.made_ready(
+        out, ["sweep.nc", "sweep.json", "sweep.svg", "sweep.pdf", *csv.files(*SWEEP_TABLES)]
+    )
 
     from gearlash.cli.answers.sweep import sweep_answer
+    from gearlash.cli.command_tables import sweep_tables
     from gearlash.cli.interrupt import end_if_nothing
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.workers import executor_for
@@ -77,5 +90,9 @@ def sweep(
             from gearlash.cli.files import write_sweep
 
             write_sweep(folder, asked.case, found, answer)
+            csv.keep(folder, SWEEP_TABLES, tables)
 
-    return deliver(answer, as_json, keep)
+    def tables() -> Tables:
+        return sweep_tables(asked.case, found, answer)
+
+    return deliver(answer, as_json, keep, csv.printing(tables))

@@ -2,13 +2,26 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gearlash.cli.exits import ExitCode, command
-from gearlash.cli.options import AsJson, CaseArgument, Out, Over, Settings, Workers
+from gearlash.cli.options import (
+    AsCsv,
+    AsJson,
+    CaseArgument,
+    DecimalComma,
+    Out,
+    Over,
+    Settings,
+    Workers,
+)
 
+if TYPE_CHECKING:
+    from gearlash.cli.tables import Tables
+
+TABLES = "tolerance", "bands", "inputs"
 Limits = Annotated[
     list[str] | None,
     typer.Option(
@@ -38,6 +51,8 @@ def tolerance(
     replicates: Replicates = 8,
     workers: Workers = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: Out = None,
 ) -> ExitCode:
     """Where do teeth stay in contact in spite of tolerances, and which of them matters?
@@ -50,17 +65,21 @@ def tolerance(
     from gearlash.cli.frame import deliver
     from gearlash.cli.inputs import read_case
     from gearlash.cli.limits import read_axis, read_limits
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     asked = read_case(case, settings)
     axis, ranges = read_axis(over), read_limits(limits)
 
     from gearlash.cli.folder import claim_if
     from gearlash.cli.notice import load_engine
 
-    folder = claim_if(out, [f"tolerance.{ending}" for ending in ("json", "csv", "svg", "pdf")])
+    files = [f"tolerance.{ending}" for ending in ("json", "csv", "svg", "pdf")]
+    folder = claim_if(out, [*files, *csv.files(*TABLES)])
     load_engine(data=folder is not None)
 
     from gearlash.cli.answers.tolerance import tolerance_answer
+    from gearlash.cli.command_tables import tolerance_tables
     from gearlash.cli.interrupt import expect_results
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.workers import executor_for
@@ -80,6 +99,11 @@ def tolerance(
         if folder:
             from gearlash.cli.tolerance_files import write_tolerance
 
-            write_tolerance(folder, asked, found, answer)
+            table = csv.text(tables()["tolerance"])
+            write_tolerance(folder, asked, found, answer, table)
+            csv.keep(folder, TABLES[1:], tables)
 
-    return deliver(answer, as_json, keep)
+    def tables() -> Tables:
+        return tolerance_tables(answer)
+
+    return deliver(answer, as_json, keep, csv.printing(tables))

@@ -9,8 +9,10 @@ import typer
 
 from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import (
+    AsCsv,
     AsJson,
     CaseArgument,
+    DecimalComma,
     Initial,
     MaxPeriod,
     Out,
@@ -23,10 +25,12 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from gearlash.cli.frame import StudyInputs
+    from gearlash.cli.tables import Tables
     from gearlash.orbits import Settings as SearchSettings
     from gearlash.studies import Zones
     from gearlash.system import Family
 
+ZONE_TABLES = "zones", "residents", "sweep"
 LOOKED_AT = 400  # values at which a back side is looked for, about
 
 
@@ -76,6 +80,8 @@ def zones(
     max_period: MaxPeriod = None,
     workers: Workers = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: Out = None,
 ) -> ExitCode:
     """Which intervals are free of impacts, or of impacts on the back side?
@@ -91,20 +97,25 @@ def zones(
     """
     from gearlash.cli.frame import StudyInputs, deliver
     from gearlash.cli.inputs import read_over
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     if len(over) != 1 or tolerance:
         from gearlash.cli.zone_in_plane import zone_in_plane
 
         search = periods, max_period
-        return zone_in_plane(case, over, kind, tolerance, settings, initial, search, as_json, out)
+        return zone_in_plane(case, over, kind, tolerance, settings, initial, search, as_json, csv, out)
     asked = StudyInputs.read(
         case, settings, initial, over, lambda case: (read_over(case, over[0], settings),)
     )
     (along,) = asked.axes
     kinds = _kinds(kind, asked.family, along.short, along.values.tolist())
-    folder = asked.made_ready(out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf"])
+    folder = asked.made_ready(
+        out, ["zones.nc", "zones.json", "zones.svg", "zones.pdf", *csv.files(*ZONE_TABLES)]
+    )
 
     from gearlash.cli.answers.zones import zones_answer
+    from gearlash.cli.command_tables import zones_tables
 
     found = _found(asked, kinds, asked.search(periods, max_period), workers)
     answer = zones_answer(asked.case, asked.parameters, along.named, along.unit, found, asked.named_start)
@@ -114,8 +125,12 @@ def zones(
             from gearlash.cli.files import write_zones
 
             write_zones(folder, asked.case, found, answer)
+            csv.keep(folder, ZONE_TABLES, tables)
 
-    return deliver(answer, as_json, keep)
+    def tables() -> Tables:
+        return zones_tables(asked.case, found, answer)
+
+    return deliver(answer, as_json, keep, csv.printing(tables))
 
 
 def _found(

@@ -6,6 +6,7 @@ from concurrent.futures import Executor
 from pathlib import Path
 
 from gearlash.report.folder import write_report
+from gearlash.results.columns import POINTS, CsvStyle
 from gearlash.results.store import write_whole
 
 from .contents import Contents
@@ -16,12 +17,14 @@ from .verdict import Line, Verdict, verdict
 __all__ = ["Contents", "Line", "Verdict", "data_files", "document", "file_names", "render", "verdict"]
 
 
-def render(contents: Contents, folder: Path | str, executor: Executor | None = None) -> Path:
+def render(
+    contents: Contents, folder: Path | str, executor: Executor | None = None, style: CsvStyle = POINTS
+) -> Path:
     """Writes page, figures, numbers and data into a folder; returns the path of the page."""
     page, pictures = document(contents)
     target = Path(folder)
     target.mkdir(parents=True, exist_ok=True)
-    for name, content in data_files(contents).items():
+    for name, content in data_files(contents, style).items():
         write_whole(target / name, content)
     found = contents.found
     numbers = {

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-from collections.abc import Iterator, Mapping
-from io import StringIO
+from collections.abc import Mapping
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from gearlash.results.columns import POINTS, Column, CsvStyle, csv_text
 from gearlash.results.pair_units import PairUnits, Unit
 from gearlash.results.provenance import provenance
 from gearlash.results.store import netcdf
@@ -25,20 +24,20 @@ Columns = dict[str, NDArray]
 NAMES = ("nominal", "hardest")
 
 
-def data_files(contents: Contents) -> dict[str, bytes]:
+def data_files(contents: Contents, style: CsvStyle = POINTS) -> dict[str, bytes]:
     """Every file by name."""
     units, found = contents.units, {}
     about = {"gearlash_format": FORMAT_VERSION, **provenance(contents.found.case)}
     if contents.run is not None:
         columns = speed_columns(contents.run, units)
-        found["speed.csv"] = as_csv(columns)
+        found["speed.csv"] = as_csv(columns, style)
         found["speed.nc"] = _netcdf(columns, "row", about)
     for name, one in zip(NAMES, contents.histories, strict=False):
         for stem, columns, dim in (
             (f"history-{name}", history_columns(one, units), "sample"),
             (f"spectrum-{name}", spectrum_columns(one, units), "line"),
         ):
-            found[f"{stem}.csv"] = as_csv(columns)
+            found[f"{stem}.csv"] = as_csv(columns, style)
             found[f"{stem}.nc"] = _netcdf(columns, dim, about)
     return found
 
@@ -109,18 +108,9 @@ def _named(name: str, unit: Unit) -> str:
     return f"{name}_{unit.ascii}" if unit.ascii else name
 
 
-def as_csv(columns: Mapping[str, NDArray]) -> bytes:
-    """Commas, decimal points, names with units in the first line; what is not a number stays empty."""
-    out = StringIO()
-    writer = csv.writer(out, lineterminator="\r\n")
-    writer.writerow(columns)
-    writer.writerows(_rows(columns))
-    return out.getvalue().encode("utf-8")
-
-
-def _rows(columns: Mapping[str, NDArray]) -> Iterator[list[str]]:
-    for row in zip(*columns.values(), strict=True):
-        yield [str(x) if isinstance(x, str) else f"{x:.10g}" if np.isfinite(x) else "" for x in row]
+def as_csv(columns: Columns, style: CsvStyle) -> bytes:
+    """Names with units in the first line; what is not a number stays empty."""
+    return csv_text([Column(name, values) for name, values in columns.items()], style).encode("utf-8")
 
 
 def _netcdf(columns: Mapping[str, NDArray], dim: str, about: Mapping[str, object]) -> bytes:
