@@ -52,13 +52,13 @@ def overlay(
     values = np.asarray(measured, float)
     figure = style.figure(style.PAGE, 110.0)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
-    upper.plot(speed, rising, color=style.BLUE, lw=1.0, label="computed, speed rising")
+    upper.plot(speed, rising, color=style.BLUE, lw=2.4, alpha=0.5, label="computed, speed rising")
     upper.plot(
         speed, falling, color=style.VERMILION, lw=1.0, ls=(0, (4, 1.5)), label="computed, speed falling"
     )
     upper.plot(speed, values, "o", color=style.INK, ms=2.4, mfc="white", mew=0.7, label="measured")
-    for row, colour, marker in ((rising, style.BLUE, "o"), (falling, style.VERMILION, "s")):
-        lower.plot(speed, values - row, marker, color=colour, ms=2.0)
+    lower.plot(speed, values - rising, "o", color=style.BLUE, ms=4.2, mfc="none", mew=0.8)
+    lower.plot(speed, values - falling, "s", color=style.VERMILION, ms=1.8)
     for low, high in jumps:
         for panel in (upper, lower):
             panel.axvspan(low, high, color=JUMP_SHADE, lw=0, zorder=0.1)
