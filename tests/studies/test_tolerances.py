@@ -81,6 +81,42 @@ def test_indices_of_a_known_function():
     assert third.total == pytest.approx(0.0, abs=1e-12)
 
 
+def test_indices_and_the_worst_corner_of_a_linear_mesh_are_those_of_the_closed_form():
+    """Its least compression is load - c error, with c = ω² / |1 - ω² + 2iξω|: linear in both."""
+    case, axis = loads(LINEAR), gl.Axis.even("omega", 0.55, 0.65, 2)
+    limits = {"load": (0.15, 0.3), "error": (0.05, 0.3)}
+    found = gl.tolerance(case, axis, limits, samples=8, replicates=4)
+    c = 0.6**2 / abs(1.0 - 0.6**2 + 2j * 0.05 * 0.6)
+    parts = {"dimensionless.load": 0.15**2, "dimensionless.error": (0.25 * c) ** 2}
+    for one in found.influences:
+        share = parts[one.path] / sum(parts.values())
+        assert one.first == pytest.approx(share, abs=4.0 * one.first_error)
+        assert one.total == pytest.approx(share, abs=4.0 * one.total_error)
+        assert one.total_error < 0.2
+    worst = case.with_overrides(dict(found.settings_of_worst)).family()[0].system()
+    assert closed_margin(worst, 1) == pytest.approx(0.15 - 0.3 * c, abs=1e-9)
+    assert found.worst.margin == pytest.approx(0.15 - 0.3 * c, abs=1e-9)
+
+
+def test_a_case_outside_its_limits_is_told_beside_them():
+    case, axis = loads(LINEAR), gl.Axis.even("omega", 0.55, 0.65, 2)
+    found = gl.tolerance(case, axis, {"load": (0.25, 0.3)}, samples=2, replicates=2)
+    assert found.worst.inputs == (0.25,)  # and not the 0.2 of the case
+    assert found.nominal.margin < found.worst.margin
+    assert found.tried == 2 + 4
+
+
+def test_what_is_estimated_and_not_varied_stays_as_it_is():
+    """A case that states one harmonic of its stiffness has no other; here the others are stated with it."""
+    case = gl.load_case(Path(__file__).parents[1] / "cases" / "drawing.toml")
+    axis = gl.Axis.even("pinion_speed", "1000 rpm", "1030 rpm", 2)
+    value = next(float(v.value) for v in case.values() if v.path == "mesh.ripple_2")
+    around = sorted((0.999 * value, 1.001 * value))
+    found = gl.tolerance(case, axis, {"mesh.ripple_2": around}, samples=2, replicates=2)
+    assert {"mesh.ripple", "mesh.ripple_3"} <= {path for path, _ in found.kept}
+    assert found.worst.margin == pytest.approx(found.nominal.margin, rel=2e-3)
+
+
 def test_a_drive_in_its_units_and_the_margin_at_the_corners():
     case = gl.load_case(DRIVE)
     axis = gl.Axis.even("pinion_speed", "4100 rpm", "4300 rpm", 3)

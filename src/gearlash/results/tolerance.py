@@ -149,6 +149,8 @@ class Tolerance:
         Of the margin at the present value, the largest total first; empty where it does not vary.
     unsolved : int
         Motions that were not solved for, of all.
+    kept : tuple of (str, str)
+        Path and value of what every combination states beside the inputs.
     complete : bool
         Whether nothing stopped the work.
     message : str
@@ -182,8 +184,17 @@ class Tolerance:
     unsolved: int
     complete: bool = True
     message: str = ""
+    kept: tuple[tuple[str, str], ...] = ()
 
     @property
     def settings_of_worst(self) -> Mapping[str, str]:
         """The worst combination as overrides of the case."""
-        return {one.path: one.text(value) for one, value in zip(self.inputs, self.worst.inputs, strict=True)}
+        values = zip(self.inputs, self.worst.inputs, strict=True)
+        return {**dict(self.kept), **{one.path: one.text(value) for one, value in values}}
+
+    @property
+    def tried(self) -> int:
+        """Combinations of which bands are known, where nothing stopped the work; the case as it is counts
+        where it lies within the limits."""
+        inside = all(one.lower <= one.nominal <= one.upper for one in self.inputs)
+        return inside + self.corners + self.samples * self.replicates + self.searched

@@ -72,7 +72,9 @@ class ToleranceAnswer:
     worst: Annotated[dict[str, str], "the worst combination as settings (--set) of a case to run"]
     inputs: tuple[InputFound, ...]
     tried: Annotated[
-        int, "combinations with bands: the case itself, corners, samples, and the worst one found"
+        int,
+        "combinations with bands: the case itself where it lies within the limits, corners, samples, and the "
+        "worst one found",
     ]
     samples: int
     replicates: int
@@ -103,17 +105,12 @@ def tolerance_answer(case: Case, found: Tolerance) -> ToleranceAnswer:
         worst_margin=_known(found.worst.compression),
         worst=dict(found.settings_of_worst),
         inputs=_inputs(found),
-        tried=tried(found),
+        tried=found.tried,
         samples=found.samples,
         replicates=found.replicates,
         corners=found.corners,
         unsolved=found.unsolved,
     )
-
-
-def tried(found: Tolerance) -> int:
-    """Combinations of which bands are known, where nothing stopped the work."""
-    return 1 + found.corners + found.samples * found.replicates + found.searched
 
 
 def _known(value: float) -> float | None:

@@ -103,6 +103,13 @@ def kept_beside(values: Mapping[str, str], inputs: Sequence[ToleranceInput]) -> 
     return {**others, **values}
 
 
+def beside(case: Case, inputs: Sequence[ToleranceInput]) -> dict[str, str]:
+    """What is stated beside the inputs in every combination, so that nothing else than they varies."""
+    paths = {one.path for one in inputs}
+    kept = kept_beside(dict.fromkeys(paths, ""), estimated_inputs(case))
+    return {path: text for path, text in kept.items() if path not in paths}
+
+
 def _estimated(case: Case) -> tuple[ToleranceInput, ...]:
     found = estimated_inputs(case)
     if not found:

@@ -26,7 +26,8 @@ MOST = 4  # near a value of 0 steps do not become smaller than the range makes t
 
 @dataclass(frozen=True)
 class Task:
-    """Combinations of inputs to look at; without ``bands`` at the present value of the axis only."""
+    """Combinations of inputs to look at (an empty one: the case as it is); without ``bands`` at the present
+    value of the axis only. ``kept`` is stated beside them in each."""
 
     source: Source
     inputs: tuple[ToleranceInput, ...]
@@ -34,6 +35,7 @@ class Task:
     present: float
     combinations: tuple[tuple[float, ...], ...]
     bands: bool = True
+    kept: tuple[tuple[str, str], ...] = ()
 
 
 def work(task: Task, _carry: object) -> Part:
@@ -48,7 +50,8 @@ def _case(text: str) -> Case:
 
 
 def _member(case: Case, task: Task, values: tuple[float, ...]) -> ToleranceMember:
-    settings = {one.path: one.text(value) for one, value in zip(task.inputs, values, strict=True)}
+    settings = dict(task.kept) if values else {}
+    settings |= {one.path: one.text(value) for one, value in zip(task.inputs, values, strict=bool(values))}
     try:
         member = case.with_overrides(settings) if settings else case
         margin = margin_along(member, task.axis)

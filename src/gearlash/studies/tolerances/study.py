@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, isnan, nan
 
 import numpy as np
@@ -23,7 +23,7 @@ from gearlash.system import GearlashError, given
 from .bands import contains, outside, shared
 from .designs import corners, samples
 from .influence import combinations, influences, mean_and_error
-from .inputs import Limits, read_inputs
+from .inputs import Limits, beside, read_inputs
 from .members import Task, present_on, work
 
 OF_A_TASK = 4  # combinations with their bands
@@ -99,7 +99,8 @@ def tolerance(
     inputs = read_inputs(case, limits)
     _check_axis(case, axis, inputs)
     source = Source.of(case)
-    looker = _Looker(source, inputs, axis, present_on(case, axis), checked_execution(source, execution))
+    kept = tuple(beside(case, inputs).items())
+    looker = _Looker(source, inputs, axis, present_on(case, axis), checked_execution(source, execution), kept)
     return looker.look(count, sets)
 
 
@@ -129,26 +130,28 @@ class _Looker:
     axis: Axis
     present: float
     execution: Execution
+    kept: tuple[tuple[str, str], ...] = ()
     stopped: str = ""
 
     def look(self, count: int, sets: int) -> Tolerance:
-        own = tuple(one.nominal for one in self.inputs)
         sampled = samples(self.inputs, count, sets)
         cornered = [tuple(row) for row in corners(self.inputs).tolist()]
         rows = [tuple(row) for each in sampled for row in each[0].tolist()]
-        members = self.members([own, *cornered, *rows])
-        if not members:
+        found = self.members([(), *cornered, *rows])
+        if not found:
             raise GearlashError(f"nothing was computed ({self.stopped})")
+        nominal = replace(found[0], inputs=tuple(one.nominal for one in self.inputs))
+        members = [nominal, *found[1:]] if self.has_nominal or len(found) == 1 else found[1:]
         searched = [] if self.stopped else self.search(members)
         tried = [*members, *searched]
-        drawn = members[1 + len(cornered) :]
+        drawn = found[1 + len(cornered) :]
         share, error = self.probability(drawn, count)
         here = self.at_present(drawn, count)
         ends = float(self.axis.values[0]), float(self.axis.values[-1])
         return Tolerance(
             axis=self.axis,
             inputs=self.inputs,
-            nominal=members[0],
+            nominal=nominal,
             always=shared(member.bands for member in tried),
             never=outside((member.bands for member in tried), *ends),
             probability=share,
@@ -163,18 +166,21 @@ class _Looker:
             searched=len(searched),
             influences=() if self.stopped else self.influences(count, sets),
             unsolved=sum(member.unsolved for member in tried),
+            kept=self.kept,
             complete=not self.stopped,
             message=self.stopped,
         )
+
+    @property
+    def has_nominal(self) -> bool:
+        """Whether the case as it is lies within the limits."""
+        return all(one.lower <= one.nominal <= one.upper for one in self.inputs)
 
     def members(self, rows: Sequence[tuple[float, ...]], bands: bool = True) -> list[ToleranceMember]:
         """Combinations in order, as far as the work came."""
         size = OF_A_TASK if bands else OF_A_SHORT_TASK
         parts = [tuple(rows[at : at + size]) for at in range(0, len(rows), size)]
-        chains = [
-            Chain(at, (Task(self.source, self.inputs, self.axis, self.present, part, bands),), (len(part),))
-            for at, part in enumerate(parts)
-        ]
+        chains = [Chain(at, (self.task(part, bands),), (len(part),)) for at, part in enumerate(parts)]
         outcome = run(work, chains, self.execution)
         self.stopped = self.stopped or outcome.reason
         found: list[ToleranceMember] = []
@@ -184,6 +190,10 @@ class _Looker:
             if len(done) < len(part):
                 break
         return found
+
+    def task(self, part: tuple[tuple[float, ...], ...], bands: bool) -> Task:
+        """Some combinations."""
+        return Task(self.source, self.inputs, self.axis, self.present, part, bands, self.kept)
 
     def search(self, members: Sequence[ToleranceMember]) -> list[ToleranceMember]:
         """From the worst combination on, towards worse ones between the limits."""
