@@ -18,11 +18,11 @@ LEAST_MODULUS = 40e9
 
 
 def pair_of(case: Case) -> CylindricalPair:
-    """The teeth of a case, without profile shift where it is no drawing. Raises `GearlashError` where it does
-    not state them, or the face width."""
+    """The teeth of a case at work, without profile shift where it is no drawing. Raises `GearlashError` where
+    it does not state them, or the face width."""
     body = case.numbers.body
-    if body.teeth is not None:
-        return body.teeth
+    if body.meshing is not None:
+        return body.meshing
     geometry, width = body.geometry, body.face_width
     if geometry is None or width is None:
         raise GearlashError("the case does not state teeth, module, angles and both face widths")
@@ -50,7 +50,8 @@ def method_b(case: Case, omega: float, grades: tuple[int, int]) -> DynamicFactor
     load = torque / body.geometry.pitch_radii[0] / pair.face_width
     speed = float(scales.pinion_speed(omega))
     errors = EffectiveErrors.of_grades(pair, grades)
-    return dynamic_factor(pair, mesh_stiffness.method_b(pair, materials), reduced, speed, load, errors)
+    mesh = mesh_stiffness.method_b(pair, materials)
+    return dynamic_factor(pair, mesh, reduced, speed, load, errors, tip_relief_of(case))
 
 
 def band_of_grades(case: Case, omega: float) -> str:
@@ -78,6 +79,12 @@ def materials_of(case: Case) -> tuple[Material, Material]:
     found = {value.path: value.value for value in case.values()}
     first, second = (named(str(found.get(f"{gear}.material", "steel"))) for gear in ("pinion", "gear"))
     return first, second
+
+
+def tip_relief_of(case: Case) -> float:
+    """C_a, m: the smaller tip relief of both gears; 0 where one has none."""
+    found = {value.path: value.value for value in case.values()}
+    return 1e-6 * min(float(found.get(f"{gear}.tip_relief", 0.0)) for gear in ("pinion", "gear"))
 
 
 def stated_grades(case: Case) -> tuple[int, int] | None:
