@@ -1,10 +1,10 @@
 """K_v of ISO 6336-1, Method B, below resonance, and the highest mesh force of the model over the static one.
 
-The standard's K_v is a straight line in N = ω/ω_E: forces of pitch and form deviations (here of grade 6) and
-of the varying stiffness, less what tip relief takes. The model, here without deviations, has the resonances at
-which harmonics of the mesh meet its natural frequency, N = 1/2, 1/3 …; the line passes through them. Between them and
-with relief that fits the load both are near each other. Steps of the stiffness of unmodified spur teeth excite
-more than the standard has.
+The standard's K_v is a straight line in N = ω/ω_E: forces of pitch and form deviations (here of grade 6)
+and of the varying stiffness, less what tip relief takes. The model, here without deviations, has the
+resonances at which harmonics of the mesh meet its natural frequency, N = 1/2, 1/3 …; the line passes
+through them. Between them and with relief that fits the load both are near each other. Steps of the
+stiffness of unmodified spur teeth excite more than the standard has.
 """
 
 from __future__ import annotations
