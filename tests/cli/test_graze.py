@@ -174,7 +174,7 @@ def test_chaos_behind_the_touch(gearlash: Gearlash, stop: str, near: float):
     assert up["passed"] == []
     assert "its period doubles" in up["beyond"]
     assert (
-        f"nearest grazing found along this motion is engagement on the drive side at omega = {TOUCH:.10g}"
+        f"nearest grazing found along this motion is engagement on side + at omega = {TOUCH:.10g}"
         in (answer["sentence"])
     )
 

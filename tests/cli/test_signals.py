@@ -94,6 +94,28 @@ def test_what_was_computed_is_kept(tmp_path: Path, name: str, workers: int, numb
     pytest.fail(f"{name} kept nothing")
 
 
+@pytest.mark.parametrize(("number", "workers"), [(signal.SIGINT, 1), (signal.SIGTERM, 2)])
+def test_a_report_is_made_of_what_was_computed(tmp_path: Path, workers: int, number: int):
+    """Once the verdict stands: a page, the answer, and the names of what is not in it."""
+    for delay in LATER:
+        ended = signalled(Sent("report", number, delay, workers), tmp_path / f"after {delay} s")
+        check(ended)
+        assert (ended.lost, ended.left, ended.finished) == ([], [], False), ended.told
+        assert ended.code == CODES[signal.Signals(number)]
+        answer = ended.out / "verdict.json"
+        if not answer.exists():
+            assert not (ended.out / "report.html").exists()
+            continue
+        content = json.loads(answer.read_text(encoding="utf-8"))
+        assert (content["status"], content["verdict"]) == ("incomplete", "good")
+        assert "the map over backlash" in content["missing"]
+        page = (ended.out / "report.html").read_text(encoding="utf-8")
+        assert "The report was stopped early; not computed:" in page
+        assert page.rstrip().endswith("</html>")
+        return
+    pytest.fail("no report was kept")
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
 def test_while_kernels_are_compiled(tmp_path: Path, number: int):
     ended = signalled(Sent("run", number, 2.5), tmp_path / "out", cache=tmp_path / "cache")

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from math import isclose
 from typing import TYPE_CHECKING, Any
 
 from gearlash.case import Case
@@ -22,10 +23,14 @@ if TYPE_CHECKING:
 
     from gearlash.orbits import Attractor
     from gearlash.studies import Zones
+    from gearlash.studies.transition import Transition
 
     from .answers.run import RunAnswer
     from .answers.zones import ZonesAnswer
 
+
+GRAZING = "grazing"
+SAME = 1e-9  # of a value: two directions of a sweep met one point
 
 logging.getLogger("fontTools").setLevel(logging.ERROR)  # it remarks on figures without a date
 
@@ -41,8 +46,11 @@ def write_data(
     write_together(contents, instead_of=[folder.file(figure) for figure in figures])
 
 
-def write_sweep(folder: OutFolder, case: Case, sweeps: Sequence[Sweep], answer: Any) -> None:
-    """Data (NetCDF) and answer (JSON) and, of a complete sweep, the bifurcation diagram as SVG and PDF."""
+def write_sweep(
+    folder: OutFolder, case: Case, sweeps: Sequence[Sweep], answer: Any, changes: Sequence[Transition] = ()
+) -> None:
+    """Data (NetCDF) and answer (JSON) and, of a complete sweep, the bifurcation diagram as SVG and PDF, with
+    the special points at which its motions change."""
     dataset = sweep_dataset(case, sweeps)
     write_data(folder, "sweep", dataset, answer, ("sweep.svg", "sweep.pdf"))
     asked, name = answer.axis.asked, sweeps[0].axis.name
@@ -51,9 +59,22 @@ def write_sweep(folder: OutFolder, case: Case, sweeps: Sequence[Sweep], answer: 
     def figure(plots: Any) -> Figure:
         typed = plots.Twin(asked.factor, asked.title, pretty(asked.unit)) if asked.unit else None
         units = plots.Units.of(case)
-        return plots.diagram(dataset, units=units, title=title, present=present, asked=typed)
+        marks = [
+            plots.Mark(value, kind, "" if kind != GRAZING else f"{asked.factor * value:.5g}")
+            for value, kind in _once(changes)
+        ]
+        return plots.diagram(dataset, marks, units, title=title, present=present, asked=typed)
 
     draw_if(folder, "sweep", _drawable(sweeps), figure)
+
+
+def _once(changes: Sequence[Transition]) -> Iterator[tuple[float, str]]:
+    """Value and kind of every change, those that several directions show once."""
+    last = None
+    for change in sorted(changes, key=lambda each: each.value):
+        if last is None or change.kind != last.kind or not isclose(change.value, last.value, rel_tol=SAME):
+            yield change.value, change.kind
+        last = change
 
 
 def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: ZonesAnswer) -> None:

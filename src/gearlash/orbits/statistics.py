@@ -1,4 +1,4 @@
-"""Forces and transmission error of a motion."""
+"""Forces and displacement of a motion."""
 
 from __future__ import annotations
 
@@ -60,13 +60,13 @@ class ForceStatistics(Record):
 
 @dataclass(frozen=True, repr=False)
 class MotionStatistics(Record):
-    """Contact force, dynamic transmission error and share of time without contact of a motion.
+    """Contact force, displacement along the line of action and share of time without contact of a motion.
 
     Attributes
     ----------
     force : ForceStatistics
     error_rms : float
-        Of the dynamic transmission error X about its mean.
+        Of the displacement X about its mean.
     error_peak_to_peak : float
     minimum : float
         Least X.
@@ -93,7 +93,7 @@ class MotionStatistics(Record):
 
 
 def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatistics:
-    """Statistics of force and transmission error of a motion, in one clearance.
+    """Statistics of force and displacement of a motion, in one clearance.
 
     By Gauss quadrature on every exact piece, with extremes of X from its exact extrema; extremes of the force
     are those of the parabolas through the extreme ones of 96 points a piece.

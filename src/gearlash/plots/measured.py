@@ -13,6 +13,7 @@ from . import style
 from .units import literal
 
 Array = NDArray[np.float64]
+LEGEND = 0.45  # of the height of a strip
 LINES = (
     (style.BLUE, "-"),
     (style.VERMILION, (0, (5, 1.5))),
@@ -75,7 +76,7 @@ def measured_histories(columns: Sequence[Column], time: str) -> Figure:
     matplotlib.figure.Figure
     """
     rows = len(columns[0].strips)
-    figure = style.figure(style.PAGE, 25.0 * rows + 18.0)
+    figure = style.figure(style.PAGE, 23.0 * rows + 16.0)
     panels = figure.subplots(rows, len(columns), squeeze=False, sharex="col", sharey="row")
     for j, column in enumerate(columns):
         for strip, panel in zip(column.strips, panels[:, j], strict=True):
@@ -88,6 +89,9 @@ def measured_histories(columns: Sequence[Column], time: str) -> Figure:
             if strip.level is not None:
                 panel.axhline(strip.level, color=style.BOUNDARY, lw=0.7)
             panel.margins(x=0.0, y=0.1)
+            if j == 0 and len(strip.lines) > 2:  # room for the two rows of the legend
+                low, high = panel.get_ylim()
+                panel.set_ylim(low, high + LEGEND * (high - low))
             panel.set_ylabel(strip.label if j == 0 else "")
             if j == 0:
                 panel.legend(loc="upper left", ncols=2, fontsize=6.5, frameon=True, facecolor="white",

@@ -159,6 +159,7 @@ def _curves(panel: Axes, axis: SpeedAxis, stack: Stack) -> None:
         panel.tick_params(which="both", right=False)
         right = panel.secondary_yaxis("right", functions=(twin.back, twin))
         right.set_ylabel(label)
+        right.yaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10], min_n_ticks=4))
     panel.legend(handles=handles, loc="upper left", ncols=len(handles), fontsize=7.0, columnspacing=1.2,
                  facecolor="white", framealpha=0.8, frameon=True, edgecolor="none")  # fmt: skip
 
@@ -166,9 +167,12 @@ def _curves(panel: Axes, axis: SpeedAxis, stack: Stack) -> None:
 def _limits(panel: Axes) -> None:
     """From zero where values lie near to it, with room for the legend above them."""
     panel.margins(y=0.04)
+    drawn = np.concatenate([np.asarray(line.get_ydata(), dtype=float) for line in panel.lines[1:]] or [[]])
     low, high = panel.get_ylim()
-    if low > 0.0 and low < 0.6 * high:
+    if (low > 0.0 and low < 0.6 * high) or (len(drawn) and np.nanmin(drawn) >= 0.0 > low):
         low = 0.0
+    if not np.nanmax(np.abs(drawn), initial=0.0) > 0.0:  # nothing happens: no axis that magnifies that
+        low, high = 0.0, 1.0
     wide = high - low or 1.0
     panel.set_ylim(low, low + (1.0 + LEGEND) * wide)
     panel.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))

@@ -18,6 +18,7 @@ from matplotlib.path import Path
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from gearlash.results.contact_words import sided
 from gearlash.system import GearlashError, Label, Signature, UnknownNameError, read_label
 
 from . import style
@@ -25,11 +26,12 @@ from .fills import NONE, Fill, fills, legend_order
 from .regimes import short
 from .scales import scales
 from .units import ASSUMED, Twin, Units, literal
-from .words import Words, words
+from .words import GEARS, Words, words
 
 WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
 KEY = "P-Q-R: P cycles with Q impacts on the drive side, R on the back side; R = 0 is left out."
 KEY_OF_SEVERAL = "P-Q-R/Q-R…: P cycles; of every gap in turn Q impacts on the drive side, R on the back side."
+STAR = 3.0  # mm around the present point that its star takes
 CHARACTER = 1.25  # mm of a character of a region's label
 PRESENT: dict[str, Any] = {
     "ls": "none", "marker": "*", "ms": 11.0, "mfc": style.YELLOW, "mec": style.INK, "mew": 0.8,
@@ -91,7 +93,7 @@ def plane(
     made = style.figure(style.PAGE, height + 38.0)
     panel = made.subplots()
     _fill(panel, edges, codes, looks)
-    _name(panel, edges, codes, names, looks, height)
+    _name(panel, edges, codes, names, looks, height, present)
     said = words(dataset, units)
     twins = [units.asked(name, own) for own, name in zip(along, (x, y), strict=True)]
     for which, name, twin, own in zip("xy", (x, y), twins, along, strict=True):
@@ -103,6 +105,7 @@ def plane(
         handles.append(Line2D([], [], label="present point", **PRESENT))
     marked = any(twin is not None and twin.assumed for twin in twins)
     key = KEY_OF_SEVERAL if any(isinstance(each, Signature) and each.others for each in names) else KEY
+    key = sided(key, said is GEARS)
     made.legend(
         handles=handles, loc="outside lower center", ncols=5, columnspacing=1.4,
         title=f"{key} {ASSUMED}" if marked else key, title_fontsize=6.5,
@@ -181,10 +184,12 @@ def _name(
     names: Sequence[Label | None],
     looks: Sequence[Fill],
     height: float,
+    present: tuple[float, float] | None = None,
 ) -> None:
-    """The label inside every region that has room for it."""
+    """The label inside every region that has room for it, away from the star of the present point."""
+    beside = None if present is None else _around(edges, present, height)
     for code, text in enumerate(map(short, names)):
-        for x, y in rooms(edges, codes == code, CHARACTER * len(text) / 2.0 + 0.4, height):
+        for x, y in rooms(edges, codes == code, CHARACTER * len(text) / 2.0 + 0.4, height, taken=beside):
             boxed = {"facecolor": looks[code].colour, "edgecolor": "none", "pad": 0.8}
             panel.text(
                 x, y, text,
@@ -193,15 +198,26 @@ def _name(
             )  # fmt: skip
 
 
+def _around(edges: tuple[Array, Array], at: tuple[float, float], height: float) -> NDArray[np.bool_]:
+    """The pixels that the star of the present point covers."""
+    x, y = ((each[1:] + each[:-1]) / 2.0 for each in edges)
+    across = WIDTH * (x - at[0]) / float(np.ptp(edges[0]))
+    up = height * (y - at[1]) / float(np.ptp(edges[1]))
+    size = np.hypot(WIDTH / len(x), height / len(y)) / 2.0
+    return np.hypot(across[None, :], up[:, None]) < STAR + size
+
+
 def rooms(
     edges: tuple[Array, Array],
     mask: NDArray[np.bool_],
     reach: float,
     height: float = HEIGHT,
     width: float = WIDTH,
+    taken: NDArray[np.bool_] | None = None,
 ) -> Iterator[tuple[float, float]]:
     """A place in every connected part of a mask that holds a circle of this radius (mm): where the widest
-    one lies, and of several such places the one nearest to the middle of the part."""
+    one lies, and of several such places the one nearest to the middle of the part; nothing of it is
+    ``taken``."""
     x, y = edges
     size = (height / mask.shape[0], width / mask.shape[1])
     parts, count = ndimage.label(mask)  # pyright: ignore[reportGeneralTypeIssues]
@@ -210,7 +226,8 @@ def rooms(
         if inside.sum() * size[0] * size[1] < reach**2:
             continue
         # from the middle of a pixel to the middle of the nearest one outside, or beyond the frame
-        framed = ndimage.distance_transform_edt(np.pad(inside, 1), sampling=size)
+        free = inside if taken is None else inside & ~taken
+        framed = ndimage.distance_transform_edt(np.pad(free, 1), sampling=size)
         away = np.asarray(framed)[1:-1, 1:-1] - min(size) / 2.0
         if away.max() < reach:
             continue

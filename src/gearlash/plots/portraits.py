@@ -12,6 +12,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
+from gearlash.results.contact_words import sided
 from gearlash.studies.motion import Motion
 
 from . import style
@@ -70,7 +71,7 @@ def portrait(motion: Motion, units: Units | None = None, parameter: str = "omega
     axes.set_title(heading(motion, parameter))
     axes.set(xlabel=X, ylabel=VELOCITY)
     second(axes, (units or Units()).length)
-    figure.legend(handles=key([motion]), loc="outside lower center", ncols=2)
+    figure.legend(handles=key([motion], units), loc="outside lower center", ncols=2)
     return figure
 
 
@@ -120,7 +121,7 @@ def triple(motions: Sequence[Motion], units: Units | None = None, parameter: str
                 panel.set_ylabel(VELOCITY)
             else:
                 panel.tick_params(labelleft=False)
-    figure.legend(handles=key(motions), loc="outside lower center", ncols=4, columnspacing=1.4)
+    figure.legend(handles=key(motions, units), loc="outside lower center", ncols=4, columnspacing=1.4)
     return figure
 
 
@@ -171,7 +172,7 @@ def gallery(
         panel.set_title(f"({chr(97 + i)})  {own}")
         panel.set(xlabel=X, ylabel=VELOCITY if i % columns == 0 else "")
         second(panel, (units or Units()).length)
-    figure.legend(handles=key(motions), loc="outside lower center", ncols=4 if columns > 1 else 2)
+    figure.legend(handles=key(motions, units), loc="outside lower center", ncols=4 if columns > 1 else 2)
     return figure
 
 
@@ -283,11 +284,12 @@ def _window(axes: Axes, box: Box) -> None:
     )
 
 
-def key(motions: Sequence[Motion]) -> list[Line2D | Patch]:
+def key(motions: Sequence[Motion], units: Units | None = None) -> list[Line2D | Patch]:
     """Legend entries of what occurs in these motions."""
+    teeth = units is None or units.teeth
     present = {int(r) for m in motions for r in np.unique(m.region)}
     handles: list[Line2D | Patch] = [
-        Line2D([], [], color=c, ls=ls, lw=1.1, label=words)
+        Line2D([], [], color=c, ls=ls, lw=1.1, label=sided(words, teeth))
         for r, (c, ls, _, words) in STRETCHES.items()
         if r in present
     ]

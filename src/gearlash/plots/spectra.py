@@ -55,7 +55,7 @@ def order_spectra(rows: Sequence[Sequence[Levels]], titles: Sequence[str]) -> Fi
     -------
     matplotlib.figure.Figure
     """
-    figure = style.figure(style.PAGE, 24.0 * len(rows) + 14.0)
+    figure = style.figure(style.PAGE, 21.0 * len(rows) + 14.0)
     panels = figure.subplots(len(rows), len(titles), squeeze=False, sharex=True, sharey="row")
     for row, line in zip(rows, panels, strict=True):
         top = max(float(levels.level.max(initial=-np.inf)) for levels in row)

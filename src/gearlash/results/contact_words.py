@@ -1,4 +1,4 @@
-"""What the rule of contact makes of the mesh force, in a plain sentence where it shows."""
+"""Words of contact: its sides where there are no teeth, and what its rule makes of the mesh force."""
 
 from __future__ import annotations
 
@@ -16,3 +16,15 @@ def damping_in_the_gap(rule: ContactRule, least: float, without_contact: float) 
     nothing where the damping acts in contact only."""
     shows = least < 0.0 or without_contact > 0.0
     return _ALWAYS if rule is ContactRule.ALWAYS and shows else ""
+
+
+SIDES = {"the drive side": "side +", "the back side": "side -", "drive side": "side +", "back side": "side -"}
+"""Of a gap that no teeth bound: where X is large, and where it is small."""
+
+
+def sided(text: str, between_teeth: bool) -> str:
+    """What is said of drive and back side, in words of any gap where no teeth meet."""
+    if not between_teeth:
+        for teeth, plain in SIDES.items():
+            text = text.replace(teeth, plain)
+    return text

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
+from gearlash.results.contact_words import sided
 from gearlash.results.followed import INTERRUPTED, FollowedPath
 from gearlash.system import Family, Label, Signature, Status, System, label_text
 
@@ -113,7 +114,7 @@ def graze_answer(
     status, advice = _outcome(start, bool(touches))
     if any(INTERRUPTED in (path.ended, path.beyond) for path in paths):
         status, advice = INCOMPLETE, RESUME
-    said = _sentence(over, asked, near, touches, paths, _several(family, parameters))
+    said = _sentence(over, asked, near, touches, paths, _several(family, parameters), case.between_teeth)
     if not touches and not family.system(parameters).excited:
         idle = nothing_varies(case)
         said, status, advice = f"{idle.cause}; {idle.advice}", NOT_EXCITED, idle.advice
@@ -189,11 +190,11 @@ def _worded(point: SpecialPoint) -> tuple[str, str, str, str]:
 
 
 def _curvature(point: SpecialPoint) -> str:
-    """The article's touch is a minimum of X seen from S1; what this one is instead."""
+    """Its sign, and where the touch is seen from if that is not S1."""
     above = point.touch.a0 > 0.0
     if point.touch.boundary > 0:
-        return "> 0" if above else "< 0 (seen from S2; the article's touch is seen from S1)"
-    return "> 0 (at Σ2, seen from S2)" if above else "< 0 (at Σ2: the mirror image of the article's)"
+        return "> 0" if above else "< 0 (seen from S2)"
+    return "> 0 (at Σ2, seen from S2)" if above else "< 0 (at Σ2)"
 
 
 def _sentence(
@@ -203,6 +204,7 @@ def _sentence(
     touches: tuple[TouchFound, ...],
     paths: tuple[FollowedPath, ...],
     several: bool,
+    teeth: bool,
 ) -> str:
     """What was found, along this motion; the nearest is called so only if the other way was followed as
     far."""
@@ -218,7 +220,7 @@ def _sentence(
         return text + (f" ({', '.join(said)})" if said else "")
     first = touches[0]
     value = _value(over, asked, first)
-    what = first.kind.partition(" (")[0] + (f" of {first.clearance}" if several else "")
+    what = sided(first.kind.partition(" (")[0], teeth) + (f" of {first.clearance}" if several else "")
     below, above = (
         _side(first.label_below, first.stable_below),
         _side(first.label_above, first.stable_above),

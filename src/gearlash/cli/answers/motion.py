@@ -53,7 +53,7 @@ class ForceNumbers:
 
 @dataclass(frozen=True)
 class ErrorNumbers:
-    """Of the dynamic transmission error over the motion."""
+    """Of the displacement X over the motion."""
 
     rms: Annotated[float, "root mean square about the mean"]
     peak_to_peak: Annotated[float, "largest minus least value"]
@@ -84,7 +84,12 @@ class MotionNumbers:
     dynamic_factor: Annotated[
         float | None, "peak in the direction of the load over the mean contact force; null without load"
     ]
-    transmission_error: Annotated[ErrorNumbers, "dynamic transmission error X, over D_c"]
+    displacement: Annotated[
+        ErrorNumbers, "X, the displacement of the flanks along the line of action, over D_c"
+    ]
+    transmission_error: Annotated[
+        ErrorNumbers, "the same under its first name; what a report calls so is the rotation of both gears"
+    ]
     share_without_contact: Annotated[float, "share of time with no tooth in contact, 0 to 1"]
     contact: Annotated[str, "when the contact damping acts: always, in-contact, no-tension"]
     others: Annotated[tuple[OtherClearance, ...], "further clearances; all else here is of the first"]
@@ -104,6 +109,7 @@ def motion_numbers(attractor: Attractor) -> MotionNumbers:
         events=_events(attractor, 0),
         force=_force(found.force),
         dynamic_factor=_dynamic_factor(found.force),
+        displacement=ErrorNumbers(found.error_rms, found.error_peak_to_peak),
         transmission_error=ErrorNumbers(found.error_rms, found.error_peak_to_peak),
         share_without_contact=found.share_without_contact,
         contact=str(gaps[0].contact),

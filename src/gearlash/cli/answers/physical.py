@@ -52,7 +52,8 @@ class PhysicalRun:
     distances_um: Distances
     events: tuple[PhysicalEvent, ...]
     force_N: ForceNumbers
-    transmission_error_um: ErrorNumbers
+    displacement_um: ErrorNumbers
+    transmission_error_um: Annotated[ErrorNumbers, "the same under its first name"]
     impact_free: SpeedWindow | None
     rests_on: Rests
 
@@ -84,7 +85,8 @@ def physical_run(
             for event in numbers.events
         ),
         force_N=_scaled(numbers.force, float(scales.force_N(1.0))),
-        transmission_error_um=_um(scales, numbers.transmission_error),
+        displacement_um=_um(scales, numbers.displacement),
+        transmission_error_um=_um(scales, numbers.displacement),
         impact_free=_window(scales, impact_free) if impact_free else None,
         rests_on=rests_on(case, back_met),
     )

@@ -140,7 +140,7 @@ def _measured(asked: StudyInputs, found: Assessment, search: SearchSettings, exe
     from gearlash.cli.progress import stage_bar
     from gearlash.jobs import Execution
     from gearlash.report.pair import Contents
-    from gearlash.report.pair.planes import plane_over
+    from gearlash.report.pair.planes import STAGES, plane_over
     from gearlash.studies.speed_run import histories, speed_run
 
     (axis,), execution, missing, maps = asked.ranges(), Execution(executor), [], {}
@@ -156,6 +156,6 @@ def _measured(asked: StudyInputs, found: Assessment, search: SearchSettings, exe
                 if done is not None:
                     maps[name] = done
             if name not in maps:
-                missing.append(f"the map over {name}")
+                missing.append(f"the {STAGES[name]}")
         tell("report", None)
     return Contents(found, run, histories(found, run), maps, tuple(missing))

@@ -43,7 +43,7 @@ def run(
     """How does this pair move here? One attractor, with a plain sentence first.
 
     The motion that the pair settles into: its signature P-Q-R (mesh cycles in a period, impacts on the drive
-    side, impacts on the back side), multipliers, contact events, forces and transmission error. --out writes
+    side, impacts on the back side), multipliers, contact events, forces and displacement. --out writes
     run.json, and the phase portrait and history as SVG and PDF.
     """
     from gearlash.cli.folder import MOTION_FILES, claim_if

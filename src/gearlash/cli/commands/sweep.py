@@ -22,7 +22,12 @@ from gearlash.cli.options import (
 )
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from gearlash.case import Case
     from gearlash.cli.tables import Tables
+    from gearlash.results import Sweep
+    from gearlash.studies.transition import Transition
 
 SWEEP_TABLES = "sweep", "regimes"
 FALLING = " (--down follows it downwards)"  # what to do instead of typing a falling interval
@@ -85,14 +90,33 @@ def sweep(
     end_if_nothing(any(point.computed for each in found for point in each.points))
     answer = sweep_answer(asked.case, asked.parameters, along.named, found, along.unit, asked.named_start)
 
+    changes = _changes(asked.case, found) if folder else ()
+
     def keep() -> None:
         if folder:
             from gearlash.cli.files import write_sweep
 
-            write_sweep(folder, asked.case, found, answer)
+            write_sweep(folder, asked.case, found, answer, changes)
             csv.keep(folder, SWEEP_TABLES, tables)
 
     def tables() -> Tables:
         return sweep_tables(asked.case, found, answer)
 
     return deliver(answer, as_json, keep, csv.printing(tables))
+
+
+def _changes(case: Case, found: Sequence[Sweep]) -> tuple[Transition, ...]:
+    """Special points at which the motions of a complete sweep change, solved for; for its figure."""
+    from gearlash.cli.interrupt import optional
+    from gearlash.studies.transitions import transitions
+
+    name, family = found[0].axis.name, case.family()[0]
+    several = [way for way in found if len({point.label for point in way.points}) > 1]
+    if name not in family.defaults or not all(way.complete for way in found):
+        return ()
+
+    def solved() -> tuple[Transition, ...]:
+        rows = [transitions(case, name, way, rising=way.direction != "down") for way in several]
+        return tuple(change for row in rows for change in row if change.point is not None)
+
+    return optional(solved) or ()

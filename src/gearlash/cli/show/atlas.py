@@ -10,6 +10,7 @@ from rich.text import Text
 from gearlash.case.units import pretty
 from gearlash.cli.answers.asked import Asked
 from gearlash.cli.answers.atlas import AtlasAnswer, CurveFound, StraightFound
+from gearlash.results.contact_words import sided
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number
@@ -129,7 +130,7 @@ def _check(answer: AtlasAnswer, marks: Marks, width: int) -> Iterator[Text]:
             [
                 f"{_place(answer, each.values[0], marks)} to {_place(answer, each.values[1], marks)}",
                 f"{each.labels[0]} | {each.labels[1]}",
-                each.note,
+                sided(each.note, answer.case.between_teeth),
             ]
             for each in shown
         ]

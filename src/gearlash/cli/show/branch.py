@@ -9,6 +9,7 @@ from rich.text import Text
 from gearlash.case.units import pretty
 from gearlash.cli.answers.branch import BranchAnswer
 from gearlash.cli.answers.branch_parts import BranchFound, LawFound, NextPoint, SpecialFound
+from gearlash.results.contact_words import sided
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar
@@ -51,7 +52,9 @@ def _branch(answer: BranchAnswer, branch: BranchFound, marks: Marks, width: int)
         ("before | after", "left"), ("unstable", "left"),
     ]  # fmt: skip
     if shown:
-        yield from table(title, columns, [_row(special, asked.factor, marks) for special in shown], width)
+        teeth = answer.case.between_teeth
+        rows = [_row(special, asked.factor, marks, teeth) for special in shown]
+        yield from table(title, columns, rows, width)
     else:
         yield from facts(title, [("special points", "none found")], width)
     left = len(branch.special) - len(shown)
@@ -62,10 +65,10 @@ def _branch(answer: BranchAnswer, branch: BranchFound, marks: Marks, width: int)
         yield from _law(answer, special, width)
 
 
-def _row(special: SpecialFound, factor: float, marks: Marks) -> list[str]:
+def _row(special: SpecialFound, factor: float, marks: Marks, teeth: bool) -> list[str]:
     error = "–" if special.error is None else f"{abs(special.error * factor):.0e}"
     rests = special.physical[0].rests_on if special.physical and factor != 1.0 else ()
-    kind = special.kind if special.side is None else special.note.partition(";")[0]
+    kind = special.kind if special.side is None else sided(special.note.partition(";")[0], teeth)
     return [
         str(special.number),
         marks.of(f"{special.value_asked:.{DIGITS}g}", rests),
@@ -78,15 +81,16 @@ def _row(special: SpecialFound, factor: float, marks: Marks) -> list[str]:
 
 
 def _facts(answer: BranchAnswer, branch: BranchFound) -> Iterator[tuple[str, str]]:
-    asked = answer.axis.asked
+    asked, teeth = answer.axis.asked, answer.case.between_teeth
     yield (
         "orbits",
         f"{len(branch.orbits)}: " + ", ".join(f"{n} {verdict}" for verdict, n in branch.certificates.items()),
     )
     for end, name in zip(branch.ends, ("begins", "ends"), strict=True):
-        yield name, f"{asked.text(end.value, DIGITS)}: {end.kind}{f' ({end.note})' if end.note else ''}"
+        evidence = f" ({sided(end.note, teeth)})" if end.note else ""
+        yield name, f"{asked.text(end.value, DIGITS)}: {end.kind}{evidence}"
     for i, special in enumerate(s for s in branch.special if s.note.partition("; ")[2]):
-        yield "" if i else "to note", f"at {special.number}: {special.note.partition('; ')[2]}"
+        yield "" if i else "to note", f"at {special.number}: {sided(special.note.partition('; ')[2], teeth)}"
     for i, each in enumerate(branch.unexplained):
         yield "" if i else "unexplained", each
 

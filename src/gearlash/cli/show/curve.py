@@ -11,6 +11,7 @@ from gearlash.case.units import pretty
 from gearlash.cli.answers.branch_parts import LimitsUsed
 from gearlash.cli.answers.curve import CurveAnswer
 from gearlash.cli.answers.curve_parts import CodimTwoFound, CurveEnd, CurveFound
+from gearlash.results.contact_words import sided
 
 from .layout import Column, facts, headline, note, table
 from .numbers import Marks, number
@@ -82,7 +83,7 @@ def _facts(answer: CurveAnswer, curve: CurveFound, marks: Marks) -> Iterator[tup
         parts = ", ".join(f"{name} = {value:.10g}" for name, value in curve.fixed.items())
         yield "where", f"{parts}, as at the point that it begins at"
     if curve.touches:
-        yield "touches", curve.touches
+        yield "touches", sided(curve.touches, answer.case.between_teeth)
     if curve.throughout:
         yield "all along", f"{', '.join(curve.throughout)}; so no single point of that is told"
     stable = sum(orbit.unstable == 0 for orbit in curve.orbits)
@@ -96,7 +97,7 @@ def _facts(answer: CurveAnswer, curve: CurveFound, marks: Marks) -> Iterator[tup
         yield name, f"{_marked(answer, end.values, marks)}: {_why(answer, end)}"
     noted = [each for each in curve.special if each.note and each.note != each.kind]
     for i, each in enumerate(noted):
-        yield "" if i else "to note", f"at {each.number}: {each.note}"
+        yield "" if i else "to note", f"at {each.number}: {sided(each.note, answer.case.between_teeth)}"
 
 
 def _why(answer: CurveAnswer, end: CurveEnd) -> str:
@@ -104,7 +105,7 @@ def _why(answer: CurveAnswer, end: CurveEnd) -> str:
     limit = next((each for each in answer.axes if end.note.startswith(f"{each.name} = ")), None)
     if limit is not None:
         return f"limit of {limit.asked.title}"
-    return f"{end.kind} ({end.note})" if end.note else end.kind
+    return f"{end.kind} ({sided(end.note, answer.case.between_teeth)})" if end.note else end.kind
 
 
 def _admissible(answer: CurveAnswer, curve: CurveFound, marks: Marks) -> str:

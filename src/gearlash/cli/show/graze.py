@@ -8,6 +8,7 @@ from rich.text import Text
 
 from gearlash.case.units import pretty
 from gearlash.cli.answers.graze import GrazeAnswer, TouchFound
+from gearlash.results.contact_words import sided
 
 from .layout import facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
@@ -43,9 +44,9 @@ def _facts(answer: GrazeAnswer, touch: TouchFound, marks: Marks) -> Iterator[tup
     if touch.physical:
         shown = (marks.of(quantity(p.value, pretty(p.unit), 8), p.rests_on) for p in touch.physical)
         yield "physical", ", ".join(shown)
-    yield "kind", touch.kind
+    yield "kind", sided(touch.kind, answer.case.between_teeth)
     yield "gap", touch.clearance
-    yield "type", f"{touch.type} (Table 2)"
+    yield "type", touch.type
     sides = (touch.label_below, touch.stable_below), (touch.label_above, touch.stable_above)
     below, above = (label if stable is not False else f"{label} (unstable)" for label, stable in sides)
     yield "labels", f"{below} below, {above} above"

@@ -131,8 +131,8 @@ def _force_rows(
 def _length_rows(
     numbers: MotionNumbers, physical: PhysicalRun | None, marks: Marks, teeth: bool
 ) -> Iterator[tuple[str, str, str]]:
-    error, apart = numbers.transmission_error, numbers.distances
-    what = "transmission error" if teeth else "X"
+    error, apart = numbers.displacement, numbers.distances
+    what = "displacement of the flanks X" if teeth else "X"
     values = {f"{what}, peak-to-peak": error.peak_to_peak, f"{what}, rms": error.rms}
     if "drive" in numbers.sides:
         values |= {"least X − D": apart.drive.minimum, "largest X − D": apart.drive.maximum}

@@ -8,7 +8,7 @@ from gearlash.report.pictures import Picture
 
 from .contents import Contents
 
-HEIGHT = 66.0
+HEIGHT = 60.0
 """Of a map, mm: two of them fit a page."""
 WORDS = {"load": "torque", "D": "backlash"}
 

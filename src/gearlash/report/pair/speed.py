@@ -43,18 +43,21 @@ def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
         "peaks, means and rms are those of its exact pieces (peaks to 1e-8 of their span), for motion that "
         "is not periodic of 200 mesh cycles. Ends of bands were solved for, and do not depend on this step."
     )
-    blocks = [*_factor(contents), *_bearing_table(run, units, words), *_resonance_table(found.case, units)]
+    blocks = [*_factor(contents), *_bearing_table(run, units, words)]
     blocks += [_figure("speed-forces", _FORCE_WORDS), _figure("speed-errors", _ERROR_WORDS), Text.of(how)]
+    blocks += _resonance_table(found.case, units)
     return Section("speed", "Over speed", tuple(blocks)), pictures
 
 
 _FORCE_WORDS = (
     "Mesh force and bearing forces over speed: peak over one period. On the right the dynamic factor K_v: "
-    "mesh force over the static one. Dotted: a mesh order meets a natural frequency of the closed mesh."
+    "mesh force over the static one. Dotted: a mesh order meets a natural frequency of the closed "
+    "mesh; f4/2: order 2 meets f4 of the table below."
 )
 _ERROR_WORDS = (
-    "Dynamic transmission error DTE (rotation of both gears along the line of action), share of time without "
-    "contact, and the highest velocity at which teeth meet again."
+    "Dynamic transmission error DTE: rotation of both gears along the line of action, in which bearings that "
+    "give way and unloaded errors are contained; share of time without contact; and the highest velocity at "
+    "which teeth meet again."
 )
 
 
