@@ -151,5 +151,10 @@ class PairModification:
 
     @property
     def _grown(self) -> Callable[[Relief, Reals], Reals]:
-        power = 1 if self.form is ReliefForm.LINEAR else 2
-        return lambda relief, beyond: relief.amount * (np.maximum(beyond, 0.0) / relief.length) ** power
+        def linear(relief: Relief, beyond: Reals) -> Reals:
+            return relief.amount / relief.length * np.maximum(beyond, 0.0)
+
+        def parabolic(relief: Relief, beyond: Reals) -> Reals:
+            return relief.amount * np.square(np.maximum(beyond, 0.0) / relief.length)
+
+        return linear if self.form is ReliefForm.LINEAR else parabolic

@@ -21,6 +21,7 @@ their own; and that flanks which separate meet again at the smallest gap and not
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import ceil, cos, pi
 
 import numpy as np
@@ -105,8 +106,8 @@ class LoadedMesh:
 
     def _harmonics(self, values: Reals, count: int) -> NDArray[np.complex128]:
         orders = np.arange(1, count + 1)
-        turns = np.exp(-2j * pi * np.outer(orders, self.phases - 0.5 * self.total_contact_ratio))
-        return np.asarray(turns @ values * (2.0 / len(values)), dtype=np.complex128)
+        turns = np.exp(-2j * pi * orders * (self.phases[0] - 0.5 * self.total_contact_ratio))
+        return np.asarray(np.fft.rfft(values)[1 : count + 1] * turns * (2.0 / len(values)))
 
 
 def _as_series(harmonics: NDArray[np.complex128]) -> Fourier:
@@ -239,13 +240,8 @@ def contact_lines(
     [1.09, 1.61, 1.72]
     """
     start, end = pair.path_of_contact
-    ratio, overlap = pair.transverse_contact_ratio, pair.overlap_ratio
-    one_slice = overlap < 1e-9 and modification.crowning == 0.0
-    points, slices = (SPUR_POINTS, 1) if one_slice else (POINTS, SLICES)
-    phases = (np.arange(points) + 0.5) / points
-    across = (np.arange(slices) + 0.5) / slices - 0.5
-    turns = np.arange(ceil(ratio + overlap) + 1)
-    u = (phases[:, None, None] + turns[:, None] - (across + 0.5) * overlap) / ratio
+    ratio = pair.transverse_contact_ratio
+    phases, u, gaps, share = _pieces(pair, modification)
     nodes = np.linspace(0.0, 1.0, PLACES)
     if shape is None:
         curve = np.array(
@@ -253,10 +249,26 @@ def contact_lines(
         )
     else:
         curve = shape.at(nodes - 0.5, ratio)
-    length = pair.face_width / cos(pair.pinion.base_helix_angle) / slices
+    length = share * pair.face_width / cos(pair.pinion.base_helix_angle)
     stiffness = np.interp(u, nodes, curve * length, left=0.0, right=0.0)
+    return ContactLines(phases, pair.total_contact_ratio, stiffness, gaps, share)
+
+
+@lru_cache(maxsize=4)  # the same at every load
+def _pieces(pair: CylindricalPair, modification: PairModification) -> tuple[Reals, Reals, Reals, float]:
+    """Phases; where on the path of contact each piece lies, from 0 to 1, and its gap, shape (n, pieces); the
+    part of the width that a piece has."""
+    start, end = pair.path_of_contact
+    overlap = pair.overlap_ratio
+    one_slice = overlap < 1e-9 and modification.crowning == 0.0
+    points, slices = (SPUR_POINTS, 1) if one_slice else (POINTS, SLICES)
+    phases = (np.arange(points) + 0.5) / points
+    across = (np.arange(slices) + 0.5) / slices - 0.5
+    turns = np.arange(ceil(pair.total_contact_ratio) + 1)
+    u = phases[:, None, None] + turns[:, None] - (across + 0.5) * overlap
+    u = u / pair.transverse_contact_ratio
     gaps = modification.gap(pair, start + (end - start) * u, np.broadcast_to(across, u.shape))
-    shape_of = (points, -1)
-    return ContactLines(
-        phases, ratio + overlap, stiffness.reshape(shape_of), gaps.reshape(shape_of), 1.0 / slices
-    )
+    found = phases, u.reshape(points, -1), gaps.reshape(points, -1)
+    for each in found:
+        each.setflags(write=False)
+    return *found, 1.0 / slices

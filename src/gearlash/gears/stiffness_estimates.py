@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from . import mesh_stiffness
@@ -36,11 +38,13 @@ def _solid_mesh(drawing: Drawing) -> mesh_stiffness.MeshStiffness:
     return mesh_stiffness.method_b(drawing.meshing, drawing.chosen_materials, drawing.rims, drawing.line_load)
 
 
+@lru_cache(maxsize=8)  # mean, variation and error of one torque ask for the same ones
 def _lines(drawing: Drawing, shape: PairShape | None = None) -> ContactLines:
     load = drawing.line_load or USUAL_LINE_LOAD
     return contact_lines(drawing.meshing, drawing.modification, load, drawing.chosen_materials, shape)
 
 
+@lru_cache(maxsize=32)
 def loaded_mesh(drawing: Drawing, shape: PairShape | None = None) -> LoadedMesh:
     """The mesh of modified flanks at the torque of the drawing.
 

@@ -19,7 +19,6 @@ from .rules import EntriesByKey
 from .shared import HIGHEST_HARMONIC
 
 MEAN = "mesh.mean_stiffness"
-_loaded = lru_cache(maxsize=64)(loaded_mesh)
 
 
 @dataclass(frozen=True)
@@ -45,7 +44,7 @@ def loaded_of(drawing: Drawing | None) -> LoadedMesh | None:
     """The mesh of modified flanks under the torque of a drawing; None where none are modified."""
     if drawing is None or not drawing.modification.modified:
         return None
-    return _loaded(drawing)
+    return loaded_mesh(drawing)
 
 
 def relief_error(drawing: Drawing | None) -> Fourier | None:
