@@ -88,3 +88,13 @@ def test_what_was_asked_in_another_unit_stands_first_in_every_panel() -> None:
 def test_spans_that_do_not_fit_are_refused() -> None:
     with pytest.raises(gl.GearlashError, match="span"):
         plots.atlas_diagram(drawn(), article(), span=((1.0, 0.9), (0.1, 0.2)))
+
+
+def test_curves_that_lie_together_are_shown_closer_where_no_points_are() -> None:
+    case = gl.load_case("kahraman-singh")
+    found = gl.atlas(case, gl.Axis.even("omega", 0.65, 0.9, 2), gl.Axis.even("D", 0.12, 1.1, 2), lines=1)
+    whole, closer = plots.atlas_diagram(found, case).axes
+    (special,) = (each for each in found.points if each.kind is gl.CodimTwoKind.GRAZING_FOLD)
+    (left, right), (low, high) = closer.get_xlim(), closer.get_ylim()
+    assert left < special.values[0] < right
+    assert low <= special.values[1] < high < 0.5 * whole.get_ylim()[1]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +14,7 @@ from matplotlib.patches import Patch, Rectangle
 
 from gearlash.branches.curves import CodimTwoKind
 from gearlash.case import Case
-from gearlash.results.atlas import Atlas
+from gearlash.results.atlas import Atlas, AtlasCurve
 from gearlash.results.plane_dataset import plane_dataset
 from gearlash.system import Family, GearlashError, given
 
@@ -129,8 +129,17 @@ def atlas_diagram(
         plane_dataset(model, atlas.plane),
         atlas.names,
         _Axes.of(model, atlas.names, along),
+        [(i, place) for i, each in enumerate(atlas.curves) for place in _bent(each, atlas.names)],
     )
     return scene.figure(limits, title)
+
+
+def _bent(each: AtlasCurve, names: tuple[str, str]) -> Iterator[tuple[float, float]]:
+    """Orbits of a curve that lie on no straight piece of it."""
+    for point in each.curve.points:
+        own = dict(zip(names, point.values, strict=True))
+        if not any(piece.lower <= own[piece.name] <= piece.upper for piece in each.straight):
+            yield point.values
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,6 +185,7 @@ class _Scene:
     behind: xr.Dataset
     names: tuple[str, str]
     axes: _Axes
+    bent: Sequence[tuple[int, tuple[float, float]]]  # curve and place of orbits where it is not straight
 
     def figure(self, limits: Sequence[tuple[float, float]], title: str) -> Figure:
         boxes = self._boxes(limits)
@@ -220,12 +230,18 @@ class _Scene:
         return figure
 
     def _boxes(self, limits: Sequence[tuple[float, float]]) -> list[Box]:
-        low, width = (np.array([each[i] for each in limits]) for i in (0, 1))
-        width = width - low
-        places = np.array([mark.special.values for mark in self.marks if mark.bounds]).reshape(-1, 2)
-        places = (places - low) / width
-        inside = places[((places >= 0.0) & (places <= 1.0)).all(axis=1)]
-        return crowds(inside, (INNER, ABOVE), (BESIDE, CLOSE), MOST)
+        """Where points are crowded; where none are, where curves that are not straight lie together."""
+        low, high = (np.array([each[i] for each in limits]) for i in (0, 1))
+        points = [mark.special.values for mark in self.marks if mark.bounds]
+        owners = np.array([number for number, _ in self.bent], np.int64)
+        for places, own in ((points, None), ([place for _, place in self.bent], owners)):
+            shares = (np.array(places).reshape(-1, 2) - low) / (high - low)
+            inside = ((shares >= 0.0) & (shares <= 1.0)).all(axis=1)
+            own = None if own is None else own[inside]
+            found = crowds(shares[inside], (INNER, ABOVE), (BESIDE, CLOSE), MOST, own)
+            if found:
+                return found
+        return []
 
     def _key(self) -> list[Line2D]:
         """Kinds of curves, and what their widths mean."""

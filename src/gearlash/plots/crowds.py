@@ -15,7 +15,7 @@ NEIGHBOURS = 9.0  # mm: things so near to each other are of one crowd
 FEWEST = 4  # things of a crowd
 AROUND = 3.5  # mm of room around a crowd
 CLOSER = 1.3  # times as large as before, in one direction at least, is worth a look
-SMALLEST = 0.08  # of the panel: width and height of what is shown closer
+SMALLEST, LARGEST = 0.08, 0.6  # of the panel: width and height of what is shown closer
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,13 @@ class Box:
         )  # fmt: skip
 
 
-def crowds(places: Array, size: tuple[float, float], seen: tuple[float, float], most: int) -> list[Box]:
+def crowds(
+    places: Array,
+    size: tuple[float, float],
+    seen: tuple[float, float],
+    most: int,
+    owners: NDArray[np.int64] | None = None,
+) -> list[Box]:
     """The parts of a panel that are crowded, those with the most things first, then from left to right.
 
     Parameters
@@ -53,6 +59,8 @@ def crowds(places: Array, size: tuple[float, float], seen: tuple[float, float], 
         Of the panel, and of another one in which such a part is shown, mm.
     most : int
         Parts at the most.
+    owners : ndarray of int, of shape (m,), optional
+        To what each thing belongs: of one owner alone there is no crowd.
 
     Returns
     -------
@@ -67,10 +75,12 @@ def crowds(places: Array, size: tuple[float, float], seen: tuple[float, float], 
     found: list[tuple[int, Box]] = []
     for group in range(int(groups.max()) + 1):
         mine = places[groups == group]
-        if len(mine) >= FEWEST:
+        alone = owners is not None and len(set(owners[groups == group].tolist())) < 2
+        if len(mine) >= FEWEST and not alone:
             found.append((len(mine), _around(mine, size)))
     found = _apart(found)
-    worth = [each for each in found if _gain(each[1], size, seen) >= CLOSER]
+    small = [e for e in found if max(e[1].right - e[1].left, e[1].high - e[1].low) <= LARGEST]
+    worth = [each for each in small if _gain(each[1], size, seen) >= CLOSER]
     chosen = sorted(worth, key=lambda each: (-each[0], each[1].left))[:most]
     return sorted((box for _, box in chosen), key=lambda box: (box.left, box.low))
 
