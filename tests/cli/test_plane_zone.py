@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 from pathlib import Path
 
 import pytest
@@ -46,7 +47,12 @@ def test_margins_in_the_units_that_were_asked_for(gearlash: Gearlash, kept: Path
     assert box["multiple"] <= ellipse["multiple"] < upper["asked"] / 50.0
     assert abs(box["asked"][0] - 4200.0) / 50.0 == pytest.approx(box["multiple"], rel=1e-6)
     assert answer["sentence"].startswith("4200 rpm, 96.95 N·m lies in a zone free of impacts")
-    assert "others may coexist" in answer["sentence"]
+    (other,) = answer["beside"]["others"]
+    assert other["impacts"]
+    said = (
+        f"there {other['starts']} of {answer['beside']['starts']} other starts lead to another motion: 2-1;"
+    )
+    assert said in answer["sentence"]
     assert [bool(paths) for paths in answer["rests_on"]] == [True, True]
     bounded = next(m for m in answer["margins"] if m["bounded"])
     assert f"{bounded['event']} " in answer["sentence"]
@@ -72,7 +78,10 @@ def test_in_words(gearlash: Gearlash):
     assert "omega = 0.81, D = 1 lies in a zone free of impacts" in out
     assert "Curves that bound the zone free of impacts" in out
     assert "D nothing within the range, which ends 0.05 (5 %) below" in out
-    assert "Of other motions that may coexist nothing is said." in out
+    assert "Other motions were looked for at the operating point alone." in out
+    assert re.search(
+        r"1-0-0 that was followed; there \d of \d other starts lead to another motion: 1-1;", out
+    )
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ from .exits import ExitCode
 if TYPE_CHECKING:
     from gearlash.orbits import Settings as SearchSettings
     from gearlash.plots import Twin
+    from gearlash.results.beside import Beside
     from gearlash.results.columns import Column
     from gearlash.studies.plane_zone import PlaneZone
 
@@ -43,7 +44,7 @@ def zone_in_plane(
     from .answers.plane_zone import plane_zone_answer
     from .branch_inputs import check_inside
     from .frame import StudyInputs, deliver
-    from .interrupt import signalled
+    from .interrupt import optional, signalled
 
     limits: list[TypedLimits] = []
 
@@ -57,8 +58,10 @@ def zone_in_plane(
     units = tuple(Asked.of(asked.case, each.short, each.named, each.unit) for each in limits)
     for each in limits:
         check_inside(asked.case, each, asked.parameters[each.short], " (--set gives another one)")
-    zone = _zone(asked, limits, kind, tolerances, asked.search(*search))
-    answer = plane_zone_answer(asked.case, zone, (units[0], units[1]), bool(signalled()))
+    chosen = asked.search(*search)
+    zone = _zone(asked, limits, kind, tolerances, chosen)
+    beside = optional(lambda: _beside(asked, chosen))
+    answer = plane_zone_answer(asked.case, zone, beside, (units[0], units[1]), bool(signalled()))
 
     def keep() -> None:
         if folder:
@@ -139,6 +142,21 @@ def _zone(
             quiet=kind, tolerances=tolerances, start=asked.start, settings=search,
             execution=Execution(progress=progress),
         )  # fmt: skip
+
+
+def _beside(asked: StudyInputs, search: SearchSettings) -> Beside | None:
+    """What other starts lead to at the operating point."""
+    from gearlash.orbits import attractor
+    from gearlash.studies.beside import motions_beside
+
+    from .late import late_bar
+
+    cold = asked.family.start(asked.parameters)
+    start = list(cold) if asked.start is None else asked.start
+    found = attractor(asked.family.system(asked.parameters), start, settings=search)
+    with late_bar("other starts") as tell:
+        named = dict(zip(asked.family.states, map(float, start), strict=True))
+        return motions_beside(found, named, cold, settings=search, tell=tell)
 
 
 def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnswer, csv: CsvAsked) -> None:

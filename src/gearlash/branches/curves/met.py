@@ -25,10 +25,12 @@ from .locate import (
     zero_between,
 )
 from .motion import is_clear
-from .node import Node
+from .node import Node, solved
 from .points import CodimTwoKind
 
+HALVINGS = 14  # of a step on which the leading multiplier becomes complex
 UNSURE = 1e-6  # length of a step below which it is not cut because something was not solved for
+UNEXPLAINED = "contacts change on it although nothing touches at its ends"
 OF_MULTIPLIERS = {At.MINUS_ONE: secondary.flip, At.ONE: secondary.fold, At.CIRCLE: secondary.torus}
 
 
@@ -68,17 +70,43 @@ def _on_grazing(left: Node, right: Node) -> Happened:
                 found.append((part, met))
         elif needed:
             return Happened(doubt="a second condition holds on it that could not be solved for")
-    if coefficient(left) * coefficient(right) < 0.0:
-        zero = zero_between(left, right, coefficient)
+    change = _of_law(left, right)
+    if change is not None:
+        zero = zero_between(*change, coefficient)
         if zero is not None:
             found.append((_part(left, zero.node, right), named(CodimTwoKind.NO_ROOT, zero)))
-    for number in _crossed(left, right):
+    crossed = _crossed(left, right)
+    if not crossed and _unexplained(left, right):
+        return Happened(doubt=UNEXPLAINED)
+    for number in crossed:
         met = second_touch(left, right, number)
         if met is None or not _near(met, left, right):
             return Happened(doubt="another extremum touches on it and could not be solved for")
         one, two = (abs(side.extrema.by_number[number].distance) for side in (left, right))
         found.append((one / (one + two), met))
     return Happened(tuple(met for _, met in sorted(found, key=lambda pair: pair[0])))
+
+
+def _of_law(left: Node, right: Node) -> tuple[Node, Node] | None:
+    """Two orbits of the step between which c changes sign. Where the leading multiplier becomes complex there
+    is none behind: then what is left of the step is looked at."""
+    one, two = coefficient(left), coefficient(right)
+    if one * two < 0.0:
+        return left, right
+    if np.isnan(one) == np.isnan(two):
+        return None
+    known, other = (right, left) if np.isnan(one) else (left, right)
+    for _ in range(HALVINGS):
+        row, length = other.u - known.u, float(np.linalg.norm(other.u - known.u))
+        middle = 0.5 * (known.u + other.u)
+        node = solved(left.problem, middle, row / length, float(row @ middle) / length, left)[0]
+        if node is None:
+            return None
+        there = coefficient(node)
+        if coefficient(known) * there < 0.0:
+            return (node, known) if np.isnan(one) else (known, node)
+        known, other = (known, node) if np.isnan(there) else (node, other)
+    return None
 
 
 def _part(left: Node, node: Node, right: Node) -> float:
@@ -104,7 +132,7 @@ def _on_condition(left: Node, right: Node) -> Happened:
     if found is None:
         return Happened(doubt="multipliers coincide on it where they could not be solved for")
     if not crossed:
-        return Happened(found)
+        return Happened(found, doubt=UNEXPLAINED if _unexplained(left, right) else "")
     number = crossed[0]
     one, two = left.extrema.by_number[number], right.extrema.by_number[number]
     kept = [window for _, window in left.problem.kept]
@@ -164,6 +192,12 @@ def _touches(node: Node, extremum: Extremum) -> bool:
     """Within rounding."""
     size = float(np.linalg.norm(node.here.props.system.clearances[extremum.clearance].h * node.problem.size))
     return abs(extremum.distance) <= secondary.ALONG * size
+
+
+def _unexplained(left: Node, right: Node) -> bool:
+    """Whether contacts have come or gone although no extremum is on the other side: two of them may have
+    merged within the step."""
+    return left.motion.signature != right.motion.signature
 
 
 def _near(met: Met, left: Node, right: Node) -> bool:

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
 from gearlash.case.edges import at_most
+from gearlash.results.beside import Beside
 
 from .asked import Asked
 from .parts import CaseUsed, case_used, rests_in
+from .sentence import coexisting
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.studies.plane_zone import AxisMargin, PlaneZone, ToleranceMargin
@@ -96,6 +98,9 @@ class PlaneZoneAnswer:
     upper: tuple[float, float]
     kind: Annotated[str, "impact-free or drive-side-only"]
     label: Annotated[str, "of the orbit at the operating point"]
+    beside: Annotated[
+        Beside | None, "what a few other starts lead to at the operating point; null: not looked for"
+    ]
     margins: tuple[MarginAlong, ...]
     tolerances: Annotated[tuple[float, ...], "dimensionless; empty where none were stated"]
     together: tuple[MarginTogether, ...]
@@ -109,16 +114,17 @@ class PlaneZoneAnswer:
 
 
 def plane_zone_answer(
-    case: Case, zone: PlaneZone, asked: tuple[Asked, Asked], stopped: bool
+    case: Case, zone: PlaneZone, beside: Beside | None, asked: tuple[Asked, Asked], stopped: bool
 ) -> PlaneZoneAnswer:
-    """The record of a zone; ``stopped``: by a signal."""
+    """The record of a zone; ``beside``: what other starts lead to at the operating point; ``stopped``: by a
+    signal."""
     margins = tuple(_along(margin, asked[zone.names.index(margin.name)]) for margin in zone.margins)
     together = tuple(_together(margin, asked) for margin in zone.tolerance_margins)
     rests = tuple(
         rests_in(case, name, each.name, each.unit) for name, each in zip(zone.names, asked, strict=True)
     )
     return PlaneZoneAnswer(
-        sentence=_sentence(zone, asked, margins, together, rests),
+        sentence=_sentence(zone, beside, asked, margins, together, rests),
         status="incomplete" if stopped else "ok" if zone.complete else "open",
         notes=zone.notes,
         case=case_used(case),
@@ -131,6 +137,7 @@ def plane_zone_answer(
         upper=zone.upper,
         kind=str(zone.quiet),
         label=str(zone.label),
+        beside=beside,
         margins=margins,
         tolerances=zone.tolerances,
         together=together,
@@ -181,6 +188,7 @@ def times(margin: MarginTogether) -> str:
 
 def _sentence(
     zone: PlaneZone,
+    beside: Beside | None,
     asked: tuple[Asked, Asked],
     margins: tuple[MarginAlong, ...],
     together: tuple[MarginTogether, ...],
@@ -188,8 +196,8 @@ def _sentence(
 ) -> str:
     here = ", ".join(unit.text(value) for unit, value in zip(asked, zone.at, strict=True))
     said = [
-        f"{here} lies in a zone {WORDS[str(zone.quiet)]}, of the motion {zone.label} that was followed "
-        "(others may coexist)"
+        f"{here} lies in a zone {WORDS[str(zone.quiet)]}, of the motion {zone.label} that was followed; "
+        f"there {coexisting(beside, zone.label)}"
     ]
     met = [margin for margin in margins if margin.bounded]
     for margin in met:
@@ -199,6 +207,10 @@ def _sentence(
     if not met:
         said.append("nothing bounds it along either parameter within the range")
     for margin in together[:1]:
-        mark = MARK if margin.bounded and any(rests) else ""
-        said.append(f"the tolerances together fit into it {times(margin)} ({margin.norm}){mark}")
+        if margin.bounded:
+            mark = MARK if any(rests) else ""
+            said.append(f"the tolerances together fit into it {times(margin)} ({margin.norm}){mark}")
+        else:
+            multiple = at_most(margin.multiple, 4)
+            said.append(f"the range ends at {multiple} times the tolerances together ({margin.norm})")
     return "; ".join(said)

@@ -82,5 +82,5 @@ def _examined(answer: PlaneZoneAnswer) -> str:
         f"The motion of the operating point was followed along {answer.lines} straight lines of the plane "
         f"and solved for at {answer.places} places, and so was every point of the curves. That it exists and "
         "is stable between the lines follows by continuity, unless a part of the boundary, such as a closed "
-        "curve, meets none of them. Of other motions that may coexist nothing is said."
+        "curve, meets none of them. Other motions were looked for at the operating point alone."
     )
