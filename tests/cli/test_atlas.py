@@ -18,6 +18,7 @@ from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 from gearlash.cli.show.atlas import atlas_view
 
+DRIVE = Path(__file__).resolve().parents[1] / "cases" / "drive.toml"
 SMALL = ("--over", "omega=0.81:0.83:2", "--over", "D=0.9:1.1:2", "--lines", "1", "--workers", "1")
 SPEED = ("--over", "pinion_speed=3600:3800rpm:2", "--over", "torque=140:160N*m:2")
 
@@ -93,3 +94,14 @@ def test_an_atlas_that_was_stopped_says_where_and_explains_no_change_that_was_no
     folder = claim(tmp_path / "out", ["atlas.nc", "atlas.json", "atlas.svg", "atlas.pdf"])
     write_atlas(folder, case, found, answer)
     assert (tmp_path / "out" / "atlas.svg").exists()
+
+
+def test_in_the_unit_that_was_asked_what_rests_on_assumed_values_has_a_mark_and_limits_have_none(
+    gearlash: Gearlash,
+):
+    over = ("--over", "pinion_speed=3750:4150rpm:2", "--over", "backlash=60:100um:2", "--lines", "1")
+    words = " ".join(gearlash("atlas", str(DRIVE), *over, "--curves", "2").out.split())
+    assert "rpm † for backlash from 60 to 100 µm" in words
+    assert "100 µm †" not in words
+    assert "† rests on assumed values: model.body" in words
+    assert "motion: P-Q-R of the orbits of a curve in order" in words

@@ -21,6 +21,7 @@ KEY = (
     "R on the back side; what touches is not counted. attracts: share of the orbits with no multiplier "
     "outside the unit circle."
 )
+SAME = 1e-9  # of an axis: so near to its end is there
 DIGITS = 8  # of what was solved for
 MEANING = {
     "curve": "a curve of these motions lies between the two pixels",
@@ -41,7 +42,7 @@ def atlas_view(answer: AtlasAnswer, width: int) -> Iterator[Text]:
         yield from facts("", [row for row in rows if row[1]], width)
     yield from _curves(answer, marks, width)
     yield from _points(answer, marks, width)
-    yield from _check(answer, marks, width)
+    yield from _check(answer, width)
     yield from _undone(answer, marks, width)
     yield from note(f"Not looked for: {'; '.join(answer.not_looked_for)}.", width)
     footnote = marks.footnote()
@@ -90,6 +91,10 @@ def _straight(answer: AtlasAnswer, piece: StraightFound, marks: Marks) -> str:
     rests = answer.rests_on
     free, held = (other, one) if piece.name == answer.y.name else (one, other)
     on_free, on_held = (rests[1], rests[0]) if piece.name == answer.y.name else rests
+    axis = answer.y if piece.name == answer.y.name else answer.x
+    near = SAME * (axis.upper - axis.lower)
+    if abs(piece.lower - axis.lower) <= near and abs(piece.upper - axis.upper) <= near:  # as it was asked for
+        on_free = ()
     value, span = held.text(piece.value, DIGITS), free.span(piece.lower, piece.upper)
     return f"straight: {marks.of(value, on_held)} for {marks.of(span, on_free)}"
 
@@ -119,7 +124,7 @@ def _points(answer: AtlasAnswer, marks: Marks, width: int) -> Iterator[Text]:
     yield from table(title, columns, rows, width)
 
 
-def _check(answer: AtlasAnswer, marks: Marks, width: int) -> Iterator[Text]:
+def _check(answer: AtlasAnswer, width: int) -> Iterator[Text]:
     rows = [(str(count), MEANING[kind]) for kind, count in answer.changes.items() if count]
     if not rows:
         return
@@ -128,7 +133,7 @@ def _check(answer: AtlasAnswer, marks: Marks, width: int) -> Iterator[Text]:
     if shown:
         lines = [
             [
-                f"{_place(answer, each.values[0], marks)} to {_place(answer, each.values[1], marks)}",
+                f"{_place(answer, each.values[0])} to {_place(answer, each.values[1])}",
                 f"{each.labels[0]} | {each.labels[1]}",
                 sided(each.note, answer.case.between_teeth),
             ]
@@ -153,8 +158,11 @@ def _undone(answer: AtlasAnswer, marks: Marks, width: int) -> Iterator[Text]:
     yield from table(_title("Left undone", len(shown), len(alike)), columns, rows, width)
 
 
-def _place(answer: AtlasAnswer, values: tuple[float, float], marks: Marks) -> str:
+def _place(answer: AtlasAnswer, values: tuple[float, float], marks: Marks | None = None) -> str:
+    """Of a pixel, which is as it was asked for, without ``marks``."""
     texts = answer.x.asked.text(values[0]), answer.y.asked.text(values[1])
+    if marks is None:
+        return ", ".join(texts)
     return ", ".join(marks.of(text, on) for text, on in zip(texts, answer.rests_on, strict=True))
 
 
