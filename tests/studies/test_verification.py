@@ -35,6 +35,7 @@ def _soft(pair, widths):
 def found() -> Verification:
     plan = Plan(
         planned=SHORT,
+        everywhere=(replace(SHORT, name="rigid gear", flexible=False),),
         beside=(replace(SHORT, name="held", held="centre-line"),),
         window=replace(SHORT, name="window", settle=2),
         window_over=(0.95, 1.0, 2),
@@ -50,7 +51,7 @@ def test_every_point_of_the_plan_is_there(found: Verification):
     assert [one.configuration.name for one in found.compared] == ["stiffness", "dimensionless", "absolute"]
     for i, one in enumerate(found.compared):
         assert [p.omega for p in one.points] == list(one.configuration.omegas)
-        assert len(one.beside) == (2 if i == 0 else 0)
+        assert len(one.beside) == (4 if i == 0 else 2)
         assert sorted(p.omega for p in one.up) == sorted(p.omega for p in one.down) == list(one.window_omegas)
         assert len(one.lumped) == 6
     assert [p.label for p in found.stated] == ["1-1-0", "1-0-0"]
@@ -82,7 +83,12 @@ def test_answer_lists_every_input_and_setting(found: Verification):
     assert {"torque", "backlash", "error", "pinion.thickness_allowance", "centre_distance"} <= set(
         answer.inputs
     )
-    assert [setting["name"] for setting in answer.settings] == ["as planned", "window", "held"]
+    assert [setting["name"] for setting in answer.settings] == [
+        "as planned",
+        "window",
+        "rigid gear",
+        "held",
+    ]
     assert set(answer.settings[0]) == {each.name for each in fields(Setting)}
     assert isinstance(answer, VerifyAnswer)
     text = "\n".join(line.plain for line in verify_view(answer, 100))

@@ -172,6 +172,10 @@ class Modes:
         Undamped, rad/s, above 0.
     damping_ratio : float
         Of each of them.
+    hub : tuple of 6 float, one for each mode, optional
+        Motion of the hub in the mode, which the bearings feel: along x, y, z and about them. At rest where
+        nothing is given. The body rotates and its bearings do not, so only what is the same all around (along
+        z and about it) may be other than 0.
 
     Examples
     --------
@@ -182,6 +186,7 @@ class Modes:
 
     frequencies: tuple[float, ...] = ()
     damping_ratio: float = 0.0
+    hub: tuple[tuple[float, float, float, float, float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -232,14 +237,22 @@ class Machine:
 
     def stiffness(self) -> Array:
         """Of bearings and modes, shape (size, size)."""
-        both = [np.append(bearings.stiffness, 0.0) for bearings in self.bearings]
-        return np.diag(np.concatenate([*both, np.square(self.modes.frequencies)]))
+        return self._of_supports("stiffness") + np.diag([0.0] * 12 + [f**2 for f in self.modes.frequencies])
 
     def damping(self) -> Array:
         """Of bearings and modes, shape (size, size)."""
-        both = [np.append(bearings.damping, 0.0) for bearings in self.bearings]
-        modes = 2.0 * self.modes.damping_ratio * np.asarray(self.modes.frequencies)
-        return np.diag(np.concatenate([*both, modes]))
+        ratio = 2.0 * self.modes.damping_ratio
+        return self._of_supports("damping") + np.diag(
+            [0.0] * 12 + [ratio * f for f in self.modes.frequencies]
+        )
+
+    def _of_supports(self, what: str) -> Array:
+        """Of the bearings, which feel the hub: it moves with the body, and in its modes."""
+        hubs = np.eye(12, self.size)
+        for i, moved in enumerate(self.modes.hub):
+            hubs[6:, 12 + i] = moved
+        both = [np.append(getattr(bearings, what), 0.0) for bearings in self.bearings]
+        return hubs.T @ np.diag(np.concatenate(both)) @ hubs
 
     def inertia(self) -> Array:
         """Mass matrix at rest without tilt, shape (size, size)."""

@@ -123,7 +123,7 @@ def verify_answer(case: Case, found: Verification) -> VerifyAnswer:
         advice="" if complete else RESUME,
         case=case_used(case),
         inputs=_inputs(found),
-        settings=tuple(one.told() for one in (plan.planned, plan.window, *plan.beside)),
+        settings=tuple(one.told() for one in (plan.planned, plan.window, *plan.everywhere, *plan.beside)),
         meshes=tuple(_mesh(mesh) for mesh in found.meshes),
         stated=tuple(map(_lumped, found.stated)),
         configurations=configurations,

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from gearlash.gears import CylindricalPair
-from gearlash.multibody.contact import MeshContact
+from gearlash.gears.gear_body import GearBody
+from gearlash.multibody import Modes
+from gearlash.multibody.contact import MeshContact, RimModes
 from gearlash.multibody.quasi_static import QuasiStatic, quasi_static
 from gearlash.multibody.topography import Topography
 
@@ -16,6 +20,10 @@ PHASES = 32
 """Of a mesh cycle, at which the stiffness is computed."""
 CLOSE = 5e-3
 """Of a stiffness to the one wanted, relative."""
+MODES = 5
+"""Of the gear body, at least."""
+MODAL_DAMPING = 0.005
+"""Of each of them: that of a steel body, assumed."""
 MOST_WIDTHS = 4
 FINEST = 1e-4
 """Widths are whole multiples of this, m."""
@@ -30,12 +38,18 @@ class Mesh:
     pair : CylindricalPair
     perfect : MeshContact
         Of flanks without error, undamped.
+    bending : MeshContact
+        The same with a gear body that bends.
+    modes : Modes
+        Of that body.
     static : QuasiStatic
         A mesh cycle under the torque, perfect flanks.
     """
 
     pair: CylindricalPair
     perfect: MeshContact
+    bending: MeshContact
+    modes: Modes
     static: QuasiStatic
 
     @property
@@ -59,7 +73,13 @@ class Mesh:
         return tuple(self.static.ripple(n)[1] for n in ORDERS)
 
     def contact(
-        self, inputs: Inputs, *, error: float = 0.0, error_phase: float = 0.0, damping: float = 1.0
+        self,
+        inputs: Inputs,
+        *,
+        error: float = 0.0,
+        error_phase: float = 0.0,
+        damping: float = 1.0,
+        flexible: bool = False,
     ) -> MeshContact:
         """The contact with an error on its flanks, damped as ξ_m asks for.
 
@@ -72,6 +92,8 @@ class Mesh:
             rad.
         damping : float
             Over what matches ξ_m: the damping time 2 ξ_m/√(k/m_e).
+        flexible : bool
+            Whether the gear's body bends.
 
         Returns
         -------
@@ -79,7 +101,8 @@ class Mesh:
         """
         time = 2.0 * damping * inputs.mesh_damping / inputs.natural_frequency(self.stiffness)
         shape = Topography(error=((error, error_phase, 1),)) if error else Topography()
-        return self.perfect.with_(damping_time=time, topography=shape)
+        flanks = self.bending if flexible else self.perfect
+        return flanks.with_(damping_time=time, topography=shape)
 
 
 def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
@@ -100,8 +123,30 @@ def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
     from gearlash.multibody.compliance import pair_compliances
 
     pair = replace(inputs.pair, face_width=width)
-    contact = MeshContact.of(pair, pair_compliances(pair, (width, width)), slices=SLICES)
-    return Mesh(pair, contact, quasi_static(contact, torque, phases=PHASES))
+    compliances = pair_compliances(pair, (width, width))
+    contact = MeshContact.of(pair, compliances, slices=SLICES)
+    rim, modes = _bending_gear(inputs, contact)
+    bending = MeshContact.of(pair, compliances, slices=SLICES, modes=rim)
+    return Mesh(pair, contact, bending, modes, quasi_static(contact, torque, phases=PHASES))
+
+
+def _bending_gear(inputs: Inputs, contact: MeshContact) -> tuple[RimModes, Modes]:
+    """The lowest modes of the gear as a solid disc of its pitch diameter, which has its mass.
+
+    Modes of one wave are left out: their hub moves across the shaft, in a direction that rotates.
+    """
+    from gearlash.multibody.reduced import flexible_body
+
+    width = inputs.body_widths[1]
+    found = flexible_body(GearBody(2.0 * inputs.radii[1], width)).first(MODES)
+    pair = contact.flanks.pair
+    gear = pair.gear.mirrored() if pair.gear.helix_angle * pair.pinion.helix_angle > 0.0 else pair.gear
+    kept = found.waves != 1
+    shape = found.at_flanks(gear, pair.working_pressure_angle, contact.tables.slices)[:, kept]
+    waves = found.waves[kept]
+    rim = RimModes(np.ones(len(waves), np.int64), waves, np.ascontiguousarray(shape))
+    hub = tuple(tuple(map(float, row)) for row in found.hub[kept])
+    return rim, Modes(tuple(map(float, found.frequency[kept])), MODAL_DAMPING, hub)  # pyright: ignore[reportArgumentType]
 
 
 def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +11,10 @@ from .inputs import Inputs
 from .settings import PLANNED, Setting
 
 Array = NDArray[np.float64]
-WINDOW = (0.80, 1.15, 29)
+WINDOW = (0.82, 1.14, 17)
 """Speeds of the window over the last one asked for: from, to, how many."""
-AT_WINDOW = Setting("window", steps=160, settle=40, read=16)
+RIGID = replace(PLANNED, name="rigid gear", flexible=False)
+AT_WINDOW = Setting("window", steps=128, settle=30, read=16)
 """Every speed begins from the motion of its neighbour, so that less has to settle."""
 
 
@@ -121,6 +122,8 @@ class Plan:
     ----------
     planned : Setting
         Of every configuration at every speed.
+    everywhere : tuple of Setting
+        Beside it, of every configuration at every speed.
     beside : tuple of Setting
         Of the first configuration at every speed.
     window : Setting
@@ -129,6 +132,7 @@ class Plan:
     """
 
     planned: Setting = PLANNED
+    everywhere: tuple[Setting, ...] = (RIGID,)
     beside: tuple[Setting, ...] = ()
     window: Setting = AT_WINDOW
     window_over: tuple[float, float, int] = WINDOW

@@ -12,6 +12,7 @@ from gearlash.multibody import (
     Bearings,
     Contact,
     Machine,
+    Modes,
     Reading,
     RigidBody,
     energy_balance,
@@ -82,7 +83,9 @@ class PointFound:
     v: Array
 
 
-def machine_of(inputs: Inputs, setting: Setting, torque: float, speed: float, period: float) -> Machine:
+def machine_of(
+    inputs: Inputs, setting: Setting, torque: float, speed: float, period: float, modes: Modes
+) -> Machine:
     """Bodies, bearings, drive and load.
 
     Parameters
@@ -95,6 +98,8 @@ def machine_of(inputs: Inputs, setting: Setting, torque: float, speed: float, pe
         Of the pinion, rad/s.
     period : float
         Of a mesh cycle, s.
+    modes : Modes
+        Of the gear's body.
 
     Returns
     -------
@@ -119,6 +124,7 @@ def machine_of(inputs: Inputs, setting: Setting, torque: float, speed: float, pe
         torque,
         speed,
         GOVERNED * period,
+        modes,
     )
 
 
@@ -131,7 +137,7 @@ def run_point(
     stiffness: float,
     torque: float,
     start: tuple[Array, Array] | None = None,
-    size: int = 12,
+    modes: Modes | None = None,
 ) -> PointFound:
     """Settle at one speed and read the motion.
 
@@ -149,8 +155,8 @@ def run_point(
         On the pinion, N·m.
     start : (ndarray, ndarray), optional
         State of a neighbour; pressed together on the drive side without one.
-    size : int
-        Number of coordinates.
+    modes : Modes, optional
+        Of the gear's body, where it bends.
 
     Returns
     -------
@@ -159,10 +165,10 @@ def run_point(
     teeth = inputs.pair.pinion.teeth
     speed = omega * inputs.natural_frequency(stiffness) / teeth
     period = 2.0 * pi / (teeth * speed)
-    machine = machine_of(inputs, setting, torque, speed, period)
+    machine = machine_of(inputs, setting, torque, speed, period, modes or Modes())
     held = AXES["lumped" if inputs.bearing_y is None else setting.held]
     carried = Held(contact, held) if held else contact
-    q, v = _start(inputs, machine, stiffness, torque, start, size)
+    q, v = _start(inputs, machine, stiffness, torque, start)
     step = period / setting.steps
     settled = simulate(
         machine,
@@ -195,7 +201,6 @@ def _start(
     stiffness: float,
     torque: float,
     start: tuple[Array, Array] | None,
-    size: int,
 ) -> tuple[Array, Array]:
     """Rolling at the speed: as the neighbour moved about its own, or pressed together."""
     radii = [0.5 * gear.base_diameter for gear in inputs.pair.gears]
@@ -203,7 +208,7 @@ def _start(
         q, v = start[0].copy(), start[1].copy()
         v += machine.rolling() * (1.0 - v[5] / machine.speed)
         return q, v
-    q, v = np.zeros(size), machine.rolling()
+    q, v = np.zeros(machine.size), machine.rolling()
     over = cos(inputs.pair.pinion.base_helix_angle)
     force = torque / (radii[0] * over)
     q[5] = (0.5 * inputs.backlash + force / stiffness) / (radii[0] * over)

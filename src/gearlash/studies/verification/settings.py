@@ -26,7 +26,7 @@ class Setting:
     contact_damping, bearing_damping : float
         Over what matches ξ_m and ξ_b.
     flexible : bool
-        Whether the gear's body bends.
+        Whether the gear's body bends; the pinion's is rigid.
     steps : int
         Of the integrator, a mesh cycle.
     settle, read : int
@@ -41,10 +41,10 @@ class Setting:
     error_turn: float = 0.0
     contact_damping: float = 1.0
     bearing_damping: float = 1.0
-    flexible: bool = False
-    steps: int = 256
-    settle: int = 80
-    read: int = 24
+    flexible: bool = True
+    steps: int = 192
+    settle: int = 60
+    read: int = 20
     solver: Solver = Solver.RK44
 
     def told(self) -> dict[str, str]:

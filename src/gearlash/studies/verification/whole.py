@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from gearlash.case import Case
 from gearlash.jobs import Chain, Execution, Part, run
-from gearlash.multibody import require_extra
+from gearlash.multibody import Modes, require_extra
 from gearlash.multibody.dynamics import SimulationError
 from gearlash.multibody.tooth_contact import ToothContact
 
@@ -100,6 +100,7 @@ class _Task:
     omega: float
     stiffness: float
     torque: float
+    modes: Modes | None
 
 
 def verification(
@@ -183,7 +184,7 @@ def _chains(
             chains.append(Chain((one.name, "up"), tuple(tasks), sizes))
             chains.append(Chain((one.name, "down"), tuple(reversed(tasks)), sizes))
     for i, one in enumerate(held):
-        settings = (plan.planned, *plan.beside) if i == 0 else (plan.planned,)
+        settings = (plan.planned, *plan.everywhere, *(plan.beside if i == 0 else ()))
         for setting in settings:
             for omega in one.omegas:
                 task = _task(inputs, one, _mesh(meshes, one), setting, omega)
@@ -197,8 +198,10 @@ def _task(inputs: Inputs, one: Configuration, mesh: Mesh, setting: Setting, omeg
         error=one.error,
         error_phase=error_phase(inputs, mesh) + setting.error_turn,
         damping=setting.contact_damping,
+        flexible=setting.flexible,
     )
-    return _Task(inputs, ToothContact(contact.tables), setting, omega, one.stiffness, one.torque)
+    modes = mesh.modes if setting.flexible else None
+    return _Task(inputs, ToothContact(contact.tables), setting, omega, one.stiffness, one.torque, modes)
 
 
 def error_phase(inputs: Inputs, mesh: Mesh) -> float:
@@ -230,6 +233,7 @@ def _work(task: _Task, carry: tuple[Array, Array] | None) -> Part:
             stiffness=task.stiffness,
             torque=task.torque,
             start=carry,
+            modes=task.modes,
         )
     except SimulationError as error:
         return Part((str(error),), None)
