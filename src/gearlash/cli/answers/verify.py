@@ -62,6 +62,8 @@ class LumpedComputed:
     rule: Annotated[str, "contact rule"]
     label: Annotated[str, "P-Q-R, or what the motion is"]
     apart: Annotated[float | None, "share of time without contact"]
+    phase: Annotated[tuple[float, ...], "mesh cycles"]
+    force: Annotated[tuple[float, ...], "over these phases, over the mean contact force"]
 
 
 @dataclass(frozen=True)
@@ -178,7 +180,14 @@ def _configuration(found: Verification, one: Compared) -> ConfigurationCompared:
 
 
 def _lumped(point: LumpedPoint) -> LumpedComputed:
-    return LumpedComputed(point.omega, str(point.rule), point.label, point.apart)
+    return LumpedComputed(
+        point.omega,
+        str(point.rule),
+        point.label,
+        point.apart,
+        tuple(map(float, point.phase)),
+        tuple(map(float, point.force)),
+    )
 
 
 def _labels(points: tuple[PointFound, ...], omegas: object) -> tuple[str, ...]:

@@ -9,12 +9,16 @@ from numpy.typing import NDArray
 
 from gearlash.case import Case
 from gearlash.jobs import Execution
+from gearlash.orbits import attractor
 from gearlash.results import Axis
+from gearlash.studies.motion import motion
 from gearlash.studies.point import point
 from gearlash.studies.sweep import sweeps
 from gearlash.system import ContactRule, Family
 
 Array = NDArray[np.float64]
+SHOWN, SAMPLES, KEPT = 2, 400, 80
+"""Mesh cycles of force that are kept, its samples a cycle, and how many of them about are kept."""
 
 
 @dataclass(frozen=True)
@@ -53,12 +57,17 @@ class LumpedPoint:
         P-Q-R, or what the motion is where it has none.
     apart : float or None
         Share of time in which the teeth do not touch; None where there is no orbit.
+    phase, force : ndarray
+        Mesh cycles, and the contact force over the mean one: of one period, or of the first mesh cycles of a
+        motion without one.
     """
 
     omega: float
     rule: ContactRule
     label: str
     apart: float | None
+    phase: Array
+    force: Array
 
 
 def lumped_case(case: Case, given: LumpedInputs, rule: ContactRule) -> Case:
@@ -130,8 +139,16 @@ def lumped_points(case: Case, given: LumpedInputs, omegas: tuple[float, ...]) ->
 
 
 def _point(family: Family, rule: ContactRule, omega: float) -> LumpedPoint:
-    one = point(family, {"omega": omega})
-    return LumpedPoint(omega, rule, str(one.label or one.status), one.share_without_contact)
+    values = {"omega": omega}
+    one = point(family, values)
+    shown = motion(attractor(family.system(values), family.start(values)))
+    every = family.complete(values)
+    mean = every["load"] / every["rotation_factor"]
+    kept = slice(0, SHOWN * SAMPLES, SAMPLES // KEPT)
+    label = str(one.label or one.status)
+    return LumpedPoint(
+        omega, rule, label, one.share_without_contact, shown.phase[kept], shown.force[kept] / mean
+    )
 
 
 def lumped_window(

@@ -11,7 +11,7 @@ from gearlash.gears.gear_body import GearBody
 from gearlash.multibody import Modes
 from gearlash.multibody.contact import MeshContact, RimModes
 from gearlash.multibody.quasi_static import QuasiStatic, quasi_static
-from gearlash.multibody.topography import Topography
+from gearlash.multibody.topography import Relief, Topography
 
 from .inputs import ORDERS, Inputs
 
@@ -37,13 +37,13 @@ class Mesh:
     ----------
     pair : CylindricalPair
     perfect : MeshContact
-        Of flanks without error, undamped.
+        Of flanks without error, undamped; with what modification they have.
     bending : MeshContact
         The same with a gear body that bends.
     modes : Modes
         Of that body.
     static : QuasiStatic
-        A mesh cycle under the torque, perfect flanks.
+        A mesh cycle under the torque, flanks without error.
     """
 
     pair: CylindricalPair
@@ -100,7 +100,8 @@ class Mesh:
         MeshContact
         """
         time = 2.0 * damping * inputs.mesh_damping / inputs.natural_frequency(self.stiffness)
-        shape = Topography(error=((error, error_phase, 1),)) if error else Topography()
+        waves = ((error, error_phase, 1),) if error else ()
+        shape = Topography(error=waves, relief=self.perfect.topography.relief)
         flanks = self.bending if flexible else self.perfect
         return flanks.with_(damping_time=time, topography=shape)
 
@@ -147,6 +148,24 @@ def _bending_gear(inputs: Inputs, contact: MeshContact) -> tuple[RimModes, Modes
     rim = RimModes(np.ones(len(waves), np.int64), waves, np.ascontiguousarray(shape))
     hub = tuple(tuple(map(float, row)) for row in found.hub[kept])
     return rim, Modes(tuple(map(float, found.frequency[kept])), MODAL_DAMPING, hub)  # pyright: ignore[reportArgumentType]
+
+
+def modified(mesh: Mesh, relief: Relief) -> Mesh:
+    """The same teeth with modified flanks.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    relief : Relief
+
+    Returns
+    -------
+    Mesh
+    """
+    shape = Topography(relief=relief)
+    flanks, bending = mesh.perfect.with_(topography=shape), mesh.bending.with_(topography=shape)
+    static = quasi_static(flanks, mesh.static.torque, phases=PHASES)
+    return replace(mesh, perfect=flanks, bending=bending, static=static)
 
 
 def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:

@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from gearlash.multibody import Relief
+
 from .inputs import Inputs
 from .settings import PLANNED, Setting
 
@@ -114,6 +116,31 @@ def configurations(
     )
 
 
+def modified_configuration(inputs: Inputs, width: float, stiffness: float) -> Configuration:
+    """The case's width with modified flanks, at the dimensionless numbers of the case.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    width, stiffness : float
+        m and N/m.
+
+    Returns
+    -------
+    Configuration
+    """
+    told = "the face width of the case with modified flanks; torque, error and backlash as in the case, "
+    return Configuration(
+        "modified",
+        told + "mesh frequency over that of the mesh held",
+        width,
+        stiffness,
+        inputs.torque,
+        inputs.error,
+        inputs.speeds,
+    )
+
+
 @dataclass(frozen=True)
 class Plan:
     """All that is computed.
@@ -129,6 +156,8 @@ class Plan:
     window : Setting
     window_over : (float, float, int)
         Speeds of the window over the last speed: from, to, how many; 0 for none.
+    relief : Relief, optional
+        A modification of the flanks, for one more configuration of the case's width.
     """
 
     planned: Setting = PLANNED
@@ -136,6 +165,7 @@ class Plan:
     beside: tuple[Setting, ...] = ()
     window: Setting = AT_WINDOW
     window_over: tuple[float, float, int] = WINDOW
+    relief: Relief | None = None
 
     def window_omegas(self, configuration: Configuration) -> Array:
         """Of one configuration, ascending.

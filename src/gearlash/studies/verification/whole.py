@@ -18,8 +18,8 @@ from gearlash.multibody.tooth_contact import ToothContact
 
 from .inputs import Inputs, inputs_of
 from .lumped import LumpedInputs, LumpedPoint, lumped_points, lumped_window, stated_points
-from .mesh import Mesh, matched_mesh, mesh_of
-from .plan import Configuration, Plan, configurations
+from .mesh import Mesh, matched_mesh, mesh_of, modified
+from .plan import Configuration, Plan, configurations, modified_configuration
 from .point import PointFound, run_point
 from .settings import Setting
 
@@ -145,8 +145,11 @@ def verification(
     tell("compliance of the teeth (finite elements)", None)
     full = mesh_of(inputs, inputs.pair.face_width, inputs.torque)
     matched = matched_mesh(inputs, full)
-    meshes = (matched, full)
+    meshes: tuple[Mesh, ...] = (matched, full)
     held = configurations(inputs, (matched.width, matched.stiffness), (full.width, full.stiffness))
+    if chosen.relief is not None:
+        meshes = (*meshes, modified(full, chosen.relief))
+        held = (*held, modified_configuration(inputs, full.width, meshes[-1].stiffness))
     chains = _chains(inputs, chosen, held, meshes)
     progress = replace(work, progress=lambda each: tell("bodies in space", each))
     outcome = run(_work, chains, progress)
@@ -165,7 +168,7 @@ def verification(
 
 
 def _mesh(meshes: tuple[Mesh, ...], one: Configuration) -> Mesh:
-    return next(mesh for mesh in meshes if mesh.width == one.width)
+    return next(mesh for mesh in meshes if (mesh.width, mesh.stiffness) == (one.width, one.stiffness))
 
 
 def _chains(
