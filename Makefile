@@ -4,7 +4,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
-.PHONY: help reproduce test lint types format look bench bench-labels oracles lock clean
+.PHONY: help reproduce test lint types format look bench bench-labels oracles verified lock clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -23,6 +23,7 @@ help:
 	@echo "make bench      gearlash and other solvers on the same work; renews docs/benchmarks.md (a quiet machine, please)"
 	@echo "make bench-labels  2,000 labels against brute force; renews docs/benchmark-labels.md"
 	@echo "make oracles    what AUTO-07p finds on smoothed systems, kept for the tests (needs auto-07p and gfortran)"
+	@echo "make verified   the article's pair with real teeth, kept for its report (minutes)"
 	@echo "make look       pages and figures of the report as numbered PNGs (needs a Chromium)"
 	@echo "make lock       pin the newest versions (needs uv)"
 	@echo "make clean      remove .venv and everything made"
@@ -84,6 +85,9 @@ oracles: $(VENV)/.dev
 
 LOCK := uv pip compile --quiet --upgrade --universal --python-version 3.11 --no-emit-index-url \
 	--annotation-style line --custom-compile-command "make lock" pyproject.toml requirements/build.in
+
+verified: $(VENV)/.dev
+	$(BIN)/python -m tools.verified
 
 lock:
 	$(LOCK) --output-file requirements/run.txt

@@ -88,6 +88,16 @@ def levels() -> list[Levels]:
     return [Levels("mesh force", "dB re 1 µN", order, 180.0 - 8.0 * order) for order in (few, many)]
 
 
+def force_panels() -> list[list[plots.ForcePanel]]:
+    time = np.linspace(0.0, 2.0, 129)
+    force = 1.0 + 1.2 * np.cos(2.0 * np.pi * time)
+    one = [
+        plots.ForcePanel(f"{speed} rpm", time, np.maximum(force, 0.0), time[:65], force[:65])
+        for speed in (3600, 4000)
+    ]
+    return [one, one]
+
+
 FIGURES: dict[str, Callable[[], Figure]] = {
     "around-point": lambda: plots.around_point(
         [
@@ -101,6 +111,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
         "as it is",
         units(),
     ),
+    "force-beside": lambda: plots.force_beside(force_panels()),
     "zone-in-plane": lambda: plots.zone_in_plane(planar(), title="a spur pair"),
     "branches": lambda: plots.branch_diagram(
         [branch()], cloud=dataset(), multipliers=True, title="The window of article", units=units()

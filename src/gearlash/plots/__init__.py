@@ -10,6 +10,7 @@ from .bifurcation import diagram
 from .branch_diagram import branch_diagram
 from .curve_diagram import curve_diagram
 from .draw import draw
+from .force_beside import ForcePanel, force_beside
 from .histories import history
 from .histories import triple as history_triple
 from .intervals import Bar, Panel, zones
@@ -30,6 +31,7 @@ from .zoned import zone_bands
 __all__ = [
     "Bar",
     "ForceAxis",
+    "ForcePanel",
     "Mark",
     "Panel",
     "PlaneLine",
@@ -41,6 +43,7 @@ __all__ = [
     "curve_diagram",
     "diagram",
     "draw",
+    "force_beside",
     "gallery",
     "history",
     "history_triple",

@@ -86,6 +86,7 @@ class ConfigurationCompared:
     held: str
     numbers: Annotated[dict[str, float], "dimensionless numbers that are held or not"]
     face_width: Annotated[float, "mm"]
+    stiffness: Annotated[float, "mean, of these teeth, N/m"]
     torque: Annotated[float, "N m"]
     error: Annotated[float, "zero to peak, um"]
     error_phase: Annotated[float, "rad, in the mesh phase of the multibody model"]
@@ -162,6 +163,7 @@ def _configuration(found: Verification, one: Compared) -> ConfigurationCompared:
         held=held.told,
         numbers=held.numbers(found.inputs),
         face_width=held.width * 1e3,
+        stiffness=held.stiffness,
         torque=held.torque,
         error=held.error * 1e6,
         error_phase=one.given.error_phase,
