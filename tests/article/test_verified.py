@@ -1,4 +1,4 @@
-"""What the report says of the pair with real teeth follows from the data that are kept, and from no others."""
+"""What the report says of the pair with real teeth follows from the data that are kept."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ def _intro() -> Text:
         "The article confirms its model with a flexible multibody simulation at two speeds: teeth part "
         "once a mesh cycle at ω = 0.942, and never at 1.047. Here the same pair is computed as bodies in "
         "space with involute teeth, compliance from finite elements and contact that only pushes, in which "
-        "nothing of the lumped model is used. The lumped model then gets what those teeth turned out to have: mean "
+        "nothing of the lumped model is used. The lumped model then gets what those teeth have: mean "
         "stiffness, its first three harmonics, and the same torque, error and damping ratios. Teeth as wide "
         "as the stated masses ask for are about five times stiffer than the stated stiffness, so there are "
         "several ways to hold the inputs."
@@ -170,7 +170,7 @@ def _what_decides(points: list[VerifiedPoint]) -> str:
     """Whether the inputs or the equations make the difference, where the data say so."""
     if _same(points, RULES[0]) < len(points):
         return ""
-    return " At these points whether teeth part rests on the inputs, and not on which of both models computes it."
+    return " At these points whether teeth part rests on the inputs, and not on which model computes it."
 
 
 def _same(points: list[VerifiedPoint], rule: str) -> int:
