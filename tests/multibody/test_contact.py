@@ -242,3 +242,27 @@ def test_what_has_no_answer_says_so():
         assert np.isnan(report).all()
         with pytest.raises(GearlashError, match=word):
             mesh.forces(q, STILL)
+
+
+@pytest.mark.parametrize("body", [0, 1])
+@pytest.mark.parametrize("pressed", [DRIVING, BACK])
+def test_a_mode_that_is_a_rigid_displacement_does_what_that_does(body: int, pressed: float):
+    """One wave around the rim, radially cos ψ and along it −sin ψ: the body moved along its own x axis."""
+    mesh = plain("helical")
+    angle, oblique = mesh.flanks.pair.working_pressure_angle, cos(mesh.flanks.base_helix)
+    shape = np.zeros((2, 1, len(mesh.tables.slices), 2))
+    shape[:, 0, :, 0] = oblique * np.sin(angle)
+    shape[0, 0, :, 1], shape[1, 0, :, 1] = -oblique * np.cos(angle), oblique * np.cos(angle)
+    one = contact(helical(), modes=RimModes(np.array([body]), np.array([1]), shape))
+    changes = []
+    for begins in (0.4, 1.9, 3.1):
+        q = pose(mesh, begins, approach(mesh, pressed))
+        moved, turn = q.copy(), q[6 * body + 5]
+        own = np.array([np.cos(turn), np.sin(turn)])
+        moved[6 * body : 6 * body + 2] = 2e-6 * own
+        rigid, bent = mesh.details(moved, STILL), one.details(np.append(q, 2e-6), np.zeros(13))
+        assert bent.normal == pytest.approx(rigid.normal, rel=3e-3)
+        along = rigid.forces[6 * body : 6 * body + 2] @ own
+        assert bent.forces[12] == pytest.approx(along, rel=3e-3, abs=3e-3 * sum(rigid.normal))
+        changes.append(abs(sum(bent.normal) / sum(mesh.details(q, STILL).normal) - 1.0))
+    assert max(changes) > 0.05
