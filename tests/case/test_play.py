@@ -64,7 +64,7 @@ def test_temperatures_vary_and_apply_to_an_estimated_backlash():
 
 
 def test_where_no_play_is_left_or_no_teeth_are_known_it_is_told():
-    with pytest.raises(CaseError, match="of 80 um of backlash temperatures and centre distance take 106"):
+    with pytest.raises(CaseError, match="of 80 µm of backlash temperatures and centre distance take 106"):
         loads(TEXT, {"pinion.material": "POM", "mesh.temperature": "60 degC"})
     with pytest.raises(CaseError, match="teeth, module and helix angle beside it"):
         loads("""

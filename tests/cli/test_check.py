@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from cli.conftest import Gearlash
@@ -54,3 +56,16 @@ def test_overrides_are_shown(gearlash: Gearlash):
     by_path = {v["path"]: v for v in answer["values"]}
     assert by_path["model.reference_length"]["value"] == 50.0
     assert by_path["dimensionless.D"]["rests_on"] == ["model.reference_length"]
+
+
+def test_k_v_of_the_standard_stands_beside_the_case(gearlash: Gearlash):
+    """Where there are gears in physical units; why there is none where the case does not say enough."""
+    from gearlash.case.rating import band_of_grades
+
+    drawn = Path(__file__).resolve().parents[1] / "cases" / "drawing.toml"
+    case = load(drawn)
+    said = gearlash("check", str(drawn), "--json").answer["dynamic_factor"]
+    assert said == band_of_grades(case, case.family()[0].defaults["omega"])
+    assert "for grades 7 and 7 of ISO 1328-1" in said
+    assert said in " ".join(gearlash("check", str(drawn)).out.split())
+    assert gearlash("check", "kahraman-singh", "--json").answer["dynamic_factor"] == ""

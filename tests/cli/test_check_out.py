@@ -5,9 +5,13 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from cli.conftest import Gearlash
+from gearlash.case import load
+from gearlash.plots.stated_curves import curves_of
+from gearlash.system import evaluate
 
 CASES = Path(__file__).parents[1] / "cases"
 
@@ -29,3 +33,17 @@ def test_a_foreign_file_is_not_written_over(gearlash: Gearlash, tmp_path: Path):
     ran = gearlash("check", "article", "--out", str(tmp_path))
     assert ran.code == 2
     assert (tmp_path / "teeth.svg").read_text(encoding="utf-8") == "mine"
+
+
+def test_stated_curves_are_drawn_over_their_points(gearlash: Gearlash, tmp_path: Path):
+    text = (CASES / "drawing.toml").read_text(encoding="utf-8")
+    stated = '\n[curves.error]\npoints = [[0, -3.2], [0.25, 1.1], [0.5, 3.0], [0.75, 0.4]]\nunit = "um"\n'
+    (tmp_path / "own.toml").write_text(text + stated, encoding="utf-8")
+    ran = gearlash("check", str(tmp_path / "own.toml"), "--out", str(tmp_path / "out"))
+    assert ran.code == 0
+    assert "<svg" in (tmp_path / "out" / "curves.svg").read_text(encoding="utf-8")
+    (curve,) = curves_of(load(tmp_path / "own.toml"))
+    assert curve.values == pytest.approx([-3.2, 1.1, 3.0, 0.4])
+    at = evaluate(curve.series, 2.0 * np.pi * curve.phases)
+    assert np.abs(at - curve.values).max() < 0.05 * np.ptp(curve.values)  # a corner is rounded
+    assert "% of peak to peak (rms) from the points" in curve.error

@@ -99,6 +99,18 @@ def force_panels() -> list[list[plots.ForcePanel]]:
 
 
 FIGURES: dict[str, Callable[[], Figure]] = {
+    "stated-curves": lambda: plots.stated_curves(
+        [
+            plots.StatedCurve(
+                "stiffness",
+                "mesh cycle",
+                np.array([0.0, 0.5]),
+                np.array([1.1, 0.9]),
+                np.array([1.0, 0.08, 0.0]),
+            )
+        ],
+        "as it is",
+    ),
     "around-point": lambda: plots.around_point(
         [
             plots.PlaneLine([(0.01 * (5 - y) ** n + 0.3, 0.01 * y) for y in (5, 4, 3, 2, 1)], kind, text)

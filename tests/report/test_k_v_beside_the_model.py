@@ -13,9 +13,9 @@ import pytest
 
 from gearlash import attractor
 from gearlash.case import Case, loads
+from gearlash.case.rating import materials_of, method_b, pair_of
 from gearlash.gears import dynamic_factor, equivalent_mass, mesh_stiffness
 from gearlash.orbits.contact_force import force_extrema
-from gearlash.report.pair.iso import materials_of, method_b, pair_of
 
 TEXT = """
 kind = "spur-1dof"

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import gearlash as gl
+from gearlash.case.rating import band_of_grades, method_b, pair_of, stated_grades
 from gearlash.gears import flank_tolerances, mesh_stiffness
 from gearlash.orbits.signals import Signal
-from gearlash.report.pair.iso import band_of_grades, method_b, pair_of, stated_grades
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
 from gearlash.report.pair.verdict import verdict
 from gearlash.report.pair.words import Words

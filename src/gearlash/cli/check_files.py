@@ -10,13 +10,14 @@ from .answers.check import CheckAnswer
 from .folder import claim
 from .jsonio import write_file
 
-FILES = ("check.json", "teeth.svg", "teeth.pdf")
+FILES = ("check.json", "teeth.svg", "teeth.pdf", "curves.svg", "curves.pdf")
 
 
 def write_check(out: Path, case: Case, answer: CheckAnswer) -> None:
-    """The answer, and the teeth in mesh of a pair that has known ones."""
+    """The answer, the teeth in mesh of a pair that has known ones, and curves that the case states."""
     folder = claim(out, FILES)
     write_file(answer, folder.file("check.json"))
+    _write_curves(case, folder.file("curves"))
     numbers = case.numbers
     pair = None if numbers is None else numbers.body.drawn
     if pair is None:
@@ -26,3 +27,13 @@ def write_check(out: Path, case: Case, answer: CheckAnswer) -> None:
     play = float(case.scales.backlash_m(case.family()[0].defaults["D"]))
     title = f"{case.name}: {pair.pinion.teeth}/{pair.gear.teeth} teeth in the transverse section"
     save(mesh_drawing(pair, title, play), folder.file("teeth"))
+
+
+def _write_curves(case: Case, stem: Path) -> None:
+    """Stiffness and error over their points, of a case with such curves."""
+    if not any(value.path.startswith("curves.") for value in case.values()):
+        return
+    from gearlash.plots import save, stated_curves
+    from gearlash.plots.stated_curves import curves_of
+
+    save(stated_curves(curves_of(case), f"{case.name}: stated curves, and what the model takes"), stem)

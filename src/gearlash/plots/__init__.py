@@ -23,6 +23,7 @@ from .plane_zoned import zone_in_plane
 from .poincare import sections
 from .portraits import gallery, portrait
 from .portraits import triple as portrait_triple
+from .stated_curves import StatedCurve, stated_curves
 from .style import save, to_bytes
 from .tolerated import tolerance_bands
 from .units import ForceAxis, Twin, Units
@@ -35,6 +36,7 @@ __all__ = [
     "Mark",
     "Panel",
     "PlaneLine",
+    "StatedCurve",
     "Twin",
     "Units",
     "around_point",
@@ -54,6 +56,7 @@ __all__ = [
     "portrait_triple",
     "save",
     "sections",
+    "stated_curves",
     "to_bytes",
     "tolerance_bands",
     "zone_bands",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
@@ -51,6 +52,9 @@ class CheckAnswer:
     states: Annotated[tuple[str, ...], "names of the model's states, for --initial"]
     values: tuple[CheckValue, ...]
     notes: tuple[CheckNote, ...]
+    dynamic_factor: Annotated[
+        str, "of gears with teeth: K_v of ISO 6336-1 at the speed of the case, or why there is none"
+    ] = ""
     result: Literal["check"] = "check"
 
 
@@ -83,7 +87,17 @@ def check_answer(case: Case) -> CheckAnswer:
             for v in case.values()
         ),
         notes=tuple(CheckNote(n.path, n.text) for n in case.notes()),
+        dynamic_factor=_dynamic_factor(case, family.defaults),
     )
+
+
+def _dynamic_factor(case: Case, parameters: Mapping[str, float]) -> str:
+    """Of the standard, for a pair of gears in physical units."""
+    if not case.between_teeth or not case.scales.teeth or not case.scales.physical:
+        return ""
+    from gearlash.case.rating import band_of_grades
+
+    return band_of_grades(case, parameters["omega"])
 
 
 def _text(value: object) -> str | tuple[str, ...]:

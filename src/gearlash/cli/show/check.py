@@ -36,6 +36,8 @@ def check_view(answer: CheckAnswer, width: int) -> Iterator[Text]:
         yield from remarks("Not given", open_rows(open_, marks), width)
     yield from remarks("Derived", [_row(v, marks) for v in derived], width)
     yield from _resonances(answer.values, marks, width)
+    if answer.dynamic_factor:
+        yield from note(answer.dynamic_factor, width)
     for remark in answer.notes:
         yield from note(f"{remark.path}: {remark.text}", width, style="yellow")
     yield from note(f"States for --initial: {', '.join(answer.states)}", width)

@@ -4,29 +4,39 @@ from __future__ import annotations
 
 from gearlash.case import Value
 from gearlash.case.units import pretty
-from gearlash.report.blocks import Block, Bullets, Cell, Section, Table, Text
+from gearlash.plots.stated_curves import curves_of, stated_curves
+from gearlash.report.blocks import Block, Bullets, Cell, Figure, Section, Table, Text
 from gearlash.report.numbers import number
+from gearlash.report.pictures import Picture
 from gearlash.results.provenance import package_version
 
 from . import ranges
 from .contents import Contents
 
+CURVES = "Stiffness and error as the case states them, and the series that the model takes for each."
+
+
+def pictures(contents: Contents) -> list[Picture]:
+    """Curves that the case states."""
+    curves = curves_of(contents.found.case)
+    return [Picture("curves", stated_curves, (curves,))] if curves else []
+
 
 def section(contents: Contents) -> Section:
     """Assumed values with their sources, remarks, method."""
     case, found = contents.found.case, contents.found
-    rows: list[tuple[Cell, ...]] = [
-        (
-            value.path,
-            _shown(value.value, value.unit),
-            _range(value),
-            str(value.provenance),
-            value.reason or value.description,
-        )
-        for value in case.values()
-        if value.provenance not in ("given", "derived")
-    ]
+    rows: list[tuple[Cell, ...]] = []
+    last = ""
+    for value in case.values():
+        if value.provenance in ("given", "derived"):
+            continue
+        why = value.reason or value.description
+        own = "the same" if why == last else why
+        rows.append((value.path, _shown(value.value, value.unit), _range(value), str(value.provenance), own))
+        last = why
     blocks: list[Block] = list(ranges.table(found))
+    if curves_of(case):
+        blocks.append(Figure("figure-curves", Text.of(CURVES), CURVES, "curves"))
     if rows:
         head = ("value", "is", "range", "origin", "source or reason")
         caption = (

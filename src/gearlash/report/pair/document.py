@@ -34,6 +34,7 @@ def document(contents: Contents) -> tuple[Page, list[Picture]]:
         parts.append(made)
         pictures += drawn
     parts.append(basis.section(contents))
+    pictures += basis.pictures(contents)
     about = f" {found.case.description}." if found.case.description else ""
     page = Page(
         f"{found.case.name}: {speed_text}, {torque}",

@@ -157,6 +157,12 @@ def shown(text: str) -> str:
     return f"{number(float(size), 3)} {pretty(unit)}".rstrip()
 
 
+def _typed(text: str) -> str:
+    """A value as it is typed, to six digits."""
+    size, _, unit = text.partition(" ")
+    return f"{float(size):.6g} {unit}".rstrip()
+
+
 def _percent(share: float) -> str:
     return f"{100.0 * share:.3g} %"
 
@@ -188,7 +194,7 @@ def table(found: Assessment) -> Iterator[Block]:
     yield Table("ranges", caption, head, tuple(rows), widths=(25, 22, 14, 16, 23))
     worst = ranges.together
     if worst is not None and len(worst.values) > 1:
-        options = " ".join(f"--set '{path}={text}'" for path, text in worst.values.items())
+        options = " ".join(f"--set '{path}={_typed(text)}'" for path, text in worst.values.items())
         found_there = _percent(worst.margin) if isfinite(worst.margin) else "no stable motion"
         yield Text.of(
             f"The worst combination found, by moving one value after the other ({found_there}; worse ones "

@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from gearlash.case import Case
+from gearlash.case.rating import band_of_grades
 from gearlash.plots.marks import Mark
 from gearlash.plots.over_speed import Curve, SpeedAxis, Stack, over_speed
 from gearlash.report.blocks import Block, Cell, Figure, Section, Table, Text
@@ -18,7 +19,6 @@ from gearlash.studies.bands import Band
 from gearlash.studies.speed_run import SpeedRun
 
 from .contents import Contents
-from .iso import band_of_grades
 from .noise import loudest
 from .words import Words
 

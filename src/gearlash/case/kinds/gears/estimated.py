@@ -330,6 +330,6 @@ def _refused(entries: EntriesByKey, stated: EntriesByKey, pair: CylindricalPair)
         yield Problem(
             path,
             shown,
-            f"teeth with play; these have {gap.number * 1e6:.4g} um of backlash at this centre distance"
+            f"teeth with play; these have {gap.number * 1e6:.4g} µm of backlash at this centre distance"
             f"{more}",
         )

@@ -108,9 +108,9 @@ def jammed(entries: EntriesByKey, more: float) -> Iterator[Problem]:
     """A backlash of which none is left at work."""
     play = entries.get("D")
     if stated(entries) and play is not None and play.path == STATED and play.number + more < 0.0:
-        taken = f"{-1e6 * more:.4g} um"
+        taken = f"{-1e6 * more:.4g} µm"
         expected = (
-            f"more than {taken}, as of {1e6 * play.number:.4g} um of backlash temperatures and centre "
+            f"more than {taken}, as of {1e6 * play.number:.4g} µm of backlash temperatures and centre "
             f"distance take {taken}"
         )
         yield Problem(STATED, repr(play.text) if play.text else None, expected)

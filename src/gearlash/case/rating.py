@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from gearlash.case import Case
 from gearlash.gears import CylindricalGear, CylindricalPair, equivalent_mass, mesh_stiffness
 from gearlash.gears.basic_rack import ISO53_A, BasicRack
 from gearlash.gears.dynamic_factor import DynamicFactor, EffectiveErrors, dynamic_factor
 from gearlash.gears.materials import Material, named
 from gearlash.system import GearlashError
+
+from .case import Case
 
 GRADES = (5, 8)
 """Of ISO 1328-1, between which K_v is told, as a case states none."""
