@@ -43,5 +43,5 @@ def test_relief_and_crowning_turn_it_round(mesh: MeshContact):
     relief = Relief(69e-6, 69e-6, 7.6e-3, 7.6e-3, crowning=37e-6)
     found = quasi_static(mesh.with_(topography=Topography(relief=relief)), TORQUE, 16)
     assert found.ripple(2)[0] > 0.1
-    assert found.ripple(2)[0] > 2.0 * found.ripple(1)[0]
+    assert found.ripple(2)[0] > 1.5 * found.ripple(1)[0]
     assert found.mean_stiffness < 0.3 * quasi_static(mesh, TORQUE, 8).mean_stiffness

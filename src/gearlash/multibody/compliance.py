@@ -48,7 +48,7 @@ class SectorSettings:
     teeth : int
         Of the sector; odd, from 3.
     rim_depth : float
-        Below the root circle, over the normal module; above 0. A body with a thinner rim has its own.
+        Below the root circle, over the normal module; above 0. There and at both cuts the sector is held.
     layer : float, optional
         Depth of what is taken out below the flank, over the normal module; where nothing is given 0.2, or
         less on a pointed tooth.
@@ -96,6 +96,10 @@ class FlankCompliance:
 
     Notes
     -----
+    What moves one tooth against the next hardly depends on how much of the gear the sector has; what moves
+    all of them together does: the body below the sector, down to what carries it, is rigid here. Where it
+    gives way, modes of the body have to say so (`reduced`), or a sector of more teeth with a deeper rim.
+
     The other flank has the same influence with z and m of the other sign: half a turn about the radial line
     through the middle of a tooth puts a helical gear onto itself. A force on one flank and a displacement of
     the other flank are not in here.
@@ -154,7 +158,7 @@ def flank_compliance(
     >>> coarse = SectorSettings(Fineness(flank=2, fillet=1, core=1, rim=1, axial=2), teeth=3)
     >>> flanks = flank_compliance(CylindricalGear(30, 4e-3), 0.02, settings=coarse)
     >>> flanks.influence.shape
-    (3, 15, 15)
+    (3, 25, 25)
     """
     if not face_width > 0.0:
         raise GearlashError(f"face width {face_width:g} m: it is above 0")
@@ -182,7 +186,7 @@ def _made(
     roll, influence, asymmetry = _influence(gear, sector, material)
     return {
         "roll": roll,
-        "axial": np.linspace(-0.5 * face_width, 0.5 * face_width, sector.flanks.shape[2]),
+        "axial": np.linspace(-0.5 * face_width, 0.5 * face_width, influence.shape[1] // len(roll)),
         "influence": influence,
         "depth": np.array(half_plane_depth(layer, material.poisson_ratio)),
         "asymmetry": np.array(asymmetry),

@@ -8,6 +8,7 @@ places, add up to what acts along the line. Lengths in m.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import product
 from math import cos, hypot, sin
 
 import numpy as np
@@ -22,7 +23,7 @@ Reals = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 LINES = 2
-"""Of places for each row of elements: its edge and its middle."""
+"""Of places for each row and each column of elements: its edge and its middle."""
 _CORNERS = np.array([[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]])
 
 
@@ -60,7 +61,8 @@ def flank_loads(gear: CylindricalGear, model: ElasticModel, flank: Integers) -> 
     rows, columns = flank.shape[0] - 1, flank.shape[1] - 1
     lines = [(row, -1.0 + 2.0 * part / LINES) for row in range(rows) for part in range(LINES)]
     lines.append((rows - 1, 1.0))
-    share = np.full(columns + 1, 0.5)
+    heights = LINES * columns + 1
+    share = np.full(heights, 0.5)
     share[[0, -1]] = 1.0
     roll, entries = np.empty(len(lines)), []
     for line, (row, across) in enumerate(lines):
@@ -68,13 +70,13 @@ def flank_loads(gear: CylindricalGear, model: ElasticModel, flank: Integers) -> 
         at = 0.5 * (1.0 - across) * below + 0.5 * (1.0 + across) * above
         roll[line] = gear.roll_length(2.0 * hypot(at[0], at[1]))
         nodes = _faces(model, flank, row)
-        for end in (0, 1):  # of each element along z: the place whose hat has its top there
-            height = np.arange(columns) + end
-            push = _hat(gear, model.nodes[nodes[:4]], across, end) * share[height][:, None]
-            place = np.broadcast_to(line * (columns + 1) + height[:, None], push.shape)
+        for part, end in product(range(LINES), (0, 1)):  # end: where the hat of the place has its top
+            height = LINES * np.arange(columns) + part + end
+            push = _hat(gear, model.nodes[nodes[:4]], across, part, end) * share[height][:, None]
+            place = np.broadcast_to(line * heights + height[:, None], push.shape)
             entries.append((push.ravel(), (3 * nodes[..., None] + np.arange(3)).ravel(), place.ravel()))
     push, unknown, place = (np.concatenate(part) for part in zip(*entries, strict=True))
-    shape = 3 * len(model.nodes), len(lines) * (columns + 1)
+    shape = 3 * len(model.nodes), len(lines) * heights
     return FlankLoads(roll, sparse.coo_array((push, (unknown, place)), shape=shape).tocsc())
 
 
@@ -85,8 +87,8 @@ def _faces(model: ElasticModel, flank: Integers, row: int) -> Integers:
     return np.concatenate([corners, model.between(corners[[0, 2, 0, 1]], corners[[1, 3, 2, 3]])])
 
 
-def _hat(gear: CylindricalGear, corners: Reals, across: float, end: int) -> Reals:
-    """Unit forces on the line of each element, least at one end of it and most at the other.
+def _hat(gear: CylindricalGear, corners: Reals, across: float, part: int, end: int) -> Reals:
+    """Unit forces on a part of the line of each element, least at one end of it and most at the other.
 
     On its nodes, shape (8, columns, 3); the corners have shape (4, columns, 3).
     """
@@ -94,9 +96,10 @@ def _hat(gear: CylindricalGear, corners: Reals, across: float, end: int) -> Real
     total = np.zeros((8, *corners.shape[1:]))
     for sample, weight in zip(samples, weights, strict=True):
         hat = 1.0 + sample if end else 1.0 - sample
-        linear = 0.25 * (1.0 + _CORNERS * np.array([across, sample])).prod(axis=1)
+        along = -1.0 + (2.0 * part + 1.0 + sample) / LINES
+        linear = 0.25 * (1.0 + _CORNERS * np.array([across, along])).prod(axis=1)
         points = np.einsum("c,cni->ni", linear, corners)
-        total -= 0.5 * weight * hat * _shapes(across, sample)[:, None, None] * outward(gear, points)
+        total -= 0.5 * weight * hat * _shapes(across, along)[:, None, None] * outward(gear, points)
     return total
 
 
@@ -130,7 +133,7 @@ def outward(gear: CylindricalGear, points: Reals) -> Reals:
     >>> from gearlash.gears import CylindricalGear
     >>> from gearlash.multibody.flank_loads import outward
     >>> gear = CylindricalGear(30, 4e-3)
-    >>> outward(gear, np.array([[0.06, 0.0, 0.0]])).round(3).tolist()  # sin and cos of 20°
+    >>> (outward(gear, np.array([[0.06, 0.0, 0.0]])).round(3) + 0.0).tolist()  # sin and cos of 20°
     [[0.342, 0.94, 0.0]]
     """
     radius = np.hypot(points[:, 0], points[:, 1])
