@@ -53,9 +53,9 @@ def factorise(matrix, n, column):
             column[i] = matrix[i, j] / pivot
             matrix[i, j] = column[i]
         for i in range(j + 1, n):
-            factor = column[i]
-            for k in range(j + 1, i + 1):
-                matrix[i, k] -= factor * column[k]
+            factor, row, above = column[i], matrix[i, j + 1 : i + 1], column[j + 1 : i + 1]
+            for k in range(len(row)):
+                row[k] -= factor * above[k]
     return True
 
 
@@ -68,10 +68,10 @@ def solve(matrix, n, right):
             total -= matrix[i, k] * right[k]
         right[i] = total / matrix[i, i]
     for i in range(n - 1, -1, -1):
-        total = right[i]
-        for k in range(i + 1, n):
-            total -= matrix[k, i] * right[k]
-        right[i] = total / matrix[i, i]
+        right[i] /= matrix[i, i]
+        known, row, rest = right[i], matrix[i, :i], right[:i]
+        for k in range(len(row)):
+            rest[k] -= known * row[k]
 
 
 @inner
