@@ -15,7 +15,6 @@ from gearlash.orbits import orbit_at
 from gearlash.system import Clearance, ContactRule, Family, Parameter, System, constant, cosines
 from orbits.members import built
 
-
 WIDE = ContinuationSettings(certify=False, longest=0.3)
 
 
