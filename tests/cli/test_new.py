@@ -167,3 +167,27 @@ def test_questions_that_end_early_write_nothing():
 
     with pytest.raises(GearlashError, match="nothing was written"):
         questions.asked(ended, lambda _: None)
+
+
+def test_what_is_unusual_is_told_and_what_cannot_be_is_refused_with_what_may_be(gearlash: Gearlash):
+    undercut = [*HELICAL]
+    undercut[undercut.index("--teeth") + 1] = "12/57"
+    ran = gearlash("new", "pair.toml", *undercut)
+    assert ran.code == 0
+    assert "1 to look at" in ran.out
+    assert "is undercut: from a profile shift of 0.228 on it would not be" in " ".join(ran.out.split())
+    ran = gearlash("new", "other.toml", *HELICAL, "--tip-diameter", "86mm/")
+    assert ran.code == 2
+    assert "reaches the root of the gear" in " ".join(ran.err.split())
+    assert not Path("other.toml").exists()
+
+
+def test_tip_relief_is_a_word_of_a_drawing(gearlash: Gearlash):
+    ran = gearlash("new", "pair.toml", *HELICAL, "--tip-relief", "20um/15um", "--crowning", "8um/")
+    assert ran.code == 0
+    text = Path("pair.toml").read_text(encoding="utf-8")
+    assert 'tip_relief = "20um"' in text
+    assert 'tip_relief = "15um"' in text
+    assert "static error under load" in " ".join(ran.out.split())
+    values = {v.path: v.value for v in load("pair.toml").values()}
+    assert values["derived.loaded_contact_ratio"] < values["derived.transverse_contact_ratio"]

@@ -30,7 +30,7 @@ class CheckValue:
 
 @dataclass(frozen=True)
 class CheckNote:
-    """A conflict between a stated value and what is known otherwise. Shown, never used."""
+    """What is unusual, or in conflict with what is known otherwise. Shown, never used."""
 
     path: str
     text: str

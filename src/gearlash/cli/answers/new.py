@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from gearlash.case import Case
 
-from .check import CheckValue, check_answer
+from .check import CheckNote, CheckValue, check_answer
 
 
 @dataclass(frozen=True)
@@ -27,12 +27,14 @@ class NewAnswer:
     natural_rpm: Annotated[
         tuple[float, ...], "pinion speeds at which the mesh frequency meets a natural frequency"
     ]
+    notes: Annotated[tuple[CheckNote, ...], "what is unusual about what was stated, of a path"] = ()
     result: Literal["new"] = "new"
 
 
 def new_answer(file: str, case: Case, example: bool) -> NewAnswer:
     """The record of a file and its case."""
-    values = check_answer(case).values
+    checked = check_answer(case)
+    values = checked.values
     family, scales = case.family()
     met = [v.value for v in values if v.path.startswith("derived.critical_speed_")]
     return NewAnswer(
@@ -43,4 +45,5 @@ def new_answer(file: str, case: Case, example: bool) -> NewAnswer:
         tuple(v for v in values if v.least is not None),
         float(scales.pinion_rpm(family.defaults["omega"])),
         tuple(float(speed) for speed in met),
+        () if example else checked.notes,
     )

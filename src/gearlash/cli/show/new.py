@@ -20,8 +20,11 @@ def new_view(answer: NewAnswer, width: int) -> Iterator[Text]:
     if answer.example:
         what = "a template with the values of an example as comments; nothing is stated yet"
     else:
-        what = f"{len(answer.stated)} values stated, {count} estimated; nothing to correct"
+        unusual = f"{len(answer.notes)} to look at" if answer.notes else "nothing to correct"
+        what = f"{len(answer.stated)} values stated, {count} estimated; {unusual}"
     yield from headline(f"{answer.file}: written, {answer.kind}, {what}", width)
+    for remark in answer.notes:
+        yield from note(f"{remark.path}: {remark.text}", width, style="yellow")
     title = "Estimated from the example, with ranges" if answer.example else "Estimated, with ranges"
     yield from remarks(title, open_rows(answer.estimated, Marks({})), width)
     file = shlex.quote(answer.file)
