@@ -13,12 +13,13 @@ import pytest
 import gearlash as gl
 from gearlash.case.rating import band_of_grades, method_b, pair_of, stated_grades
 from gearlash.gears import flank_tolerances, mesh_stiffness
+from gearlash.orbits import motion_statistics
 from gearlash.orbits.signals import Signal
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
 from gearlash.report.pair.verdict import verdict
 from gearlash.report.pair.words import Words
 from gearlash.results import Axis
-from gearlash.results.pair_question import speeds_around
+from gearlash.results.pair_question import carrying_forwards, speeds_around
 from gearlash.results.pair_units import PairUnits
 from gearlash.results.tolerance import ToleranceInput
 from gearlash.studies.assessment import Assessment, assess
@@ -231,3 +232,33 @@ def test_a_verdict_must_hold_across_the_ranges_of_estimates(window: tuple[Assess
     kind, first, line = said(_ranges(-0.1, replace(harmful, broken=((4.0, 16.3),))))
     assert "a motion without impacts exists if mesh.error is below 4 µm" in line
     assert "no value of this case is an estimate" in verdict(found).lines[1].text.lower()
+
+
+def test_where_the_back_side_carries_the_mirror_image_is_examined():
+    """It moves alike: the same bands, forces and labels with both sides exchanged."""
+    case = gl.load_case(CASES / "drive.toml")
+    low, high = (float(case.scales.omega_from_rpm(rpm)) for rpm in (3900.0, 4300.0))
+    found = assess(case.with_overrides({"torque": "-150 N m"}), Axis.even("omega", low, high, 3))
+    back = case.with_overrides({"torque": "-150 N m"})
+    family = back.family()[0]
+    own = motion_statistics(gl.attractor(family.system(), family.start())).force
+    assert found.turned
+    assert found.signals is not None
+    seen = found.signals.force.most, found.signals.force.least
+    assert seen == pytest.approx((-own.minimum, -own.maximum), abs=1e-8)  # what signals promise of peaks
+    lines = {line.title: line.text for line in verdict(found).lines}
+    assert lines["May it run there"].startswith("At 4200 rpm and -150 N·m")
+    assert "the side that carries is called the drive side" in lines["Turned round"]
+    with pytest.raises(gl.GearlashError, match="needs both sides alike"):
+        carrying_forwards(back.with_overrides({"back_stiffness": 0.9}))
+    assert carrying_forwards(case) is case
+
+
+def test_an_estimated_error_keeps_its_range_in_the_mirror_image():
+    case = gl.load_case(CASES / "drawing.toml", {"torque": "-150 N m"})
+    mirrored = carrying_forwards(case)
+    (error,) = (value for value in mirrored.values() if value.path == "mesh.error")
+    assert error.least is not None
+    one, other = (each.family()[0].complete({}) for each in (case, mirrored))
+    assert abs(one["error_phase"] - other["error_phase"]) == pytest.approx(np.pi)
+    assert other["load"] > 0.0

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import copysign, pi
+
 from gearlash.case import Case
 from gearlash.system import GearlashError
 
@@ -25,11 +27,42 @@ def check_pair(case: Case) -> None:
         words = case.excitation
         raise GearlashError(f"{case.name}: {words.cause}; {words.give}")
     load = family.defaults["load"]
-    if not load > 0.0:
-        raise GearlashError(
-            f"{case.name}: a report needs a torque that presses the drive side (load = {load:g}); "
-            "turn the pair round where the back side carries"
-        )
+    if load == 0.0:
+        raise GearlashError(f"{case.name}: a report needs a torque that presses one side (load = 0)")
+    if load < 0.0:
+        _check_alike(case)
+
+
+def carrying_forwards(case: Case) -> Case:
+    """The pair as it is where the drive side carries. Where the back side does, its mirror image: X, errors
+    and torque change their sign, and it moves alike.
+
+    Raises `GearlashError` where both sides are not alike, or the case states curves.
+    """
+    values = case.family()[0].complete({})
+    if values["load"] >= 0.0:
+        return case
+    _check_alike(case)
+    estimated = {value.short for value in case.values() if value.least is not None}
+    mirrored: dict[str, float | str] = {"load": -values["load"]}
+    for name, value in values.items():
+        harmonic = name == "error" or (name.startswith("error_") and name.removeprefix("error_").isdigit())
+        if harmonic and name in estimated:  # whose range stays; half a turn of its phase is the same
+            phase = values[f"error_phase{name.removeprefix('error')}"]
+            mirrored[f"error_phase{name.removeprefix('error')}"] = phase - copysign(pi, phase)
+        elif harmonic and value:
+            mirrored[name] = -value
+    return case.with_overrides(mirrored)
+
+
+def _check_alike(case: Case) -> None:
+    values = case.family()[0].complete({})
+    said = f"{case.name}: the torque is negative, so that the back side carries; a report is then made of the"
+    if values.get("back_stiffness", 1.0) != 1.0 or values.get("back_gap", 1.0) != 1.0:
+        raise GearlashError(f"{said} mirror image, which needs both sides alike (back_stiffness, back_gap)")
+    paths = {value.path for value in case.values()}
+    if any(path.startswith(("curves.", "mesh.loaded_error")) or path.endswith(".runout") for path in paths):
+        raise GearlashError(f"{said} mirror image, which is not made of curves, loaded errors and run-out")
 
 
 def stated_speeds(case: Case) -> tuple[float, float] | None:

@@ -11,7 +11,7 @@ from gearlash.orbits import Attractor, Settings, attractor
 from gearlash.orbits.signals import Signals, signals
 from gearlash.results import Axis
 from gearlash.results.beside import Beside
-from gearlash.results.pair_question import SPEED, check_pair
+from gearlash.results.pair_question import SPEED, carrying_forwards, check_pair
 from gearlash.system import GearlashError
 from gearlash.system.readout import Readout
 
@@ -51,6 +51,8 @@ class Assessment:
         Zones free of impacts, and of impacts on the back side, from the same sweeps.
     ranges : AcrossRanges or None
         What the ranges of estimates leave of the motion without impacts; None where nothing has a range.
+    turned : bool
+        Whether the back side carries: then ``case`` is the mirror image of what was asked, which moves alike.
     """
 
     case: Case
@@ -63,6 +65,7 @@ class Assessment:
     impact_free: Zones
     drive_side: Zones
     ranges: AcrossRanges | None = None
+    turned: bool = False
 
     @property
     def here(self) -> float:
@@ -100,7 +103,7 @@ def assess(
     Parameters
     ----------
     case : Case
-        A gear pair whose drive side is loaded.
+        A gear pair under load.
     axis : Axis
         Speeds ω to sweep; ends of bands are solved for.
     settings : Settings, optional
@@ -122,6 +125,7 @@ def assess(
     check_pair(case)
     if axis.name != SPEED:
         raise GearlashError(f"axis {axis.name}: a report goes over speed ({SPEED}, pinion_speed)")
+    asked, case = case, carrying_forwards(case)
     execution, settings = execution or Execution(), settings or Settings()
     say = tell or (lambda _stage, _progress: None)
     family = case.family()[0]
@@ -139,7 +143,9 @@ def assess(
         execution=telling(execution, say, "ends of bands"),
     )  # fmt: skip
     ranges = across_ranges(case, settings, telling(execution, say, "ranges of estimates"))
-    return Assessment(case, values, axis, found, readouts, measured, beside, quiet, drive, ranges)
+    return Assessment(
+        case, values, axis, found, readouts, measured, beside, quiet, drive, ranges, case is not asked
+    )
 
 
 def telling(execution: Execution, say: Tell, stage: str) -> Execution:

@@ -147,7 +147,7 @@ def _measured(asked: StudyInputs, found: Assessment, search: SearchSettings, exe
     run = None
     with stage_bar() as tell:
         if not signalled():
-            run = speed_run(asked.case, axis, settings=search, execution=execution, tell=tell)
+            run = speed_run(found.case, axis, settings=search, execution=execution, tell=tell)
         if run is None or not run.complete:
             missing.append("curves over speed" if run is None else "part of the curves over speed")
         for name in ("load", "D"):

@@ -18,7 +18,8 @@ def document(contents: Contents) -> tuple[Page, list[Picture]]:
     """Verdict, curves over speed, motions, maps, and what it rests on; as far as they are there."""
     found, units = contents.found, contents.units
     values = found.values
-    torque = units.torque.text(values["load"]) if units.torque.name else f"load = {values['load']:.4g}"
+    load = -values["load"] if found.turned else values["load"]
+    torque = units.torque.text(load) if units.torque.name else f"load = {load:.4g}"
     speed_text = units.speed.text(found.here, 5) if units.speed.name else f"omega = {found.here:.5g}"
     parts, pictures = [_first(contents)], []
     if contents.run is not None and contents.run.measured():

@@ -28,6 +28,11 @@ NO_RANGES = (
     "No value of this case is an estimate with a range, so none was varied here; gearlash tolerance varies "
     "those that are given limits."
 )
+TURNED = (
+    "The torque is negative, so that the back side carries. Both sides are alike, and the mirror image of "
+    "the pair moves as it does: here the side that carries is called the drive side, and torque, forces and "
+    "displacements count as positive towards it."
+)
 NO_APPROVAL = "This is an analysis of a model, and no approval."
 
 
@@ -72,6 +77,7 @@ def verdict(found: Assessment) -> Verdict:
     lines = (
         Line("May it run there", answer),
         Line("Across its ranges", NO_RANGES if over is None else over.text),
+        *([Line("Turned round", TURNED)] if found.turned else []),
         *_over_its_range(found, words),
         Line("Teeth separate", _separating(found, words)),
         Line("Back side", _back(found, words)),
@@ -91,7 +97,8 @@ def place(case: Case, units: PairUnits, omega: float, load: float) -> str:
 
 
 def _answer(found: Assessment, words: Words) -> tuple[Kind, str, str]:
-    at = place(found.case, words.units, found.here, found.values["load"])
+    load = found.values["load"]
+    at = place(found.case, words.units, found.here, -load if found.turned else load)
     motion = found.attractor
     if found.signals is None or isinstance(motion, Unresolved | Neutral) or motion.status not in (
         Status.OK, Status.UNCERTAIN
