@@ -6,6 +6,7 @@ import json
 import threading
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import gearlash as gl
@@ -33,7 +34,15 @@ def test_the_answer_fits_its_schema_and_the_files_begin_curves_again(gearlash: G
     assert answer["changes"]["curve"] == 2
     assert answer["not_explained"] == []
     assert json.loads((tmp_path / "atlas.json").read_text()) == answer
-    assert gl.load_curve(tmp_path / "curve-2.json").kind is gl.SpecialKind.FOLD
+    kept = gl.load_curve(tmp_path / "curve-2.json")
+    assert kept.kind is gl.SpecialKind.FOLD
+    start, low, high = kept.points[len(kept.points) // 2], kept.lower, kept.upper
+    case = gl.load_case("kahraman-singh")
+    again = gl.continue_curve(
+        case, kept.names, start, kind=kept.kind, values=kept.values, lower=low, upper=high
+    )
+    ends = [sorted((end.values for end in each.ends), key=lambda at: at[1]) for each in (kept, again)]
+    assert np.abs(np.subtract(ends[0], ends[1])).max() < 1e-10
     dataset = gl.load_dataset(tmp_path / "atlas.nc")
     assert set(dataset["curve"].values.tolist()) == {1, 2}
     assert {"atlas.svg", "atlas.pdf"} <= {path.name for path in tmp_path.iterdir()}
