@@ -91,6 +91,7 @@ SNAPSHOT = [
     "PlaneZone",
     "Point",
     "Problem",
+    "Profile",
     "Progress",
     "Propagators",
     "Provenance",

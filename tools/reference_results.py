@@ -90,7 +90,7 @@ writes all of its tables into the folder instead.
 | atlas | `curves.csv` (a row an orbit of every curve), `points.csv`, `map.csv` |
 | graze | `graze.csv` |
 | zones | `zones.csv`, `residents.csv` (motions in them), `sweep.csv`; of two axes `zone.csv` |
-| tolerance | `tolerance.csv`, `bands.csv`, `inputs.csv` |
+| tolerance | `tolerance.csv`, `profile.csv` (between solved ends), `bands.csv`, `inputs.csv` |
 | compare | `compare.csv`, `jumps.csv` |
 | report | those of its folder |
 

@@ -176,6 +176,7 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     )
     from .results.tolerance import (
         Influence as Influence,
+        Profile as Profile,
         Tolerance as Tolerance,
         ToleranceInput as ToleranceInput,
         ToleranceMember as ToleranceMember,
@@ -410,6 +411,7 @@ _PUBLIC = {
     ),
     "gearlash.results.tolerance": (
         "Influence",
+        "Profile",
         "Tolerance",
         "ToleranceInput",
         "ToleranceMember",

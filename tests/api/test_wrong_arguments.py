@@ -19,7 +19,7 @@ NEEDS_MORE = ("loads", "load_dataset", "load_branch", "load_curve", "load_measur
 """What fits them takes a file, or minutes."""
 HANDED_OUT = {
     *("Beside", "BesideMotion", "ImpactFree", "PassedBifurcation", "FollowedPath", "Progress"),
-    *("Comparison", "Influence", "MeasuredJump", "Tolerance", "ToleranceInput", "ToleranceMember"),
+    *("Comparison", "Influence", "MeasuredJump", "Profile", "Tolerance", "ToleranceInput", "ToleranceMember"),
     *("Entry", "Excitation", "Note", "Problem", "Provenance", "Value"),
     *("GrazingConditions", "Neutral", "Unresolved", "Transition", "register_kind"),
 }

@@ -33,6 +33,7 @@ def test_a_run_as_history_spectrum_and_events(gearlash: Gearlash, tmp_path: Path
     assert gearlash("run", *SPUR, "--decimal-comma", "--out", str(tmp_path)).code == 0
     history = pd.read_csv(tmp_path / "history.csv", sep=";", decimal=",")
     with xr.open_dataset(tmp_path / "history.nc") as data:
+        assert data["X"].attrs == {"units": "1", "long_name": "state X"}
         assert data["X"].values == pytest.approx(history["X"].to_numpy(), rel=1e-15)
     assert len(history) == 256
     case = gl.load_case("kahraman-singh", {"omega": 0.9})

@@ -57,11 +57,29 @@ def test_the_probability_is_that_of_brute_force():
     axis = gl.Axis.even("omega", 0.8, 0.95, 4)
     limits = {"load": (0.1, 0.3), "error": (0.05, 0.15)}
     found = gl.tolerance(case, axis, limits, samples=16, replicates=4)
+    assert found.profile is not None  # in pieces between solved ends: at the axis it is what is told there
+    edges, pieces = np.array(found.profile.edges), np.array(found.profile.probability)
+    at = np.clip(np.searchsorted(edges, axis.values) - 1, 0, None)
+    assert pieces[at] == pytest.approx(np.array(found.probability), abs=1e-12)
     middle = (np.arange(400) + 0.5) / 400
     load, error = (np.ravel(x) for x in np.meshgrid(0.1 + 0.2 * middle, 0.05 + 0.1 * middle))
     for omega, share, spread in zip(axis.values, found.probability, found.probability_error, strict=True):
         response = omega**2 * error / abs(1.0 - omega**2 + 0.1j * omega)
         assert share == pytest.approx(np.mean(response < load), abs=4.0 * spread + 0.03)
+
+
+def test_the_probability_between_values_of_the_axis_is_that_of_the_ends():
+    """An axis of two values only: around the resonance between them teeth part with either load."""
+    case, axis = loads(LINEAR), gl.Axis.even("omega", 0.5, 3.2, 2)
+    found = gl.tolerance(case, axis, {"load": (0.15, 0.3)}, samples=4, replicates=2)
+    assert found.profile is not None
+    edges, share = np.array(found.profile.edges), np.array(found.profile.probability)
+    first, last = opens(0.15, 0.1)[0], opens(0.3, 0.1)[0]
+    none = edges[np.flatnonzero(share == 0.0)[0]]
+    assert share[0] == share[-1] == 1.0
+    assert share[np.searchsorted(edges, 1.0) - 1] == 0.0
+    assert first <= edges[1] <= none <= last
+    assert np.diff(share)[edges[1:-1] <= none].tolist() == [-0.125] * 8
 
 
 def test_indices_of_a_known_function():

@@ -202,12 +202,28 @@ def tolerance_tables(answer: ToleranceAnswer) -> Made:
             Column("probability", answer.probability),
             Column("standard_error", answer.probability_error),
         ],
+        "profile": _profile(answer),
         "bands": [
             Column("band", [kind for kind, _ in bands]),
             *table_of([each for _, each in bands], BandFound),
         ],
         "inputs": table_of(answer.inputs, InputFound),
     }
+
+
+def _profile(answer: ToleranceAnswer) -> list[Column]:
+    """The probability in pieces, from one value of the axis to the next."""
+    from gearlash.results.columns import Column
+
+    from .answers.tolerance import ProfileFound
+
+    found = answer.profile or ProfileFound((), (), ())
+    return [
+        Column(f"{answer.axis}_from", found.edges[:-1], answer.unit),
+        Column(f"{answer.axis}_to", found.edges[1:], answer.unit),
+        Column("probability", found.probability),
+        Column("standard_error", found.error),
+    ]
 
 
 def compare_tables(answer: CompareAnswer) -> Made:

@@ -59,12 +59,13 @@ def tolerance_bands(found: Tolerance, title: str = "") -> Figure:
 
 
 def _probability(axes: Axes, found: Tolerance) -> None:
-    values = found.axis.values
-    share, error = np.array(found.probability), np.array(found.probability_error)
-    axes.fill_between(
-        values, np.clip(share - 2.0 * error, 0, 1), np.clip(share + 2.0 * error, 0, 1), color="0.8", lw=0
-    )
-    axes.plot(values, share, "o-", color="black", ms=2.0, lw=0.9)
+    """Between the solved ends of the samples' bands, and dots at the values of the axis."""
+    if found.profile is not None:
+        edges, share, error = (np.array(each) for each in vars(found.profile).values())
+        low, high = np.clip(share - 2.0 * error, 0, 1), np.clip(share + 2.0 * error, 0, 1)
+        axes.stairs(high, edges, baseline=low, fill=True, color="0.8", lw=0)
+        axes.stairs(share, edges, baseline=None, color="black", lw=0.9)
+    axes.plot(found.axis.values, found.probability, "o", color="black", ms=2.0)
     axes.set_ylim(-0.04, 1.04)
     axes.yaxis.set_major_formatter(PercentFormatter(1.0))
     axes.set_ylabel("probability\n(grey: ± 2 std. errors)")

@@ -60,7 +60,12 @@ class Column:
     @property
     def head(self) -> str:
         """As it stands in the first line: ``force [N]``, in ASCII."""
-        return f"{self.name} [{self.unit.translate(ASCII_UNITS)}]" if self.unit else self.name
+        return f"{self.name} [{self.ascii_unit}]" if self.unit else self.name
+
+    @property
+    def ascii_unit(self) -> str:
+        """The unit in ASCII: ``um``, ``N*m``."""
+        return self.unit.translate(ASCII_UNITS)
 
 
 Table = Sequence[Column]
@@ -117,7 +122,8 @@ def dataset_of_table(table: Table, dim: str, about: Mapping[str, object]) -> xr.
 
     data = {
         column.name: (
-            (dim,), np.asarray(column.values), {"units": column.unit or "1", "long_name": column.description}
+            (dim,), np.asarray(column.values),
+            {"units": column.ascii_unit or "1", "long_name": column.description},
         )
         for column in table
     }  # fmt: skip

@@ -119,6 +119,32 @@ class Influence:
 
 
 @dataclass(frozen=True)
+class Profile:
+    """A probability between the solved ends of bands: it is the same all along each piece.
+
+    Attributes
+    ----------
+    edges : tuple of float, of length n + 1
+        In the unit of the axis, ascending.
+    probability, error : tuple of float, of length n
+        Between two edges: the share of the samples, and its standard error.
+
+    Examples
+    --------
+    >>> import gearlash as gl
+    >>> case = gl.load_case("kahraman-singh")
+    >>> speeds = gl.Axis.even("omega", 0.5, 0.9, 2)
+    >>> profile = gl.tolerance(case, speeds, {"load": (0.1, 0.3)}, samples=4, replicates=2).profile
+    >>> profile.probability[0], profile.probability[-1]
+    (1.0, 0.625)
+    """
+
+    edges: tuple[float, ...]
+    probability: tuple[float, ...]
+    error: tuple[float, ...]
+
+
+@dataclass(frozen=True)
 class Tolerance:
     """Where impact-free motion exists in spite of tolerances, as `tolerance` returns it.
 
@@ -149,6 +175,9 @@ class Tolerance:
         Of the margin at the present value, the largest total first; empty where it does not vary.
     unsolved : int
         Motions that were not solved for, of all.
+    profile : Profile or None
+        The same between the solved ends of the bands of all samples, on which the axis has no say; None where
+        the work was stopped before.
     kept : tuple of (str, str)
         Path and value of what every combination states beside the inputs.
     complete : bool
@@ -184,6 +213,7 @@ class Tolerance:
     unsolved: int
     complete: bool = True
     message: str = ""
+    profile: Profile | None = None
     kept: tuple[tuple[str, str], ...] = ()
 
     @property

@@ -47,6 +47,15 @@ class InputFound:
 
 
 @dataclass(frozen=True)
+class ProfileFound:
+    """A probability in pieces: it is the same all along each."""
+
+    edges: Annotated[tuple[float, ...], "of the pieces, in the unit of the axis"]
+    probability: Annotated[tuple[float, ...], "one a piece"]
+    error: Annotated[tuple[float, ...], "its standard error"]
+
+
+@dataclass(frozen=True)
 class ToleranceAnswer:
     """Where teeth stay in contact in spite of tolerances (gearlash tolerance)."""
 
@@ -59,6 +68,10 @@ class ToleranceAnswer:
     values: tuple[float, ...]
     probability: Annotated[tuple[float | None, ...], "share of the samples with impact-free motion"]
     probability_error: Annotated[tuple[float | None, ...], "its standard error, from independent sets"]
+    profile: Annotated[
+        ProfileFound | None,
+        "the probability between the solved ends of the samples' bands, whatever the axis",
+    ]
     present: Annotated[float, "the case's own value of the axis"]
     here: Annotated[float | None, "the probability there"]
     here_error: float | None
@@ -95,6 +108,7 @@ def tolerance_answer(case: Case, found: Tolerance) -> ToleranceAnswer:
         values=tuple(found.axis.values.tolist()),
         probability=tuple(map(_known, found.probability)),
         probability_error=tuple(map(_known, found.probability_error)),
+        profile=None if found.profile is None else ProfileFound(**vars(found.profile)),
         present=found.present,
         here=_known(found.here),
         here_error=_known(found.here_error),
@@ -146,7 +160,7 @@ def _sentence(case: Case, found: Tolerance) -> str:
     if first is not None and first.total > SURE * first.total_error:
         said.append(
             f"the margin there depends most on {first.path} "
-            f"({100.0 * first.total:.0f} ± {100.0 * first.total_error:.0f} % of its variance)"
+            f"({round(100.0 * first.total)} ± {round(100.0 * first.total_error)} % of its variance)"
         )
     if not found.never:
         said.remove(never)

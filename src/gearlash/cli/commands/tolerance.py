@@ -21,7 +21,7 @@ from gearlash.cli.options import (
 if TYPE_CHECKING:
     from gearlash.cli.tables import Tables
 
-TABLES = "tolerance", "bands", "inputs"
+TABLES = "tolerance", "profile", "bands", "inputs"
 Limits = Annotated[
     list[str] | None,
     typer.Option(

@@ -77,8 +77,8 @@ def _input(one: InputFound) -> list[str]:
     shares = ("-", "-")
     if one.first is not None and one.total is not None:
         shares = (
-            f"{100.0 * one.first:.0f} ± {100.0 * (one.first_error or 0.0):.0f} %",
-            f"{100.0 * one.total:.0f} ± {100.0 * (one.total_error or 0.0):.0f} %",
+            f"{round(100.0 * one.first)} ± {round(100.0 * (one.first_error or 0.0))} %",
+            f"{round(100.0 * one.total)} ± {round(100.0 * (one.total_error or 0.0))} %",
         )
     worst = "any" if one.total is not None and one.total < NOTHING else f"{one.worst:.6g}"
     name = f"{one.path} [{pretty(one.unit)}]" if one.unit else one.path

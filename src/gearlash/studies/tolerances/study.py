@@ -25,6 +25,7 @@ from .designs import corners, samples
 from .influence import combinations, influences, mean_and_error
 from .inputs import Limits, beside, read_inputs
 from .members import Task, present_on, work
+from .profile import profile
 
 OF_A_TASK = 4  # combinations with their bands
 OF_A_SHORT_TASK = 32  # at one value of the axis
@@ -166,6 +167,7 @@ class _Looker:
             searched=len(searched),
             influences=() if self.stopped else self.influences(count, sets),
             unsolved=sum(member.unsolved for member in tried),
+            profile=profile([member.bands for member in drawn], count, *ends),
             kept=self.kept,
             complete=not self.stopped,
             message=self.stopped,
