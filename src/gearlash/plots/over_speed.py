@@ -152,7 +152,7 @@ def _curves(panel: Axes, axis: SpeedAxis, stack: Stack) -> None:
             panel.plot(x, y, color=colour, marker=marker, mec=colour, **dots, **look)
         handles.append(Line2D([], [], color=colour, marker=marker, ms=3.0, label=curve.words))
     panel.set_ylabel(stack.label)
-    _limits(panel)
+    _limits(panel, np.concatenate([each for curve in stack.curves for each in (curve.up, curve.down)]))
     if stack.second is not None:
         unit, label = stack.second
         twin = Twin(unit, "", "")
@@ -164,12 +164,11 @@ def _curves(panel: Axes, axis: SpeedAxis, stack: Stack) -> None:
                  facecolor="white", framealpha=0.8, frameon=True, edgecolor="none")  # fmt: skip
 
 
-def _limits(panel: Axes) -> None:
+def _limits(panel: Axes, drawn: Array) -> None:
     """From zero where values lie near to it, with room for the legend above them."""
     panel.margins(y=0.04)
-    drawn = np.concatenate([np.asarray(line.get_ydata(), dtype=float) for line in panel.lines[1:]] or [[]])
     low, high = panel.get_ylim()
-    if (low > 0.0 and low < 0.6 * high) or (len(drawn) and np.nanmin(drawn) >= 0.0 > low):
+    if 0.0 < low < 0.6 * high or (low < 0.0 and not np.nanmin(drawn, initial=np.inf) < 0.0):
         low = 0.0
     if not np.nanmax(np.abs(drawn), initial=0.0) > 0.0:  # nothing happens: no axis that magnifies that
         low, high = 0.0, 1.0

@@ -55,8 +55,8 @@ _FORCE_WORDS = (
     "mesh; f4/2: order 2 meets f4 of the table below."
 )
 _ERROR_WORDS = (
-    "Dynamic transmission error DTE: rotation of both gears along the line of action, in which bearings that "
-    "give way and unloaded errors are contained; share of time without contact; and the highest velocity at "
+    "Dynamic transmission error DTE: rotation of both gears along the line of action, to which bearings that "
+    "give way and unloaded errors add; share of time without contact; and the highest velocity at "
     "which teeth meet again."
 )
 
