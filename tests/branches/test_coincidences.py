@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,7 +22,7 @@ from gearlash.branches.continuation import (
     continue_orbit,
     switched,
 )
-from gearlash.branches.curves import CodimTwoKind, CodimTwoPoint, Curve, CurveEndKind
+from gearlash.branches.curves import CodimTwoKind, CodimTwoPoint, Curve, CurveEndKind, locate
 from gearlash.orbits import orbit_at
 from gearlash.system import Family
 from orbits.members import built, orbit
@@ -251,3 +253,14 @@ def test_the_same_closed_curve_from_another_of_its_orbits_where_neither_way_has_
     assert {end.kind for end in again.ends} == {CurveEndKind.CLOSED}
     one, two = (sorted(each.values for each in curve.special) for curve in (ring, again))
     assert np.abs(np.subtract(one, two)).max() < 1e-10
+
+
+def test_a_function_that_is_not_smooth_between_two_orbits_has_no_zero_there(monkeypatch):
+    def node(at: float) -> Any:
+        return SimpleNamespace(u=np.array([at]), problem=None)
+
+    def function(here: Any) -> float:
+        return float("nan") if 0.2 < here.u[0] < 0.8 else float(here.u[0]) - 0.5
+
+    monkeypatch.setattr(locate, "solved", lambda problem, guess, row, target, before: (node(target), None))
+    assert locate.zero_between(node(0.0), node(1.0), function) is None

@@ -257,10 +257,14 @@ def zero_between(left: Node, right: Node, test: Function, other: Function | None
 
     from scipy.optimize import brentq  # here, as it loads for long
 
+    def value(at: float) -> float:
+        found = test(node_at(float(at)))
+        if not np.isfinite(found):  # a boundary is so near that the map is not smooth there
+            raise _LostError
+        return found
+
     try:
-        place: Any = brentq(
-            lambda at: test(node_at(float(at))), 0.0, length, xtol=ZERO * length, maxiter=SECANTS
-        )
+        place: Any = brentq(value, 0.0, length, xtol=ZERO * length, maxiter=SECANTS)
         place = float(place)
         node, beside = node_at(place), [node_at(place + k * NUDGE * length) for k in (-1.0, 1.0)]
     except (_LostError, RuntimeError):
