@@ -116,6 +116,7 @@ def test_settings_beside_change_one_thing_each():
 def test_speeds_in_contact_are_told_as_runs():
     assert spans((1.0, 2.0, 3.0, 4.0), ("1-1-0", "1-0-0", "2-0-0", "1-1-0")) == "2 to 3 rpm"
     assert spans((1.0, 2.0), ("1-1-0", "none")) == "nowhere on the grid"
+    assert spans((1.0, 2.0), ("1-0-0", "kept")) == "1 to 2 rpm"
 
 
 @pytest.mark.parametrize(("period", "impacts"), [(1, 1), (2, 1), (3, 2)])

@@ -16,7 +16,8 @@ from .words import plural
 STEM = "verified-forces"
 RULES = ("always", "in-contact", "no-tension")
 NONE = "none"
-"""The label of a motion that does not come back within 8 mesh cycles."""
+KEPT = "kept"
+"""Labels of motions that do not come back within 8 mesh cycles: with teeth apart, and always in contact."""
 
 
 def section(done: Reproduction) -> tuple[Section, list[Picture]] | None:
@@ -97,7 +98,7 @@ def _table(found: Verified) -> Table:
 
 
 def _label(text: str) -> str:
-    return {NONE: "not periodic", "": "—"}.get(text, text)
+    return {NONE: "not periodic", KEPT: "in contact, not settled", "": "—"}.get(text, text)
 
 
 def _seen(point: VerifiedPoint) -> Cell:
@@ -213,8 +214,8 @@ def _beside(found: Verified) -> list[Block]:
         blocks.append(
             Table(
                 "table-verified-window",
-                "Speeds of the grid at which teeth stay in contact in a motion that comes back, each begun "
-                "from the motion at its neighbour.",
+                "Speeds of the grid at which teeth stay in contact, each begun from the motion at its "
+                "neighbour; of the lumped model those with a periodic motion.",
                 ("inputs", "real teeth, rising", "falling", "lumped, rising", "falling"),
                 rows,
                 widths=(16, 21, 21, 21, 21),

@@ -16,6 +16,10 @@ if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.studies.verification import Compared, LumpedPoint, Mesh, PointFound, Verification
 
 
+KEPT = "kept"
+"""Label of a motion that was always in contact and has not come back."""
+
+
 @dataclass(frozen=True)
 class MeshComputed:
     """What real teeth of one face width give."""
@@ -40,7 +44,11 @@ class PointComputed:
     omega: Annotated[float, "mesh frequency over √(k/m_e) of the multibody mesh"]
     speed: Annotated[float, "of the pinion, rpm"]
     setting: Annotated[str, "what sets it apart from the planned one"]
-    label: Annotated[str, "P-Q-R; `none` where the motion does not come back within 8 mesh cycles"]
+    label: Annotated[
+        str,
+        "P-Q-R; where the motion does not come back within 8 mesh cycles, `kept` if teeth stayed in contact, "
+        "`none` otherwise",
+    ]
     apart: Annotated[float, "share of time in which no tooth carries"]
     impacts: Annotated[float, "beginnings of contact of the drive side a mesh cycle"]
     back_impacts: Annotated[float, "of the back side a mesh cycle"]
@@ -198,7 +206,10 @@ def _labels(points: tuple[PointFound, ...], omegas: object) -> tuple[str, ...]:
 
 
 def _label(point: PointFound) -> str:
-    return "none" if point.reading.label is None else str(point.reading.label)
+    reading = point.reading
+    if reading.label is not None:
+        return str(reading.label)
+    return KEPT if reading.apart == 0.0 and not reading.back_impacts else "none"
 
 
 def _point(point: PointFound) -> PointComputed:

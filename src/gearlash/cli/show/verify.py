@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
-from gearlash.cli.answers.verify import ConfigurationCompared, PointComputed, VerifyAnswer
+from gearlash.cli.answers.verify import KEPT, ConfigurationCompared, PointComputed, VerifyAnswer
 
 from .layout import facts, headline, note, table
 
@@ -84,11 +84,11 @@ def _kept(one: ConfigurationCompared) -> str:
 
 
 def spans(speeds: tuple[float, ...], labels: tuple[str, ...]) -> str:
-    """Runs of grid speeds whose label has no impact: ``3700 to 4250 rpm``."""
+    """Runs of grid speeds at which teeth stay in contact: ``3700 to 4250 rpm``."""
     runs: list[list[float]] = []
     inside = False
     for speed, label in zip(speeds, labels, strict=True):
-        free = label.endswith("-0-0")
+        free = label.endswith("-0-0") or label == KEPT
         if free and inside:
             runs[-1][1] = speed
         elif free:
