@@ -1,7 +1,8 @@
 """Worked examples that others print, each with its source; every number to the digits that are printed.
 
 - KHK: Gear Technical Reference of Kohara Gear Industry Co., calculation of gear dimensions: profile shifted
-  helical gears in the normal system, and span measurement of spur and helical gears.
+  helical gears in the normal system, and span measurement of spur and helical gears. Its steps go on from
+  rounded numbers: two values (y = 0.09744, d_f1 = 34.657) are one off in the last digit, so one is allowed.
 - MESYS: gear measurement by MESYS AG for Ondrives Ltd., www.mesys.ch/calc/ondrives.fcgi, the values of its
   page (DIN 867 with 1.25, 0.20, 1.00; DIN 3967, DIN 3960).
 - Norton: R. L. Norton, Machine Design, an Integrated Approach, example 12-1 (19 and 37 teeth, 6 per inch).
@@ -40,14 +41,15 @@ def test_profile_shifted_helical_pair_of_khk():
     assert round(degrees(first.transverse_pressure_angle), 5) == 22.79588
     assert round(degrees(pair.working_pressure_angle), 4) == 23.1126
     assert round(shift_sum(pair), 5) == 0.09809
-    assert round((pair.centre_distance - pair.reference_centre_distance) / first.normal_module, 5) == 0.09745
+    moved = (pair.centre_distance - pair.reference_centre_distance) / first.normal_module
+    assert moved == pytest.approx(0.09744, abs=1e-5)
     printed = {
         "reference_diameter": (41.569, 207.846),
         "base_diameter": (38.322, 191.611),
-        "root_diameter": (34.658, 200.346),
+        "root_diameter": (34.657, 200.346),
     }
     for name, values in printed.items():
-        assert [round(getattr(one, name) / MM, 3) for one in pair.gears] == list(values), name
+        assert [getattr(one, name) / MM for one in pair.gears] == pytest.approx(values, abs=1e-3), name
     assert [round(d / MM, 3) for d in pair.working_diameters] == [41.667, 208.333]
     tips = [one.tip_diameter + 2 * tip_shortening(pair) for one in pair.gears]
     assert [d / MM for d in tips] == pytest.approx([48.153, 213.842], abs=1e-3)
