@@ -100,7 +100,8 @@ def test_a_pair_without_units_is_told_in_its_own_numbers(gearlash: Gearlash, tmp
     ("arguments", "said"),
     [
         (("geared-rotor",), "a report is made of a gear pair"),
-        (("article", "--set", "torque=-50 N*m"), "a report needs a torque"),
+        (("article", "--set", "torque=0 N*m"), "a report needs a torque"),
+        (("article", "--set", "torque=-50 N*m", "--set", "back_gap=0.8"), "needs both sides alike"),
         (("article", "--over", "D=0.5:1:5"), "a report goes over speed"),
         (("kahraman-singh", "--set", "error=0"), "nothing excites this pair"),
     ],
