@@ -27,6 +27,14 @@ class ForcePanel:
         Of the multibody model; mesh cycles.
     lumped_phase, lumped_force : ndarray, shape (m,)
         Of the lumped model at the same inputs.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from gearlash import plots
+    >>> time = np.linspace(0.0, 2.0, 5)
+    >>> plots.ForcePanel("3600 rpm", time, np.ones(5), time, np.ones(5)).title
+    '3600 rpm'
     """
 
     title: str
