@@ -37,6 +37,14 @@ class StatedCurve:
         ``[mean, c1, s1, …]`` over the period.
     error : str
         How far the series is from the points, in words.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from gearlash import plots
+    >>> none = np.empty(0)
+    >>> plots.StatedCurve("stiffness", "mesh cycle", none, none, np.array([1.0, 0.1, 0.0])).over
+    'mesh cycle'
     """
 
     label: str
