@@ -7,22 +7,33 @@ inputs.
 from __future__ import annotations
 
 import json
+import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import gearlash as gl
-from gearlash.cli.answers.verify import ConfigurationCompared, MeshComputed, VerifyAnswer, verify_answer
+from gearlash.cli.answers.verify import (
+    BreathingComputed,
+    ConfigurationCompared,
+    MeshComputed,
+    VerifyAnswer,
+    verify_answer,
+)
 from gearlash.cli.show.verify import spans
 from gearlash.multibody import Relief
-from gearlash.studies.verification import Plan, sensitivity, verification
+from gearlash.plots.tooth_contact import ToothLoads
+from gearlash.studies.verification import Plan, Verification, sensitivity, verification
 
 KEPT = Path(__file__).resolve().parents[1] / "src" / "gearlash" / "article" / "verified.json"
 RELIEF = Relief(pinion_tip=53e-6, gear_tip=53e-6, pinion_length=7e-3, gear_length=7e-3, crowning=41e-6)
 RULE = "always"
 """The contact rule of the article, whose forces are drawn."""
 DIGITS = 5
+NUMBERS = re.compile(r"\[[^\[\]{}\"]+\]")
+PICTURED = "absolute"
+"""The way whose lines of contact are drawn: teeth as wide as the case says, at its own torque."""
 
 
 def main() -> None:
@@ -31,7 +42,7 @@ def main() -> None:
     plan = Plan(beside=sensitivity(), relief=RELIEF)
     with gl.open_workers(case, 2) as executor:
         found = verification(case, plan=plan, execution=gl.Execution(executor), tell=_tell)
-    write(verify_answer(case, found))
+    write(verify_answer(case, found), lines_of_contact(found))
 
 
 def _tell(stage: str, progress: Any) -> None:
@@ -39,7 +50,21 @@ def _tell(stage: str, progress: Any) -> None:
     print(f"{stage}{done}", file=sys.stderr)
 
 
-def write(answer: VerifyAnswer) -> None:
+def lines_of_contact(found: Verification) -> dict[str, Any]:
+    """Loads over a slow mesh cycle on flanks of the case's width."""
+    full = found.meshes[1]
+    loads = ToothLoads.of(full.perfect, full.static)
+    return {
+        "torque": full.static.torque,
+        "slices": _short(loads.slices),
+        "phase": _short(loads.phase),
+        "shape": list(loads.loads.shape),
+        "rolls": _short(loads.rolls.ravel()),
+        "loads": _short(loads.loads.ravel()),
+    }
+
+
+def write(answer: VerifyAnswer, lines: dict[str, Any]) -> None:
     """Keeps what the report shows."""
     meshes = {(mesh.face_width, mesh.stiffness): mesh for mesh in answer.meshes}
     data = {
@@ -47,8 +72,15 @@ def write(answer: VerifyAnswer) -> None:
         "gearlash": answer.case.gearlash,
         "settings": list(answer.settings),
         "ways": [_way(one, list(meshes.values())) for one in answer.configurations],
+        "pictured": PICTURED,
+        "lines": lines,
     }
-    KEPT.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    text = json.dumps(data, indent=1, ensure_ascii=False)
+    KEPT.write_text(NUMBERS.sub(_on_one_line, text) + "\n", encoding="utf-8")
+
+
+def _on_one_line(found: re.Match[str]) -> str:
+    return " ".join(found[0].split())
 
 
 def _way(one: ConfigurationCompared, meshes: list[MeshComputed]) -> dict[str, Any]:
@@ -64,10 +96,21 @@ def _way(one: ConfigurationCompared, meshes: list[MeshComputed]) -> dict[str, An
         "ripples": list(mesh.ripples),
         "points": [_point(one, index) for index in range(len(one.points))],
         "beside": [[p.setting, p.speed, p.label, p.apart] for p in one.beside],
+        "breathing": [_breathing(each) for each in one.breathing],
         "up": spans(window.speed, window.up) if window.up else "",
         "down": spans(window.speed, window.down) if window.down else "",
         "lumped_up": {rule: spans(window.speed, labels) for rule, labels in window.lumped_up.items()},
         "lumped_down": {rule: spans(window.speed, labels) for rule, labels in window.lumped_down.items()},
+    }
+
+
+def _breathing(each: BreathingComputed) -> dict[str, Any]:
+    return {
+        "centre_distance": _short(each.centre_distance),
+        "contact_ratio": _short(each.contact_ratio),
+        "backlash": _short(each.backlash),
+        "label_held": each.label_held,
+        "peak_share": each.peak_share,
     }
 
 
@@ -89,10 +132,17 @@ def _point(one: ConfigurationCompared, index: int) -> dict[str, Any]:
         "force": _short([each / mean for each in point.force]),
         "lumped_phase": _short(beside[RULE].phase),
         "lumped_force": _short(beside[RULE].force),
+        "orders": _short([each / mean for each in point.orders]),
+        "lumped_orders": _short(beside[RULE].orders),
+        "lumped_amplitudes": _short(beside[RULE].amplitudes),
+        "frames": [
+            [float(f"{each:.9g}") for each in (frame.phase, *frame.turns, *frame.forces)]
+            for frame in point.frames
+        ],
     }
 
 
-def _short(values: Sequence[float]) -> list[float]:
+def _short(values: Iterable[float]) -> list[float]:
     return [float(f"{value:.{DIGITS}g}") for value in values]
 
 

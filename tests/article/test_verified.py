@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -9,8 +10,9 @@ import numpy as np
 import pytest
 
 import gearlash as gl
+from gearlash.article.report import teeth
 from gearlash.article.report import verified as section_of
-from gearlash.article.verified import REPORTED, kept, verified
+from gearlash.article.verified import REPORTED, Verified, VerifiedBreathing, VerifiedLines, kept, verified
 from gearlash.report.blocks import Note, Section, Table, Text
 
 
@@ -56,3 +58,42 @@ def test_forces_are_those_of_the_labels(way):
             assert point.apart == 0.0
         if point.label != "none":
             assert np.mean(point.force) == pytest.approx(1.0, abs=0.02)
+
+
+def with_pictures() -> Verified:
+    """The kept data with a small set of what pictures of teeth need."""
+    rolls = np.linspace(0.012, 0.03, 4 * 2 * 3)
+    lines = VerifiedLines(
+        97.0, (-0.02, 0.0, 0.02), (0.0, 0.25, 0.5, 0.75), (4, 2, 3), tuple(rolls), (9.0,) * 24
+    )
+    breath = VerifiedBreathing((-2.0, 7.0), (1.602, 1.604), (98.0, 104.0), "1-0-0", 0.05)
+    ways = []
+    for way in kept().ways:
+        frames = tuple((k / 2, 0.1 * k, -0.04 * k, 1000.0 * k, 0.0) for k in range(2))
+        more = {"orders": (0.0, 0.9), "lumped_orders": (1.0,), "lumped_amplitudes": (0.8,), "frames": frames}
+        points = tuple(replace(point, **more) for point in way.points)
+        ways.append(replace(way, points=points, breathing=(breath,) * len(points)))
+    return replace(kept(), ways=tuple(ways), pictured="absolute", lines=lines)
+
+
+def test_pictures_of_teeth_are_those_that_the_data_have():
+    case, full = gl.load_case("article"), with_pictures()
+    blocks, pictures = teeth.drawn(case, full)
+    assert [each.stem for each in pictures] == [teeth.ORDERS, teeth.FRAMES, teeth.LINES]
+    figures = [each.draw(*each.arguments) for each in pictures]
+    assert len(figures[0].axes) == sum(len(way.points) for way in full.ways)
+    assert [axes.get_title("left") for axes in figures[1].axes] == ["phase 0.00", "phase 0.50"]
+    table = next(block for block in blocks if isinstance(block, Table))
+    assert table.rows[0][2:6] == ("−2.0 to 7.0 µm", "1.6020 to 1.6040", "98.0 to 104.0 µm", "+5.0 %")
+    bare = replace(full, lines=None, ways=tuple(replace(way, breathing=()) for way in full.ways))
+    blocks, pictures = teeth.drawn(case, bare)
+    assert [each.stem for each in pictures] == [teeth.ORDERS]
+    assert not any(isinstance(block, Table) for block in blocks)
+
+
+def test_the_kept_data_have_what_pictures_need():
+    found = kept()
+    assert found.lines is None or len(found.lines.loads) == np.prod(found.lines.shape)
+    assert found.lines is None or found.pictured in [way.name for way in found.ways]
+    for way in found.ways:
+        assert len(way.breathing) in (0, len(way.points))

@@ -7,7 +7,7 @@ import pytest
 from matplotlib.collections import LineCollection, QuadMesh
 
 from gearlash.multibody.quasi_static import quasi_static
-from gearlash.plots.tooth_contact import tooth_contact
+from gearlash.plots.tooth_contact import ToothLoads, tooth_contact
 from multibody.meshes import plain
 
 
@@ -15,7 +15,7 @@ def test_the_map_and_the_lines_show_the_loads():
     mesh = plain("helical")
     found = quasi_static(mesh, 77.0, 16)
     line_loads = found.loads / mesh.tables.scalars[20] * 1e-3  # N/mm; the length of line in a slice
-    figure = tooth_contact(mesh, found)
+    figure = tooth_contact(ToothLoads.of(mesh, found))
     left, right = figure.axes[:2]
     image = next(one for one in left.collections if isinstance(one, QuadMesh)).get_array()
     assert image is not None

@@ -98,6 +98,12 @@ def force_panels() -> list[list[plots.ForcePanel]]:
     return [one, one]
 
 
+def order_panels() -> list[list[plots.OrderPanel]]:
+    halves, whole = np.arange(1.0, 17.0) / 2.0, np.arange(1.0, 9.0)
+    lumped = [(whole, 0.3**whole), (np.zeros(0), np.zeros(0))]
+    return [[plots.OrderPanel("3600 rpm", halves, 0.2**halves, *each) for each in lumped]]
+
+
 FIGURES: dict[str, Callable[[], Figure]] = {
     "stated-curves": lambda: plots.stated_curves(
         [
@@ -124,6 +130,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
         units(),
     ),
     "force-beside": lambda: plots.force_beside(force_panels()),
+    "orders-beside": lambda: plots.orders_beside(order_panels()),
     "zone-in-plane": lambda: plots.zone_in_plane(planar(), title="a spur pair"),
     "branches": lambda: plots.branch_diagram(
         [branch()], cloud=dataset(), multipliers=True, title="The window of article", units=units()

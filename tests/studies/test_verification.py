@@ -14,6 +14,7 @@ from gearlash.cli.show.verify import spans, verify_view
 from gearlash.gears import backlash
 from gearlash.multibody import Motion, read_motion
 from gearlash.studies.verification import (
+    DISTANCE_HELD,
     NotVerifiableError,
     Plan,
     Setting,
@@ -36,7 +37,10 @@ def found() -> Verification:
     plan = Plan(
         planned=SHORT,
         everywhere=(replace(SHORT, name="rigid gear", flexible=False),),
-        beside=(replace(SHORT, name="held", held="centre-line"),),
+        beside=(
+            replace(SHORT, name="held", held="centre-line"),
+            replace(SHORT, name=DISTANCE_HELD.name, held=DISTANCE_HELD.held),
+        ),
         window=replace(SHORT, name="window", settle=2),
         window_over=(0.95, 1.0, 2),
     )
@@ -51,7 +55,7 @@ def test_every_point_of_the_plan_is_there(found: Verification):
     assert [one.configuration.name for one in found.compared] == ["stiffness", "dimensionless", "absolute"]
     for i, one in enumerate(found.compared):
         assert [p.omega for p in one.points] == list(one.configuration.omegas)
-        assert len(one.beside) == (4 if i == 0 else 2)
+        assert len(one.beside) == (6 if i == 0 else 2)
         assert sorted(p.omega for p in one.up) == sorted(p.omega for p in one.down) == list(one.window_omegas)
         assert len(one.lumped) == 6
     assert [p.label for p in found.stated] == ["1-1-0", "1-0-0"]
@@ -88,6 +92,7 @@ def test_answer_lists_every_input_and_setting(found: Verification):
         "window",
         "rigid gear",
         "held",
+        "centre distance held",
     ]
     assert set(answer.settings[0]) == {each.name for each in fields(Setting)}
     assert isinstance(answer, VerifyAnswer)
@@ -95,6 +100,46 @@ def test_answer_lists_every_input_and_setting(found: Verification):
     assert "There is no friction" in text
     assert "contact kept" in text
     assert json.dumps(answer.configurations[0].window.up)
+
+
+def test_breathing_is_that_of_the_motion(found: Verification):
+    """Backlash grows by 2 Δa sin α_wt cos β_b; where the centre distance is held it does not change."""
+    one = found.compared[0]
+    told = verify_answer(gl.load_case("article"), found).configurations[0].breathing
+    pair = found.inputs.pair
+    gain = 2.0 * np.sin(pair.working_pressure_angle) * np.cos(pair.pinion.base_helix_angle)
+    for point, moved in zip(one.points, told, strict=True):
+        change, play = np.diff(moved.centre_distance)[0], np.diff(moved.backlash)[0]
+        assert change > 1.0
+        assert play == pytest.approx(gain * change, rel=1e-3)
+        assert moved.contact_ratio[1] > moved.contact_ratio[0]
+        held = next(p for p in one.beside if p.setting == DISTANCE_HELD.name and p.omega == point.omega)
+        assert held.centre_change == (0.0, 0.0)
+        assert moved.peak_share == pytest.approx(point.reading.most / held.reading.most - 1.0)
+
+
+def test_frames_are_poses_of_the_last_cycle(found: Verification):
+    """The way by which the gear is ahead is that of the motion, whatever number of pitches went by."""
+    pair = found.inputs.pair
+    first, second = (0.5 * gear.base_diameter for gear in pair.gears)
+    for point in found.compared[2].points:
+        frames = point.frames
+        assert frames.phase == pytest.approx(np.arange(6) / 6, abs=0.02)
+        assert np.all(np.abs(frames.turns) < 0.3)
+        ahead = first * frames.turns[:, 0] + second * frames.turns[:, 1]
+        assert np.all(np.abs(ahead) < 300e-6)
+        shown = np.interp(1.0 + frames.phase, point.reading.phase, point.reading.force)
+        assert frames.forces[:, 0] - frames.forces[:, 1] == pytest.approx(shown, abs=0.1 * shown.max())
+
+
+def test_lumped_orders_are_those_of_its_force(found: Verification):
+    for point in found.compared[2].lumped:
+        if point.label == "1-0-0":
+            assert point.order == pytest.approx(np.arange(1.0, 9.0))
+            half_range = 0.5 * np.ptp(point.force)
+            assert 0.7 * half_range < point.amplitude[0] < 1.3 * half_range
+        if point.label == "aperiodic":
+            assert len(point.order) == 0
 
 
 def test_inputs_are_those_of_the_case():

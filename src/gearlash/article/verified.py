@@ -36,6 +36,12 @@ class VerifiedPoint:
         Label of the lumped model at the same inputs by contact rule.
     phase, force, lumped_phase, lumped_force : tuple of float
         Mesh cycles and forces over the mean one.
+    orders : tuple of float
+        Amplitudes of the force of real teeth over the mean one, at the mesh orders 1/2, 1, 3/2, …, 8.
+    lumped_orders, lumped_amplitudes : tuple of float
+        Orders and amplitudes of the lumped model; empty for a motion without a period.
+    frames : tuple of tuple of float
+        Phase of the mesh cycle, turns of pinion and gear in rad, forces of drive side and back side in N.
     """
 
     speed: float
@@ -50,6 +56,55 @@ class VerifiedPoint:
     force: tuple[float, ...]
     lumped_phase: tuple[float, ...]
     lumped_force: tuple[float, ...]
+    orders: tuple[float, ...]
+    lumped_orders: tuple[float, ...]
+    lumped_amplitudes: tuple[float, ...]
+    frames: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
+class VerifiedBreathing:
+    """What the centre distance does at one speed: least and greatest over time.
+
+    Attributes
+    ----------
+    centre_distance, contact_ratio, backlash : tuple of float
+        Change in µm, transverse, and normal in µm.
+    label_held : str
+        With the centre distance held.
+    peak_share : float or None
+        Greatest force less that with the centre distance held, over the latter.
+    """
+
+    centre_distance: tuple[float, ...]
+    contact_ratio: tuple[float, ...]
+    backlash: tuple[float, ...]
+    label_held: str
+    peak_share: float | None
+
+
+@dataclass(frozen=True)
+class VerifiedLines:
+    """Lines of contact of perfect flanks turned slowly through a mesh cycle.
+
+    Attributes
+    ----------
+    torque : float
+        On the pinion, N·m.
+    slices, phase : tuple of float
+        Middles along the face, m, and phases of the mesh.
+    shape : tuple of int
+        Phases, pairs, slices.
+    rolls, loads : tuple of float
+        Roll lengths of the pinion, m, and forces, N, of that shape in C order.
+    """
+
+    torque: float
+    slices: tuple[float, ...]
+    phase: tuple[float, ...]
+    shape: tuple[int, ...]
+    rolls: tuple[float, ...]
+    loads: tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -66,6 +121,8 @@ class VerifiedWay:
     points : tuple of VerifiedPoint
     beside : tuple of (str, float, str, float)
         Setting, speed, label, share of time without contact.
+    breathing : tuple of VerifiedBreathing
+        At each speed.
     up, down : str
         Speeds in contact, speed rising and falling; empty where they were not computed.
     lumped_up, lumped_down : dict
@@ -81,6 +138,7 @@ class VerifiedWay:
     ripples: tuple[float, ...]
     points: tuple[VerifiedPoint, ...]
     beside: tuple[tuple[str, float, str, float], ...]
+    breathing: tuple[VerifiedBreathing, ...]
     up: str
     down: str
     lumped_up: dict[str, str]
@@ -100,12 +158,18 @@ class Verified:
     settings : tuple of dict
         Every setting that was tried.
     ways : tuple of VerifiedWay
+    pictured : str
+        Name of the way of which teeth are drawn.
+    lines : VerifiedLines or None
+        With its face width; None in a file that has none.
     """
 
     case: str
     gearlash: str
     settings: tuple[dict[str, str], ...]
     ways: tuple[VerifiedWay, ...]
+    pictured: str
+    lines: VerifiedLines | None
 
 
 def verified(case: Case) -> Verified | None:
@@ -142,15 +206,31 @@ def kept() -> Verified:
     Verified
     """
     data = json.loads(files("gearlash.article").joinpath("verified.json").read_text(encoding="utf-8"))
-    return Verified(data["case"], data["gearlash"], tuple(data["settings"]), tuple(map(_way, data["ways"])))
+    ways, lines = tuple(map(_way, data["ways"])), data.get("lines")
+    return Verified(
+        data["case"],
+        data["gearlash"],
+        tuple(data["settings"]),
+        ways,
+        data.get("pictured", ""),
+        lines and VerifiedLines(**_with_tuples(lines)),
+    )
 
 
 def _way(data: dict[str, Any]) -> VerifiedWay:
     more: dict[str, Any] = {
-        "points": tuple(VerifiedPoint(**_with_tuples(point)) for point in data["points"]),
+        "points": tuple(map(_point, data["points"])),
+        "breathing": tuple(VerifiedBreathing(**_with_tuples(each)) for each in data.get("breathing", ())),
         "beside": tuple(tuple(row) for row in data["beside"]),
     }
     return VerifiedWay(**_with_tuples({**data, **more}))
+
+
+def _point(data: dict[str, Any]) -> VerifiedPoint:
+    more: dict[str, Any] = dict.fromkeys(("orders", "lumped_orders", "lumped_amplitudes"), ())
+    more["frames"] = ()
+    more |= _with_tuples(data)
+    return VerifiedPoint(**{**more, "frames": tuple(tuple(frame) for frame in more["frames"])})
 
 
 def _with_tuples(data: dict[str, Any]) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from .histories import triple as history_triple
 from .intervals import Bar, Panel, zones
 from .marks import Mark
 from .mesh_drawing import mesh_drawing
+from .orders_beside import OrderPanel, orders_beside
 from .overlay import overlay
 from .plane import plane
 from .plane_lines import PlaneLine
@@ -34,6 +35,7 @@ __all__ = [
     "ForceAxis",
     "ForcePanel",
     "Mark",
+    "OrderPanel",
     "Panel",
     "PlaneLine",
     "StatedCurve",
@@ -50,6 +52,7 @@ __all__ = [
     "history",
     "history_triple",
     "mesh_drawing",
+    "orders_beside",
     "overlay",
     "plane",
     "portrait",

@@ -11,13 +11,12 @@ from gearlash.report.blocks import Block, Bullets, Cell, Figure, Note, Section, 
 from gearlash.report.numbers import number
 from gearlash.report.pictures import Picture
 
+from . import teeth
+from .teeth import told
 from .words import plural
 
 STEM = "verified-forces"
 RULES = ("always", "in-contact", "no-tension")
-NONE = "none"
-KEPT = "kept"
-"""Labels of motions that do not come back within 8 mesh cycles: with teeth apart, and always in contact."""
 
 
 def section(done: Reproduction) -> tuple[Section, list[Picture]] | None:
@@ -33,8 +32,9 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]] | None:
         *_conclusion(found),
         *_beside(found),
     ]
-    blocks.append(_limits(found))
-    pictures = [Picture(STEM, plots.force_beside, (_panels(found),))]
+    more, pictures = teeth.drawn(done.case, found)
+    blocks += [*more, _limits(found)]
+    pictures.insert(0, Picture(STEM, plots.force_beside, (_panels(found),)))
     return Section("verified", "The pair with real teeth", tuple(blocks)), pictures
 
 
@@ -81,8 +81,8 @@ def _table(found: Verified) -> Table:
                     way.name,
                     f"{point.speed:.0f} rpm, ω {number(point.omega, 4)}",
                     _seen(point),
-                    _label(point.rigid),
-                    *(_label(point.lumped.get(rule, "")) for rule in RULES),
+                    told(point.rigid),
+                    *(told(point.lumped.get(rule, "")) for rule in RULES),
                     reported[:-2],
                 )
             )
@@ -97,13 +97,9 @@ def _table(found: Verified) -> Table:
     )
 
 
-def _label(text: str) -> str:
-    return {NONE: "not periodic", KEPT: "in contact, not settled", "": "—"}.get(text, text)
-
-
 def _seen(point: VerifiedPoint) -> Cell:
     forces = f"force {number(point.least, 2)} to {number(point.peak, 3)} of its mean"
-    return [_label(point.label), f"apart {_share(point.apart)} of the time", forces]
+    return [told(point.label), f"apart {_share(point.apart)} of the time", forces]
 
 
 def _figure() -> Figure:
@@ -122,7 +118,7 @@ def _panels(found: Verified) -> list[list[plots.ForcePanel]]:
     return [
         [
             plots.ForcePanel(
-                f"{way.name}, {point.speed:.0f} rpm: {_label(point.label)}",
+                f"{way.name}, {point.speed:.0f} rpm: {told(point.label)}",
                 *(
                     np.asarray(each)
                     for each in (point.phase, point.force, point.lumped_phase, point.lumped_force)
@@ -188,7 +184,7 @@ def _parts(label: str, apart: float) -> bool:
 
 def _harmonics(found: Verified) -> Text:
     plain = [way for way in found.ways if way.name != "modified"]
-    turned = [way for way in found.ways if way.ripples[1] > way.ripples[0]]
+    turned = [way for way in found.ways if way.name == "modified" and way.ripples[1] > way.ripples[0]]
     said = (
         "The stiffness that the case had to assume varies twice a mesh cycle. That of unmodified real teeth "
         "varies mostly once: "
@@ -224,18 +220,18 @@ def _beside(found: Verified) -> list[Block]:
     if len(first.beside) > len(first.points):
         planned = {round(p.speed): (p.label, p.apart > 0.0) for p in first.points}
         changed = [
-            f"{setting} at {speed:.0f} rpm ({_label(label)})"
+            f"{setting} at {speed:.0f} rpm ({told(label)})"
             for setting, speed, label, _ in first.beside
             if label != planned[round(speed)][0]
         ]
         tried = plural(len({row[0] for row in first.beside}), "setting")
-        told = "; ".join(changed) if changed else "none"
+        changes = "; ".join(changed) if changed else "none"
         blocks.append(
             Text.of(
                 f"With the inputs “{first.name}”, {tried} were changed one at a time: stiffness of bearings "
                 "along the line of centres and against tilt, motion of the centre line, phase of the error, "
                 "damping of contact and bearings, a rigid gear, step and solver. The label changes with: "
-                f"{told}."
+                f"{changes}."
             )
         )
     return blocks

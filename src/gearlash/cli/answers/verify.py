@@ -29,12 +29,37 @@ class MeshComputed:
     ripples: Annotated[
         tuple[float, ...], "amplitudes of the mesh orders 1, 2, 3 of the stiffness over its mean"
     ]
-    transmission_error: Annotated[float, "of perfect flanks under the torque, peak to peak, um"]
+    transmission_error: Annotated[float, "of perfect flanks under the torque, peak to peak, µm"]
     transverse_contact_ratio: float
     overlap_ratio: float
     total_contact_ratio: Annotated[float, "mean number of pairs of teeth that carry under the torque"]
-    backlash: Annotated[float, "normal, that the flanks leave, um"]
+    backlash: Annotated[float, "normal, that the flanks leave, µm"]
     torque: Annotated[float, "of the pinion, N m, at which these were computed"]
+
+
+@dataclass(frozen=True)
+class FrameComputed:
+    """Where both gears are at one time of the last mesh cycle."""
+
+    phase: Annotated[float, "of that cycle"]
+    turns: Annotated[tuple[float, float], "of pinion and gear, rad, less whole pitches"]
+    forces: Annotated[tuple[float, float], "normal, of the drive side and of the back side, N"]
+
+
+@dataclass(frozen=True)
+class BreathingComputed:
+    """What the centre distance does in a motion: least and greatest over time, and what follows."""
+
+    omega: Annotated[float, "mesh frequency over √(k/m_e) of the multibody mesh"]
+    centre_distance: Annotated[tuple[float, float], "change at mid face, µm"]
+    contact_ratio: Annotated[tuple[float, float], "transverse, of the geometry"]
+    backlash: Annotated[tuple[float, float], "normal, µm"]
+    label_held: Annotated[str, "with the centre distance held; empty where that was not computed"]
+    peak_share: Annotated[
+        float | None,
+        "greatest force less that with the centre distance held, over the latter; null where that was not "
+        "computed",
+    ]
 
 
 @dataclass(frozen=True)
@@ -60,6 +85,7 @@ class PointComputed:
     energy_residual: Annotated[float, "missing in the balance of energy, over what dampers take"]
     phase: Annotated[tuple[float, ...], "mesh cycles"]
     force: Annotated[tuple[float, ...], "over these phases, drive side less back side, N"]
+    frames: tuple[FrameComputed, ...]
 
 
 @dataclass(frozen=True)
@@ -72,6 +98,8 @@ class LumpedComputed:
     apart: Annotated[float | None, "share of time without contact"]
     phase: Annotated[tuple[float, ...], "mesh cycles"]
     force: Annotated[tuple[float, ...], "over these phases, over the mean contact force"]
+    orders: Annotated[tuple[float, ...], "of the mesh frequency, up to 8; empty without a period"]
+    amplitudes: Annotated[tuple[float, ...], "of the force at these orders, over the mean contact force"]
 
 
 @dataclass(frozen=True)
@@ -96,10 +124,13 @@ class ConfigurationCompared:
     face_width: Annotated[float, "mm"]
     stiffness: Annotated[float, "mean, of these teeth, N/m"]
     torque: Annotated[float, "N m"]
-    error: Annotated[float, "zero to peak, um"]
+    error: Annotated[float, "zero to peak, µm"]
     error_phase: Annotated[float, "rad, in the mesh phase of the multibody model"]
     points: tuple[PointComputed, ...]
     beside: Annotated[tuple[PointComputed, ...], "with one setting changed each"]
+    breathing: Annotated[
+        tuple[BreathingComputed, ...], "at each speed; empty where bearings hold the centre distance"
+    ]
     lumped: tuple[LumpedComputed, ...]
     window: WindowComputed
 
@@ -177,6 +208,7 @@ def _configuration(found: Verification, one: Compared) -> ConfigurationCompared:
         error_phase=one.given.error_phase,
         points=tuple(map(_point, one.points)),
         beside=tuple(map(_point, one.beside)),
+        breathing=_breathing(found, one),
         lumped=tuple(map(_lumped, one.lumped)),
         window=WindowComputed(
             omega=tuple(map(float, one.window_omegas)),
@@ -197,7 +229,37 @@ def _lumped(point: LumpedPoint) -> LumpedComputed:
         point.apart,
         tuple(map(float, point.phase)),
         tuple(map(float, point.force)),
+        tuple(map(float, point.order)),
+        tuple(map(float, point.amplitude)),
     )
+
+
+def _breathing(found: Verification, one: Compared) -> tuple[BreathingComputed, ...]:
+    """At each speed, beside the motion with the centre distance held."""
+    from gearlash.studies.verification import DISTANCE_HELD, breathing_of, with_width
+
+    if found.inputs.bearing_y is None:
+        return ()
+    pair = with_width(found.inputs, one.configuration.width).pair
+    held = {p.omega: p for p in one.beside if p.setting == DISTANCE_HELD.name}
+    told = []
+    for point in one.points:
+        moved, beside = breathing_of(pair, point.centre_change), held.get(point.omega)
+        told.append(
+            BreathingComputed(
+                omega=point.omega,
+                centre_distance=_in_um(moved.change),
+                contact_ratio=moved.contact_ratio,
+                backlash=_in_um(moved.backlash),
+                label_held="" if beside is None else _label(beside),
+                peak_share=None if beside is None else point.reading.most / beside.reading.most - 1.0,
+            )
+        )
+    return tuple(told)
+
+
+def _in_um(ends: tuple[float, float]) -> tuple[float, float]:
+    return ends[0] * 1e6, ends[1] * 1e6
 
 
 def _labels(points: tuple[PointFound, ...], omegas: object) -> tuple[str, ...]:
@@ -230,6 +292,12 @@ def _point(point: PointFound) -> PointComputed:
         energy_residual=point.energy_residual,
         phase=tuple(map(float, reading.phase)),
         force=tuple(map(float, reading.force)),
+        frames=tuple(
+            FrameComputed(float(phase), (float(turns[0]), float(turns[1])), (float(push[0]), float(push[1])))
+            for phase, turns, push in zip(
+                point.frames.phase, point.frames.turns, point.frames.forces, strict=True
+            )
+        ),
     )
 
 

@@ -19,6 +19,8 @@ from gearlash.system import ContactRule, Family
 Array = NDArray[np.float64]
 SHOWN, SAMPLES, KEPT = 2, 400, 80
 """Mesh cycles of force that are kept, its samples a cycle, and how many of them about are kept."""
+HIGHEST = 8
+"""Order of the mesh frequency up to which amplitudes are kept."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,9 @@ class LumpedPoint:
     phase, force : ndarray
         Mesh cycles, and the contact force over the mean one: of one period, or of the first mesh cycles of a
         motion without one.
+    order, amplitude : ndarray
+        Orders of the mesh frequency up to `HIGHEST`, and amplitudes of that force; empty for a motion without
+        a period.
     """
 
     omega: float
@@ -68,6 +73,8 @@ class LumpedPoint:
     apart: float | None
     phase: Array
     force: Array
+    order: Array
+    amplitude: Array
 
 
 def lumped_case(case: Case, given: LumpedInputs, rule: ContactRule) -> Case:
@@ -146,9 +153,20 @@ def _point(family: Family, rule: ContactRule, omega: float) -> LumpedPoint:
     mean = every["load"] / every["rotation_factor"]
     kept = slice(0, SHOWN * SAMPLES, SAMPLES // KEPT)
     label = str(one.label or one.status)
+    spectrum = _orders(shown.phase, shown.force / mean, shown.period)
     return LumpedPoint(
-        omega, rule, label, one.share_without_contact, shown.phase[kept], shown.force[kept] / mean
+        omega, rule, label, one.share_without_contact, shown.phase[kept], shown.force[kept] / mean, *spectrum
     )
+
+
+def _orders(phase: Array, force: Array, period: int) -> tuple[Array, Array]:
+    """Orders and amplitudes of a motion of some mesh cycles; none where nothing periodic was proved."""
+    if period == 0:
+        return np.zeros(0), np.zeros(0)
+    at = phase[0] + np.arange(period * SAMPLES) / SAMPLES
+    lines = np.abs(np.fft.rfft(np.interp(at, phase, force, period=period))) * 2.0 / len(at)
+    count = HIGHEST * period
+    return np.arange(1, count + 1) / period, lines[1 : count + 1]
 
 
 def lumped_window(

@@ -16,6 +16,8 @@ Array = NDArray[np.float64]
 WINDOW = (0.82, 1.14, 17)
 """Speeds of the window over the last one asked for: from, to, how many."""
 RIGID = replace(PLANNED, name="rigid gear", flexible=False)
+DISTANCE_HELD = replace(PLANNED, name="centre distance held", held="centre distance")
+"""Beside the planned setting it tells what the breathing of the centre distance does."""
 AT_WINDOW = Setting("window", steps=128, settle=30, read=16)
 """Every speed begins from the motion of its neighbour, so that less has to settle."""
 
@@ -161,7 +163,7 @@ class Plan:
     """
 
     planned: Setting = PLANNED
-    everywhere: tuple[Setting, ...] = (RIGID,)
+    everywhere: tuple[Setting, ...] = (RIGID, DISTANCE_HELD)
     beside: tuple[Setting, ...] = ()
     window: Setting = AT_WINDOW
     window_over: tuple[float, float, int] = WINDOW

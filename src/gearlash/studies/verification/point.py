@@ -20,13 +20,19 @@ from gearlash.multibody import (
     simulate,
 )
 
+from .frames import Frames, frames_of
 from .inputs import Inputs
 from .settings import Setting
 
 Array = NDArray[np.float64]
 GOVERNED = 20.0
 """Mesh cycles in which the governor takes a deviation of the mean speed away."""
-AXES = {"": (), "centre-line": (0, 3, 4, 6, 9, 10), "lumped": (0, 1, 2, 3, 4, 6, 7, 8, 9, 10)}
+AXES = {
+    "": (),
+    "centre distance": (0, 6),
+    "centre-line": (0, 3, 4, 6, 9, 10),
+    "lumped": (0, 1, 2, 3, 4, 6, 7, 8, 9, 10),
+}
 """Coordinates that are held."""
 
 
@@ -70,6 +76,10 @@ class PointFound:
     reading : Reading
     energy_residual : float
         Of the energy balance over the cycles read.
+    centre_change : (float, float)
+        Least and greatest change of the centre distance at mid face over the cycles read, m.
+    frames : Frames
+        Poses over the last mesh cycle.
     q, v : ndarray
         State at the end: what a neighbour begins from.
     """
@@ -79,6 +89,8 @@ class PointFound:
     setting: str
     reading: Reading
     energy_residual: float
+    centre_change: tuple[float, float]
+    frames: Frames
     q: Array
     v: Array
 
@@ -184,12 +196,15 @@ def run_point(
     motion = simulate(
         machine, carried, settled.q[-1], settled.v[-1], step=step, steps=steps, solver=setting.solver
     )
+    apart = motion.q[:, 6] - motion.q[:, 0]
     return PointFound(
         omega=omega,
         rpm=speed * 30.0 / pi,
         setting=setting.name,
         reading=read_motion(motion, teeth),
         energy_residual=energy_balance(machine, motion).residual,
+        centre_change=(float(apart.min()), float(apart.max())),
+        frames=frames_of(motion, machine.teeth),
         q=motion.q[-1],
         v=motion.v[-1],
     )

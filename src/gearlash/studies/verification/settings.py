@@ -19,8 +19,8 @@ class Setting:
         Stiffness along the line of centres over that across it.
     bearing_span : float
         Distance of the two bearings of a shaft, m: tilt stiffness = k_y span²/4.
-    held : {"", "centre-line", "lumped"}
-        Directions that are held: none; the line of centres and all tilts; all but rotation.
+    held : {"", "centre distance", "centre-line", "lumped"}
+        Directions that are held: none; the line of centres; it and all tilts; all but rotation.
     error_turn : float
         Added to the phase of the error, rad.
     contact_damping, bearing_damping : float

@@ -1,0 +1,62 @@
+"""Where both gears are at times of a mesh cycle, like the frames of a film."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.multibody import Motion
+
+Array = NDArray[np.float64]
+FRAMES = 6
+"""Of a mesh cycle."""
+
+
+@dataclass(frozen=True, eq=False)
+class Frames:
+    """Poses over the last whole mesh cycle that was read.
+
+    Attributes
+    ----------
+    phase : ndarray, shape (n,)
+        Of the mesh cycle, from 0 to below 1.
+    turns : ndarray, shape (n, 2)
+        Of pinion and gear, rad, less the pitches that went by before the cycle.
+    forces : ndarray, shape (n, 2)
+        Of the drive side and of the back side, N.
+    """
+
+    phase: Array
+    turns: Array
+    forces: Array
+
+    @property
+    def poses(self) -> Array:
+        """As the drawing of teeth takes them, shape (n, 12): in its section at mid face the turns count."""
+        made = np.zeros((len(self.phase), 12))
+        made[:, [5, 11]] = self.turns
+        return made
+
+
+def frames_of(motion: Motion, teeth: tuple[int, int]) -> Frames:
+    """Frames at even distances of phase.
+
+    Parameters
+    ----------
+    motion : Motion
+        Kept at every step, over at least one mesh cycle.
+    teeth : (int, int)
+        Of pinion and gear.
+
+    Returns
+    -------
+    Frames
+    """
+    phase = motion.q[:, 5] * teeth[0] / (2.0 * np.pi)
+    first = np.floor(phase[-1] + 1e-9) - 1.0
+    at = [int(np.abs(phase - first - k / FRAMES).argmin()) for k in range(FRAMES)]
+    pitches = 2.0 * np.pi * first / np.array(teeth) * np.array([1.0, -1.0])
+    turns = motion.q[np.ix_(at, [5, 11])] - pitches
+    return Frames(phase[at] - first, turns, motion.recorded[at, :2])
