@@ -52,7 +52,9 @@ of every curve N `curve-N.json` (for `--resume`), `curve-N.nc`, `curve-N.csv` |
 of two axes `zone.json`, the boundary as `zone.csv`, `zone.svg`, `zone.pdf` |
 | tolerance | `tolerance.json`, `tolerance.csv`, and of complete work `tolerance.svg`, `tolerance.pdf` |
 | compare | `compare.json`, `compare.csv`, and of complete work `compare.svg`, `compare.pdf` |
-| verify | `verify.json` |
+| verify | `verify.json`, and of complete work, each as SVG and PDF, `force` (over time beside the lumped \
+model), `orders` (order spectra, 0 dB is the mean force), `lines` (of contact on a tooth as wide as the case \
+says, under its torque), `frames` (of the motion as planned whose teeth are apart for the longest) |
 | report | `report.html`, `report.json`, `verdict.json`, `figures/`, and as data `speed.csv`, `speed.nc` (a \
 row for every point of both sweeps), `history-nominal.csv`, `history-nominal.nc`, `spectrum-nominal.csv`, \
 `spectrum-nominal.nc` (the motion at the present speed), `history-hardest.csv`, `history-hardest.nc`, \
@@ -92,6 +94,8 @@ writes all of its tables into the folder instead.
 | zones | `zones.csv`, `residents.csv` (motions in them), `sweep.csv`; of two axes `zone.csv` |
 | tolerance | `tolerance.csv`, `profile.csv` (between solved ends), `bands.csv`, `inputs.csv` |
 | compare | `compare.csv`, `jumps.csv` |
+| verify | `verify.csv` (a row a motion of either model), `forces.csv` (over time), `orders.csv`, \
+`window.csv`, `breathing.csv` (of the centre distance), `meshes.csv` |
 | report | those of its folder |
 
 Files are UTF-8 without a mark, with a line end after every row. The first line has names, with units in

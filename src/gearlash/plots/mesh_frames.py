@@ -26,7 +26,11 @@ MM = 1e3
 
 @style.styled
 def mesh_frames(
-    flanks: Flanks, poses: NDArray[np.float64], forces: NDArray[np.float64], titles: Sequence[str]
+    flanks: Flanks,
+    poses: NDArray[np.float64],
+    forces: NDArray[np.float64],
+    titles: Sequence[str],
+    motion: str = "",
 ) -> Figure:
     """Frames of a motion in the section at mid face.
 
@@ -39,6 +43,8 @@ def mesh_frames(
         Sum of the normal forces on both sides of the teeth, N.
     titles : sequence of str
         What stands above each frame.
+    motion : str
+        Which motion this is, said below the frames.
 
     Returns
     -------
@@ -56,7 +62,8 @@ def mesh_frames(
                 _push(axes, flanks, side, float(force[side]) / most)
         _window(axes, flanks)
         axes.set_title(title, fontsize=7.0)
-    words = f"play drawn {times} times as wide"
+    words = f"{motion}: " if motion else ""
+    words += f"play drawn {times} times as wide"
     if most > 0.0:
         words += f"; longest arrow {most * 1e-3:.3g} kN"
     figure.supxlabel(words, fontsize=7.5)

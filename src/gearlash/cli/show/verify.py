@@ -55,12 +55,29 @@ def _configuration(one: ConfigurationCompared, width: int) -> Iterator[Text]:
     yield from table(f"{one.name}: {one.held}", columns, rows, width)
     numbers = ", ".join(f"{name} {value:.4g}" for name, value in one.numbers.items())
     facts_ = [("torque, error", f"{one.torque:.4g} N·m, {one.error:.4g} µm"), ("numbers", numbers)]
+    facts_ += [(f"centre distance, {speed:.0f} rpm", said) for speed, said in _breathing(one)]
     if one.window.omega:
         facts_ += [("contact kept", _kept(one))]
     yield from facts("", facts_, width)
     if one.beside:
         beside = [[p.setting, *_row(p)] for p in one.beside]
         yield from table("settings beside", [("setting", "left"), *columns[:6]], beside, width)
+
+
+def _breathing(one: ConfigurationCompared) -> Iterator[tuple[float, str]]:
+    """What its motion makes of contact ratio, backlash and greatest force, at each speed."""
+    speeds = {p.omega: p.speed for p in one.points}
+    for each in one.breathing:
+        change, ratio, play = each.centre_distance, each.contact_ratio, each.backlash
+        said = (
+            f"breathes by {change[0]:+.1f} to {change[1]:+.1f} µm: contact ratio {ratio[0]:.4f} to "
+            f"{ratio[1]:.4f}, backlash {play[0]:.1f} to {play[1]:.1f} µm"
+        )
+        if each.peak_share is not None:
+            less = "higher" if each.peak_share >= 0.0 else "lower"
+            share = f"{abs(100.0 * each.peak_share):.1f} % {less}"
+            said += f"; greatest force {share} than with it held (there {each.label_held})"
+        yield speeds[each.omega], said
 
 
 def _row(p: PointComputed) -> list[str]:

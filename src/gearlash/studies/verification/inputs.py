@@ -124,6 +124,9 @@ def inputs_of(case: Case, speeds: tuple[float, ...]) -> Inputs:
     if not isinstance(content, GearContent):
         raise NotVerifiableError(f"{case.name} is no pair of gears: there are no teeth to verify with")
     stated = {v.path: _in_si(v.value, v.unit) for v in case.values() if isinstance(v.value, int | float)}
+    for gear in ("pinion", "gear"):  # stated, or that of the default body
+        if f"derived.inertia_{gear}" in stated:
+            stated[f"{gear}.inertia"] = stated[f"derived.inertia_{gear}"]
     missing = [path for path in _needed() if path not in stated]
     if missing:
         raise NotVerifiableError(
@@ -140,7 +143,7 @@ def inputs_of(case: Case, speeds: tuple[float, ...]) -> Inputs:
         case=case.name,
         pair=pair,
         masses=(stated["pinion.mass"], stated["gear.mass"]),
-        axial_inertias=(stated["derived.inertia_pinion"], stated["derived.inertia_gear"]),
+        axial_inertias=(stated["pinion.inertia"], stated["gear.inertia"]),
         radii=radii,
         body_widths=(stated["pinion.face_width"], stated["gear.face_width"]),
         bearing_y=_of_both(stated, "bearing_stiffness_y"),
@@ -160,11 +163,13 @@ def inputs_of(case: Case, speeds: tuple[float, ...]) -> Inputs:
 
 def _needed() -> tuple[str, ...]:
     return (
-        *(f"{gear}.{name}" for gear in ("pinion", "gear") for name in ("teeth", "mass", "face_width")),
+        *(
+            f"{gear}.{name}"
+            for gear in ("pinion", "gear")
+            for name in ("teeth", "mass", "face_width", "inertia")
+        ),
         "mesh.mean_stiffness",
         "mesh.backlash",
-        "derived.inertia_pinion",
-        "derived.inertia_gear",
     )
 
 

@@ -1,0 +1,107 @@
+"""`gearlash verify` from a case to its files, with coarse finite elements and short motions."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from cli import short_verify
+from cli.conftest import Gearlash
+from cli.signalled import MARK, marked, still_running
+
+FILES = {f"{name}.{form}" for name in ("force", "orders", "lines", "frames") for form in ("svg", "pdf")}
+TABLES = {f"{name}.csv" for name in ("verify", "forces", "orders", "window", "breathing", "meshes")}
+SPUR = """
+kind = "KIND"
+name = "spurs"
+[pinion]
+teeth = 25
+face_width = "20 mm"
+[gear]
+teeth = 57
+face_width = "20 mm"
+[mesh]
+normal_module = "2 mm"
+pressure_angle = "20 deg"
+backlash = "80 um"
+[operation]
+pinion_speed = "4200 rpm"
+torque = "50 N m"
+"""
+WAYS = ["stiffness", "dimensionless", "absolute"]
+
+
+@pytest.fixture
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    short_verify.shorten(monkeypatch.setattr)
+
+
+@pytest.mark.usefixtures("short")
+def test_helical_case_as_json_with_figures_and_tables(gearlash: Gearlash, tmp_path: Path):
+    out = tmp_path / "out"
+    quick = ("--speed", "3600rpm", "--quick", "--workers", "1")
+    ran = gearlash("verify", "article", *quick, "--json", "--csv", "--out", str(out))
+    assert ran.code == 0, ran.complaint
+    answer = ran.answer
+    assert answer == json.loads((out / "verify.json").read_text(encoding="utf-8"))
+    ways = answer["configurations"]
+    assert [way["name"] for way in ways] == WAYS
+    for way in ways:
+        assert [len(way[name]) for name in ("points", "beside", "breathing", "lumped")] == [1, 1, 1, 3]
+        assert [frame["phase"] for frame in way["points"][0]["frames"]] == sorted(
+            frame["phase"] for frame in way["points"][0]["frames"]
+        )
+    assert {path.name for path in out.iterdir()} == {*FILES, *TABLES, "verify.json", ".gearlash.json"}
+    rows = list(csv.DictReader((out / "verify.csv").read_text(encoding="utf-8").splitlines()))
+    assert [row["model"] for row in rows] == ["real teeth", "real teeth", *["lumped model"] * 3] * 3
+    assert float(rows[0]["mean_force [N]"]) == ways[0]["points"][0]["mean_force"]
+    assert "dB re its mean" in (out / "orders.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.usefixtures("short")
+@pytest.mark.parametrize("kind", ["spur-1dof", "helical-pair"])
+def test_spur_cases(gearlash: Gearlash, tmp_path: Path, kind: str):
+    """With rotations alone, where nothing breathes, and with bearings, where it does."""
+    case, helix = tmp_path / "spurs.toml", 'helix_angle = "0 deg"\n[operation]'
+    text = SPUR.replace("KIND", kind)
+    case.write_text(text if kind == "spur-1dof" else text.replace("[operation]", helix), encoding="utf-8")
+    ran = gearlash("verify", str(case), "--speed", "4200rpm", "--quick", "--workers", "1", "--json")
+    assert ran.code == 0, ran.complaint
+    assert [mesh["overlap_ratio"] for mesh in ran.answer["meshes"]] == [0.0, 0.0]
+    for way in ran.answer["configurations"]:
+        assert len(way["breathing"]) == (kind == "helical-pair")
+        point = way["points"][0]
+        assert 0.5 * point["mean_force"] < point["greatest_force"]
+        assert point["apart"] < 1.0
+
+
+@pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="processes are looked for in /proc")
+def test_interrupted_it_keeps_what_was_found_and_leaves_nothing_running(tmp_path: Path):
+    out, mark = tmp_path / "out", f"{os.getpid()}-verify"
+    command = [sys.executable, "-m", "cli.short_verify", "verify", "article", "--workers", "2"]
+    process = subprocess.Popen(
+        [*command, "--out", str(out)],
+        env={**os.environ, MARK: mark, "PYTHONPATH": str(Path(__file__).parents[1])},
+        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+        start_new_session=True,
+    )  # fmt: skip
+    while process.poll() is None and len(marked(mark)) < 3:  # both workers have begun
+        time.sleep(0.1)
+    time.sleep(3.0)
+    process.send_signal(signal.SIGINT)
+    said, _ = process.communicate(timeout=60)
+    assert process.returncode == 130, said
+    assert "Traceback" not in said
+    assert still_running(mark) == []
+    if "keeping what was computed" in said:  # a busy machine may still be at the finite elements
+        answer = json.loads((out / "verify.json").read_text(encoding="utf-8"))
+        assert answer["status"] == "incomplete"
+        assert not FILES & {path.name for path in out.iterdir()}
