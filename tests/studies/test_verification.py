@@ -13,6 +13,7 @@ from gearlash.cli.answers.verify import VerifyAnswer, verify_answer
 from gearlash.cli.show.verify import spans, verify_view
 from gearlash.gears import backlash
 from gearlash.multibody import Motion, read_motion
+from gearlash.multibody.tooth_contact import ToothContact
 from gearlash.studies.verification import (
     DISTANCE_HELD,
     NotVerifiableError,
@@ -23,6 +24,7 @@ from gearlash.studies.verification import (
     sensitivity,
     verification,
 )
+from gearlash.studies.verification.point import run_point
 from multibody.standin import standin
 
 SHORT = Setting(steps=64, settle=4, read=16)
@@ -100,6 +102,25 @@ def test_answer_lists_every_input_and_setting(found: Verification):
     assert "There is no friction" in text
     assert "contact kept" in text
     assert json.dumps(answer.configurations[0].window.up)
+
+
+@pytest.mark.parametrize("flexible", [False, True])
+def test_no_energy_is_lost_or_made_between_real_teeth(found: Verification, flexible: bool):
+    """Involute flanks that part and meet again, at a step of 1/2048 of a mesh cycle."""
+    mesh, inputs = found.meshes[0], found.inputs
+    contact = mesh.contact(inputs, error=inputs.error, flexible=flexible)
+    point = run_point(
+        inputs,
+        ToothContact(contact.tables),
+        Setting(steps=2048, settle=1, read=1, flexible=flexible),
+        omega=inputs.speeds[0],
+        stiffness=mesh.stiffness,
+        torque=0.3 * inputs.torque,
+        modes=mesh.modes if flexible else None,
+    )
+    assert 0.3 < point.reading.apart < 0.8
+    assert point.reading.drive_impacts >= 1
+    assert point.energy_residual < 1e-4
 
 
 def test_breathing_is_that_of_the_motion(found: Verification):

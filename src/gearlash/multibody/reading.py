@@ -119,8 +119,6 @@ def read_motion(
         drive_impacts, back_impacts = (round(count / (cycles // period)) for count in counts)
         label = Signature(period, drive_impacts, back_impacts)
     free = (motion.drive_force[within] <= 0.0) & (motion.back_force[within] <= 0.0)
-    spectrum = np.abs(np.fft.rfft(force[-(cycles // 2 * 2) * SAMPLES :])) * 2.0 / (cycles // 2 * 2 * SAMPLES)
-    half_orders = spectrum[:: cycles // 2][1:17] if cycles >= 2 else np.zeros(0)
     return Reading(
         label=label,
         returns=returns,
@@ -132,11 +130,20 @@ def read_motion(
         mean=float(force.mean()),
         most=float(motion.drive_force[within].max()),
         most_back=float(motion.back_force[within].max()),
-        orders=half_orders,
+        orders=_half_orders(force, cycles),
         phase=grid[-shown * SAMPLES :] - (last - shown),
         force=force[-shown * SAMPLES :],
         speed=float((motion.q[-1, SPIN] - motion.q[0, SPIN]) / (motion.t[-1] - motion.t[0])),
     )
+
+
+def _half_orders(force: Array, cycles: int) -> Array:
+    """Amplitudes at the mesh orders 1/2, 1, …, 8, over an even number of cycles; none of a single cycle."""
+    even = cycles // 2 * 2
+    if not even:
+        return np.zeros(0)
+    spectrum = np.abs(np.fft.rfft(force[-even * SAMPLES :])) * 2.0 / (even * SAMPLES)
+    return spectrum[:: even // 2][1:17]
 
 
 def _beginnings(force: Array) -> int:
