@@ -84,7 +84,7 @@ def test_stated_tips_in_the_root_of_the_mate_are_refused_and_others_told():
         ({"mesh.centre_distance": "126 mm", "pinion.profile_shift": 0, "gear.profile_shift": 0},
          "they need 127.339 mm and more"),
         ({"mesh.backlash": "300 um", "pinion.material": "POM", "gear.material": "POM",
-          "mesh.temperature": "80 degC"}, "more than 433.6 um"),
+          "mesh.temperature": "80 degC"}, "more than 433.6 µm"),
         ({"mesh.backlash": "0 um"}, "no backlash to take half of"),
     ],
 )  # fmt: skip

@@ -176,7 +176,7 @@ def test_out_holds_the_same_json_and_the_figures(gearlash: Gearlash, tmp_path: P
     assert json.loads((folder / "run.json").read_text(encoding="utf-8")) == ran.answer
     names = {path.name for path in folder.iterdir()}
     figures = {f"{name}.{form}" for name in ("portrait", "history") for form in ("svg", "pdf")}
-    assert names == {".gearlash.json", "run.json", *figures}
+    assert names == {".gearlash.json", "run.json", "history.nc", "spectrum.nc", *figures}
 
 
 def test_phase_zero_state_in_physical_units(gearlash: Gearlash):

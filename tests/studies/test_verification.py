@@ -12,7 +12,7 @@ import gearlash as gl
 from gearlash.cli.answers.verify import VerifyAnswer, verify_answer
 from gearlash.cli.show.verify import spans, verify_view
 from gearlash.gears import backlash
-from gearlash.multibody import Motion, read_motion
+from gearlash.multibody import Trajectory, read_motion
 from gearlash.multibody.tooth_contact import ToothContact
 from gearlash.studies.verification import (
     DISTANCE_HELD,
@@ -193,7 +193,7 @@ def test_label_counts_beginnings_of_contact_in_a_period(period: int, impacts: in
     force = np.full(len(t), 1.0)
     for k in range(impacts):
         force[np.abs((t + 0.2 * k) % period - 0.5) < 0.05] = 0.0
-    motion = Motion(t, q, np.zeros_like(q), np.outer(force, [100.0, 0, 0, 0, 0]))
+    motion = Trajectory(t, q, np.zeros_like(q), np.outer(force, [100.0, 0, 0, 0, 0]))
     reading = read_motion(motion, 28)
     assert reading.label == gl.Signature(period, impacts, 0)
     assert reading.apart == pytest.approx(0.1 * impacts / period, abs=0.01)

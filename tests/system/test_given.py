@@ -306,8 +306,12 @@ def test_cosines_refuse_in_words():
 
 def _every_error() -> list[GearlashError]:
     from gearlash.case import CaseError, Problem
+    from gearlash.case.kinds.gears.meshing import ValueProblemError
     from gearlash.case.kinds.piecewise.arrays import NoValueError
     from gearlash.jobs import NoWorkersError, UnfinishedError
+    from gearlash.multibody.dynamics import SimulationError
+    from gearlash.multibody.extra import MissingExtraError
+    from gearlash.studies.verification.inputs import NotVerifiableError
 
     return [
         GearlashError("text"),
@@ -317,6 +321,10 @@ def _every_error() -> list[GearlashError]:
         NoValueError("matrix", "1/0", "a number"),
         NoWorkersError("no worker started"),
         UnfinishedError("a worker died"),
+        ValueProblemError(Problem("mesh.backlash", "'0 um'", "more")),
+        MissingExtraError("not installed"),
+        NotVerifiableError("no teeth"),
+        SimulationError("it stopped"),
     ]
 
 

@@ -6,7 +6,7 @@ materials and bodies. It needs the extra `multibody` (Exudyn and scikit-fem), im
 
 from .bodies import Bearings, Machine, Modes, RigidBody
 from .contact import Details, MeshContact, RimModes
-from .dynamics import Contact, Motion, SimulationError, Solver, natural_frequencies, simulate
+from .dynamics import Contact, SimulationError, Solver, Trajectory, natural_frequencies, simulate
 from .energy import EnergyBalance, energy_balance
 from .extra import MissingExtraError, require_extra
 from .flanks import Flanks
@@ -26,7 +26,6 @@ __all__ = [
     "MeshContact",
     "MissingExtraError",
     "Modes",
-    "Motion",
     "QuasiStatic",
     "Reading",
     "Relief",
@@ -35,6 +34,7 @@ __all__ = [
     "SimulationError",
     "Solver",
     "Topography",
+    "Trajectory",
     "energy_balance",
     "natural_frequencies",
     "quasi_static",

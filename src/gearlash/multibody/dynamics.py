@@ -55,7 +55,7 @@ from a stiffness or an error that follows the time, and no rotation."""
 
 
 @dataclass(frozen=True)
-class Motion:
+class Trajectory:
     """A motion as it was integrated, at the beginning of every ``every``-th step and at the end.
 
     Attributes
@@ -95,7 +95,7 @@ def simulate(
     start: float = 0.0,
     every: int = 1,
     solver: Solver = Solver.RK44,
-) -> Motion:
+) -> Trajectory:
     """Integrate from a state.
 
     Parameters
@@ -116,7 +116,7 @@ def simulate(
 
     Returns
     -------
-    Motion
+    Trajectory
 
     Raises
     ------
@@ -238,12 +238,12 @@ class _Kept:
             raise SimulationError(f"the multibody model left all bounds at {t:.6g} s; take a smaller step")
         self.rows.append((t, q, v, self.contact.record(t, q, v)))
 
-    def motion(self) -> Motion:
+    def motion(self) -> Trajectory:
         t, q, v, recorded = zip(*self.rows, strict=True)
         arrays = (np.array(t), np.array(q), np.array(v), np.array(recorded))
         for array in arrays:
             array.setflags(write=False)
-        return Motion(*arrays)
+        return Trajectory(*arrays)
 
 
 @contextmanager

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .bodies import Machine
-from .dynamics import Motion
+from .dynamics import Trajectory
 
 Array = NDArray[np.float64]
 
@@ -42,13 +42,13 @@ class EnergyBalance:
         return abs(missing) / max(self.bearings + self.contact, abs(self.input))
 
 
-def energy_balance(machine: Machine, motion: Motion) -> EnergyBalance:
+def energy_balance(machine: Machine, motion: Trajectory) -> EnergyBalance:
     """Work of every part over a motion.
 
     Parameters
     ----------
     machine : Machine
-    motion : Motion
+    motion : Trajectory
         Kept at every step or nearly so: powers are integrated between the states that were kept.
 
     Returns

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from gearlash.system import Signature
 
 from .bodies import SPIN
-from .dynamics import Motion
+from .dynamics import Trajectory
 
 Array = NDArray[np.float64]
 SAMPLES = 64
@@ -67,13 +67,13 @@ class Reading:
 
 
 def read_motion(
-    motion: Motion, teeth: int, *, longest: int = 8, tolerance: float = 0.01, shown: int = 2
+    motion: Trajectory, teeth: int, *, longest: int = 8, tolerance: float = 0.01, shown: int = 2
 ) -> Reading:
     """Period, label and figures of a motion that has settled.
 
     Parameters
     ----------
-    motion : Motion
+    motion : Trajectory
         Kept at every step or nearly so, over at least twice ``longest`` mesh cycles.
     teeth : int
         Of the pinion.
@@ -92,12 +92,12 @@ def read_motion(
     Examples
     --------
     >>> import numpy as np
-    >>> from gearlash.multibody import Motion, read_motion
+    >>> from gearlash.multibody import Trajectory, read_motion
     >>> t = np.linspace(0.0, 16.0, 2049)
     >>> q = np.zeros((2049, 12))
     >>> q[:, 5] = 2.0 * np.pi * t / 20
     >>> force = np.maximum(1.0 + 1.5 * np.cos(2.0 * np.pi * t), 0.0)
-    >>> motion = Motion(t, q, np.gradient(q, t, axis=0), np.outer(force, [1.0, 0, 0, 0, 0]))
+    >>> motion = Trajectory(t, q, np.gradient(q, t, axis=0), np.outer(force, [1.0, 0, 0, 0, 0]))
     >>> reading = read_motion(motion, 20)
     >>> str(reading.label), round(reading.apart, 2)
     ('1-1-0', 0.27)

@@ -26,7 +26,7 @@ from .atlas_panel import (
     MARKER,
     UNSTABLE,
     WIDTHS,
-    Mark,
+    NumberedPoint,
     draw_curves,
     draw_marks,
     marks_of,
@@ -181,7 +181,7 @@ class _Scene:
     """What is drawn in every panel."""
 
     drawn: Sequence[Drawn]
-    marks: Sequence[Mark]
+    marks: Sequence[NumberedPoint]
     behind: xr.Dataset
     names: tuple[str, str]
     axes: _Axes
@@ -296,7 +296,7 @@ def _frame(panel: Axes, span: Sequence[tuple[float, float]], letter: str) -> Non
     )  # fmt: skip
 
 
-def _hidden(mark: Mark, limits: Sequence[tuple[float, float]], boxes: Sequence[Box]) -> bool:
+def _hidden(mark: NumberedPoint, limits: Sequence[tuple[float, float]], boxes: Sequence[Box]) -> bool:
     """Whether a point is shown in a closer look."""
     places = [(v - low) / (high - low) for v, (low, high) in zip(mark.special.values, limits, strict=True)]
     return any(b.left <= places[0] <= b.right and b.low <= places[1] <= b.high for b in boxes)

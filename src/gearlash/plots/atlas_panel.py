@@ -35,7 +35,7 @@ UNIT = 1.0 + 1e-6  # modulus from which on a multiplier is outside the unit circ
 
 
 @dataclass(frozen=True, eq=False)
-class Mark:
+class NumberedPoint:
     """A point at which two things happen: ``number`` as in the table; whether its orbit is not unstable."""
 
     special: CodimTwoPoint
@@ -47,14 +47,14 @@ class Mark:
         return self.special.kind
 
 
-def marks_of(curves: Sequence[Curve], same: tuple[float, float]) -> list[Mark]:
+def marks_of(curves: Sequence[Curve], same: tuple[float, float]) -> list[NumberedPoint]:
     """All points, each with the number of the first curve on which it is."""
-    found: list[Mark] = []
+    found: list[NumberedPoint] = []
     for i, curve in enumerate(curves, 1):
         for number, special in enumerate(curve.special, 1):
             if not any(_one(special, other.special, same) for other in found):
                 bounds = bool((np.abs(special.point.multipliers) <= UNIT).all())
-                found.append(Mark(special, f"{i}.{number}", bounds))
+                found.append(NumberedPoint(special, f"{i}.{number}", bounds))
     return found
 
 
@@ -83,7 +83,7 @@ def draw_curves(room: Room, drawn: Sequence[Drawn]) -> None:
                 panel.plot(*end.values, zorder=4.0, **LOST_LOOK)
 
 
-def draw_marks(room: Room, marks: Sequence[Mark]) -> tuple[set[CodimTwoKind], bool, int]:
+def draw_marks(room: Room, marks: Sequence[NumberedPoint]) -> tuple[set[CodimTwoKind], bool, int]:
     """Markers with their numbers, those of one place together, and dots where orbits are unstable. Returns
     the kinds that have a marker, whether there is a dot, and how many points have their number."""
     inside = [mark for mark in marks if _inside(room, *mark.special.values)]
@@ -107,7 +107,9 @@ def draw_marks(room: Room, marks: Sequence[Mark]) -> tuple[set[CodimTwoKind], bo
     return kinds, bool(dots), numbered
 
 
-def _together(marks: Sequence[Mark], places: dict[int, tuple[float, float]]) -> Iterator[list[Mark]]:
+def _together(
+    marks: Sequence[NumberedPoint], places: dict[int, tuple[float, float]]
+) -> Iterator[list[NumberedPoint]]:
     """Those at one place."""
     left = list(marks)
     while left:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.multibody import Motion
+from gearlash.multibody import Trajectory
 
 Array = NDArray[np.float64]
 FRAMES = 6
@@ -40,12 +40,12 @@ class Frames:
         return made
 
 
-def frames_of(motion: Motion, teeth: tuple[int, int]) -> Frames:
+def frames_of(motion: Trajectory, teeth: tuple[int, int]) -> Frames:
     """Frames at even distances of phase.
 
     Parameters
     ----------
-    motion : Motion
+    motion : Trajectory
         Kept at every step, over at least one mesh cycle.
     teeth : (int, int)
         Of pinion and gear.

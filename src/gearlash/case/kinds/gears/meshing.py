@@ -219,7 +219,7 @@ def _soft(entries: EntriesByKey, drawing: Drawing, force: float) -> Iterator[Not
     if stiffness is not None and force / stiffness.number > BENT * module:
         bent = force / stiffness.number
         text = (
-            f"teeth give way by {1e6 * bent:.3g} um under this torque, {bent / module:.2g} m_n (along the "
+            f"teeth give way by {1e6 * bent:.3g} µm under this torque, {bent / module:.2g} m_n (along the "
             "normal, in the mean): they touch before and behind the path of contact, which raises contact "
             "ratio and stiffness and is not in the estimates"
         )
@@ -237,3 +237,6 @@ class ValueProblemError(GearlashError):
     def __init__(self, problem: Problem):
         super().__init__(str(problem))
         self.problem = problem
+
+    def __reduce__(self) -> tuple[type[ValueProblemError], tuple[Problem]]:
+        return type(self), (self.problem,)
