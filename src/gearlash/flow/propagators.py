@@ -233,12 +233,6 @@ def propagators(system: System, reuse: Propagators | None = None) -> Propagators
         cells, tried = ceil((REFINEMENT if tried < GENTLE_TRIES else LATE_REFINEMENT) * cells), tried + 1
 
 
-def maps_fit(system: System, props: Propagators) -> bool:
-    """Whether another system has the same maps, so that `propagators` would reuse them: it differs in load,
-    error or gaps alone."""
-    return _key(system, units_of(system)) == props.key
-
-
 def propagators_of(system: System | Propagators) -> Propagators:
     """The propagators of a system; they may be what is given."""
     if isinstance(system, Propagators):

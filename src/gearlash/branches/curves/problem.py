@@ -15,8 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from gearlash.branches.continuation.extrema import Extremum
-from gearlash.flow import Propagators, Trace, propagators
-from gearlash.flow.propagators import maps_fit
+from gearlash.flow import Propagators, Trace
 from gearlash.system import GearlashError
 
 from .along import Beside, moved_end, moved_gap, moved_states
@@ -284,26 +283,18 @@ class Evaluated:
     def _along(self, axis: int) -> Array:
         """Derivative of the residual along one scaled parameter."""
         if self.problem.is_plain:
-            beside = Beside.of(self.problem.plane, self.problem.place(self.u), axis, self.props.system)
-            if maps_fit(beside.other, self.props):  # then another motion costs less than a derivative
-                return self._along_beside(axis, beside)
-            return self._along_exactly(axis, beside)
+            return self._along_exactly(axis)
         index = len(self.u) - len(self.problem.plane.names) + axis
         top = self.problem.plane.outer(axis) / self.problem.plane.unit[axis]
         step = self.problem.step
         step = step if self.u[index] + step <= top else -step
         return (self._moved(index, step).residual - self.residual) / step
 
-    def _along_beside(self, axis: int, beside: Beside) -> Array:
-        """The same by a difference to a system that has the same maps."""
-        u, width = self.u.copy(), beside.step / float(self.problem.plane.unit[axis])
-        u[len(u) - len(self.problem.plane.names) + axis] += width
-        moved = self.problem.evaluate(u, propagators(beside.other, self.props))
-        return (moved.residual - self.residual) / width
-
-    def _along_exactly(self, axis: int, beside: Beside) -> Array:
-        """The same, of plain equations."""
+    def _along_exactly(self, axis: int) -> Array:
+        """The same, of plain equations. No differences: where a parameter is a step away the extremum lies
+        on one side of its boundary, a flat one for longer than its window, so that contacts come in."""
         plane, states = self.problem.plane, self.course[0]
+        beside = Beside.of(plane, self.problem.place(self.u), axis, self.props.system)
         moved = moved_states(self.props, states, self.legs, beside)
         found = [moved[-1] / self.problem.size]
         phases = self.problem.phases(self.u).tolist()
