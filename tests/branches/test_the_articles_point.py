@@ -109,9 +109,10 @@ def test_orders_of_contact_of_the_curves_that_leave_it():
     doubling = np.polynomial.Polynomial.fit(clear[:, 0], clear[:, 1], 6)
     twelve = ways(leaving("doubled"), "12-12-2")
     gaps = twelve[:, 1] - doubling(twelve[:, 0])
-    fit = np.polynomial.Polynomial.fit(twelve[:, 0], gaps, 5).convert()
+    # The orbits begin at a third of the reach: a cubic, as more terms carry rounding from there to the point.
+    fit = np.polynomial.Polynomial.fit(twelve[:, 0], gaps, 3).convert()
     reach = twelve[:, 0].max()
-    assert max(abs(fit.coef[0]), abs(fit.coef[1]) * reach) < 0.15 * abs(fit.coef[2]) * reach**2
+    assert max(abs(fit.coef[0]), abs(fit.coef[1]) * reach) < 0.1 * abs(fit.coef[2]) * reach**2
 
 
 def test_all_three_curves_tell_the_point_they_leave():
