@@ -39,15 +39,17 @@ def main(names: Iterable[str]) -> None:
 
 
 def record(command: Recorded) -> dict[str, Any]:
-    """One command in a process of its own: exit code, answer, arrays."""
+    """One command in a process of its own: exit code, answer, arrays.
+
+    Those of `run` are left out: they draw the motion whose numbers the answer has.
+    """
     with tempfile.TemporaryDirectory() as folder:
         arguments = [part.replace("{cases}", str(CASES)) for part in command.arguments]
         writes = ["--out", folder] if command.result != "check" else []
         line = [str(Path(sys.executable).parent / "gearlash"), *arguments, "--json", *writes]
         done = subprocess.run(line, capture_output=True, text=True, check=False, cwd=folder)
-        arrays = {
-            path.relative_to(folder).as_posix(): decoded(path) for path in sorted(Path(folder).rglob("*.nc"))
-        }
+        files = [] if command.result == "run" else sorted(Path(folder).rglob("*.nc"))
+        arrays = {path.relative_to(folder).as_posix(): decoded(path) for path in files}
     return {"code": done.returncode, "answer": json.loads(done.stdout), "arrays": arrays}
 
 
