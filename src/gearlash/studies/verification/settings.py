@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
+from math import pi
 
 from gearlash.multibody import Solver
 
@@ -66,7 +67,7 @@ def sensitivity(planned: Setting = PLANNED) -> tuple[Setting, ...]:
     -------
     tuple of Setting
     """
-    quarter = 1.5707963267948966
+    quarter = 0.5 * pi
     changes: tuple[tuple[str, dict[str, object]], ...] = (
         ("bearing x stiffness / 4", {"bearing_x": 0.25}),
         ("bearing x stiffness × 4", {"bearing_x": 4.0}),
