@@ -42,6 +42,26 @@ def test_the_conclusion_names_the_inputs_with_the_reported_motion():
     assert "Friction is in neither model" in notes["What this rests on"]
 
 
+def conclusion(found: Verified) -> str:
+    note = next(block for block in section_of._conclusion(found) if isinstance(block, Note))
+    return words(note.text)
+
+
+def test_the_conclusion_says_where_a_moving_centre_distance_makes_the_agreement():
+    assert "with it held, the motion is another one at 3600 rpm (not periodic)." in conclusion(kept())
+    ways = tuple(
+        replace(
+            way,
+            breathing=tuple(
+                replace(moved, label_held=point.label)
+                for moved, point in zip(way.breathing, way.points, strict=True)
+            ),
+        )
+        for way in kept().ways
+    )
+    assert "held" not in conclusion(replace(kept(), ways=ways))
+
+
 def test_every_point_has_its_row():
     shown = section(gl.load_case("article"))
     assert shown is not None
@@ -93,7 +113,8 @@ def test_pictures_of_teeth_are_those_that_the_data_have():
 
 def test_the_kept_data_have_what_pictures_need():
     found = kept()
-    assert found.lines is None or len(found.lines.loads) == np.prod(found.lines.shape)
-    assert found.lines is None or found.pictured in [way.name for way in found.ways]
+    assert found.lines is not None
+    assert len(found.lines.loads) == np.prod(found.lines.shape)
+    assert found.pictured in [way.name for way in found.ways]
     for way in found.ways:
-        assert len(way.breathing) in (0, len(way.points))
+        assert len(way.breathing) == len(way.points)

@@ -47,10 +47,12 @@ def _force(found: Verification, answer: VerifyAnswer) -> Figure:
 def _force_panels(one: ConfigurationCompared, rule: str) -> list[ForcePanel]:
     from gearlash import plots
 
+    from .answers.verify import in_words
+
     lumped = {p.omega: p for p in one.lumped if p.rule == rule}
     return [
         plots.ForcePanel(
-            f"{one.name}, {p.speed:.0f} rpm: {p.label}",
+            f"{one.name}, {p.speed:.0f} rpm: {in_words(p.label)}",
             np.array(p.phase),
             np.array(p.force) / p.mean_force,
             np.array(lumped[p.omega].phase),

@@ -151,8 +151,9 @@ def _conclusion(found: Verified) -> list[Block]:
     return [
         Note(
             Text.of(
-                f"{first[:1].upper()}{first[1:]}{rest}. Given what real teeth have, the lumped model agrees "
-                f"with them on whether teeth part at {', '.join(parts)}.{_what_decides(points)} The article "
+                f"{first[:1].upper()}{first[1:]}{rest}.{_when_held(found, agree)} Given what real teeth "
+                f"have, the lumped model agrees with them on whether teeth part at {', '.join(parts)}."
+                f"{_what_decides(points)} The article "
                 "leaves torque, error and backlash open, and states a stiffness that unmodified teeth of the "
                 "stated size do not have: so this neither confirms nor refutes its simulation, whose inputs "
                 "are not known."
@@ -161,6 +162,22 @@ def _conclusion(found: Verified) -> list[Block]:
         ),
         _harmonics(found),
     ]
+
+
+def _when_held(found: Verified, agree: list[str]) -> str:
+    """Where an agreement is lost once the centre distance does not move, which the bearings decide."""
+    lost = [
+        f"{point.speed:.0f} rpm ({told(moved.label_held)})"
+        for way in found.ways
+        for moved, point in zip(way.breathing, way.points, strict=False)
+        if way.name in agree and moved.label_held != point.label
+    ]
+    if not lost:
+        return ""
+    return (
+        " That rests on a centre distance that moves, and so on the stiffness assumed for the bearings along "
+        f"the line of centres: with it held, the motion is another one at {', '.join(lost)}."
+    )
 
 
 def _what_decides(points: list[VerifiedPoint]) -> str:

@@ -16,8 +16,13 @@ if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.studies.verification import Compared, LumpedPoint, Mesh, PointFound, Verification
 
 
-KEPT = "kept"
-"""Label of a motion that was always in contact and has not come back."""
+KEPT, NONE = "kept", "none"
+"""Labels of a motion that has not come back: always in contact, and any other."""
+
+
+def in_words(label: str) -> str:
+    """A label as sentences, tables and figures say it."""
+    return {KEPT: "in contact, not settled", NONE: "not periodic"}.get(label, label)
 
 
 @dataclass(frozen=True)
@@ -271,7 +276,7 @@ def _label(point: PointFound) -> str:
     reading = point.reading
     if reading.label is not None:
         return str(reading.label)
-    return KEPT if reading.apart == 0.0 and not reading.back_impacts else "none"
+    return KEPT if reading.apart == 0.0 and not reading.back_impacts else NONE
 
 
 def _point(point: PointFound) -> PointComputed:
@@ -311,7 +316,9 @@ def _sentence(found: Verification, configurations: tuple[ConfigurationCompared, 
         does = [_at(one, i) for one in configurations]
         speed = found.inputs.rpm(found.inputs.speeds[i], found.inputs.mean_stiffness)
         real = ", ".join(
-            f"{label} ({one.name})" for one, label in zip(configurations, does, strict=True) if label
+            f"{in_words(label)} ({one.name})"
+            for one, label in zip(configurations, does, strict=True)
+            if label
         )
         told.append(f"at {speed:.0f} rpm {stated.label} by the case, with real teeth {real}")
     return f"{name}: {_count(found, configurations)}; {'; '.join(told)}"

@@ -6,7 +6,13 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
-from gearlash.cli.answers.verify import KEPT, ConfigurationCompared, PointComputed, VerifyAnswer
+from gearlash.cli.answers.verify import (
+    KEPT,
+    ConfigurationCompared,
+    PointComputed,
+    VerifyAnswer,
+    in_words,
+)
 
 from .layout import facts, headline, note, table
 
@@ -76,7 +82,7 @@ def _breathing(one: ConfigurationCompared) -> Iterator[tuple[float, str]]:
         if each.peak_share is not None:
             less = "higher" if each.peak_share >= 0.0 else "lower"
             share = f"{abs(100.0 * each.peak_share):.1f} % {less}"
-            said += f"; greatest force {share} than with it held (there {each.label_held})"
+            said += f"; greatest force {share} than with it held (there {in_words(each.label_held)})"
         yield speeds[each.omega], said
 
 
@@ -85,7 +91,7 @@ def _row(p: PointComputed) -> list[str]:
     return [
         f"{p.speed:.0f} rpm",
         f"{p.omega:.4f}",
-        p.label,
+        in_words(p.label),
         f"{100.0 * p.apart:.1f} %",
         f"{p.least_force / mean:.2f}",
         f"{p.greatest_force / mean:.2f}",
