@@ -95,6 +95,14 @@ def known_quantities(case: Case) -> dict[str, Quantity]:
     return quantities(readouts, pair.bearing_gains, 1.0 / np.repeat(pair.mass_ratios, 2))
 
 
+def known_quantity(case: Case, name: str) -> Quantity:
+    """The quantity of this name; raises an `UnknownNameError` with those that the pair has."""
+    known = known_quantities(case)
+    if name not in known:
+        raise UnknownNameError("quantity", name, known)
+    return known[name]
+
+
 def compare(
     case: Case,
     measurement: Measurement,
@@ -148,9 +156,7 @@ def compare(
     """
     given.instance("case", case, Case, "a case, as from gearlash.load_case")
     given.instance("measurement", measurement, Measurement, "as from gearlash.load_measurement")
-    taken, known = given.choice(Figure, "figure", figure), known_quantities(case)
-    if measurement.quantity not in known:
-        raise UnknownNameError("quantity", measurement.quantity, known)
+    taken, quantity = given.choice(Figure, "figure", figure), known_quantity(case, measurement.quantity)
     line = given.number("order", order)
     in_order = np.argsort(measurement.omega, kind="stable")
     speeds, values = measurement.omega[in_order], measurement.values[in_order]
@@ -162,7 +168,7 @@ def compare(
     source = Source.of(case)
     execution = checked_execution(source, execution)
     ways = sweeps(case, Axis("omega", once), ("up", "down"), settings=settings, execution=execution)
-    form = _Form(source, known[measurement.quantity], taken, line)
+    form = _Form(source, quantity, taken, line)
     up, down = (_figures(form, way, execution)[place] for way in ways)
     apart = [np.where(np.isnan(way), np.inf, np.abs(way - values)) for way in (up, down)]
     labels = [(_label(a), _label(b)) for a, b in zip(ways[0].points, ways[1].points, strict=True)]

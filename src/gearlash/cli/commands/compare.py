@@ -114,12 +114,9 @@ def compare(
     from gearlash.cli.workers import executor_for
     from gearlash.jobs import Execution
     from gearlash.studies.comparison import compare as study
-    from gearlash.studies.comparison import known_quantities
-    from gearlash.system import UnknownNameError
+    from gearlash.studies.comparison import known_quantity
 
-    known = known_quantities(asked)
-    if quantity not in known:
-        raise UnknownNameError("quantity", quantity, known)
+    known_quantity(asked, quantity)  # before a file is read
     given = load_measurement(
         asked, data, quantity,
         speed=speed, value=value, speed_unit=speed_unit, unit=unit, reference=reference,
