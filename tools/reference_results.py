@@ -118,6 +118,7 @@ dimensionless numbers 1).
 | pandas | `pd.read_csv("sweep.csv")`; with decimal commas `pd.read_csv("sweep.csv", sep=";", decimal=",")` |
 | xarray | `xr.open_dataset("history.nc")` |
 | MATLAB | `readtable("sweep.csv", VariableNamingRule="preserve")`; `ncread("history.nc", "mesh_force")` |
+| Octave | `pkg load netcdf`; `ncread("history.nc", "mesh_force")` |
 | Excel, Calc | open the file; where decimals have commas that of `--decimal-comma` |
 """
 NETCDF = """\
@@ -135,6 +136,12 @@ and where the case has scales its physical counterparts (`pinion_speed` in rpm, 
 `physical_units` and `physical_factor`. F has the article's sign, F = −Φ. Attributes: `case_json` (the whole
 case), `case_hash`, `parameters`, `not_given`, `complete` (0 for a sweep that was stopped; what is missing
 has the status `not-computed`), `message`, and the versions of gearlash, numpy, numba and Python.
+
+No file holds types that readers do not share: numbers are of 8, 16, 32 or 64 bits, truth values are 1 and 0
+of 8 bits, texts are characters (NC_CHAR, UTF-8) with a last dimension `…_length`. So Octave and every MATLAB
+since R2011a read them whole: after `labels = ncread("sweep.nc", "label")` there `labels(:, :, 1)'` has those
+of the first direction, one a row; `ncread("sweep.nc", "/strobe/strobes")` reads from a group. xarray makes
+texts of characters by itself.
 """
 MAPS = """\
 `map.nc` has the dimensions of its two axes, which its attributes `x` and `y` name, and `label_name`, the

@@ -17,6 +17,7 @@ from gearlash.system import GearlashError, given
 from gearlash.system.short_text import cut
 
 from .groups import join, split
+from .text_types import text_encoding, with_plain_attributes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -82,12 +83,12 @@ def netcdf(dataset: xr.Dataset) -> memoryview:
     given.instance("dataset", dataset, xr.Dataset, "a dataset, as from gearlash.sweep_dataset")
     # Made in memory: a disk that fills up while HDF5 writes to it can bring the whole process down.
     groups = split(dataset)
-    encoding = {name: _encoding(group) for name, group in groups.items()}
+    encoding = {name: _encoding(group) | text_encoding(name, group) for name, group in groups.items()}
     content = xr.DataTree.from_dict(groups).to_netcdf(
         None, engine="h5netcdf", encoding=encoding, write_inherited_coords=True
     )
     assert isinstance(content, memoryview)
-    return content
+    return with_plain_attributes(content)
 
 
 def new_file(path: object) -> Path:
