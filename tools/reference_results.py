@@ -97,12 +97,16 @@ writes all of its tables into the folder instead.
 | verify | `verify.csv` (a row a motion of either model), `forces.csv` (over time), `orders.csv`, \
 `window.csv`, `breathing.csv` (of the centre distance), `meshes.csv` |
 | report | those of its folder |
+| check | `check.csv` (a row a value, with unit, origin and range), `notes.csv` |
+| reproduce | `claims.csv`, `parts.csv` (of claims that say several things), `checks.csv`; always in its folder |
 
-Files are UTF-8 without a mark, with a line end after every row. The first line has names, with units in
-brackets in ASCII (`mesh_force [N]`, `gap [um]`); a name without a unit is dimensionless, and the same
-quantity may stand in both. Numbers have every digit, truth values are 1 and 0, an empty cell has no number.
-Columns are parted by commas, decimals by points; with `--decimal-comma` by semicolons and commas, as
-spreadsheets expect it in many countries. `gearlash compare` and `[curves]` of a case read both.
+Files are UTF-8, with a line end after every row. The first line has names, with units in brackets in ASCII
+(`mesh_force [N]`, `gap [um]`); a name without a unit is dimensionless, and the same quantity may stand in
+both. A varied parameter stands first, in the unit that was typed before all others. Numbers have every
+digit (converted values of a varied parameter 15), truth values are 1 and 0, an empty cell has no number.
+Columns are parted by commas, decimals by points; with `--decimal-comma` by semicolons and commas, and files
+begin with the mark of UTF-8: so Excel opens them by a double click where decimals have commas. `gearlash
+compare` and `[curves]` of a case read both.
 Spreadsheets take some labels (`1-1-0`) for dates: import these columns as text, or use `period`, `drive`
 and `back`. What is several numbers a point (states, points on sections) is in the NetCDF files only.
 
@@ -119,7 +123,7 @@ dimensionless numbers 1).
 | xarray | `xr.open_dataset("history.nc")` |
 | MATLAB | `readtable("sweep.csv", VariableNamingRule="preserve")`; `ncread("history.nc", "mesh_force")` |
 | Octave | `pkg load netcdf`; `ncread("history.nc", "mesh_force")` |
-| Excel, Calc | open the file; where decimals have commas that of `--decimal-comma` |
+| Excel, Calc | open the file; where decimals have commas (German, French, …) that of `--decimal-comma`. The other one there: Data, From Text/CSV, comma as delimiter, locale English |
 """
 NETCDF = """\
 ## NetCDF

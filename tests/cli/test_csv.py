@@ -13,6 +13,8 @@ import xarray as xr
 import gearlash as gl
 from cli.conftest import Gearlash
 from gearlash.case.columns import read_columns
+from gearlash.cli.answers.reproduce import Claim, Part
+from gearlash.cli.tables import table_of
 from gearlash.results.columns import COMMAS, Column, csv_text
 
 SPUR = ("kahraman-singh", "--set", "omega=0.9")
@@ -83,6 +85,30 @@ def test_points_and_zones_with_their_ends(gearlash: Gearlash, tmp_path: Path):
     living = pd.read_csv(tmp_path / "residents.csv")
     assert set(living["zone"]) <= set(range(1, len(zones) + 1))
     assert len(pd.read_csv(tmp_path / "sweep.csv")) == 15
+
+
+def test_what_a_case_says(gearlash: Gearlash, tmp_path: Path):
+    table = pd.read_csv(StringIO(gearlash("check", "article", "--csv").out)).set_index("path")
+    assert table.loc["pinion.teeth", "value"] == 28.0
+    assert table.loc["pinion.mass", ["value", "unit", "origin"]].tolist() == [5.98, "kg", "given"]
+    assert table["value"].dtype.kind == "f"
+    drawn = str(Path(__file__).parents[1] / "cases" / "drawing.toml")
+    assert gearlash("check", drawn, "--decimal-comma", "--out", str(tmp_path)).code == 0
+    values = pd.read_csv(tmp_path / "check.csv", sep=";", decimal=",").set_index("path")
+    stiffness = values.loc["mesh.mean_stiffness"]
+    assert stiffness["least"] < stiffness["value"] < stiffness["greatest"]
+    assert (tmp_path / "check.csv").read_bytes().startswith(b"\xef\xbb\xbfpath;symbol;")
+    assert list(pd.read_csv(tmp_path / "notes.csv", sep=";").columns) == ["path", "text"]
+
+
+def test_claims_of_the_article():
+    part = Part("half", "1", "1.1", "shifted", "")
+    claim = Claim("a", "said", "omega", "D = 1", "1", "1,5", 1.0, 1.5, 0.5, "1-0-0", "1-1-0", "shifted",
+                  "", "µ, or not", ("mesh.error",), "", False, (part,))  # fmt: skip
+    claims = table_of([claim], Claim)
+    read = pd.read_csv(StringIO(csv_text(claims)))
+    assert read.loc[0, ["id", "computed_value", "note"]].tolist() == ["a", 1.5, "µ, or not"]
+    assert read.loc[0, "rests_on"] == "mesh.error"
 
 
 def test_two_answers_do_not_share_standard_output(gearlash: Gearlash):

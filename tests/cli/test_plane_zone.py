@@ -67,7 +67,7 @@ def test_out_has_the_boundary_in_both_units(gearlash: Gearlash, kept: Path):
     }  # fmt: skip
     with (kept / "zone.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    assert list(rows[0])[3:] == ["omega", "load", "pinion_speed [rpm]", "torque [N*m]"]
+    assert list(rows[0])[3:] == ["pinion_speed [rpm]", "omega", "torque [N*m]", "load"]
     factor = float(gl.load_case("article").scales.pinion_rpm(1.0))
     assert all(float(r["pinion_speed [rpm]"]) == pytest.approx(factor * float(r["omega"])) for r in rows)
 

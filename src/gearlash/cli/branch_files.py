@@ -69,7 +69,7 @@ def write_branches(
     if made is None:
         made = [branch_dataset(case, each.branch, extremes=False) for each in found]
     contents: dict[Any, bytes | memoryview] = {folder.file("branch.json"): text(answer).encode("utf-8")}
-    for name, content in csv.bytes_of(branch_tables(made)).items():
+    for name, content in csv.bytes_of(branch_tables(case, made, answer.axis)).items():
         contents[folder.file(name)] = content
     for i, (each, dataset) in enumerate(zip(found, made, strict=True), 1):
         contents[folder.file(f"branch-{i}.json")] = branch_text(each.branch, case)

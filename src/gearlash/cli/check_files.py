@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from gearlash.case import Case
 
@@ -10,13 +12,20 @@ from .answers.check import CheckAnswer
 from .folder import claim
 from .jsonio import write_file
 
+if TYPE_CHECKING:
+    from .tables import CsvAsked, Tables
+
 FILES = ("check.json", "teeth.svg", "teeth.pdf", "curves.svg", "curves.pdf")
+TABLES = ("check", "notes")
 
 
-def write_check(out: Path, case: Case, answer: CheckAnswer) -> None:
+def write_check(
+    out: Path, case: Case, answer: CheckAnswer, csv: CsvAsked, tables: Callable[[], Tables]
+) -> None:
     """The answer, the teeth in mesh of a pair that has known ones, and curves that the case states."""
-    folder = claim(out, FILES)
+    folder = claim(out, [*FILES, *csv.files(*TABLES)])
     write_file(answer, folder.file("check.json"))
+    csv.keep(folder, TABLES, tables)
     _write_curves(case, folder.file("curves"))
     numbers = case.numbers
     pair = None if numbers is None else numbers.body.drawn

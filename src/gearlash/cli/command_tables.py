@@ -18,11 +18,13 @@ if TYPE_CHECKING:
     from gearlash.results.columns import Column
     from gearlash.studies import Zones
 
+    from .answers.asked import Asked
     from .answers.atlas import AtlasAnswer
+    from .answers.branch_parts import LimitsUsed
     from .answers.compare import CompareAnswer
     from .answers.curve import CurveAnswer
     from .answers.run import RunAnswer
-    from .answers.sweep import SweepAnswer
+    from .answers.sweep import AxisUsed, SweepAnswer
     from .answers.tolerance import ToleranceAnswer
     from .answers.zones import ZonesAnswer
 
@@ -48,7 +50,7 @@ def run_tables(case: Case, values: Mapping[str, float], found: Attractor, answer
     events = table_of(answer.numbers.events, ContactEvent)
     if answer.physical is not None:
         physical = table_of(answer.physical.events, PhysicalEvent)
-        events += [_in_unit(column) for column in physical]
+        events = [*(_in_unit(column) for column in physical), *events]
     return {**series_tables(case, values, found), "events": events}
 
 
@@ -62,73 +64,102 @@ def _in_unit(column: Column) -> Column:
 
 def sweep_tables(case: Case, found: Sequence[Sweep], answer: SweepAnswer) -> Made:
     """A row for every point of every direction, and one for every stretch of one label."""
-    from gearlash.results import sweep_dataset
-    from gearlash.results.columns import Column, table_of_dataset
+    from gearlash.results.columns import Column
 
     from .answers.sweep import Regime
+    from .asked_columns import told_as_asked
 
     regimes = [(way.direction, each) for way in answer.sweeps for each in way.regimes]
+    stretches = table_of([each for _, each in regimes], Regime)
     return {
-        "sweep": table_of_dataset(sweep_dataset(case, found)),
+        "sweep": _points(case, found, answer.axis),
         "regimes": [
             Column("direction", [way for way, _ in regimes]),
-            *table_of([each for _, each in regimes], Regime),
+            *told_as_asked(stretches, answer.axis.asked, ("first", "last")),
         ],
     }
 
 
-def map_tables(case: Case, found: PlaneMap) -> Made:
-    """A row a pixel."""
+def _points(case: Case, found: Sequence[Sweep], axis: AxisUsed) -> list[Column]:
+    """A row a point of every direction."""
+    from gearlash.results import sweep_dataset
+    from gearlash.results.columns import table_of_dataset
+
+    from .asked_columns import axes_first
+
+    return axes_first(table_of_dataset(sweep_dataset(case, found)), case, [(axis.name, axis.asked)])
+
+
+def map_tables(case: Case, found: PlaneMap, axes: Sequence[AxisUsed]) -> Made:
+    """A row a pixel; ``axes`` are x and y."""
     from gearlash.results import plane_dataset
     from gearlash.results.columns import table_of_dataset
 
-    return {"map": table_of_dataset(plane_dataset(case, found))}
+    from .asked_columns import axes_first
+
+    asked = [(axis.name, axis.asked) for axis in axes]
+    return {"map": axes_first(table_of_dataset(plane_dataset(case, found)), case, asked)}
 
 
 def zones_tables(case: Case, found: Sequence[Zones], answer: ZonesAnswer) -> Made:
     """A row a zone, one for every motion in it, and the sweeps behind."""
-    from gearlash.results import sweep_dataset
-    from gearlash.results.columns import Column, table_of_dataset
+    from gearlash.results.columns import Column
 
     from .answers.zones_parts import Resident, ZoneFound
+    from .asked_columns import told_as_asked
 
     living = [(i, each) for i, zone in enumerate(answer.zones, 1) for each in zone.residents]
+    motions = table_of([each for _, each in living], Resident)
+    kept = ("", "stable_", "exists_", "assured_")
+    ends = [f"{what}{end}" for what in kept for end in ("lower", "upper")]
+    values = ("lower_value", "upper_value")
     return {
-        "zones": table_of(answer.zones, ZoneFound),
+        "zones": told_as_asked(table_of(answer.zones, ZoneFound), answer.asked, values),
         "residents": [
             Column("zone", [i for i, _ in living]),
-            *table_of([each for _, each in living], Resident),
+            *told_as_asked(motions, answer.asked, ends),
         ],
-        "sweep": table_of_dataset(sweep_dataset(case, found[0].sweeps)),
+        "sweep": _points(case, found[0].sweeps, answer.axis),
     }
 
 
-def branch_tables(datasets: Sequence[xr.Dataset]) -> Made:
+def branch_tables(case: Case, datasets: Sequence[xr.Dataset], axis: LimitsUsed) -> Made:
     """A row an orbit of every branch, and all special points with the number of the branch and their own, as
     in the answer."""
     from gearlash.results.columns import table_of_dataset
 
-    found: Made = {f"branch-{i}": table_of_dataset(each) for i, each in enumerate(datasets, 1)}
-    found["special"] = _special(datasets)
+    from .asked_columns import axes_first
+
+    asked = [(axis.name, axis.asked)]
+    found: Made = {
+        f"branch-{i}": axes_first(table_of_dataset(each), case, asked) for i, each in enumerate(datasets, 1)
+    }
+    found["special"] = _special(datasets, axis.asked)
     return found
 
 
-def _special(datasets: Sequence[xr.Dataset]) -> list[Column]:
+def _special(datasets: Sequence[xr.Dataset], asked: Asked) -> list[Column]:
     import pandas as pd
 
-    from gearlash.results.columns import Column
+    from gearlash.results.columns import columns_of
 
-    frames = []
+    from .asked_columns import told_as_asked
+
+    frames, about = [], {}
     for i, dataset in enumerate(datasets, 1):
         names = [name for name, each in dataset.data_vars.items() if each.dims == ("special",)]
         frame = dataset[names].to_dataframe().rename(columns=lambda name: name.removeprefix("special_"))
+        about |= {str(name).removeprefix("special_"): dataset[name].attrs for name in names}
         frame.insert(0, "branch", i)
         frame.insert(1, "number", range(1, len(frame) + 1))
         frames.append(frame)
     if not frames:
         return []
     whole = pd.concat(frames)
-    return [Column(str(name), whole[name].to_numpy()) for name in whole.columns]
+    found: list[Column] = []
+    for name in map(str, whole.columns):
+        found += columns_of(name, whole[name].to_numpy(), about.get(name, {}))
+    return told_as_asked(found, asked, ("value",))
 
 
 def curve_tables(case: Case, curves: Sequence[Curve], answer: CurveAnswer) -> Made:
@@ -136,10 +167,14 @@ def curve_tables(case: Case, curves: Sequence[Curve], answer: CurveAnswer) -> Ma
     from gearlash.results.columns import Column, table_of_dataset
     from gearlash.results.curve_dataset import curve_dataset
 
-    found: Made = {
-        f"curve-{i}": table_of_dataset(curve_dataset(case, each)) for i, each in enumerate(curves, 1)
-    }
+    from .asked_columns import axes_first
+
     one, two = answer.axes
+    asked = [(axis.name, axis.asked) for axis in (one, two)]
+    found: Made = {
+        f"curve-{i}": axes_first(table_of_dataset(curve_dataset(case, each)), case, asked)
+        for i, each in enumerate(curves, 1)
+    }
     points = [(curve.number, point) for curve in answer.curves for point in curve.special]
     numbers = [
         Column("curve", [number for number, _ in points]),
@@ -158,7 +193,7 @@ def curve_tables(case: Case, curves: Sequence[Curve], answer: CurveAnswer) -> Ma
             )
     said = ("label_before", "label_after", "solved", "admissible", "status", "note")
     numbers += [Column(name, [_told(getattr(point, name)) for _, point in points]) for name in said]
-    return {**found, "special": numbers}
+    return {**found, "special": axes_first(numbers, case, asked)}
 
 
 def _told(value: object) -> object:
@@ -170,6 +205,7 @@ def atlas_tables(case: Case, found: Atlas, answer: AtlasAnswer) -> Made:
     from gearlash.results.columns import Column
 
     from .answers.atlas import PointFound
+    from .asked_columns import told_as_asked
 
     rows = [
         (number.number, str(number.kind), point)
@@ -180,12 +216,12 @@ def atlas_tables(case: Case, found: Atlas, answer: AtlasAnswer) -> Made:
         Column("curve", [number for number, _, _ in rows]),
         Column("kind", [kind for _, kind, _ in rows]),
     ]
-    for k, axis in enumerate((answer.x, answer.y)):
-        values = [point.values[k] for _, _, point in rows]
-        curves.append(Column(axis.name, values))
-        if axis.asked.unit:
-            curves.append(Column(axis.asked.name, [axis.asked.value(v) for v in values], axis.asked.unit))
-    return {"curves": curves, "points": table_of(answer.points, PointFound), **map_tables(case, found.plane)}
+    axes, points = (answer.x, answer.y), table_of(answer.points, PointFound)
+    for k, axis in enumerate(axes):
+        own = [Column(axis.name, [point.values[k] for _, _, point in rows])]
+        curves += told_as_asked(own, axis.asked, (axis.name,), axis.asked.name)
+        points = told_as_asked(points, axis.asked, (f"values_{k + 1}",), axis.asked.name)
+    return {"curves": curves, "points": points, **map_tables(case, found.plane, axes)}
 
 
 def tolerance_tables(answer: ToleranceAnswer) -> Made:
@@ -205,7 +241,10 @@ def tolerance_tables(answer: ToleranceAnswer) -> Made:
         "profile": _profile(answer),
         "bands": [
             Column("band", [kind for kind, _ in bands]),
-            *table_of([each for _, each in bands], BandFound),
+            *(
+                Column(each.name, each.values, answer.unit)
+                for each in table_of([each for _, each in bands], BandFound)
+            ),
         ],
         "inputs": table_of(answer.inputs, InputFound),
     }

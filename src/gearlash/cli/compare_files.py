@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
 
 def write_compare(
-    folder: OutFolder, case: Case, found: Comparison, answer: CompareAnswer, table: str
+    folder: OutFolder, case: Case, found: Comparison, answer: CompareAnswer, table: bytes
 ) -> None:
     """The answer (JSON), a row for each speed (CSV) and, where all was computed, the overlay."""
     unit = f" [{pretty(answer.unit)}]" if answer.unit else ""
     speed = f"speed [{pretty(answer.speed_unit)}]" if answer.speed_unit else "ω"
     contents = {
         folder.file("compare.json"): text(answer).encode("utf-8"),
-        folder.file("compare.csv"): table.encode("utf-8"),
+        folder.file("compare.csv"): table,
     }
     write_together(contents, instead_of=[folder.file(f"compare.{kind}") for kind in ("svg", "pdf")])
     words = answer.quantity.replace("_", " ")

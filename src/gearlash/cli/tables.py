@@ -65,9 +65,15 @@ class CsvAsked:
 
         return csv_text(table, self.style)
 
+    def content(self, table: Sequence[Column]) -> bytes:
+        """A table as the content of a file."""
+        from gearlash.results.columns import csv_bytes
+
+        return csv_bytes(table, self.style)
+
     def bytes_of(self, tables: Tables) -> dict[str, bytes]:
         """Contents by the names of files."""
-        return {name + ENDING: self.text(table).encode("utf-8") for name, table in tables.items()}
+        return {name + ENDING: self.content(table) for name, table in tables.items()}
 
     def keep(self, folder: OutFolder, names: Iterable[str], tables: Callable[[], Tables]) -> None:
         """Writes tables into the folder, in place of those of before, of which there may be more."""

@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 
 
 def write_tolerance(
-    folder: OutFolder, case: Case, found: Tolerance, answer: ToleranceAnswer, table: str
+    folder: OutFolder, case: Case, found: Tolerance, answer: ToleranceAnswer, table: bytes
 ) -> None:
     """The answer (JSON), the probability as a table (CSV) and, where all was computed, the figure."""
     contents = {
         folder.file("tolerance.json"): text(answer).encode("utf-8"),
-        folder.file("tolerance.csv"): table.encode("utf-8"),
+        folder.file("tolerance.csv"): table,
     }
     write_together(contents, instead_of=[folder.file(f"tolerance.{kind}") for kind in ("svg", "pdf")])
     draw_if(

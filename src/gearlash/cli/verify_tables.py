@@ -54,12 +54,12 @@ def _motions(ways: Sequence[ConfigurationCompared]) -> list[Column]:
         for p in (*way.points, *way.beside):
             forces = p.least_force, p.mean_force, p.greatest_force
             read = p.impacts, p.back_impacts, *forces, p.returns, p.energy_residual
-            rows.append((way.name, REAL, p.setting, p.omega, p.speed, p.label, p.apart, *read))
+            rows.append((way.name, REAL, p.setting, p.speed, p.omega, p.label, p.apart, *read))
         for p in way.lumped:
-            head = way.name, "lumped model", p.rule, p.omega, speeds.get(p.omega)
+            head = way.name, "lumped model", p.rule, speeds.get(p.omega), p.omega
             rows.append((*head, p.label, p.apart, *(None,) * 7))
     heads = (
-        ("inputs", ""), ("model", ""), ("setting_or_rule", ""), ("omega", ""), ("speed", "rpm"),
+        ("inputs", ""), ("model", ""), ("setting_or_rule", ""), ("speed", "rpm"), ("omega", ""),
         ("label", ""), ("apart", ""), ("impacts", ""), ("back_impacts", ""), ("least_force", "N"),
         ("mean_force", "N"), ("greatest_force", "N"), ("returns", ""), ("energy_residual", ""),
     )  # fmt: skip
@@ -80,14 +80,17 @@ def _long(ways: Sequence[ConfigurationCompared], names: tuple[str, str], of: Any
 
     rows: list[tuple[Any, ...]] = []
     for way in ways:
+        speeds = {p.omega: p.speed for p in way.points}
         for p in way.points:
-            rows += [(way.name, REAL, p.omega, *each) for each in of(p)]
+            rows += [(way.name, REAL, p.speed, p.omega, *each) for each in of(p)]
         for p in way.lumped:
             both: Iterable[tuple[float, float]]
             both = zip(*((p.phase, p.force) if of is _forces else (p.orders, p.amplitudes)), strict=True)
-            rows += [(way.name, f"lumped model, {p.rule}", p.omega, *each) for each in both]
-    heads = ("inputs", "model", "omega", *names)
-    return [Column(name, [row[i] for row in rows]) for i, name in enumerate(heads)]
+            head = way.name, f"lumped model, {p.rule}", speeds.get(p.omega), p.omega
+            rows += [(*head, *each) for each in both]
+    heads = ("inputs", "model", "speed", "omega", *names)
+    units = {"speed": "rpm"}
+    return [Column(name, [row[i] for row in rows], units.get(name, "")) for i, name in enumerate(heads)]
 
 
 def _window(ways: Sequence[ConfigurationCompared]) -> list[Column]:
@@ -95,8 +98,8 @@ def _window(ways: Sequence[ConfigurationCompared]) -> list[Column]:
 
     found = [
         Column("inputs", [way.name for way in ways for _ in way.window.omega]),
-        Column("omega", [omega for way in ways for omega in way.window.omega]),
         Column("speed", [speed for way in ways for speed in way.window.speed], "rpm"),
+        Column("omega", [omega for way in ways for omega in way.window.omega]),
         Column("real_teeth_rising", [label for way in ways for label in way.window.up]),
         Column("real_teeth_falling", [label for way in ways for label in way.window.down]),
     ]
@@ -115,7 +118,12 @@ def _breathing(ways: Sequence[ConfigurationCompared]) -> list[Column]:
     from gearlash.results.columns import Column
 
     rows = [(way.name, each) for way in ways for each in way.breathing]
-    found = [Column("inputs", [name for name, _ in rows]), Column("omega", [each.omega for _, each in rows])]
+    speeds = {(way.name, p.omega): p.speed for way in ways for p in way.points}
+    found = [
+        Column("inputs", [name for name, _ in rows]),
+        Column("speed", [speeds.get((name, each.omega)) for name, each in rows], "rpm"),
+        Column("omega", [each.omega for _, each in rows]),
+    ]
     for name, unit in (("centre_distance", "µm"), ("contact_ratio", ""), ("backlash", "µm")):
         for i, end in enumerate(("least", "greatest")):
             found.append(Column(f"{name}_{end}", [getattr(each, name)[i] for _, each in rows], unit))

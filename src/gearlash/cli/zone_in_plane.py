@@ -168,7 +168,7 @@ def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnsw
 
     contents = {
         folder.file("zone.json"): text(answer).encode("utf-8"),
-        folder.file("zone.csv"): csv.text(_table(answer)).encode("utf-8"),
+        folder.file("zone.csv"): csv.content(_table(answer)),
     }
     write_together(contents, instead_of=[folder.file(name) for name in FILES[2:]])
     twins = _twins(case, answer)
@@ -195,8 +195,10 @@ def _twins(case: Case, answer: PlaneZoneAnswer) -> list[Twin | None]:
 
 
 def _table(answer: PlaneZoneAnswer) -> list[Column]:
-    """A row an orbit of the boundary: dimensionless, and in the units that were asked for."""
+    """A row an orbit of the boundary: in the units that were asked for, and dimensionless."""
     from gearlash.results.columns import Column
+
+    from .asked_columns import told_as_asked
 
     rows = [(i, part, values) for i, part in enumerate(answer.boundary, 1) for values in part.values]
     found = [
@@ -204,9 +206,7 @@ def _table(answer: PlaneZoneAnswer) -> list[Column]:
         Column("kind", [part.kind for _, part, _ in rows]),
         Column("event", [part.event for _, part, _ in rows]),
     ]
-    found += [Column(name, [v[k] for _, _, v in rows]) for k, name in enumerate(answer.names)]
-    return found + [
-        Column(asked.name, [asked.value(v[k]) for _, _, v in rows], asked.unit)
-        for k, asked in enumerate(answer.asked)
-        if asked.unit
-    ]
+    for k, (name, asked) in enumerate(zip(answer.names, answer.asked, strict=True)):
+        own = [Column(name, [v[k] for _, _, v in rows])]
+        found += told_as_asked(own, asked, (name,), asked.name)
+    return found

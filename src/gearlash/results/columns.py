@@ -26,15 +26,18 @@ class CsvStyle:
     ----------
     separator, decimal : str
         What parts columns, and the sign of decimals.
+    marked : bool
+        Whether files begin with the mark of UTF-8.
     """
 
     separator: str = ","
     decimal: str = "."
+    marked: bool = False
 
 
 POINTS = CsvStyle()
-COMMAS = CsvStyle(";", ",")
-"""As spreadsheets expect it where decimals have commas."""
+COMMAS = CsvStyle(";", ",", marked=True)
+"""As spreadsheets expect it where decimals have commas; without the mark Excel does not see UTF-8."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +85,11 @@ def csv_text(table: Table, style: CsvStyle = POINTS) -> str:
     return out.getvalue()
 
 
+def csv_bytes(table: Table, style: CsvStyle = POINTS) -> bytes:
+    """A table as the content of a file, in UTF-8."""
+    return csv_text(table, style).encode("utf-8-sig" if style.marked else "utf-8")
+
+
 def _plain(values: Sequence[Any] | NDArray[Any]) -> Iterable[Any]:
     return values.tolist() if isinstance(values, np.ndarray) else values
 
@@ -106,13 +114,19 @@ def table_of_dataset(dataset: xr.Dataset) -> list[Column]:
     found: list[Column] = []
     for name in map(str, frame.columns):
         about: Mapping[str, Any] = dataset[name].attrs if name in dataset.variables else {}
-        values = frame[name].to_numpy()
-        told = str(about.get("long_name", ""))
-        unit = str(about.get("units", ""))
-        found.append(Column(name, values, "" if unit == "1" else unit, told))
-        if "physical_factor" in about:
-            physical = values * float(about["physical_factor"])
-            found.append(Column(name, physical, str(about["physical_units"]), told))
+        found += columns_of(name, frame[name].to_numpy(), about)
+    return found
+
+
+def columns_of(name: str, values: NDArray[Any], about: Mapping[str, Any]) -> list[Column]:
+    """The columns of a variable with these attributes: one, and another in its physical unit where it has a
+    factor of that."""
+    told = str(about.get("long_name", ""))
+    unit = str(about.get("units", ""))
+    found = [Column(name, values, "" if unit == "1" else unit, told)]
+    if "physical_factor" in about:
+        physical = values * float(about["physical_factor"])
+        found.append(Column(name, physical, str(about["physical_units"]), told))
     return found
 
 

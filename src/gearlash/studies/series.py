@@ -24,6 +24,8 @@ from .measured import readouts_of
 Array = NDArray[np.float64]
 REFERENCES = {"N": (1e-6, "1 uN"), "µm": (1e-6, "1 pm"), "mm/s": (1e-6, "1 nm/s")}
 """That levels refer to, as in ISO 1683; of other numbers to 1."""
+TIMES = ("time", "mesh_cycle", "tau")
+"""Columns of a history that say when."""
 
 
 def series_of(case: Case, values: Mapping[str, float], found: Attractor) -> list[Column]:
@@ -39,7 +41,7 @@ def series_of(case: Case, values: Mapping[str, float], found: Attractor) -> list
     columns = [Column("mesh_cycle", phase, "", "phase"), Column("tau", tau, "", "dimensionless time")]
     units = PairUnits.of(case)
     if units.time.name:
-        columns.append(Column("time", units.time.factor * tau, units.time.name, "time"))
+        columns.insert(0, Column("time", units.time.factor * tau, units.time.name, "time"))
     samples = [trace.at(phase, i) for i in range(len(system.clearances))]
     names = case.family()[0].states
     columns += [
@@ -52,19 +54,24 @@ def series_of(case: Case, values: Mapping[str, float], found: Attractor) -> list
         readouts = readouts_of(case, values)
         rows = read(trace, readouts, 0, phase)[2:]
         columns += [_read(what, row, units) for what, row in zip(readouts, rows, strict=True)]
-    return columns
+    return sorted(columns, key=_order)
+
+
+def _order(column: Column) -> int:
+    """Time in every form, then what has a physical unit, then what is dimensionless."""
+    return 0 if column.name in TIMES else 1 if column.unit else 2
 
 
 def spectrum_of(series: list[Column], periodic: bool) -> list[Column]:
     """The order spectrum of a table of samples: by order of the mesh frequency the rms, the phase of the
     cosine and the level of every quantity. Of an orbit the lines are its Fourier series; of another motion a
     Hann window is taken, whose lines are right for single tones."""
-    phase = np.asarray(series[0].values)
+    phase = np.asarray(next(each.values for each in series if each.name == "mesh_cycle"))
     m, cycles = len(phase), len(phase) * (phase[1] - phase[0])
     weight = np.ones(m) if periodic else 2.0 * np.sin(np.pi * np.arange(m) / m) ** 2
     columns = [Column("order", np.arange(m // 2) / cycles, "", "of the mesh frequency")]
     for column in series:
-        if column.name in ("mesh_cycle", "tau", "time"):
+        if column.name in TIMES:
             continue
         values = np.asarray(column.values)
         mean = values.mean()

@@ -164,7 +164,8 @@ def branch(
             write_branches(folder, asked.case, found, datasets, answer, csv, str(measure), span)
 
     def tables() -> Tables:
-        return branch_tables([branch_dataset(asked.case, each.branch) for each in found])
+        made = [branch_dataset(asked.case, each.branch) for each in found]
+        return branch_tables(asked.case, made, answer.axis)
 
     return deliver(answer, as_json, keep, csv.printing(tables))
 

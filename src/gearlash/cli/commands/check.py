@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from gearlash.cli.exits import ExitCode, command, delivery
-from gearlash.cli.options import AsJson, CaseArgument, Out, Settings
+from gearlash.cli.options import AsCsv, AsJson, CaseArgument, DecimalComma, Out, Settings
+
+if TYPE_CHECKING:
+    from gearlash.cli.tables import Tables
 
 
 @command
 def check(
-    case: CaseArgument, settings: Settings = None, as_json: AsJson = False, out: Out = None
+    case: CaseArgument,
+    settings: Settings = None,
+    as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
+    out: Out = None,
 ) -> ExitCode:
     """What does this case say? Every value with unit, provenance and reason, and what follows from it.
 
@@ -20,13 +30,25 @@ def check(
     from gearlash.cli.answers.check import check_answer
     from gearlash.cli.frame import show_answer
     from gearlash.cli.inputs import read_case
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     chosen = read_case(case, settings)
     answer = check_answer(chosen)
+
+    def tables() -> Tables:
+        from gearlash.cli.record_tables import check_tables
+
+        return check_tables(answer)
+
+    printed = csv.printing(tables)
     with delivery():
         if out is not None:
             from gearlash.cli.check_files import write_check
 
-            write_check(out, chosen, answer)
-        show_answer(answer, as_json)
+            write_check(out, chosen, answer, csv, tables)
+        if printed is None:
+            show_answer(answer, as_json)
+        else:
+            printed()
     return ExitCode.OK

@@ -131,7 +131,7 @@ def compare(
         if folder:
             from gearlash.cli.compare_files import write_compare
 
-            table = csv.text(tables()["compare"])
+            table = csv.content(tables()["compare"])
             write_compare(folder, asked, found, answer, table)
             csv.keep(folder, TABLES[1:], tables)
 

@@ -79,6 +79,7 @@ def graze(
     tell_if_slow(family, parameters)
 
     from gearlash.cli.answers.graze import TouchFound, graze_answer
+    from gearlash.cli.asked_columns import told_as_asked
     from gearlash.cli.settings import search_settings
 
     search = search_settings(family, periods, max_period, case)
@@ -94,7 +95,7 @@ def graze(
             csv.keep(folder, ["graze"], tables)
 
     def tables() -> Tables:
-        return {"graze": table_of(answer.points, TouchFound)}
+        return {"graze": told_as_asked(table_of(answer.points, TouchFound), answer.asked, ("value",))}
 
     code = deliver(answer, as_json, keep, csv.printing(tables))
     return ExitCode.OK if answer.points else code

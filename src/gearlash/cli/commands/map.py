@@ -85,6 +85,6 @@ def map(
             csv.keep(folder, ["map"], tables)
 
     def tables() -> Tables:
-        return map_tables(asked.case, found)
+        return map_tables(asked.case, found, (answer.x, answer.y))
 
     return deliver(answer, as_json, keep, csv.printing(tables))

@@ -10,7 +10,7 @@ import typer
 
 from gearlash.cli.exits import ExitCode, code_of, command, delivery
 from gearlash.cli.interrupt import end_if_nothing, expect_results, nothing_more
-from gearlash.cli.options import AsJson, ReportOut, Settings, Workers
+from gearlash.cli.options import AsCsv, AsJson, DecimalComma, ReportOut, Settings, Workers
 
 if TYPE_CHECKING:
     from gearlash.case import Case
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from gearlash.cli.progress import StageCallback
     from gearlash.jobs import Progress
     from gearlash.results import Sweep
+
+TABLES = "claims", "parts", "checks"
 
 
 @command
@@ -41,6 +43,8 @@ def reproduce(
     ] = None,
     workers: Workers = None,
     as_json: AsJson = False,
+    as_csv: AsCsv = False,
+    decimal_comma: DecimalComma = False,
     out: ReportOut = Path("reproduce"),
 ) -> ExitCode:
     """What of the article holds? Its whole study, reported values beside computed ones, as one report.
@@ -55,16 +59,22 @@ def reproduce(
     from gearlash.cli.inputs import read_case
     from gearlash.cli.jsonio import write_file
     from gearlash.cli.notice import load_engine
+    from gearlash.cli.record_tables import reproduce_tables
+    from gearlash.cli.tables import CsvAsked
 
+    csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     chosen = read_case(case, settings)
     check_pair(chosen)
     sweeps = [f"sweep-{name}{ending}" for name in ("omega", "D") for ending in (".nc", ".json")]
-    folder = claim(out, ["report.html", "report.json", "figures", "reproduce.json", *sweeps])
+    folder = claim(
+        out, ["report.html", "report.json", "figures", "reproduce.json", *sweeps, *csv.files(*TABLES)]
+    )
     load_engine(data=True)
 
     answer = _answer(chosen, points, workers, folder)
     with delivery():
         write_file(answer, folder.file("reproduce.json"))
+        csv.keep(folder, TABLES, lambda: reproduce_tables(answer))
         show_answer(answer, as_json)
     return code_of(answer.status)
 

@@ -99,7 +99,7 @@ def tolerance(
         if folder:
             from gearlash.cli.tolerance_files import write_tolerance
 
-            table = csv.text(tables()["tolerance"])
+            table = csv.content(tables()["tolerance"])
             write_tolerance(folder, asked, found, answer, table)
             csv.keep(folder, TABLES[1:], tables)
 

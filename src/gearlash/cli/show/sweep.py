@@ -50,17 +50,16 @@ def _facts(answer: SweepAnswer) -> Iterator[tuple[str, str]]:
 
 def _regimes(answer: SweepAnswer, way: SweepWay, width: int) -> Iterator[Text]:
     factor, unit = _physical(answer)
-    columns = [("", "left"), ("from", "right"), ("to", "right")]
-    if factor is not None:
-        columns += [(f"from, {pretty(unit)}", "right"), ("to", "right")]
-    columns += [("points", "right")]
+    own = [(f"from, {answer.axis.name}", "right"), ("to", "right")]
+    told = [(f"from, {pretty(unit)}", "right"), ("to", "right")] if factor is not None else []
+    first = bool(answer.axis.asked.unit)
+    columns = [("", "left"), *(told + own if first else own + told), ("points", "right")]
     shown = sorted(_longest(way.regimes), key=lambda r: r.first)
     rows = []
     for r in shown:
-        ends = [number(r.first, 6), number(r.last, 6)]
-        if factor is not None:
-            ends += [number(r.first * factor, 5), number(r.last * factor, 5)]
-        rows.append([r.label or "–", *ends, str(r.points)])
+        plain = [number(r.first, 6), number(r.last, 6)]
+        scaled = [] if factor is None else [number(r.first * factor, 5), number(r.last * factor, 5)]
+        rows.append([r.label or "–", *(scaled + plain if first else plain + scaled), str(r.points)])
     left = len(way.regimes) - len(shown)
     cold = "From cold starts" if answer.start is None else "From the state that was given, at every value"
     words = {"cold": cold, "up": "Followed upwards", "down": "Followed downwards"}[way.direction]

@@ -145,16 +145,18 @@ def _reach(answer: ZonesAnswer, lower: float, upper: float) -> str:
 
 
 def _end(answer: ZonesAnswer, end: ZoneEnd, inwards: int, marks: Marks) -> str:
-    """The end as everywhere (see `shown_edge`) in its physical units, and the value with all its digits."""
+    """The end as everywhere (see `shown_edge`) in its physical units, that asked for first, and the value
+    with all its digits."""
     halved = end.uncertainty > 0.0 and not end.solved
     value = f"{known(end.value, end.uncertainty)} ± {end.uncertainty:.0e}" if halved else f"{end.value:.10g}"
-    shown = [f"{answer.axis.name} {value}"]
-    for p in end.physical:
+    shown: list[str] = []
+    for p in sorted(end.physical, key=lambda p: p.name != answer.asked.name):
         factor = p.value / end.value if end.value else 0.0
         text = shown_edge(
             factor * end.inner(inwards), inwards if factor >= 0.0 else -inwards, answer.present * factor
         )
         shown.append(marks.of(f"{text} {pretty(p.unit)}", p.rests_on))
+    shown.insert(1 if answer.asked.unit and shown else 0, f"{answer.axis.name} {value}")
     how = end.kind + (
         f", {end.inside} inside, {end.outside} outside ({end.direction})" if end.outside else ""
     )

@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from gearlash.results.columns import POINTS, Column, CsvStyle, csv_text
+from gearlash.results.columns import POINTS, Column, CsvStyle, csv_bytes
 from gearlash.results.pair_units import PairUnits, Unit
 from gearlash.results.provenance import provenance
 from gearlash.results.store import netcdf
@@ -110,7 +110,7 @@ def _named(name: str, unit: Unit) -> str:
 
 def as_csv(columns: Columns, style: CsvStyle) -> bytes:
     """Names with units in the first line; what is not a number stays empty."""
-    return csv_text([Column(name, values) for name, values in columns.items()], style).encode("utf-8")
+    return csv_bytes([Column(name, values) for name, values in columns.items()], style)
 
 
 def _netcdf(columns: Mapping[str, NDArray], dim: str, about: Mapping[str, object]) -> bytes:
