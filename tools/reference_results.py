@@ -98,7 +98,7 @@ writes all of its tables into the folder instead.
 `window.csv`, `breathing.csv` (of the centre distance), `meshes.csv` |
 | report | those of its folder |
 | check | `check.csv` (a row a value, with unit, origin and range), `notes.csv` |
-| reproduce | `claims.csv`, `parts.csv` (of claims that say several things), `checks.csv`; always in its folder |
+| reproduce | `claims.csv`, `parts.csv` (of claims that say several things), `checks.csv`, in its folder |
 
 Files are UTF-8, with a line end after every row. The first line has names, with units in brackets in ASCII
 (`mesh_force [N]`, `gap [um]`); a name without a unit is dimensionless, and the same quantity may stand in
@@ -123,7 +123,8 @@ dimensionless numbers 1).
 | xarray | `xr.open_dataset("history.nc")` |
 | MATLAB | `readtable("sweep.csv", VariableNamingRule="preserve")`; `ncread("history.nc", "mesh_force")` |
 | Octave | `pkg load netcdf`; `ncread("history.nc", "mesh_force")` |
-| Excel, Calc | open the file; where decimals have commas (German, French, …) that of `--decimal-comma`. The other one there: Data, From Text/CSV, comma as delimiter, locale English |
+| Excel, Calc | open the file; where decimals have commas (German, French, …) that of `--decimal-comma` |
+| Excel there, with the other file | Data, From Text/CSV: comma as delimiter, English as locale |
 """
 NETCDF = """\
 ## NetCDF
