@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from gearlash.studies import Zones
     from gearlash.studies.transition import Transition
 
+    from .answers.asked import Asked
     from .answers.run import RunAnswer
     from .answers.zones import ZonesAnswer
 
@@ -54,10 +55,11 @@ def write_sweep(
     dataset = sweep_dataset(case, sweeps)
     write_data(folder, "sweep", dataset, answer, ("sweep.svg", "sweep.pdf"))
     asked, name = answer.axis.asked, sweeps[0].axis.name
-    title, present = f"{case.name}: sweep over {asked.title}", case.family()[0].defaults[name]
+    title = f"{case.name}: sweep over {asked.title}{at_what(case, name)}"
+    present = case.family()[0].defaults[name]
 
     def figure(plots: Any) -> Figure:
-        typed = plots.Twin(asked.factor, asked.title, pretty(asked.unit)) if asked.unit else None
+        typed = _scale(plots, asked)
         units = plots.Units.of(case)
         marks = [
             plots.Mark(value, kind, "" if kind != GRAZING else f"{asked.factor * value:.5g}")
@@ -82,11 +84,34 @@ def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: Z
     and PDF."""
     dataset = sweep_dataset(case, found[0].sweeps)
     write_data(folder, "zones", dataset, answer, ("zones.svg", "zones.pdf"))
-    title = f"Zones of {case.name}"
+    title = f"Zones of {case.name}{at_what(case, found[0].axis.name)}"
     draw_if(
         folder, "zones", all(zones.complete for zones in found) and _drawable(found[0].sweeps),
-        lambda plots: plots.zone_bands(dataset, found, title, answer.present, plots.Units.of(case)),
+        lambda plots: plots.zone_bands(
+            dataset, found, title, answer.present, plots.Units.of(case), _scale(plots, answer.asked)
+        ),
     )  # fmt: skip
+
+
+def _scale(plots: Any, asked: Asked) -> Any:
+    """The scale of an axis that was asked for in a unit."""
+    return plots.Twin(asked.factor, asked.title, pretty(asked.unit)) if asked.unit else None
+
+
+def at_what(case: Case, *varied: str) -> str:
+    """Where a figure is drawn, behind its title: speed, torque and backlash of a case in physical units, but
+    for what is ``varied``; empty without."""
+    family = case.family()[0]
+    told = []
+    for short, leaf in (("omega", "pinion_speed"), ("load", "torque"), ("D", "backlash")):
+        if short in varied or short not in family.defaults:
+            continue
+        for path, value, unit in case.physical(short, family.defaults[short]):
+            if path.rpartition(".")[2] == leaf:
+                told.append(
+                    f"{float(value):.5g} {pretty(unit)}" + (" backlash" if leaf == "backlash" else "")
+                )
+    return f", at {', '.join(told)}" if told else ""
 
 
 def _drawable(sweeps: Sequence[Sweep]) -> bool:
@@ -101,7 +126,7 @@ def write_map(folder: OutFolder, case: Case, plane: PlaneMap, answer: Any) -> No
     asked = answer.x.asked, answer.y.asked
 
     def figure(plots: Any) -> Figure:
-        typed = [plots.Twin(one.factor, one.title, pretty(one.unit)) if one.unit else None for one in asked]
+        typed = [_scale(plots, one) for one in asked]
         return plots.plane(dataset, units=plots.Units.of(case), along=typed)
 
     draw_if(folder, "map", plane.complete, figure)

@@ -21,7 +21,7 @@ from .marks import LINES, OTHER_LINE, OTHER_TICK, TICKS, Mark, height, lines, te
 from .regimes import FREE
 from .strip import key, strip
 from .swept import Swept, axis_name, differs, swept
-from .units import ASSUMED, EXPONENT, ForceAxis, Twin, Units, literal, second
+from .units import ASSUMED, EXPONENT, ForceAxis, Twin, Units, literal, rests, second
 from .words import words
 
 # How the directions look: colour, marker, size of a point (pt²), order of drawing.
@@ -33,7 +33,8 @@ DIRECTION_STYLES = {
 WIDTH = 146.0  # mm of the panels of a figure of page width: what is left beside the labels
 DENSE = 700  # values of an axis from which points are smallest, and not joined
 LARGEST_DOT = 14.0  # times that size, of the points of a coarse axis
-JUMP = 0.25  # of all values of a panel: neighbours farther apart are not joined
+JUMP = 0.4  # of all values of a panel: neighbours farther apart are not joined
+NOTHING = 1e-12  # contact force that is rounding
 LEAST_SPAN = 0.02  # per unit of τ: of the axis of exponents, which would show rounding otherwise
 PRESENT: dict[str, Any] = {"color": style.VERMILION, "lw": 1.0, "ls": (0, (5, 2))}
 BACK = ("back_force", "back_release_force")  # impacts, and releases, which are drawn paler
@@ -93,8 +94,8 @@ def diagram(
     rows = [replace(row, values=factor * row.values) for row in swept(dataset)]
     marks = [replace(mark, value=factor * mark.value) for mark in marks]
     shown = new_points(rows)
-    back = any(np.isfinite(b.back_force).any() for b in rows)
-    heights = [height(marks), 4.6 * len(rows), 50.0, 34.0, 34.0 if back else 5.0, 30.0]
+    forces = [5.0 if flat(rows, which) else 34.0 for which in (("drive_force",), BACK)]
+    heights = [height(marks), 4.6 * len(rows), 50.0, *forces, 30.0]
     figure = style.figure(style.PAGE, sum(heights) + 38.0)
     panels: list[Axes] = list(figure.subplots(6, 1, sharex=True, height_ratios=heights))
     band, bars, *rest = panels
@@ -107,11 +108,15 @@ def diagram(
     _points(rest[1], rows, shown, ("drive_force",), f"{force.symbol}  on  $\\sigma_d$", force.sign)
     _points(rest[2], rows, shown, BACK, f"{force.symbol}  on  $\\sigma_b$", force.sign)
     _exponents(rest[3], rows, shown)
+    scales = units or Units()
+    for panel, scale in zip(rest, (scales.length, scales.force, scales.force), strict=False):
+        if len(panel.get_yticks()):
+            second(panel, scale, "y")
     _shade(rest, rows)
     here = list(_present(panels[1:], present, factor))
     lines(panels[1:], marks)
     for panel in rest:
-        panel.tick_params(which="both", top=True, right=True)
+        panel.tick_params(which="both", top=True)
     bars.tick_params(which="both", bottom=False, top=False)
     twin = (units or Units()).of_parameter(axis) if asked is None else asked
     rest[3].set_xlabel(words(dataset, units).name(axis) if asked is None else asked.label)
@@ -120,7 +125,7 @@ def diagram(
     handles = [*directions(rows, shown), *_mark_kinds(marks), *here, *key(seen)]
     figure.legend(
         handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4,
-        title=ASSUMED if twin is not None and twin.assumed else None, title_fontsize=6.5,
+        title=ASSUMED if rests(twin, scales.length, scales.force) else None, title_fontsize=6.5,
     )  # fmt: skip
     return figure
 
@@ -139,29 +144,37 @@ def _points(
     sign: float = 1.0,
 ) -> None:
     """The arrays, times ``sign``, of every direction in one panel."""
-    drawn = 0
+    if flat(rows, arrays):
+        drawn = any(np.isfinite(getattr(way, array)).any() for way in rows for array in arrays)
+        what = "zero at every impact of" if drawn else "no impact was found in"
+        _empty(panel, f"{label}:  {what} these sweeps")
+        return
     for way, keep in zip(rows, shown, strict=True):
         for array in arrays:
             x, y = way.points(array, keep)
-            drawn += len(x)
             scatter(panel, way.direction, x, sign * y, hollow=array == BACK[1], larger=dot_size(way))
-            _along(panel, way, array, keep, sign)
-    if not drawn:
-        _empty(panel, label)
-        return
+            along(panel, way, array, keep, sign)
     panel.set_ylabel(label)
     panel.margins(y=0.06)
     if arrays == BACK:
         _told_apart(panel, sign)
 
 
-def _empty(panel: Axes, label: str) -> None:
+def flat(rows: Sequence[Swept], arrays: tuple[str, ...]) -> bool:
+    """Whether there is nothing in these arrays, or only zero: no axis is to magnify that."""
+    most = (
+        float(np.abs(np.nan_to_num(getattr(way, array))).max(initial=0.0)) for way in rows for array in arrays
+    )
+    return max(most, default=0.0) <= NOTHING
+
+
+def _empty(panel: Axes, text: str) -> None:
     """Says that there is nothing to draw."""
     panel.set_yticks([])
     panel.text(
         0.5,
         0.45,
-        f"{label}:  no impact was found in these sweeps",
+        text,
         transform=panel.transAxes,
         ha="center",
         va="center_baseline",
@@ -221,7 +234,7 @@ def dot_size(way: Swept) -> float:
     return min(LARGEST_DOT, max(1.0, (DENSE / max(len(way.values), 1)) ** 1.2))
 
 
-def _along(panel: Axes, way: Swept, array: str, keep: NDArray[np.bool_], sign: float) -> None:
+def along(panel: Axes, way: Swept, array: str, keep: NDArray[np.bool_], sign: float = 1.0) -> None:
     """On a coarse axis, lines along periodic motions of one label; none where they jump."""
     periodic = np.array([isinstance(label, Signature) for label in way.labels], dtype=bool)
     table = np.where((periodic & keep)[:, None], sign * np.sort(getattr(way, array), axis=1), np.nan)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -89,13 +90,19 @@ def measured_histories(columns: Sequence[Column], time: str) -> Figure:
             if strip.level is not None:
                 panel.axhline(strip.level, color=style.BOUNDARY, lw=0.7)
             panel.margins(x=0.0, y=0.1)
-            if j == 0 and len(strip.lines) > 2:  # room for the two rows of the legend
-                low, high = panel.get_ylim()
-                panel.set_ylim(low, high + LEGEND * (high - low))
             panel.set_ylabel(strip.label if j == 0 else "")
             if j == 0:
                 panel.legend(loc="upper left", ncols=2, fontsize=6.5, frameon=True, facecolor="white",
                              framealpha=0.8, edgecolor="none")  # fmt: skip
         panels[0, j].set_title(literal(column.title))
         panels[-1, j].set_xlabel(time)
+    _room_for_legends(columns, list(panels[:, 0]))
     return figure
+
+
+def _room_for_legends(columns: Sequence[Column], first: Sequence[Axes]) -> None:
+    """Above what all columns of a row show, where its legend has two rows."""
+    for i, panel in enumerate(first):
+        if len(columns[0].strips[i].lines) > 2:
+            low, high = panel.get_ylim()
+            panel.set_ylim(low, high + LEGEND * (high - low))

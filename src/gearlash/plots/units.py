@@ -216,6 +216,11 @@ class Units:
         return {"omega": self.speed, "D": self.backlash}.get(parameter) or self.others.get(parameter)
 
 
+def rests(*scales: Twin | None) -> bool:
+    """Whether one of them rests on an assumed value."""
+    return any(scale is not None and scale.assumed for scale in scales)
+
+
 def _others(case: Case, assumed: Mapping[str, bool]) -> dict[str, Twin]:
     """The scale of every parameter that has one, as the case itself names it: of several, the last (Hz, not
     rpm, for which `Units.speed` is there); ``assumed``: unit → whether what it is converted with is."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import xarray as xr
 from matplotlib.axes import Axes
@@ -15,12 +15,12 @@ from gearlash.studies.zone import Zone, Zones
 from gearlash.studies.zone_end import Quiet, ZoneEnd
 
 from . import style
-from .bifurcation import directions, dot_size, new_points, scatter
+from .bifurcation import along, directions, dot_size, new_points, scatter
 from .marks import OTHER_TICK, TICKS
 from .regimes import DRIVE, FREE
 from .strip import key, strip
 from .swept import axis_name, swept
-from .units import ASSUMED, Units, literal, second
+from .units import ASSUMED, Twin, Units, literal, rests, second
 from .words import words
 
 WIDTH = 140.0  # mm of the panels: what is left beside the labels
@@ -53,6 +53,7 @@ def zone_bands(
     title: str = "",
     present: float | None = None,
     units: Units | None = None,
+    asked: Twin | None = None,
 ) -> Figure:
     """Zones of one or several kinds, over the sweeps that they were found from.
 
@@ -67,6 +68,8 @@ def zone_bands(
         The value of the case itself, for a line there.
     units : Units, optional
         Second axes in physical units: `Units.of` a case.
+    asked : Twin, optional
+        The scale that the parameter was asked for in: it takes the place of the dimensionless one.
 
     Returns
     -------
@@ -81,40 +84,52 @@ def zone_bands(
     >>> len(plots.zone_bands(gl.sweep_dataset(case, found.sweeps), [found]).axes)
     3
     """
-    rows, axis, bands = swept(dataset), axis_name(dataset), list(_bands(found))
+    axis, factor = axis_name(dataset), 1.0 if asked is None else asked.factor
+    rows = [replace(row, values=factor * row.values) for row in swept(dataset)]
+    bands = list(_bands(found, factor))
     heights = [ROW * len(bands), 4.6 * len(rows), 52.0]
     figure = style.figure(style.PAGE, sum(heights) + 46.0)
     panels: list[Axes] = list(figure.subplots(3, 1, sharex=True, height_ratios=heights))
     upper, bars, lower = panels
-    upper.set_xlim(float(rows[0].values[0]), float(rows[0].values[-1]))
+    upper.set_xlim(*sorted((float(rows[0].values[0]), float(rows[0].values[-1]))))
     marks = _draw(upper, bands)
     seen = strip(bars, rows, WIDTH)
     _shade(lower, bands)
     shown = new_points(rows)
     for way, keep in zip(rows, shown, strict=True):
         scatter(lower, way.direction, *way.points("strobes", keep), larger=dot_size(rows[0]))
+        along(lower, way, "strobes", keep)
     lower.margins(y=0.08)
     lower.set_ylabel(r"$X_n$  on  $\sigma_t$")
-    lower.set_xlabel(words(dataset, units).name(axis))
-    twin = (units or Units()).of_parameter(axis)
-    second(lower, twin, below=9.5)
+    usual = (units or Units()).of_parameter(axis)
+    twin = usual if asked is None else asked
+    lower.set_xlabel(words(dataset, units).name(axis) if asked is None else asked.label)
+    second(lower, twin if asked is None else None, below=9.5)
+    second(lower, (units or Units()).length, "y")
     bars.tick_params(which="both", bottom=False, top=False)
     if title:
         upper.set_title(literal(f"{title} (every, some: of the attractors found)"), pad=6.0)
-    here = list(_present(panels, present))
+    here = list(_present(panels, None if present is None else factor * present))
     figure.legend(
         handles=[*directions(rows, shown), *key(seen), *_key(bands), *marks, *here],
         loc="outside lower center", ncols=3, columnspacing=1.6,
-        title=ASSUMED if twin is not None and twin.assumed else None, title_fontsize=6.5,
+        title=ASSUMED if rests(twin, (units or Units()).length) else None, title_fontsize=6.5,
     )  # fmt: skip
     return figure
 
 
-def _bands(found: Sequence[Zones]) -> Iterator[_Band]:
+def _bands(found: Sequence[Zones], factor: float) -> Iterator[_Band]:
+    """With values times ``factor``."""
     for zones in found:
-        yield _Band(zones.quiet, True, zones.zones)
+        yield _Band(zones.quiet, True, tuple(_scaled(zone, factor) for zone in zones.zones))
         if zones.wider:
-            yield _Band(zones.quiet, False, zones.wider)
+            yield _Band(zones.quiet, False, tuple(_scaled(zone, factor) for zone in zones.wider))
+
+
+def _scaled(zone: Zone, factor: float) -> Zone:
+    ends = (replace(end, value=factor * end.value) for end in (zone.lower, zone.upper))
+    lower, upper = ends
+    return replace(zone, lower=lower, upper=upper)
 
 
 def _draw(axes: Axes, bands: Sequence[_Band]) -> list[Line2D]:

@@ -1,0 +1,50 @@
+"""Figures in the units of a case: the one asked for along the axis, µm and N on the right."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes._secondary_axes import SecondaryAxis
+
+import gearlash as gl
+from gearlash import plots
+from gearlash.plots.measured import Column, Strip, measured_histories
+
+RPM = plots.Twin(4000.0, "pinion speed", "rpm")
+
+
+def test_zones_along_the_unit_that_was_asked_for():
+    case = gl.load_case("kahraman-singh")
+    found = gl.zones(case, gl.Axis.even("omega", 0.5, 0.55, 3), "impact-free")
+    figure = plots.zone_bands(gl.sweep_dataset(case, found.sweeps), [found], present=0.525, asked=RPM)
+    panel = figure.axes[2]
+    assert panel.get_xlabel() == "pinion speed  [rpm]"
+    assert panel.get_xlim() == (2000.0, 2200.0)
+    assert any(np.asarray(line.get_xdata()).tolist() == [2100.0, 2100.0] for line in panel.lines)
+
+
+def test_a_sweep_has_second_axes_and_no_axis_of_zeros():
+    case = gl.load_case("article")
+    done = gl.sweep(case, gl.Axis.even("omega", 0.9, 0.95, 3))
+    figure = plots.diagram(gl.sweep_dataset(case, [done]), units=plots.Units.of(case))
+    scales = [
+        child for panel in figure.axes for child in panel.child_axes if isinstance(child, SecondaryAxis)
+    ]
+    labels = {scale.get_ylabel() for scale in scales}
+    assert {"$x_n$  [µm] †", "$F_n$  [N] †"} & labels
+    stop = gl.load_case("shaw-holmes")
+    done = gl.sweep(stop, gl.Axis.even("omega", 0.7, 0.8, 3))
+    assert any(isinstance(point.label, gl.Signature) and point.label.impacts for point in done.points)
+    figure = plots.diagram(gl.sweep_dataset(stop, [done]))
+    said = [text.get_text() for panel in figure.axes for text in panel.texts]
+    assert any("zero at every impact" in text for text in said)
+
+
+def test_no_history_leaves_its_panel():
+    time = np.linspace(0.0, 1.0, 5)
+    lines = tuple((name, time) for name in "abc")
+    small = Column("", time, time < 0.0, (Strip("force", lines),))
+    deep = Column("", time, time < 0.0, (Strip("force", (("a", -10.0 * time), *lines[1:])),))
+    for panel in measured_histories([small, deep], "time").axes[:2]:
+        low, high = panel.get_ylim()
+        assert low < -10.0
+        assert high > 1.0
