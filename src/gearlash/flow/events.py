@@ -153,8 +153,14 @@ def contact_force(
 ) -> Array:
     """Φ of a clearance at given displacements, velocities and regions (0: side +, 1: free, 2: side -)."""
     c, theta = system.clearances[clearance], _base_phase(system, phase)
-    elastic = np.where(region == PLUS, evaluate(c.stiffness_plus, theta) * (x - c.gap_plus), 0.0)
-    elastic += np.where(region == MINUS, evaluate(c.stiffness_minus, theta) * (x + c.gap_minus), 0.0)
+    elastic = np.zeros(np.shape(x))
+    for side, series, beyond in (
+        (PLUS, c.stiffness_plus, x - c.gap_plus),
+        (MINUS, c.stiffness_minus, x + c.gap_minus),
+    ):
+        there = region == side
+        if np.any(there):
+            elastic[there] = evaluate(series, theta[there]) * beyond[there]
     plus, minus = c.dampings
     damping = np.where(region == PLUS, plus, np.where(region == MINUS, minus, 0.0))
     if c.contact is ContactRule.ALWAYS:

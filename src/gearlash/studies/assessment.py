@@ -25,6 +25,9 @@ from .zone import Zones
 from .zone_end import Quiet
 from .zones import zones_of_kinds
 
+WORK = 12_000
+"""Units of `studies.work.Work`, about a millisecond of a processor each, that following branches may take: a
+verdict is wanted within seconds. Of most pairs that is all there is."""
 Tell = Callable[[str, Progress | None], object]
 
 
@@ -140,7 +143,7 @@ def assess(
     ways = sweeps(case, axis, ("up", "down"), settings=settings, execution=telling(execution, say, "speeds"))
     quiet, drive = zones_of_kinds(
         case, axis, [Quiet.IMPACT_FREE, Quiet.DRIVE_SIDE_ONLY], known=ways, settings=settings,
-        execution=telling(execution, say, "ends of bands"),
+        execution=telling(execution, say, "ends of bands"), work=WORK,
     )  # fmt: skip
     ranges = across_ranges(case, settings, telling(execution, say, "ranges of estimates"))
     return Assessment(

@@ -1,4 +1,5 @@
-"""Aperiodic motion beyond the end of a stable arc, followed both ways: does it live beside stable arcs?
+"""Aperiodic motion beyond the end of a stable arc, and periodic motion there whose branch is not followed as
+the work is spent, followed both ways: does it live beside stable arcs?
 
 So a motion that coexists with a quiet one is found however coarse the axis is."""
 
@@ -11,7 +12,7 @@ from gearlash.jobs import Chain, Part
 from gearlash.results import Point
 from gearlash.system import MotionKind
 
-from .followed import BEYOND_END, Followed, Question
+from .followed import BEYOND_END, LEFT_OUT, Followed, Question
 from .point import evaluate
 from .seen import HALVED_TO, KnownArcs, Stretch, halved
 from .zone import ZoneMotion
@@ -66,13 +67,15 @@ def chased(followed: Followed, seen: Iterable[Stretch]) -> list[ZoneMotion]:
     """Aperiodic motions that were found beyond the ends of stable arcs and live beside other stable arcs, or
     beside the same one, and that no sweep saw just there."""
     seen, known, ends, chains = list(seen), KnownArcs.of(followed), {}, []
+    left_out = {id(point) for point, why in followed.unfollowed if why == LEFT_OUT}
+    arcs = [arc for arc in followed.stable if not followed.work.limited or arc.label.impacts == 0]
     for (i, up), point in followed.beyond.items():
         arc = followed.arcs[i]
         end = arc.upper if up else arc.lower
         for sign in (-1, 1):
             near = end.value + sign * FIRST * max(abs(end.value), 1e-3)
-            beside = any(each.contains(near) for each in followed.stable)
-            if point.label is not MotionKind.APERIODIC or not beside:
+            beside = any(each.contains(near) for each in arcs)
+            if not (point.label is MotionKind.APERIODIC or id(point) in left_out) or not beside:
                 continue
             if not any(s.lower <= near <= s.upper for s in seen):
                 ends[i, up, sign] = end
@@ -85,7 +88,7 @@ def chased(followed: Followed, seen: Iterable[Stretch]) -> list[ZoneMotion]:
 
 def _motion(end: ZoneEnd, last: Point, other: Point | None) -> ZoneMotion:
     """From the end of the arc to where the motion was lost."""
-    label = MotionKind.APERIODIC
+    label = last.label if last.periodic and last.label is not None else MotionKind.APERIODIC
     if other is None:
         lost = ZoneEnd(last.value, RANGE, inside=label, direction=BEYOND_END)
     else:

@@ -22,7 +22,7 @@ from gearlash.branches.continuation import (
     switched,
 )
 from gearlash.jobs import Chain, Execution, Part, run, stopping
-from gearlash.jobs.chains import Work
+from gearlash.jobs.chains import Work as Doing
 from gearlash.orbits import Settings, orbit_at
 from gearlash.results import Point
 from gearlash.system import Family, GearlashError, MotionKind
@@ -30,11 +30,11 @@ from gearlash.system import Family, GearlashError, MotionKind
 from .arcs import Arc, arcs_of
 from .model import Source
 from .point import evaluate
+from .work import MANY, Changes, Work
 from .zone_end import ZoneEnd
 
 Array = NDArray[np.float64]
 
-MOST_POINTS = 1_000  # of a branch, each way
 LONGEST = 0.3  # step; on a large motion one of a small motion's size is short
 BEYOND = (1e-4, 1e-3)  # of the value: how far beyond the end of a stable arc is looked what motion goes on as
 SAME = 1e-6  # of the size of a motion: what agrees so well is the same
@@ -52,6 +52,7 @@ SWITCHED = (SpecialKind.DOUBLING, SpecialKind.JOINS, SpecialKind.BRANCH_POINT, S
 DOUBLED, BROKEN, SINGLE = "doubling", "symmetry breaking", "orbit of half its period"
 BEYOND_END = "beyond an end"
 STOPPED = "stopped"
+LEFT_OUT = "not followed along its branch, as the work that was allowed for is spent"
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,10 +86,11 @@ class Seed:
 
 @dataclass(frozen=True, eq=False)
 class Follow:
-    """A task: the branch of a seed."""
+    """A task: the branch of a seed, of at most so many orbits each way."""
 
     question: Question
     seed: Seed
+    most_points: int = MANY
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,7 +115,7 @@ def follow_branch(task: Follow, carry: object) -> Part:
     """The branch of a seed, or why there is none."""
     q, seed = task.question, task.seed
     family = q.source.family()
-    steps = ContinuationSettings(longest=LONGEST, most_points=MOST_POINTS, certify=False)
+    steps = ContinuationSettings(longest=LONGEST, most_points=task.most_points, certify=False)
     try:
         props = flow.propagators(family.system(q.values(family, seed.value)))
         orbit = orbit_at(props, seed.state, seed.periods)
@@ -153,7 +155,8 @@ class Followed:
     ``unfollowed``: points that are periodic, but whose branch could not be followed, and why; ``beyond``:
     what motion goes on as beyond the end of an arc, by its number and whether it is the upper end;
     ``reason``: why something is missing, and then ``not_followed``: how many periodic points lie on no branch
-    that was followed; ``longest``: mesh cycles of an orbit to which is switched."""
+    that was followed; ``longest``: mesh cycles of an orbit to which is switched; ``work``: how much there may
+    be, ``changes``: where motions matter most, which are followed first where work is limited."""
 
     question: Question
     execution: Execution
@@ -166,6 +169,8 @@ class Followed:
     longest: int = LONGEST_PERIOD
     switched_to: int = 0
     not_followed: int = 0
+    work: Work = field(default_factory=Work)
+    changes: Changes = field(default_factory=lambda: Changes(()))
 
     @property
     def wide(self) -> list[Arc]:
@@ -188,8 +193,12 @@ class Followed:
             chosen: dict[int, tuple[str, Point]] = {}
             for way, point in sorted(open_, key=lambda one: one[1].minimum - one[1].maximum):
                 chosen.setdefault(point.period, (way, point))  # steps are in units of the first motion's size
-            seeds = [Seed(p.value, p.state, len(p.strobes), way) for way, p in chosen.values()]
-            for (way, point), failure in zip(chosen.values(), self.followed(seeds), strict=True):
+            first = self.first_of(list(chosen.values()))
+            if not first:
+                self.leave_out(open_)
+                return
+            seeds = [Seed(p.value, p.state, len(p.strobes), way) for way, p in first]
+            for (way, point), failure in zip(first, self.followed(seeds), strict=True):
                 if failure == STOPPED:
                     continue
                 if failure or not self._known(family, point, way):
@@ -197,6 +206,17 @@ class Followed:
             lost = {id(point) for point, _ in self.unfollowed}
             open_ = [(way, point) for way, point in open_ if id(point) not in lost]
         self.unfollowed += [(point, f"{ROUNDS} rounds of following were not enough") for _, point in open_]
+
+    def first_of(self, wanted: list[tuple[str, Point]]) -> list[tuple[str, Point]]:
+        """Those to follow next: all, or where work is limited those that matter most and are short."""
+        if self.work.limited:
+            wanted.sort(key=lambda one: self.changes.order(one[1]))
+        return self.work.afforded(wanted, lambda one: len(one[1].strobes))
+
+    def leave_out(self, points: Sequence[tuple[str, Point]]) -> None:
+        """Motions that are not followed, as the work is spent: they were seen where they were found."""
+        self.work.left_out += len(points)
+        self.unfollowed += [(point, LEFT_OUT) for _, point in points]
 
     def _known(self, family: Family, point: Point, way: str) -> bool:
         arc = self.arc_of(family, point)
@@ -206,7 +226,8 @@ class Followed:
 
     def followed(self, seeds: Sequence[Seed]) -> list[str]:
         """Follows the branches of seeds; why it could not, of each, or empty."""
-        chains = [Chain(i, (Follow(self.question, seed),), (1,)) for i, seed in enumerate(seeds)]
+        tasks = [Follow(self.question, seed, self.work.orbits_each_way(seed.periods)) for seed in seeds]
+        chains = [Chain(i, (task,), (1,)) for i, task in enumerate(tasks)]
         done, failures = self.done(follow_branch, chains), []
         for i in range(len(seeds)):
             found = done.get(i, STOPPED)
@@ -216,6 +237,7 @@ class Followed:
         return failures
 
     def take(self, branch: Branch) -> None:
+        self.work.followed(branch)
         arcs = arcs_of(branch, len(self.branches))
         if any(self._same(arc, known) for arc in arcs if arc.stable for known in self.stable):
             return
@@ -271,11 +293,20 @@ class Followed:
             tried |= set(specials)
             if not specials or self.reason:
                 return
-            chains = [
-                Chain(i, (Switch(self.question, self.branches[arc.branch], special),), (1,))
-                for i, (arc, special) in enumerate(specials.values())
+            wanted = [
+                (arc, special)
+                for arc, special in specials.values()
                 if special.kind is not SpecialKind.DOUBLING or 2 * special.point.period <= self.longest
             ]
+            if self.work.limited:
+                wanted.sort(key=lambda one: (not self.changes.hold(one[1].value), one[1].point.period))
+            chosen = self.work.afforded(wanted, lambda one: 2 * one[1].point.period)
+            self.work.left_out += len(wanted) - len(chosen)
+            chains = [
+                Chain(i, (Switch(self.question, self.branches[arc.branch], special),), (1,))
+                for i, (arc, special) in enumerate(chosen)
+            ]
+            self.work.looked(len(chains))
             done = self.done(switch_branch, chains)
             seeds = [seed for name in sorted(done, key=str) for seed in done[name]]
             self.followed(seeds[: MOST_SWITCHED - self.switched_to])
@@ -306,6 +337,9 @@ class Followed:
             and (i, up) not in self.beyond
             and self._open(arc, end, up)
         }
+        if self.work.limited and not self.work.left:
+            self.work.left_out += len(ends)
+            return []
         found: dict[tuple[int, bool], Point] = {}
         for far in BEYOND:
             left = {name: end for name, end in ends.items() if name not in found or not _settled(found[name])}
@@ -314,6 +348,7 @@ class Followed:
                 for name, end in left.items()
                 if (task := self._look(name, end, far))
             ]
+            self.work.looked(len(tasks))
             found.update(
                 (name, point) for name, point in self.done(look, tasks).items() if isinstance(name, tuple)
             )
@@ -340,7 +375,7 @@ class Followed:
             if other is not arc and beside.bounded and _meet(beside.value, end.value, near):
                 yield other
 
-    def done(self, work: Work, chains: Sequence[Chain]) -> Mapping[Hashable, Any]:
+    def done(self, work: Doing, chains: Sequence[Chain]) -> Mapping[Hashable, Any]:
         """What each task returned."""
         if not chains or self.reason:
             return {}

@@ -82,6 +82,7 @@ class Found:
         return Zones(
             quiet, self.axis, tuple(every), tuple(some), self.sweeps, not reason, reason, self.axis.step,
             self.step(certain), tuple(self.followed.branches), self.starts, self.followed.not_followed,
+            self.followed.work.left_out,
         )  # fmt: skip
 
     @property

@@ -225,6 +225,9 @@ class Zones(Record):
     not_followed : int
         Periodic motions of these starts whose branches were not followed, as the work was stopped. Where it
         was stopped, no zones are told in which every attractor found is quiet.
+    left_out : int
+        Motions that were not followed, and ends of motions beyond which was not looked, as the work that was
+        allowed for was spent. Such a motion counts at the values of the axis at which sweeps saw it.
 
     Examples
     --------
@@ -248,6 +251,7 @@ class Zones(Record):
     branches: tuple[Branch, ...] = ()
     starts: int = 0
     not_followed: int = 0
+    left_out: int = 0
 
     def at(self, value: float) -> Zone | None:
         """The zone that holds a value, in which every attractor found is quiet.

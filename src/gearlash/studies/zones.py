@@ -22,6 +22,7 @@ from .named import plain_axis
 from .scanned import check_sweeps
 from .seen import Onsets
 from .sweep import sweeps
+from .work import Changes, Work
 from .zone import Zones
 from .zone_end import Quiet
 
@@ -99,8 +100,12 @@ def zones_of_kinds(
     start: ArrayLike | None = None,
     settings: Settings | None = None,
     execution: Execution | None = None,
+    work: int | None = None,
 ) -> tuple[Zones, ...]:
-    """The same of several kinds from the same sweeps and branches."""
+    """The same of several kinds from the same sweeps and branches.
+
+    Where ``work`` is given no more of it is spent on following (units of `work.Work`), first on motions that
+    matter most. What is left out counts where sweeps saw it, and `Zones.left_out` says how much that is."""
     source = Source.of(model)
     family = source.family()
     wanted, settings = [given.choice(Quiet, "kind of zone", k) for k in kinds], checked_settings(settings)
@@ -115,16 +120,19 @@ def zones_of_kinds(
     check_sweeps(ways, axis, fixed)
     low, high = float(axis.values[0]), float(axis.values[-1])
     question = Question(source, tuple(fixed.items()), axis.name, low, high, settings)
-    followed, starts = branches_found(ways, question, execution)
+    followed, starts = branches_found(ways, question, execution, work)
     found = Found(model, axis, tuple(ways), followed, Onsets(followed, begin), starts)
     return tuple(found.zones(quiet) for quiet in wanted)
 
 
-def branches_found(ways: Sequence[Sweep], question: Question, execution: Execution) -> tuple[Followed, int]:
+def branches_found(
+    ways: Sequence[Sweep], question: Question, execution: Execution, work: int | None = None
+) -> tuple[Followed, int]:
     """The branches of all motions that the sweeps show, of those that meet them, and of what motion goes on
     as beyond their ends; and from how many starts motions were looked for."""
     reason = next((sweep.message for sweep in ways if not sweep.complete), "")
-    followed = Followed(question, execution, reason=reason)
+    changes = Changes(()) if work is None else Changes.of(ways, ways[0].axis)
+    followed = Followed(question, execution, reason=reason, work=Work(work), changes=changes)
     followed.add((str(sweep.direction), point) for sweep in ways for point in sweep.points)
     followed.switch()
     starts = sum(point.computed for sweep in ways for point in sweep.points)

@@ -58,13 +58,23 @@ def cosines(mean: float, amplitudes: ArrayLike, phases: ArrayLike | None = None)
 
 
 def evaluate(series: Fourier, theta: ArrayLike) -> NDArray[np.float64]:
-    """Values of a series (last axis: coefficients) at phases ``theta`` in rad."""
+    """Values of a series (last axis: coefficients) at phases ``theta`` in rad.
+
+    Harmonics are powers of e^iθ: one sine and one cosine a phase, however many there are."""
     angle = np.asarray(theta, dtype=np.float64)
-    order = np.arange(1, harmonics(series) + 1)
-    basis = np.ones((*angle.shape, 2 * len(order) + 1))
-    basis[..., 1::2] = np.cos(angle[..., None] * order)
-    basis[..., 2::2] = np.sin(angle[..., None] * order)
-    return np.einsum("...k,k->...", basis, series) if series.ndim == 1 else basis @ series.T
+    if harmonics(series) == 0:
+        return np.ones(angle.shape + (1,) * (series.ndim - 1)) * series[..., 0]
+    turn: NDArray[np.complex128] = np.exp(1j * angle)[..., None]
+    turns = np.repeat(turn, harmonics(series), axis=-1)
+    np.multiply.accumulate(turns, axis=-1, out=turns)
+    if series.ndim > 1:
+        return series[..., 0] + turns.real @ series[..., 1::2].T + turns.imag @ series[..., 2::2].T
+    # einsum and not a matrix product: a fixed order of summation, whatever the number of threads
+    return (
+        series[0]
+        + np.einsum("...k,k->...", turns.real, series[1::2])
+        + np.einsum("...k,k->...", turns.imag, series[2::2])
+    )
 
 
 def derivative(series: Fourier) -> Fourier:

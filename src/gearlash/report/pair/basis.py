@@ -9,6 +9,7 @@ from gearlash.report.blocks import Block, Bullets, Cell, Figure, Section, Table,
 from gearlash.report.numbers import number
 from gearlash.report.pictures import Picture
 from gearlash.results.provenance import package_version
+from gearlash.studies import Zones
 
 from . import ranges
 from .contents import Contents
@@ -51,19 +52,33 @@ def section(contents: Contents) -> Section:
         if case.notes()
         else Text.of("There are no remarks on values of the case.")
     )
-    starts = found.impact_free.starts
     blocks.append(
         Text.of(
             f"Bands: from sweeps of {len(found.axis)} speeds upwards and downwards, and from beyond the "
-            f"ends of the motions found ({starts} starts); every periodic motion was followed along its "
-            f"whole branch ({len(found.impact_free.branches)} branches), and ends of bands are its special "
-            "points. That there is no other motion is not claimed."
+            f"ends of the motions found ({found.impact_free.starts} starts); {_followed(found.impact_free)} "
+            "That there is no other motion is not claimed."
         )
     )
     if contents.missing:
         blocks.append(Text.of(f"The report was stopped early; not computed: {', '.join(contents.missing)}."))
     blocks.append(Text.of(f"Made by gearlash {package_version()}; case {case.hash[:12]}."))
     return Section("basis", "What this rests on", tuple(blocks))
+
+
+def _followed(zones: Zones) -> str:
+    """Which motions were followed."""
+    count = len(zones.branches)
+    if not zones.left_out:
+        return (
+            f"every periodic motion was followed along its whole branch ({count} branches), and ends of "
+            "bands are its special points."
+        )
+    return (
+        f"periodic motions were followed along {count} branches, those first on which bands depend, and "
+        "ends of bands are their special points. Then the work that a verdict allows was spent: "
+        f"{zones.left_out} motions and ends of motions were not followed farther, and count at the speeds "
+        "at which sweeps saw them."
+    )
 
 
 def _range(value: Value) -> str:

@@ -83,6 +83,7 @@ def verdict(found: Assessment) -> Verdict:
         Line("Back side", _back(found, words)),
         Line("Margin", _margin(found, words)),
         Line("What coexists", _coexisting(found)),
+        *_left_out(found),
         *_forces(found, units),
         Line("What this rests on", rests(found)),
     )
@@ -211,6 +212,19 @@ def _coexisting(found: Assessment) -> str:
             names = ", ".join(dict.fromkeys(map(short, seen)))
             text += f"; elsewhere in the band around it sweeps show {names} beside it"
     return f"{text}."
+
+
+def _left_out(found: Assessment) -> list[Line]:
+    """What was not looked for, as the work of a verdict has a limit."""
+    zones = found.impact_free
+    if not zones.left_out:
+        return []
+    text = (
+        f"The work that a verdict allows was spent after {len(zones.branches)} branches of motions, those "
+        f"first on which bands depend. {zones.left_out} motions and ends of motions were not followed "
+        "farther: they count at the speeds at which sweeps saw them. gearlash zones follows all."
+    )
+    return [Line("Not followed", text)]
 
 
 def _other(beside: Beside) -> list[str]:
