@@ -31,7 +31,7 @@ POM = materials.named("POM")
 )
 def test_every_estimate_lies_in_its_range_and_tells_its_source(drawing):
     found = estimates(drawing)
-    assert len(found) == 6 + 8 + 4 + 4
+    assert len(found) == 6 + 8 + 8 + 4 + 4
     for name, one in found.items():
         assert one.least <= one.value <= one.greatest, name
         assert one.source, name

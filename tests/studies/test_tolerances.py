@@ -125,13 +125,11 @@ def test_a_case_outside_its_limits_is_told_beside_them():
 
 
 def test_what_is_estimated_and_not_varied_stays_as_it_is():
-    """A case that states one harmonic of its stiffness has no other; here the others are stated with it."""
     case = gl.load_case(Path(__file__).parents[1] / "cases" / "drawing.toml")
     axis = gl.Axis.even("pinion_speed", "1000 rpm", "1030 rpm", 2)
     value = next(float(v.value) for v in case.values() if v.path == "mesh.ripple_2")
     around = sorted((0.999 * value, 1.001 * value))
     found = gl.tolerance(case, axis, {"mesh.ripple_2": around}, samples=2, replicates=2)
-    assert {"mesh.ripple", "mesh.ripple_3"} <= {path for path, _ in found.kept}
     assert found.worst.margin == pytest.approx(found.nominal.margin, rel=2e-3)
 
 

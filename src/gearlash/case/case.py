@@ -130,7 +130,8 @@ class Case(Record):
         1.5
         """
         content, problems = self.content.override(given.mapping("overrides", overrides))
-        return replace(self, entries=checked(Draft(content, problems), self.name).entries)
+        content = checked(Draft(content, problems), self.name)
+        return replace(self, entries=content.entries, structure=content.structure)
 
     def resolve(self, name: str, value: str | float) -> tuple[str, float]:
         """The parameter of the family that a name and a value mean.
@@ -241,13 +242,13 @@ class Case(Record):
         """
         return self.content.physical(short, value)
 
-    def held(self, short: str) -> str:
+    def held(self, name: str) -> str:
         """What is taken to be the same wherever a parameter varies, although it may not be.
 
         Parameters
         ----------
-        short : str
-            Short name of the parameter.
+        name : str
+            Path or short name of the parameter.
 
         Returns
         -------
@@ -257,10 +258,10 @@ class Case(Record):
         Examples
         --------
         >>> import gearlash as gl
-        >>> gl.load_case("article").held("load")[:46]
+        >>> gl.load_case("article").held("torque")[:46]
         'stiffness and error are the same at every torq'
         """
-        return self.content.held(short)
+        return self.content.held(name)
 
     def values(self) -> list[Value]:
         """Every value with unit, provenance and reason.

@@ -38,6 +38,7 @@ _MEASURED = 0.8  # C_M: measured over theoretical stiffness
 _REGRESSION_RANGE = 0.92, 1.05  # told by the standard, for loads from 100 to 1600 N/mm
 _MEASURED_RANGE = 0.9, 1.25  # of C_M: from an estimate to the theoretical stiffness itself
 _RIM_RANGE = 0.99, 1.07  # of C_R, told by the standard
+_LEAST_LOAD = 0.5  # of the factor of loads below 100 N/mm, as far as the range goes
 _OUTSIDE_RANGE = 0.9, 1.1  # for each limit of the regression that is left: an estimate
 
 
@@ -170,6 +171,7 @@ def method_b(
     -------
     MeshStiffness
         The range is the product of what the standard tells of regression and rim, of the materials' moduli,
+        of the factor for loads below 100 N/mm (finite elements of perfect flanks hardly have it),
         and of estimates: C_M from 0.72 to 1, the theory itself (plane finite elements of solid gears lie
         between 0.8 and 1), and 10 % for each limit that is left.
 
@@ -206,6 +208,7 @@ def method_b(
         _MEASURED_RANGE,
         rim_range,
         moduli,
+        (1.0, 1.0 / max(load, _LEAST_LOAD)),  # perfect flanks lose little of their stiffness
         *[_OUTSIDE_RANGE] * len(beyond),
     ]
     if ratio < 1.2:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import mesh_stiffness
 from .drawing import USUAL_LINE_LOAD, Drawing, Estimate
@@ -14,9 +15,13 @@ from .pair_shape import PairShape
 from .tooth_pair import calculated_mesh
 
 _SHAPES = (
-    "pairs of teeth by Weber and Banaschek; range: equal stiffness per length, Cai and Hayashi, "
-    "Sánchez et al."
+    "pairs of teeth by Weber and Banaschek, which touch beyond the path of contact as far as they bend; "
+    "range: without load, equal stiffness per length, Cai and Hayashi, Sánchez et al., and what finite "
+    "elements of teeth differ by"
 )
+OF_ELEMENTS = 0.35, 0.01
+"""How far harmonics of teeth in finite elements lay from these, of themselves and of the mean stiffness, for
+steel and plastics, spur and helical (docs/drawing.md)."""
 
 
 def mean_stiffness(drawing: Drawing) -> Estimate:
@@ -46,7 +51,7 @@ def _lines(drawing: Drawing, shape: PairShape | None = None) -> ContactLines:
 
 @lru_cache(maxsize=32)
 def loaded_mesh(drawing: Drawing, shape: PairShape | None = None) -> LoadedMesh:
-    """The mesh of modified flanks at the torque of the drawing.
+    """The mesh of a drawing's flanks at its torque.
 
     Parameters
     ----------
@@ -84,32 +89,46 @@ def loaded_mesh(drawing: Drawing, shape: PairShape | None = None) -> LoadedMesh:
 
 
 def ripples(drawing: Drawing, count: int) -> dict[str, Estimate]:
-    """The teeth as calculated; in the range the published shapes. Modified flanks have phases, too."""
-    if drawing.modification.modified:
-        return _modified_ripples(drawing, count)
-    pair = drawing.meshing
-    load = drawing.line_load or USUAL_LINE_LOAD
-    values = calculated_mesh(pair, count, load, drawing.chosen_materials).harmonics.real
-    each = np.vstack([ripple_ranges(pair, count), values])
-    source = f"sliced contact lines of unmodified flanks; {_SHAPES}"
-    return {
-        f"ripple_{n}": Estimate(float(value), float(column.min()), float(column.max()), source)
-        for n, (value, column) in enumerate(zip(values, each.T, strict=True), start=1)
-    }
+    """Of the contact lines that bear at the torque of a drawing; amplitudes keep the sign that they have
+    without load.
 
+    Parameters
+    ----------
+    drawing : Drawing
+    count : int
+        How many harmonics, from 1.
 
-def _modified_ripples(drawing: Drawing, count: int) -> dict[str, Estimate]:
-    """Of the contact lines that bear at this torque; amplitudes keep the sign that they have unmodified."""
-    each = np.array([loaded_mesh(drawing, shape).stiffness_harmonics(count) for shape in (None, *PairShape)])
-    own = each[0]
+    Returns
+    -------
+    dict
+        ``ripple_1`` …, and their phases ``ripple_phase_1`` …, rad, from the middle of a pair's path.
+    """
+    modified = drawing.modification.modified
+    own = loaded_mesh(drawing).stiffness_harmonics(count)
+    others = _modified_shapes(drawing, count) if modified else _shapes(drawing, count)
     sign = np.where(own.real < 0.0, -1.0, 1.0)
-    along = (each * sign * np.exp(-1j * np.angle(sign * own))).real * sign  # in the phase of the own one
-    source = f"sliced contact lines of modified flanks that bear at this torque; {_SHAPES}"
+    turned = np.vstack([own, others]) * sign * np.exp(-1j * np.angle(sign * own))
+    along = turned.real * sign  # in the phase of the own one
+    flanks = "modified" if modified else "unmodified"
+    source = f"sliced contact lines of {flanks} flanks that bear at this torque; {_SHAPES}"
+    share, size = OF_ELEMENTS
     found, phases = {}, {}
-    for n in range(1, count + 1):
-        column = along[:, n - 1]
-        ends = float(column.min()), float(column.max())
-        found[f"ripple_{n}"] = Estimate(float(column[0]), *ends, source)
+    for n, column in enumerate(along.T, start=1):
+        value, apart = float(column[0]), share * abs(float(column[0])) + size
+        least, greatest = min(float(column.min()), value - apart), max(float(column.max()), value + apart)
+        found[f"ripple_{n}"] = Estimate(value, max(least, -2.0), min(greatest, 2.0), source)
         angle = float(np.angle(sign[n - 1] * own[n - 1]))
         phases[f"ripple_phase_{n}"] = Estimate(angle, angle, angle, "phase of the same contact lines")
     return found | phases
+
+
+def _shapes(drawing: Drawing, count: int) -> NDArray[np.complex128]:
+    """Harmonics of unmodified flanks without load, and of the published shapes."""
+    pair, load = drawing.meshing, drawing.line_load or USUAL_LINE_LOAD
+    unloaded = calculated_mesh(pair, count, load, drawing.chosen_materials).harmonics
+    return np.vstack([unloaded, ripple_ranges(pair, count).astype(np.complex128)])
+
+
+def _modified_shapes(drawing: Drawing, count: int) -> NDArray[np.complex128]:
+    """The same of modified flanks at the torque of the drawing, which is what they have."""
+    return np.array([loaded_mesh(drawing, shape).stiffness_harmonics(count) for shape in PairShape])

@@ -30,6 +30,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gearlash.gears import CylindricalGear, CylindricalPair
+from gearlash.gears.tip_corner import tip_corner_gap
 from gearlash.system import GearlashError
 
 from ._tables import CORNER_REACH
@@ -149,15 +150,7 @@ class Flanks:
         >>> (Flanks(pair).corner(0, [0.0, 5e-4, 1e-3]) * 1e6).round(1).tolist()  # µm
         [0.0, 5.9, 24.3]
         """
-        e, angle = np.asarray(beyond, dtype=float), self.pair.working_pressure_angle
-        own, mate = self.base_radii[which], self.base_radii[1 - which]
-        roll = self.tip_rolls[which]
-        turned = np.arctan2(roll, own) - angle + e / own
-        tip = np.hypot(roll, own)
-        across, along = self.pair.centre_distance - tip * np.cos(turned), -tip * np.sin(turned)
-        pressure = np.arccos(np.minimum(mate / np.hypot(across, along), 1.0))
-        begins = np.arctan2(along, across) + np.tan(pressure) - pressure
-        return mate * (begins + angle) - (self.pair.tangent_length - roll - e)
+        return tip_corner_gap(self.pair, which, beyond)
 
     def corner_coefficients(self, which: int) -> tuple[float, float, float]:
         """c_0, 1/m, and c_1, 1/m², of the corner's gap e² (c_0 + c_1 e), and how far it is followed, m.

@@ -15,7 +15,7 @@ from gearlash.system import Family, given
 from .branch_extremes import measured
 from .dataset import FORMAT_VERSION, family_of
 from .physical import physical_unit
-from .provenance import provenance
+from .provenance import held_along, provenance
 from .variables import Variable, dimension
 
 if TYPE_CHECKING:
@@ -283,4 +283,5 @@ def _attributes(model: Case | Family, branch: Branch) -> dict[str, Any]:
         "complete": int(all(str(end.kind) != "cancelled" for end in branch.ends)),
         "unexplained": json.dumps(list(branch.unexplained), ensure_ascii=False),
         **provenance(model),
+        **held_along(model, [branch.name]),
     }

@@ -13,7 +13,7 @@ from gearlash.case import Case
 from gearlash.system import Family, given
 
 from .dataset import FORMAT_VERSION, family_of
-from .provenance import provenance
+from .provenance import held_along, provenance
 from .variables import Variable, dimension
 
 if TYPE_CHECKING:
@@ -197,4 +197,5 @@ def _attributes(model: Case | Family, curve: Curve) -> dict[str, Any]:
         "parameters": json.dumps(fixed),
         "complete": int(all(str(end.kind) != "cancelled" for end in curve.ends)),
         **provenance(model),
+        **held_along(model, curve.names),
     }

@@ -16,7 +16,7 @@ from gearlash.system import Family, GearlashError, Status, given
 from .compare import coexisting
 from .physical import physical_axis, physical_unit
 from .point import Point
-from .provenance import provenance
+from .provenance import held_along, provenance
 from .sweep import Sweep
 from .variables import PADDED, SCALARS, Variable, dimension
 
@@ -179,4 +179,5 @@ def _attributes(model: Case | Family, sweeps: Sequence[Sweep]) -> dict[str, Any]
         "complete": int(all(sweep.complete for sweep in sweeps)),
         "message": "; ".join(dict.fromkeys(s.message for s in sweeps if s.message)),
         **provenance(model),
+        **held_along(model, [sweeps[0].axis.name]),
     }

@@ -14,7 +14,7 @@ from .axis import Axis
 from .dataset import FORMAT_VERSION, family_of
 from .physical import physical_axis, physical_unit
 from .plane import CERTIFICATES, NO_LABEL, STATUSES, PlaneMap
-from .provenance import provenance
+from .provenance import held_along, provenance
 from .variables import Variable, dimension
 
 if TYPE_CHECKING:
@@ -129,4 +129,5 @@ def _attributes(model: Case | Family, family: Family, plane: PlaneMap) -> dict[s
         "message": plane.message,
         "reasons": json.dumps([[*place, text] for place, text in plane.reasons.items()], ensure_ascii=False),
         **provenance(model),
+        **held_along(model, axes),
     }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
+from collections.abc import Iterable
 from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
@@ -31,6 +32,15 @@ def provenance(model: Case | Family) -> dict[str, str]:
         "case_json": model.to_json(),
         "not_given": json.dumps(not_given(model), ensure_ascii=False),
     }
+
+
+def held_along(model: Case | Family, names: Iterable[str]) -> dict[str, str]:
+    """An attribute ``held`` that says what is taken to be the same wherever these parameters vary, although
+    it may not be; none where there is nothing to say."""
+    if isinstance(model, Family):
+        return {}
+    told = dict.fromkeys(filter(None, map(model.held, names)))
+    return {"held": "; ".join(told)} if told else {}
 
 
 def not_given(case: Case) -> list[dict[str, object]]:

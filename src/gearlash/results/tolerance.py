@@ -178,8 +178,6 @@ class Tolerance:
     profile : Profile or None
         The same between the solved ends of the bands of all samples, on which the axis has no say; None where
         the work was stopped before.
-    kept : tuple of (str, str)
-        Path and value of what every combination states beside the inputs.
     complete : bool
         Whether nothing stopped the work.
     message : str
@@ -214,13 +212,12 @@ class Tolerance:
     complete: bool = True
     message: str = ""
     profile: Profile | None = None
-    kept: tuple[tuple[str, str], ...] = ()
 
     @property
     def settings_of_worst(self) -> Mapping[str, str]:
         """The worst combination as overrides of the case."""
         values = zip(self.inputs, self.worst.inputs, strict=True)
-        return {**dict(self.kept), **{one.path: one.text(value) for one, value in values}}
+        return {one.path: one.text(value) for one, value in values}
 
     @property
     def tried(self) -> int:

@@ -24,7 +24,7 @@ from gearlash.system import GearlashError, Label
 from .impact_free import closed_margin, impact_free_speeds
 from .model import Source
 from .tolerances.bands import outside, positive_bands
-from .tolerances.inputs import estimated_inputs, kept_beside
+from .tolerances.inputs import estimated_inputs
 
 FACTOR = 1.08
 """From one value to the next in a range that spans a factor: of a stiffness 4 % of a natural frequency, and
@@ -130,7 +130,6 @@ class Task:
     """One range, or one corner with its band of speed."""
 
     source: Source
-    inputs: tuple[ToleranceInput, ...]
     input: ToleranceInput | None
     values: tuple[tuple[str, str], ...] = ()
     settings: Settings | None = None
@@ -144,8 +143,8 @@ def across_ranges(
     if not inputs:
         return None
     execution, source = execution or Execution(), Source.of(case)
-    nominal = margin_of(case, {}, inputs)
-    chains = [Chain(i, (Task(source, inputs, one),), (1,)) for i, one in enumerate(inputs)]
+    nominal = margin_of(case, {})
+    chains = [Chain(i, (Task(source, one),), (1,)) for i, one in enumerate(inputs)]
     outcome = run(work, chains, execution)
     varied = tuple(outcome.results[i][0] for i in range(len(inputs)) if outcome.results.get(i))
     if not outcome.complete:
@@ -153,11 +152,11 @@ def across_ranges(
     harmful = sorted((v for v in varied if _takes(v.margin, nominal)), key=lambda one: one.margin)
     if not harmful:
         return AcrossRanges(nominal, varied, inputs=inputs)
-    worst = together(case, harmful, inputs)
+    worst = together(case, harmful)
     corners = [Corner({v.input.path: v.input.text(v.worst)}, v.margin) for v in harmful[:SOLVED]]
     corners += [worst] if len(worst.values) > 1 else []
     chains = [
-        Chain(i, (Task(source, inputs, None, tuple(one.values.items()), settings),), (1,))
+        Chain(i, (Task(source, None, tuple(one.values.items()), settings),), (1,))
         for i, one in enumerate(corners)
     ]
     outcome = run(work, chains, execution)
@@ -174,8 +173,8 @@ def work(task: Task, _carry: object) -> Part:
     """What one task finds."""
     case = _case(task.source.case_json or "")
     if task.input is not None:
-        return Part((varied(case, task.input, task.inputs),))
-    return Part((solved(case, dict(task.values), task.inputs, task.settings),))
+        return Part((varied(case, task.input),))
+    return Part((solved(case, dict(task.values), task.settings),))
 
 
 @lru_cache(maxsize=4)
@@ -183,11 +182,11 @@ def _case(text: str) -> Case:
     return Case.from_json(text)
 
 
-def margin_of(case: Case, values: Mapping[str, str], inputs: Sequence[ToleranceInput]) -> float:
+def margin_of(case: Case, values: Mapping[str, str]) -> float:
     """Least compression of the motion of teeth that never part, over the static one; -inf where it is not
     stable, and where no pair can have these values; NaN where it was not solved for."""
     try:
-        family = member_of(case, values, inputs).family()[0]
+        family = member_of(case, values).family()[0]
         numbers = family.complete({})
         static = numbers["load"] / numbers["rotation_factor"]
         return closed_margin(family.system(), 1 if static > 0.0 else -1) / abs(static)
@@ -195,18 +194,18 @@ def margin_of(case: Case, values: Mapping[str, str], inputs: Sequence[ToleranceI
         return -inf
 
 
-def member_of(case: Case, values: Mapping[str, str], inputs: Sequence[ToleranceInput]) -> Case:
+def member_of(case: Case, values: Mapping[str, str]) -> Case:
     """The case with other values. Raises `GearlashError` where no pair can have them."""
-    return case.with_overrides(kept_beside(values, inputs)) if values else case
+    return case.with_overrides(values) if values else case
 
 
-def varied(case: Case, one: ToleranceInput, inputs: Sequence[ToleranceInput]) -> Varied:
+def varied(case: Case, one: ToleranceInput) -> Varied:
     """One range."""
     looked: dict[float, float] = {}
 
     def margin(at: float) -> float:
         if at not in looked:
-            looked[at] = margin_of(case, {one.path: one.text(at)}, inputs)
+            looked[at] = margin_of(case, {one.path: one.text(at)})
         return looked[at]
 
     bands = positive_bands(margin, values_of(one))
@@ -230,14 +229,14 @@ def values_of(one: ToleranceInput) -> list[float]:
     return np.linspace(low, high, EVEN).tolist()
 
 
-def together(case: Case, harmful: Sequence[Varied], inputs: Sequence[ToleranceInput]) -> Corner:
+def together(case: Case, harmful: Sequence[Varied]) -> Corner:
     """The worst combination: from each at its own worst value, one after the other made worse."""
     values = {one.input.path: one.input.text(one.worst) for one in harmful}
-    least = margin_of(case, values, inputs)
+    least = margin_of(case, values)
     for one in harmful[:MOST_MOVED]:
         for text in _tried(one.input):
             tried = {**values, one.input.path: text}
-            found = margin_of(case, tried, inputs)
+            found = margin_of(case, tried)
             if found < least:
                 values, least = tried, found
             if least == -inf:
@@ -255,13 +254,11 @@ def _tried(one: ToleranceInput) -> Iterator[str]:
         yield one.text(every[at])
 
 
-def solved(
-    case: Case, values: Mapping[str, str], inputs: Sequence[ToleranceInput], settings: Settings | None
-) -> Corner:
+def solved(case: Case, values: Mapping[str, str], settings: Settings | None) -> Corner:
     """A corner with its band of speed and the motion from the cold start."""
-    margin = margin_of(case, values, inputs)
+    margin = margin_of(case, values)
     try:
-        member = member_of(case, values, inputs)
+        member = member_of(case, values)
         family = member.family()[0]
         cold = attractor(family.system(), family.start(), settings or Settings()).label
         speeds = impact_free_speeds(member) if isfinite(margin) else None

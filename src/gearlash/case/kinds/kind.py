@@ -233,13 +233,13 @@ class Content(ABC):
         """
         return []
 
-    def held(self, short: str) -> str:
+    def held(self, name: str) -> str:
         """What is taken to be the same wherever a parameter varies; see `Case.held`.
 
         Parameters
         ----------
-        short : str
-            Short name.
+        name : str
+            Path or short name.
 
         Returns
         -------

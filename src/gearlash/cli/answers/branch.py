@@ -98,7 +98,8 @@ def branch_answer(
 def limits_used(case: Case, short: str, named: str, unit: str, lower: float, upper: float) -> LimitsUsed:
     """With what its ends mean physically."""
     lows, highs = (physical_values(case, short, end, computed=False) for end in (lower, upper))
-    return LimitsUsed(short, named, lower, upper, lows, highs, Asked.of(case, short, named, unit))
+    asked, held = Asked.of(case, short, named, unit), case.held(short)
+    return LimitsUsed(short, named, lower, upper, lows, highs, asked, held)
 
 
 def _branch(

@@ -118,6 +118,7 @@ class LimitsUsed:
     physical_lower: tuple[PhysicalValue, ...]
     physical_upper: tuple[PhysicalValue, ...]
     asked: Annotated[Asked, "the unit that sentences and tables tell values in"]
+    held: Annotated[str, "what is taken to be the same all along it, although it may not be"] = ""
 
 
 @dataclass(frozen=True)

@@ -89,6 +89,7 @@ class GrazeAnswer:
         tuple[TouchFound, ...], "the first that this motion meets below and above, nearest first"
     ]
     paths: Annotated[tuple[FollowedPath, ...], "how the motion was followed, downwards and upwards"]
+    held: Annotated[str, "what is taken to be the same all along it, although it may not be"] = ""
     result: Literal["graze"] = "graze"
 
 
@@ -131,6 +132,7 @@ def graze_answer(
         label=label_text(start.label),
         points=touches,
         paths=paths,
+        held=case.held(over),
     )
 
 

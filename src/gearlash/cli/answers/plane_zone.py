@@ -110,6 +110,7 @@ class PlaneZoneAnswer:
     holes: tuple[tuple[tuple[float, float], ...], ...]
     lines: Annotated[int, "straight lines along which the orbit was followed"]
     places: Annotated[int, "places on them at which it was solved for"]
+    held: Annotated[tuple[str, ...], "what is taken to be the same in all of it, although it may not be"] = ()
     result: Literal["plane_zone"] = "plane_zone"
 
 
@@ -130,6 +131,7 @@ def plane_zone_answer(
         case=case_used(case),
         parameters=dict(zone.values),
         names=zone.names,
+        held=tuple(filter(None, map(case.held, zone.names))),
         asked=asked,
         rests_on=rests,
         at=zone.at,

@@ -93,6 +93,10 @@ class ToleranceAnswer:
     replicates: int
     corners: int
     unsolved: Annotated[int, "motions that were not solved for: they count as not free of impacts"]
+    held: Annotated[
+        tuple[str, ...],
+        "what is taken to be the same wherever the axis and the inputs vary, although it may not",
+    ] = ()
     result: Literal["tolerance"] = "tolerance"
 
 
@@ -103,6 +107,7 @@ def tolerance_answer(case: Case, found: Tolerance) -> ToleranceAnswer:
         status="ok" if found.complete else "incomplete",
         message=found.message,
         case=case_used(case),
+        held=tuple(filter(None, map(case.held, (found.axis.name, *(one.path for one in found.inputs))))),
         axis=found.axis.name,
         unit=found.axis.unit,
         values=tuple(found.axis.values.tolist()),

@@ -12,7 +12,7 @@ from gearlash.cli.answers.asked import Asked
 from gearlash.cli.answers.atlas import AtlasAnswer, CurveFound, StraightFound
 from gearlash.results.contact_words import sided
 
-from .layout import facts, headline, note, table
+from .layout import assumed, facts, headline, note, table
 from .numbers import Marks, number
 
 MOST_CURVES, MOST_POINTS, MOST_LEFT = 60, 60, 20  # lines; all of them are in --json
@@ -45,6 +45,7 @@ def atlas_view(answer: AtlasAnswer, width: int) -> Iterator[Text]:
     yield from _check(answer, width)
     yield from _undone(answer, marks, width)
     yield from note(f"Not looked for: {'; '.join(answer.not_looked_for)}.", width)
+    yield from assumed((answer.x.held, answer.y.held), width)
     footnote = marks.footnote()
     if footnote:
         yield from note(footnote, width)

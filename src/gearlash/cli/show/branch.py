@@ -11,7 +11,7 @@ from gearlash.cli.answers.branch import BranchAnswer
 from gearlash.cli.answers.branch_parts import BranchFound, LawFound, NextPoint, SpecialFound
 from gearlash.results.contact_words import sided
 
-from .layout import facts, headline, note, table
+from .layout import assumed, facts, headline, note, table
 from .numbers import Marks, number, polar
 
 MOST_NAMED = 12
@@ -34,6 +34,7 @@ def branch_view(answer: BranchAnswer, width: int) -> Iterator[Text]:
     yield from _not_switched(answer, width)
     if answer.not_looked_for:
         yield from note(f"Not looked for: {'; '.join(answer.not_looked_for)}.", width)
+    yield from assumed((answer.axis.held,), width)
     footnote = marks.footnote()
     if footnote:
         yield from note(footnote, width)

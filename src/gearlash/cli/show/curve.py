@@ -13,7 +13,7 @@ from gearlash.cli.answers.curve import CurveAnswer
 from gearlash.cli.answers.curve_parts import CodimTwoFound, CurveEnd, CurveFound
 from gearlash.results.contact_words import sided
 
-from .layout import Column, facts, headline, note, table
+from .layout import Column, assumed, facts, headline, note, table
 from .numbers import Marks, number
 
 MOST_LINES = 40  # special points of one curve; all of them are in --json
@@ -35,6 +35,7 @@ def curve_view(answer: CurveAnswer, width: int) -> Iterator[Text]:
         yield from facts("No curve from", rows, width)
     if answer.not_looked_for:
         yield from note(f"Not looked for: {'; '.join(answer.not_looked_for)}.", width)
+    yield from assumed((limit.held for limit in answer.axes), width)
     footnote = marks.footnote()
     if footnote:
         yield from note(footnote, width)

@@ -10,7 +10,7 @@ from gearlash.case.units import pretty
 from gearlash.cli.answers.graze import GrazeAnswer, TouchFound
 from gearlash.results.contact_words import sided
 
-from .layout import facts, headline, note, table
+from .layout import assumed, facts, headline, note, table
 from .numbers import Marks, number, polar, quantity
 from .words import cycles
 
@@ -30,6 +30,7 @@ def graze_view(answer: GrazeAnswer, width: int) -> Iterator[Text]:
     for touch in answer.points:
         yield from facts(_title(answer, touch), list(_facts(answer, touch, marks)), width)
     yield from _paths(answer, width)
+    yield from assumed((answer.held,), width)
     footnote = marks.footnote()
     if footnote:
         yield from note(footnote, width)

@@ -5,7 +5,7 @@ ends.
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from rich.text import Text
 
@@ -25,6 +25,12 @@ def note(text: str, width: int, style: str = "dim") -> Iterator[Text]:
     """A remark in a paragraph of its own."""
     yield Text()
     yield from (Text(line, style=style) for line in wrapped(text, width))
+
+
+def assumed(held: Iterable[str], width: int) -> Iterator[Text]:
+    """What is taken to be the same along a parameter that varies, although it may not be; each told once."""
+    for text in dict.fromkeys(filter(None, held)):
+        yield from note(f"Assumed: {text}.", width)
 
 
 def facts(title: str, rows: Sequence[tuple[str, str]], width: int) -> Iterator[Text]:

@@ -12,7 +12,7 @@ from gearlash.cli.answers.map import MapAnswer
 from gearlash.cli.answers.sweep import AxisUsed
 from gearlash.system import Status
 
-from .layout import facts, headline, note, table
+from .layout import assumed, facts, headline, table
 from .numbers import number
 
 MOST_LINES = 25  # of labels; all of them are in --json
@@ -39,8 +39,7 @@ def map_view(answer: MapAnswer, width: int) -> Iterator[Text]:
         f"; the {len(shown)} most frequent of {len(answer.labels)} (--json has all)" if left else ""
     )
     yield from table(title if not answer.message else f"{title}; {answer.message}", columns, rows, width)
-    for held in filter(None, (answer.x.held, answer.y.held)):
-        yield from note(f"Assumed: {held}.", width)
+    yield from assumed((answer.x.held, answer.y.held), width)
 
 
 def _facts(answer: MapAnswer) -> Iterator[tuple[str, str]]:

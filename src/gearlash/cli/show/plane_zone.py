@@ -10,7 +10,7 @@ from gearlash.case.edges import at_most
 from gearlash.case.units import pretty
 from gearlash.cli.answers.plane_zone import WORDS, MarginAlong, PlaneZoneAnswer, how_far, times
 
-from .layout import facts, headline, note, table
+from .layout import assumed, facts, headline, note, table
 from .numbers import Marks
 
 RANGE_END = "end of the range"
@@ -40,6 +40,7 @@ def plane_zone_view(answer: PlaneZoneAnswer, width: int) -> Iterator[Text]:
             "Where one takes over from another", [("where", "left"), ("what", "left")], rows, width
         )
     yield from note(_examined(answer), width)
+    yield from assumed(answer.held, width)
     footnote = marks.footnote()
     if footnote:
         yield from note(footnote, width)

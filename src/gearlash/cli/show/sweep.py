@@ -10,7 +10,7 @@ from gearlash.case.units import pretty
 from gearlash.cli.answers.asked import Asked
 from gearlash.cli.answers.sweep import Regime, SweepAnswer, SweepWay
 
-from .layout import facts, headline, note, table
+from .layout import assumed, facts, headline, table
 from .numbers import number
 
 MOST_LINES = 30  # of regimes in one direction; all of them are in --json
@@ -22,8 +22,7 @@ def sweep_view(answer: SweepAnswer, width: int) -> Iterator[Text]:
     yield from facts("", list(_facts(answer)), width)
     for way in answer.sweeps:
         yield from _regimes(answer, way, width)
-    if answer.axis.held:
-        yield from note(f"Assumed: {answer.axis.held}.", width)
+    yield from assumed((answer.axis.held,), width)
 
 
 def _facts(answer: SweepAnswer) -> Iterator[tuple[str, str]]:

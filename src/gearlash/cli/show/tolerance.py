@@ -10,7 +10,7 @@ from gearlash.case.edges import shown_interval
 from gearlash.case.units import pretty
 from gearlash.cli.answers.tolerance import BandFound, InputFound, ToleranceAnswer, chance_text
 
-from .layout import facts, headline, note, table
+from .layout import assumed, facts, headline, note, table
 
 SHOWN = 12  # rows of the probability
 NOTHING = 1e-9  # share of the variance of a value that the margin does not depend on
@@ -41,6 +41,7 @@ def tolerance_view(answer: ToleranceAnswer, width: int) -> Iterator[Text]:
     settings = " ".join(f"--set '{path}={value}'" for path, value in answer.worst.items())
     yield from facts("The worst combination found, to run", [("", settings)], width)
     yield from note(_examined(answer), width)
+    yield from assumed(answer.held, width)
 
 
 def _examined(answer: ToleranceAnswer) -> str:

@@ -13,7 +13,7 @@ from gearlash.cli.answers.zones import ZonesAnswer
 from gearlash.cli.answers.zones_parts import Resident, Stay, ZoneEnd, ZoneFound
 from gearlash.cli.answers.zones_words import how_far
 
-from .layout import facts, headline, note
+from .layout import assumed, facts, headline, note
 from .numbers import Marks, at_least, known
 
 NEAR = 1e-9  # relative: what lies so near to each other is told as one interval
@@ -32,8 +32,7 @@ def zones_view(answer: ZonesAnswer, width: int) -> Iterator[Text]:
         ends = answer.asked.between(*_edges(answer, zone))
         yield from facts(f"{TITLES[zone.kind]}, {who}: {ends}", list(_facts(answer, zone, marks)), width)
     yield from note(_examined(answer), width)
-    if answer.axis.held:
-        yield from note(f"Assumed: {answer.axis.held}.", width)
+    yield from assumed((answer.axis.held,), width)
     footnote = marks.footnote()
     if footnote:
         yield from note(footnote, width)

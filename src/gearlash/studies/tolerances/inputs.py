@@ -18,7 +18,6 @@ from gearlash.system import GearlashError, given, shown
 Limits: TypeAlias = Mapping[str, Sequence[float | str]]
 MOST_INPUTS = 20
 STATED = "stated"
-RIPPLE = "mesh.ripple"
 
 
 def read_inputs(case: Case, limits: Limits | None) -> tuple[ToleranceInput, ...]:
@@ -92,22 +91,6 @@ def estimated_inputs(case: Case) -> tuple[ToleranceInput, ...]:
         if value.least is not None and value.greatest is not None and value.least < value.greatest
         and value.path in case.content.places
     )  # fmt: skip
-
-
-def kept_beside(values: Mapping[str, str], inputs: Sequence[ToleranceInput]) -> dict[str, str]:
-    """The values, and where a harmonic of the stiffness is among them the nominal ones of all others: a case
-    that states one harmonic has no others but those it states."""
-    if not any(path.startswith(RIPPLE) for path in values):
-        return dict(values)
-    others = {one.path: one.text(one.nominal) for one in inputs if one.path.startswith(RIPPLE)}
-    return {**others, **values}
-
-
-def beside(case: Case, inputs: Sequence[ToleranceInput]) -> dict[str, str]:
-    """What is stated beside the inputs in every combination, so that nothing else than they varies."""
-    paths = {one.path for one in inputs}
-    kept = kept_beside(dict.fromkeys(paths, ""), estimated_inputs(case))
-    return {path: text for path, text in kept.items() if path not in paths}
 
 
 def _estimated(case: Case) -> tuple[ToleranceInput, ...]:

@@ -27,7 +27,7 @@ MOST = 4  # near a value of 0 steps do not become smaller than the range makes t
 @dataclass(frozen=True)
 class Task:
     """Combinations of inputs to look at (an empty one: the case as it is); without ``bands`` at the present
-    value of the axis only. ``kept`` is stated beside them in each."""
+    value of the axis only."""
 
     source: Source
     inputs: tuple[ToleranceInput, ...]
@@ -35,7 +35,6 @@ class Task:
     present: float
     combinations: tuple[tuple[float, ...], ...]
     bands: bool = True
-    kept: tuple[tuple[str, str], ...] = ()
 
 
 def work(task: Task, _carry: object) -> Part:
@@ -50,8 +49,7 @@ def _case(text: str) -> Case:
 
 
 def _member(case: Case, task: Task, values: tuple[float, ...]) -> ToleranceMember:
-    settings = dict(task.kept) if values else {}
-    settings |= {one.path: one.text(value) for one, value in zip(task.inputs, values, strict=bool(values))}
+    settings = {one.path: one.text(value) for one, value in zip(task.inputs, values, strict=bool(values))}
     try:
         member = case.with_overrides(settings) if settings else case
         margin = margin_along(member, task.axis)

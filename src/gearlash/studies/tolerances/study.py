@@ -23,7 +23,7 @@ from gearlash.system import GearlashError, given
 from .bands import contains, outside, shared
 from .designs import corners, samples
 from .influence import combinations, influences, mean_and_error
-from .inputs import Limits, beside, read_inputs
+from .inputs import Limits, read_inputs
 from .members import Task, present_on, work
 from .profile import profile
 
@@ -100,8 +100,7 @@ def tolerance(
     inputs = read_inputs(case, limits)
     _check_axis(case, axis, inputs)
     source = Source.of(case)
-    kept = tuple(beside(case, inputs).items())
-    looker = _Looker(source, inputs, axis, present_on(case, axis), checked_execution(source, execution), kept)
+    looker = _Looker(source, inputs, axis, present_on(case, axis), checked_execution(source, execution))
     return looker.look(count, sets)
 
 
@@ -131,7 +130,6 @@ class _Looker:
     axis: Axis
     present: float
     execution: Execution
-    kept: tuple[tuple[str, str], ...] = ()
     stopped: str = ""
 
     def look(self, count: int, sets: int) -> Tolerance:
@@ -168,7 +166,6 @@ class _Looker:
             influences=() if self.stopped else self.influences(count, sets),
             unsolved=sum(member.unsolved for member in tried),
             profile=profile([member.bands for member in drawn], count, *ends),
-            kept=self.kept,
             complete=not self.stopped,
             message=self.stopped,
         )
@@ -195,7 +192,7 @@ class _Looker:
 
     def task(self, part: tuple[tuple[float, ...], ...], bands: bool) -> Task:
         """Some combinations."""
-        return Task(self.source, self.inputs, self.axis, self.present, part, bands, self.kept)
+        return Task(self.source, self.inputs, self.axis, self.present, part, bands)
 
     def search(self, members: Sequence[ToleranceMember]) -> list[ToleranceMember]:
         """From the worst combination on, towards worse ones between the limits."""

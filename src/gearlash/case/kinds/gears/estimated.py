@@ -28,6 +28,8 @@ from .rules import EntriesByKey, PairRules
 from .shared import HIGHEST_HARMONIC
 from .teeth import Teeth
 
+HARMONIC_STEMS = "ripple", "error"
+
 
 @dataclass(frozen=True)
 class Completed:
@@ -64,12 +66,30 @@ def is_estimable(path: str) -> bool:
     return path in _ESTIMABLE
 
 
-def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = ()) -> Completed:
+def estimated_beside(before: EntriesByKey, stated: EntriesByKey) -> set[str]:
+    """Stems of harmonics that were estimated and of which some are stated now: `override` replaces these, and
+    the others stay estimates."""
+    estimated = {key for key, entry in before.items() if entry.least is not None}
+    return {
+        stem
+        for stem in HARMONIC_STEMS
+        if any(_is_harmonic(key, stem) for key in estimated)
+        and any(_is_harmonic(key, stem) for key in stated)
+    }
+
+
+def complete(
+    rules: PairRules,
+    entries: EntriesByKey,
+    curves: Collection[str] = (),
+    kept: Collection[str] = (),
+) -> Completed:
     """The entries with everything that can be estimated and is not stated; ``curves`` are the names of those
-    that are.
+    that are, ``kept`` stems of harmonics (`estimated_beside`).
 
     Estimates need teeth, module (helix angle) and both face widths, or any word of a drawing in place of
-    these. A ripple or an error that is not stated is none unless there is such a word.
+    these. A ripple or an error that is not stated is none unless there is such a word. Where a file states
+    one harmonic, it has no others but those it states.
     """
     geometry = ("pinion.teeth", "gear.teeth", rules.module, *rules.angles)
     if not all(key in entries for key in geometry) or drawn.contradicted(entries):
@@ -78,7 +98,8 @@ def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = 
     has_drawing = is_drawn(entries)
     known = {**entries, **{e.key: e for e in _converted(entries)}}
     moved = bool(play.stated(entries))
-    wanted = _wanted(rules, known, has_drawing, curves) if has_drawing or widths else frozenset[str]()
+    estimable = has_drawing or widths
+    wanted = _wanted(rules, known, has_drawing, curves, kept) if estimable else frozenset[str]()
     if not (has_drawing or wanted or moved):
         return Completed(known)
     teeth = Teeth(rules, known)
@@ -87,7 +108,7 @@ def complete(rules: PairRules, entries: EntriesByKey, curves: Collection[str] = 
         if has_drawing:
             known |= {e.key: e for e in teeth.found}
             known |= {e.key: e for e in _play(known, pair)}
-            wanted = _wanted(rules, known, has_drawing, curves)
+            wanted = _wanted(rules, known, has_drawing, curves, kept)
         unfit = tuple(_unfit_bodies(known, pair))
         if unfit:
             return Completed(known, problems=unfit)
@@ -148,7 +169,11 @@ def _play(entries: EntriesByKey, pair: CylindricalPair) -> Iterator[Entry]:
 
 
 def _wanted(
-    rules: PairRules, entries: EntriesByKey, has_drawing: bool, curves: Collection[str]
+    rules: PairRules,
+    entries: EntriesByKey,
+    has_drawing: bool,
+    curves: Collection[str],
+    kept: Collection[str],
 ) -> frozenset[str]:
     """Names of `gearlash.gears.estimates` that the model needs and nobody states."""
     found = set()
@@ -160,9 +185,8 @@ def _wanted(
         if key not in entries:
             found.add(name)
     if has_drawing:
-        named = {stem for stem in ("ripple", "error") if any(_is_harmonic(key, stem) for key in entries)} | {
-            STEMS[name] for name in curves
-        }
+        named = {stem for stem in HARMONIC_STEMS if any(_is_harmonic(key, stem) for key in entries)}
+        named = named - set(kept) | {STEMS[name] for name in curves}
         named |= {"error"} if is_loaded(entries) else set()
         found |= {"ripple", "error"} - named
     # an amplitude that is stated says nothing of its phase; files without a drawing keep what they mean
@@ -173,7 +197,7 @@ def _wanted(
         found.add("bodies")
     if any(f"bearing_frequency_{b}" not in entries for b in rules.bearings):
         found.add("bearings")
-    if rules.bearings and not any(f"bearing_damping_{b}" in entries for b in rules.bearings):
+    if any(f"bearing_damping_{b}" not in entries for b in rules.bearings):
         found.add("bearing_damping")
     return frozenset(found)
 

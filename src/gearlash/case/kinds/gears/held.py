@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from gearlash.case.errors import Problem
+
+from .drawn import GEAR_TORQUE, POWERED
+from .entries import place_of
 from .pair import GearPair
 
 STATED = (
@@ -13,9 +17,13 @@ MODIFIED = "stiffness, contact ratio and the error of relief are those of the st
 NOT_FOLLOWED = "the same at every torque"
 
 
-def held(pair: GearPair, short: str) -> str:
-    """A sentence for the load; empty for what else varies, and for a pair in numbers only."""
-    if short != "load" or not pair.scales.physical:
+def held(pair: GearPair, name: str) -> str:
+    """A sentence for the torque, however it is named; empty for what else varies, and for a pair in numbers
+    only."""
+    place = place_of(pair.places, name)
+    if isinstance(place, Problem) or not pair.scales.physical:
+        return ""
+    if place.path not in (GEAR_TORQUE, POWERED) and "load" not in pair.places.keys(place):
         return ""
     if not pair.completed.follows_torque:
         return STATED

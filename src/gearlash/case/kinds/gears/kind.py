@@ -18,7 +18,7 @@ from gearlash.system import Family
 from .curves import TABLE, read_curves
 from .curves_schema import curves_schema
 from .entries import collect, freeze_reference, override
-from .estimated import Completed, complete
+from .estimated import Completed, complete, estimated_beside
 from .excitation import Curves, teeth_of
 from .held import held
 from .mean_stiffness import KEY as MEAN_STIFFNESS
@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 VARIED = "varied"
+KEPT = "estimated_beside"
+"""Stems of harmonics of which an override states some: the others stay as they are estimated."""
 """Where the structure of a case lists the paths of what varies beside the parameters of its model."""
 
 
@@ -52,7 +54,8 @@ class GearContent(Content):
 
     @cached_property
     def pair(self) -> GearPair:
-        return GearPair(self.rules, self.entries, self.curves, tuple(self.structure.get(VARIED, ())))
+        varied, kept = (tuple(self.structure.get(name, ())) for name in (VARIED, KEPT))
+        return GearPair(self.rules, self.entries, self.curves, varied, kept)
 
     @property
     def completed(self) -> Completed:
@@ -78,7 +81,9 @@ class GearContent(Content):
 
     def override(self, overrides: Mapping[str, object]) -> tuple[Content, list[Problem]]:
         entries, problems = override(self.rules.places, self.entries, overrides)
-        return replace(self, entries=entries), problems
+        kept = sorted({*self.structure.get(KEPT, ()), *estimated_beside(self.pair.entries, entries)})
+        structure = {**self.structure, KEPT: kept} if kept else self.structure
+        return replace(self, entries=entries, structure=structure), problems
 
     def resolve(self, label: str, name: str, value: object) -> tuple[str, float]:
         return resolve(self.pair, label, name, value)
@@ -96,8 +101,8 @@ class GearContent(Content):
     def physical(self, short: str, value: ArrayLike) -> list[tuple[str, NDArray[np.float64], str]]:
         return self.pair.physical(short, value)
 
-    def held(self, short: str) -> str:
-        return held(self.pair, short)
+    def held(self, name: str) -> str:
+        return held(self.pair, name)
 
     def values(self) -> list[Value]:
         return values(self.pair)

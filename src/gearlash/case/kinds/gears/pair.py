@@ -32,13 +32,14 @@ from .units import to_physical
 
 @dataclass(frozen=True)
 class GearPair:
-    """Stated values by key, the rules of their kind, curves by name, and the paths of values that vary
-    although they are no parameters of the model."""
+    """Stated values by key, the rules of their kind, curves by name, the paths of values that vary although
+    they are no parameters of the model, and the stems of harmonics that are estimated beside stated ones."""
 
     rules: PairRules
     stated: EntriesByKey
     curves: Curves = field(default_factory=dict)
     varied: tuple[str, ...] = ()
+    kept: tuple[str, ...] = ()
 
     def with_stated(self, stated: EntriesByKey) -> GearPair:
         """The pair with these stated values, of which none varies."""
@@ -47,7 +48,7 @@ class GearPair:
     @cached_property
     def completed(self) -> Completed:
         """With what is estimated."""
-        found = complete(self.rules, self.stated, self.curves)
+        found = complete(self.rules, self.stated, self.curves, self.kept)
         phased = {**found.entries, **{e.key: e for e in assumed_phases(found.entries, self.curves)}}
         entries, problems = unloaded(self.rules, phased, self.curves, found.drawing)
         return replace(found, entries=entries, refused=tuple(problems))
