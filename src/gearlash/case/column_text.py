@@ -12,7 +12,7 @@ GROUPED = {
     ".": re.compile(r"[-+]?\d{1,3}(?:,\d{3})+\.\d+"),
 }
 """Numbers whose thousands are set apart, beyond doubt as the other sign is there as well."""
-EMPTY = ("", "-", "--", "nan", "n/a", "na", "#n/a", "null", "none")
+EMPTY = ("", "-", "--", "nan", "n/a", "na", "#n/a", "#nv", "null", "none")
 
 
 def as_number(cell: str, decimal: str) -> float | None:

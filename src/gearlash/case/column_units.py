@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from .column_figures import figure_in, without_figure
 from .units import UNIT_WORDS, plain_unit
 
 _BRACKETS = re.compile(r"^(?P<name>.*?)\s*[\[({](?P<unit>[^\])}]*)[\])}]\s*$")
+_BEHIND = re.compile(r"^(?P<name>.*?)\s*(?P<unit>[\[(][^\])]*[\])])\s*(?P<tail>[^\[\](){}]+)$")
 _STROKE = re.compile(r"^(?P<name>.*\S)\s*(?:\s/\s*|\s+in\s+)(?P<unit>\S.*)$")
 _SUFFIX = re.compile(r"^(?P<name>.*[^_])_(?P<unit>rpm|Hz|kHz|kN|N|um|mm|ms|deg|Nm|m_s2|mm_s)$")
 ACCELERATIONS = ("m/s^2", "m/s²", "m/s2", "mm/s^2", "mm/s²", "g")
@@ -34,6 +36,9 @@ def head_of(lines: Sequence[Sequence[str]], count: int) -> tuple[tuple[str, ...]
 
 def _named(cell: str) -> tuple[str, str]:
     """Name and unit of ``Force [N]``, ``Force / N``, ``n in rpm`` or ``force_N``."""
+    behind = _BEHIND.match(cell)
+    if behind is not None and figure_in(behind["tail"]):
+        cell = f"{behind['name']} {behind['tail']} {behind['unit']}"
     found = _BRACKETS.match(cell)
     if found is None:
         found = _STROKE.match(cell) or _SUFFIX.match(cell)
@@ -42,12 +47,15 @@ def _named(cell: str) -> tuple[str, str]:
     if found is None:
         return cell.strip(), ""
     told = found["unit"].strip().replace("m_s2", "m/s^2").replace("mm_s", "mm/s")
-    return found["name"].strip(), "" if told in NO_UNIT else told
+    name, bare = found["name"].strip(), without_figure(told)
+    if bare != told and not figure_in(name):
+        name = f"{name} {figure_in(told)}"
+    return name, "" if bare in NO_UNIT else bare
 
 
 def _bare(cell: str) -> str:
     found = _BRACKETS.match(cell)
-    told = (found["unit"] if found and not found["name"] else cell).strip()
+    told = without_figure((found["unit"] if found and not found["name"] else cell).strip())
     return "" if told in NO_UNIT else told
 
 

@@ -138,6 +138,9 @@ def _measurement(
 ) -> Measurement:
     """Numbers in units that stand ``where`` as those of a case."""
     kind = kind_of(quantity)
+    if not np.all(speeds > 0.0):
+        expected = "speeds above zero (without a sign that says the sense of rotation)"
+        raise CaseError("speeds", [Problem("speeds", f"{float(speeds.min()):g}", expected)])
     speed_factor = _speed_factor(case, speed_unit)
     number, told = _reference(reference, unit, kind) if is_level(unit) else (1.0, unit)
     amplitudes = number * 10.0 ** (rows / 20.0) if is_level(unit) else rows

@@ -279,6 +279,8 @@ def compare_tables(answer: CompareAnswer) -> Made:
             Column("rising", [p.up for p in points], unit),
             Column("falling", [p.down for p in points], unit),
             Column("residual", [p.residual for p in points], unit),
+            Column("direction", [p.direction for p in points]),
+            Column("residual_nearer", [p.residual_nearer for p in points], unit),
             Column("motion_rising", [p.label_up for p in points]),
             Column("motion_falling", [p.label_down for p in points]),
         ],

@@ -38,5 +38,6 @@ def write_compare(
             [p.up for p in answer.points], [p.down for p in answer.points],
             speed, f"{words}, {answer.figure}{order}{unit}",
             f"{case.name}: measured and computed", [(jump.lower, jump.upper) for jump in answer.jumps],
+            [p.direction for p in answer.points],
         ),
     )  # fmt: skip

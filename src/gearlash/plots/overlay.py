@@ -11,6 +11,12 @@ from . import style
 from .units import literal
 
 JUMP_SHADE = "0.88"
+MEASURED = {
+    "up": ("^", "measured, speed rising"),
+    "down": ("v", "measured, speed falling"),
+    "": ("o", "measured"),
+}
+"""Marker and words of rows, by the way of speed."""
 
 
 @style.styled
@@ -23,6 +29,7 @@ def overlay(
     label: str,
     title: str = "",
     jumps: Sequence[tuple[float, float]] = (),
+    directions: Sequence[str] = (),
 ) -> Figure:
     """Measured dots over computed lines, and what is left.
 
@@ -36,6 +43,9 @@ def overlay(
     title : str
     jumps : sequence of (float, float)
         Intervals in which the measurement jumps.
+    directions : sequence of str
+        Of every measured row ``up``, ``down`` or empty, as the speed came to it: residuals are to the motion
+        computed that way. Without any, to both.
 
     Returns
     -------
@@ -56,15 +66,24 @@ def overlay(
     upper.plot(
         speed, falling, color=style.VERMILION, lw=1.0, ls=(0, (4, 1.5)), label="computed, speed falling"
     )
-    upper.plot(speed, values, "o", color=style.INK, ms=2.4, mfc="white", mew=0.7, label="measured")
-    lower.plot(speed, values - rising, "o", color=style.BLUE, ms=4.2, mfc="none", mew=0.8)
-    lower.plot(speed, values - falling, "s", color=style.VERMILION, ms=1.8)
+    ways = np.array(directions or [""] * len(values))
+    places = np.asarray(speed, float)
+    for way, (marker, words) in MEASURED.items():
+        rows = ways == way
+        if rows.any():
+            look = {"color": style.INK, "ms": 2.8, "mfc": "white", "mew": 0.7, "ls": "none"}
+            upper.plot(places[rows], values[rows], marker=marker, label=words, **look)
+    went_up, went_down = ways != "down", ways != "up"
+    hollow = {"color": style.BLUE, "ms": 4.2, "mfc": "none", "mew": 0.8}
+    lower.plot(places[went_up], (values - rising)[went_up], "o", **hollow)
+    lower.plot(places[went_down], (values - falling)[went_down], "s", color=style.VERMILION, ms=1.8)
     for low, high in jumps:
         for panel in (upper, lower):
             panel.axvspan(low, high, color=JUMP_SHADE, lw=0, zorder=0.1)
     lower.axhline(0.0, color=style.INK, lw=0.6)
     upper.set_ylabel(literal(label))
-    lower.set_ylabel("measured less\ncomputed")
+    unit = label[label.rindex("[") :] if "[" in label else ""
+    lower.set_ylabel(literal(f"measured less\ncomputed  {unit}".rstrip()))
     lower.set_xlabel(literal(speed_label + ("   (grey: measured jumps)" if jumps else "")))
     upper.legend(loc="best")
     style.align_labels([upper, lower], 13.0)

@@ -20,7 +20,7 @@ from gearlash.system import GearlashError, Record, UnknownNameError, given
 
 from .arguments import checked_execution
 from .measured import readouts_of, trace_of, traceable
-from .measured_jumps import MeasuredJump, jumps_of
+from .measured_jumps import MeasuredJump, directions_of, jumps_of
 from .model import Source
 from .sweep import sweeps
 from .transition import Transition
@@ -48,6 +48,9 @@ class Comparison(Record):
         Of both motions.
     nearer : ndarray of shape (m,)
         The one of both that lies nearer to what was measured.
+    directions : tuple of str
+        Of every row ``up`` or ``down``, as the speed came to it when it was measured; empty where the rows
+        do not say it.
     sweeps : tuple of Sweep
     jumps : tuple of MeasuredJump
         Of each run of the measurement, in the order of speed.
@@ -73,13 +76,22 @@ class Comparison(Record):
     down: Array
     labels: tuple[tuple[str, str], ...]
     nearer: Array
+    directions: tuple[str, ...]
     sweeps: tuple[Sweep, ...]
     jumps: tuple[MeasuredJump, ...]
     complete: bool
 
     @property
     def residuals(self) -> Array:
-        """Measured less computed (the nearer one), shape (m,)."""
+        """Measured less computed with speed going the same way, shape (m,); less the nearer one where the
+        direction is not known, or nothing was found that way."""
+        ways = np.array(self.directions)
+        same = np.where(ways == "up", self.up, np.where(ways == "down", self.down, np.nan))
+        return self.measured - np.where(np.isnan(same), self.nearer, same)
+
+    @property
+    def nearer_residuals(self) -> Array:
+        """Measured less the nearer one of both, shape (m,)."""
         return self.measured - self.nearer
 
 
@@ -114,9 +126,10 @@ def compare(
 ) -> Comparison:
     """A measurement over speed beside what is computed at the same speeds, rising and falling.
 
-    Jumps of the measurement are changes from one speed to the next that are larger than five times the median
-    change and than a tenth of the span; to each belong the changes of the computed motion that lie there or
-    within two measured steps. That one of them made the jump is not shown by that.
+    Residuals are to the motion computed with speed going the way it went when it was measured. Jumps of the
+    measurement are changes from one speed to the next that are larger than five times the median change, than
+    a tenth of the span and than twice the changes beside them; to each belong the changes of the computed
+    motion that lie there or within two measured steps. That one of them made the jump is not shown by that.
 
     Parameters
     ----------
@@ -165,6 +178,7 @@ def compare(
         raise GearlashError(
             f"{len(speeds)} speeds, {len(once)} different: expected two different ones at least"
         )
+    directions = directions_of(measurement.omega)
     source = Source.of(case)
     execution = checked_execution(source, execution)
     ways = sweeps(case, Axis("omega", once), ("up", "down"), settings=settings, execution=execution)
@@ -182,6 +196,7 @@ def compare(
         down=down,
         labels=tuple(labels[at] for at in place),
         nearer=np.where(apart[0] <= apart[1], up, down),
+        directions=tuple(directions[row] for row in in_order),
         sweeps=ways,
         jumps=jumps_of(measurement, list(_changes(case, ways))),
         complete=all(way.complete for way in ways),

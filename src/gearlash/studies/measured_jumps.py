@@ -16,6 +16,7 @@ from .transition import Transition
 
 JUMP = 5.0  # times the median change from one measured speed to the next: a larger one is a jump
 SMALLEST_JUMP = 0.1  # of the span of what was measured
+APART = 2.0  # times the change beside it, the same way: a flank climbs in several steps, a jump in one
 NEAR = 2  # measured steps: so far from a jump an event may lie that it is put down to
 LEAST_OF_A_RUN = 4  # rows one way; shorter ones are how a speed wanders
 Array = NDArray[np.float64]
@@ -67,20 +68,35 @@ def jumps_of(measurement: Measurement, changes: Sequence[tuple[str, Transition]]
     return tuple(sorted(found, key=lambda jump: (jump.lower, jump.upper, jump.direction)))
 
 
+def directions_of(omega: Array) -> tuple[str, ...]:
+    """Of every row ``up`` or ``down``, as the speed came to it; empty where it wanders. The first row has the
+    direction of the next ones."""
+    found = [""] * len(omega)
+    for direction, low, high in _stretches(omega):
+        for row in range(low if low == 0 else low + 1, high + 1):
+            found[row] = direction
+    return tuple(found)
+
+
 def runs_of(omega: Array, values: Array) -> Iterator[Run]:
     """Stretches of rows along which the speed rises or falls, each with its direction, ascending and with the
     mean at speeds that it has several times. Where the speed turns too often it is one run of none."""
+    for direction, low, high in _stretches(omega):
+        rows = slice(low, high + 1)
+        yield direction, *_by_speed(omega[rows], values[rows])
+
+
+def _stretches(omega: Array) -> Iterator[tuple[str, int, int]]:
+    """Direction, first and last row; the row at which the speed turns ends one and begins the next."""
     steps = np.sign(np.diff(omega))
     moved = np.flatnonzero(steps)
-    turns = moved[1:][steps[moved][1:] != steps[moved][:-1]]  # the row at which it goes the other way
+    turns = moved[1:][steps[moved][1:] != steps[moved][:-1]]
     ends = [0, *turns.tolist(), len(omega) - 1]
     if len(ends) > 2 and any(high - low < LEAST_OF_A_RUN - 1 for low, high in pairwise(ends)):
-        yield "", *_by_speed(omega, values)
+        yield "", 0, len(omega) - 1
         return
     for low, high in pairwise(ends):
-        rows = slice(low, high + 1)
-        direction = "up" if omega[high] > omega[low] else "down"
-        yield direction, *_by_speed(omega[rows], values[rows])
+        yield "up" if omega[high] > omega[low] else "down", low, high
 
 
 def _by_speed(omega: Array, values: Array) -> tuple[Array, Array]:
@@ -91,13 +107,13 @@ def _by_speed(omega: Array, values: Array) -> tuple[Array, Array]:
 def _jumps(
     direction: str, omega: Array, values: Array, span: float, changes: Sequence[tuple[str, Transition]]
 ) -> Iterator[MeasuredJump]:
-    """Changes that are much larger than most."""
-    steps = np.abs(np.diff(values))
-    if not len(steps):
+    """Changes that are much larger than most, and than those beside them."""
+    changed = np.diff(values)
+    if not len(changed):
         return
-    least = max(JUMP * float(np.median(steps)), SMALLEST_JUMP * span)
+    least = max(JUMP * float(np.median(np.abs(changed))), SMALLEST_JUMP * span)
     for at, (low, high) in enumerate(pairwise(omega.tolist())):
-        if steps[at] <= least:
+        if abs(changed[at]) <= least or not _alone(changed, at):
             continue
         width = NEAR * (high - low)
         near = [
@@ -107,4 +123,11 @@ def _jumps(
         ]
         near.sort(key=lambda one: one[:2])
         events = tuple((way, change) for _, _, way, change in near)
-        yield MeasuredJump(direction, low, high, float(values[at + 1] - values[at]), events)
+        yield MeasuredJump(direction, low, high, float(changed[at]), events)
+
+
+def _alone(changed: Array, at: int) -> bool:
+    """Whether a change stands out from those beside it that go the same way."""
+    beside = [changed[i] for i in (at - 1, at + 1) if 0 <= i < len(changed)]
+    same = [abs(each) for each in beside if each * changed[at] > 0.0]
+    return abs(changed[at]) > APART * max(same, default=0.0)

@@ -30,7 +30,12 @@ class ComparedSpeed:
     down: Annotated[float | None, "computed with speed falling"]
     label_up: str
     label_down: str
-    residual: Annotated[float | None, "measured less the nearer of both"]
+    residual: Annotated[
+        float | None,
+        "measured less computed with speed going the same way; less the nearer where that is open",
+    ]
+    direction: Annotated[str, "up or down, as the speed came there when it was measured; empty: not known"]
+    residual_nearer: Annotated[float | None, "measured less the nearer of both"]
 
 
 @dataclass(frozen=True)
@@ -80,6 +85,7 @@ class CompareAnswer:
     bias: Annotated[float | None, "mean of the residuals"]
     rms: Annotated[float | None, "root mean square of the residuals"]
     largest: Annotated[float | None, "residual of the largest modulus"]
+    rms_nearer: Annotated[float | None, "root mean square of the residuals to the nearer of both"]
     span: Annotated[float, "from the least to the largest measured value"]
     jumps: tuple[JumpFound, ...]
     result: Literal["compare"] = "compare"
@@ -90,8 +96,10 @@ def compare_answer(case: Case, found: Comparison) -> CompareAnswer:
     given = found.measurement
     size, speed = given.factor, given.speed_factor
     residuals = size * found.residuals
-    good = residuals[np.isfinite(residuals)]
-    rows = zip(found.omega, found.measured, found.up, found.down, residuals, found.labels, strict=True)
+    nearer = size * found.nearer_residuals
+    good, close = residuals[np.isfinite(residuals)], nearer[np.isfinite(nearer)]
+    computed = zip(found.up, found.down, found.labels, strict=True)
+    left = zip(residuals, nearer, found.directions, strict=True)
     points = tuple(
         ComparedSpeed(
             speed=speed * float(omega),
@@ -101,8 +109,12 @@ def compare_answer(case: Case, found: Comparison) -> CompareAnswer:
             label_up=labels[0],
             label_down=labels[1],
             residual=_known(residual),
+            direction=direction,
+            residual_nearer=_known(close_by),
         )
-        for omega, value, up, down, residual, labels in rows
+        for omega, value, (up, down, labels), (residual, close_by, direction) in zip(
+            found.omega, found.measured, computed, left, strict=True
+        )
     )
     jumps = tuple(_jump(jump, speed, size) for jump in found.jumps)
     bias, rms, largest = (
@@ -111,8 +123,9 @@ def compare_answer(case: Case, found: Comparison) -> CompareAnswer:
         else (None, None, None)
     )
     span = size * float(np.ptp(found.measured))
+    rms_nearer = float(np.sqrt(np.mean(close**2))) if len(close) else None
     return CompareAnswer(
-        sentence=_sentence(given, points, (bias, rms, span), jumps),
+        sentence=_sentence(given, points, (bias, rms, rms_nearer, span), jumps),
         status="ok" if found.complete else "incomplete",
         message="" if found.complete else "stopped before all speeds were computed",
         case=case_used(case),
@@ -127,6 +140,7 @@ def compare_answer(case: Case, found: Comparison) -> CompareAnswer:
         bias=bias,
         rms=rms,
         largest=largest,
+        rms_nearer=rms_nearer,
         span=span,
         jumps=jumps,
     )
@@ -151,21 +165,26 @@ def _jump(jump: MeasuredJump, speed: float, size: float) -> JumpFound:
 def _sentence(
     given: Measurement,
     points: tuple[ComparedSpeed, ...],
-    residual: tuple[float | None, float | None, float],
+    residual: tuple[float | None, float | None, float | None, float],
     jumps: tuple[JumpFound, ...],
 ) -> str:
     """Residuals first, then jumps."""
-    bias, rms, span = residual
+    bias, rms, rms_nearer, span = residual
     unit = f" {pretty(given.unit)}" if given.unit else ""
     reach = f"{points[0].speed:.6g} to {points[-1].speed:.6g} {pretty(given.speed_unit)}".strip()
     told = f"{len(points)} speeds from {reach}"
     if given.left_out:
         rows = "1 row" if given.left_out == 1 else f"{given.left_out} rows"
         told += f" ({rows} without speed or value left out)"
-    if bias is None or rms is None:
+    if bias is None or rms is None or rms_nearer is None:
         return f"{told}: no motion was found at any of them"
     part = f" ({100.0 * rms / span:.0f} % of the measured span)" if span > 0.0 else ""
-    told += f": residual {rms:.3g}{unit} rms{part}, {bias:+.3g}{unit} on average"
+    to = " to the motion computed with speed going the same way" if any(p.direction for p in points) else ""
+    told += f": residual{to} {rms:.3g}{unit} rms{part}, {bias:+.3g}{unit} on average"
+    if to and f"{rms:.3g}" != f"{rms_nearer:.3g}":
+        told += f" (to the nearer of both ways {rms_nearer:.3g}{unit})"
+    if not to:
+        told += ", to the nearer of both ways, as the rows do not say which way the speed went"
     if jumps:
         matched = sum(any(_goes_with(jump, event) for event in jump.events) for jump in jumps)
         told += (

@@ -34,7 +34,8 @@ FigureName = Annotated[
     str,
     typer.Option(
         metavar="FIGURE",
-        help="peak, peak-to-peak, rms (about the mean), mean, or order: the rms of one line.",
+        help="peak, peak-to-peak, rms (about the mean), mean, or order: the rms of one line. "
+        "[default: as the column is named (TE rms [um]), else peak-to-peak]",
     ),
 ]
 Order = Annotated[float, typer.Option(min=1e-6, max=1e4, help="Of the mesh frequency, for --figure order.")]
@@ -72,7 +73,7 @@ def compare(
     case: CaseArgument,
     data: Data,
     quantity: QuantityName = "transmission_error",
-    figure: FigureName = "peak-to-peak",
+    figure: FigureName = "",
     order: Order = 1.0,
     speed: SpeedColumn = "",
     value: ValueColumn = "",
@@ -106,6 +107,7 @@ def compare(
     folder = claim_if(out, [*files, *csv.files(*TABLES)])
     load_engine(data=folder is not None)
 
+    from gearlash.case.column_figures import figure_in
     from gearlash.case.measurement import load_measurement
     from gearlash.cli.answers.compare import compare_answer
     from gearlash.cli.command_tables import compare_tables
@@ -121,6 +123,7 @@ def compare(
         asked, data, quantity,
         speed=speed, value=value, speed_unit=speed_unit, unit=unit, reference=reference,
     )  # fmt: skip
+    figure = figure or figure_in(given.columns[1]) or "peak-to-peak"
     expect_results()
     with executor_for(asked, workers, 2 * len(given.omega)) as executor, progress_bar("speeds") as progress:
         execution = Execution(executor, progress=progress)

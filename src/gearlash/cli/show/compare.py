@@ -12,6 +12,7 @@ from gearlash.cli.answers.compare import WORDS, CompareAnswer, EventNear
 from .layout import facts, headline, note, table
 
 SHOWN = 24  # rows
+WAYS = {"up": "up", "down": "down", "": "?"}
 
 
 def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
@@ -31,12 +32,14 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
             for jump in answer.jumps
         ]
         yield from facts("Measured jumps, upwards in speed", rows, width)
-    columns = [(answer.speed_unit or "omega", "right"), ("measured", "right"), ("rising", "right"),
-               ("falling", "right"), ("residual", "right"), ("motions", "left")]  # fmt: skip
+    numbers = ("measured", "rising", "falling", "residual")
+    columns = [(answer.speed_unit or "omega", "right"), ("way", "left")]
+    columns += [*((name, "right") for name in numbers), ("motions", "left")]
     step = max(1, -(-len(answer.points) // SHOWN))
     rows_ = [
         [
             f"{p.speed:.6g}",
+            WAYS[p.direction],
             f"{p.measured:.4g}",
             _number(p.up),
             _number(p.down),
@@ -47,13 +50,16 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
     ]
     order = f" {answer.order:g}" if answer.order is not None else ""
     title = f"{answer.quantity}, {answer.figure}{order}{f' [{pretty(answer.unit)}]' if answer.unit else ''}"
+    if step > 1:
+        title += f": {len(rows_)} of {len(answer.points)} rows (--csv has all)"
     yield from table(title, columns, rows_, width)
     if any(answer.columns):
         yield from note(f"Columns taken: {answer.columns[0]} (speed) and {answer.columns[1]}.", width)
     yield from note(
-        "Residuals are to the nearer of both computed motions. A jump is a change of the measurement of more "
-        "than five times its median change and a tenth of its span; events are changes of the computed "
-        "motion within two measured steps of it. That an event made a jump is not shown by that.",
+        "Residuals are to the motion computed with speed going the way of the row, where the rows say it. A "
+        "jump is a change of the measurement of more than five times its median change, a tenth of its span "
+        "and twice the changes beside it; events are changes of the computed motion within two measured "
+        "steps of it. That an event made a jump is not shown by that.",
         width,
     )
 

@@ -1,0 +1,39 @@
+"""Which way the speed went when it was measured, and what of it is a jump."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import gearlash as gl
+from gearlash.studies.measured_jumps import directions_of, jumps_of
+
+UP = np.linspace(0.70, 0.90, 11)
+BOTH = np.concatenate([UP, UP[-2::-1]])
+
+
+def test_rows_know_which_way_the_speed_went():
+    assert directions_of(BOTH) == ("up",) * 11 + ("down",) * 10
+    assert directions_of(UP[::-1]) == ("down",) * 11
+    assert set(directions_of(UP[[0, 4, 2, 8, 1, 9, 3]])) == {""}
+
+
+def test_residuals_are_to_the_motion_of_the_same_way():
+    """A measurement whose hysteresis lies the wrong way round fits the nearer motion everywhere."""
+    case = gl.load_case("kahraman-singh")
+    made = gl.compare(case, gl.measurement(case, UP, np.ones(11), "mesh_force"), "rms")
+    width = float(np.max(np.abs(made.up - made.down)))
+    assert width > 0.01
+    right = np.concatenate([made.up, made.down[-2::-1]])
+    swapped = np.concatenate([made.down, made.up[-2::-1]])
+    for values, largest in ((right, 0.0), (swapped, width)):
+        found = gl.compare(case, gl.measurement(case, BOTH, values, "mesh_force"), "rms")
+        assert np.isclose(np.abs(found.residuals).max(), largest, atol=1e-12)
+        assert np.abs(found.nearer_residuals).max() < 1e-12
+
+
+def test_a_flank_that_climbs_in_several_steps_is_no_jump():
+    case = gl.load_case("kahraman-singh")
+    flank = np.array([1.0, 1.0, 1.01, 1.02, 1.4, 1.8, 2.2, 2.22, 2.23, 2.23, 2.24])
+    jump = np.array([1.0, 1.0, 1.01, 1.02, 1.05, 1.9, 2.0, 2.02, 2.03, 2.03, 2.04])
+    for values, count in ((flank, 0), (jump, 1)):
+        assert len(jumps_of(gl.measurement(case, UP, values, "mesh_force"), [])) == count
