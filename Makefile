@@ -16,6 +16,10 @@ SUITABLE := import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))
 export PYRIGHT_PYTHON_IGNORE_WARNINGS := 1
 export PYRIGHT_PYTHON_GLOBAL_NODE := 0
 
+# A shell may forbid Python to write bytecode; then each of the hundreds of processes that tests start would compile
+# the package anew, and each worker every test.
+export PYTHONDONTWRITEBYTECODE :=
+
 help:
 	@echo "make reproduce  environment, then the whole study; says where the report is"
 	@echo "make test       environment, then format, lint, types, layers and every test with coverage"
@@ -44,6 +48,7 @@ $(BIN)/python:
 $(VENV)/.run: requirements/run.txt pyproject.toml | $(BIN)/python
 	$(PIP) --requirement requirements/run.txt
 	$(PIP) --no-deps --no-build-isolation --editable .
+	$(BIN)/python -m compileall -q src
 	@touch $@
 
 $(VENV)/.dev: requirements/dev.txt $(VENV)/.run
@@ -53,10 +58,13 @@ $(VENV)/.dev: requirements/dev.txt $(VENV)/.run
 reproduce: $(VENV)/.run
 	$(BIN)/gearlash reproduce --out reproduce
 
+# Only these are collected for the run without compiled kernels, not all tests.
+WITHOUT_JIT = $$(grep -rl --include='test_*.py' jit_and_nojit tests)
+
 test: lint types
 	rm -f .coverage .coverage.*
-	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -m jit_and_nojit --cov --cov-report= --cov-fail-under=0
-	$(BIN)/python -m pytest --cov --cov-append --cov-report=term
+	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -n 0 -m jit_and_nojit --cov --cov-report= --cov-fail-under=0 $(WITHOUT_JIT)
+	$(BIN)/python -m pytest --cov --cov-append --cov-report=term --durations=40 --durations-min=2
 
 lint: $(VENV)/.dev
 	$(BIN)/ruff format --check

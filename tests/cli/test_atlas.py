@@ -24,6 +24,7 @@ SMALL = ("--over", "omega=0.81:0.83:2", "--over", "D=0.9:1.1:2", "--lines", "1",
 SPEED = ("--over", "pinion_speed=3600:3800rpm:2", "--over", "torque=140:160N*m:2")
 
 
+@pytest.mark.slow
 def test_the_answer_fits_its_schema_and_the_files_begin_curves_again(gearlash: Gearlash, tmp_path: Path):
     ran = gearlash("atlas", "kahraman-singh", *SMALL, "--json", "--out", str(tmp_path))
     answer = ran.answer

@@ -78,6 +78,7 @@ def test_the_unit_that_was_asked(gearlash: Gearlash):
     assert "ends    4300 rpm: upper limit of the parameter" in shown
 
 
+@pytest.mark.slow
 def test_switched_and_resumed(gearlash: Gearlash, tmp_path: Path):
     """Two switches deep; then from the file: at one point, and from it in another parameter."""
     out = str(tmp_path / "out")
@@ -130,6 +131,7 @@ def test_a_point_to_switch_at_that_there_is_not(gearlash: Gearlash, tmp_path: Pa
     )
 
 
+@pytest.mark.slow
 def test_a_resumed_branch_replaces_no_other(gearlash: Gearlash, tmp_path: Path):
     """It is number 1 of its own answer, and its folder has others."""
     narrow, out = (*SIX[:-1], "D=0.352:0.38"), tmp_path / "out"
@@ -148,6 +150,7 @@ def test_a_resumed_branch_replaces_no_other(gearlash: Gearlash, tmp_path: Path):
     assert len(gl.load_branch(out / "branch-2.json").points) > 1
 
 
+@pytest.mark.slow
 def test_the_first_sentence_is_short(gearlash: Gearlash):
     """However many branches there are: the tables have the rest."""
     ran = gearlash(*SIX, "--switch", "all", "--depth", "2")
@@ -201,6 +204,7 @@ def test_the_folder_has_all_of_it(gearlash: Gearlash, tmp_path: Path):
     assert len(gl.load_branch(tmp_path / "branch-1.json").points) == len(orbits)
 
 
+@pytest.mark.slow
 def test_branches_of_an_earlier_call_go(gearlash: Gearlash, tmp_path: Path):
     narrow = (*SIX[:-1], "D=0.352:0.38")
     gearlash(*narrow, "--switch", "all", "--out", str(tmp_path))
@@ -278,6 +282,7 @@ def test_ctrl_c_keeps_what_was_found(gearlash: Gearlash, tmp_path: Path, monkeyp
     assert ran.answer["advice"] == "call it again for the rest"
 
 
+@pytest.mark.slow
 def test_what_varies_beside_the_model_is_named_whole_and_resumed_without_over(
     gearlash: Gearlash, tmp_path: Path
 ):

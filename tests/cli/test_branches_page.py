@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
+
 import gearlash as gl
 from cli.conftest import Gearlash
 from cli.pages import follow, page, run_python
@@ -12,6 +14,7 @@ from cli.pages import follow, page, run_python
 PAGE = page("branches.md")
 
 
+@pytest.mark.slow
 def test_every_command_prints_what_the_page_shows(gearlash: Gearlash, rattle: Path):
     assert follow(PAGE, gearlash) == 6
     names = {path.name for path in (rattle / "found").iterdir()}
@@ -25,6 +28,7 @@ def test_every_command_prints_what_the_page_shows(gearlash: Gearlash, rattle: Pa
     } <= names
 
 
+@pytest.mark.slow
 def test_its_python_runs(rattle: Path):
     names = run_python(PAGE, "branches.md")
     assert len(names["branch"].special) == 16

@@ -29,6 +29,7 @@ def compared(case: gl.Case, rpm: Sequence[float] | np.ndarray, values: Sequence[
     return gl.compare(case, rows, figure, order=order)
 
 
+@pytest.mark.slow
 def test_what_the_pair_does_itself_leaves_nothing(case: gl.Case, gearlash: Gearlash, tmp_path: Path):
     stepped = compared(
         case, RPM, np.where(RPM > 4114.0, 50.0, 1.0) + 0.01 * np.arange(6), "mesh_force", "peak"
@@ -114,6 +115,7 @@ def test_what_cannot_be_read_is_said(gearlash: Gearlash, tmp_path: Path, text: s
     assert message in ran.complaint
 
 
+@pytest.mark.slow
 def test_jumps_belong_to_the_events_of_their_direction(tmp_path: Path):
     """A run upwards and one downwards in one file, noise of known size: the jumps of either are at the events
     that the speed meets that way, and what is left is the noise."""

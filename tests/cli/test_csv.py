@@ -31,6 +31,7 @@ def test_a_table_as_text():
     assert csv_text(table, COMMAS).splitlines()[1:3] == ["1,5;1-1-0;1;1", ';"a;b";0;2']
 
 
+@pytest.mark.slow
 def test_a_run_as_history_spectrum_and_events(gearlash: Gearlash, tmp_path: Path):
     assert gearlash("run", *SPUR, "--decimal-comma", "--out", str(tmp_path)).code == 0
     history = pd.read_csv(tmp_path / "history.csv", sep=";", decimal=",")

@@ -63,6 +63,7 @@ def test_a_curve_from_the_motion_of_the_case(gearlash: Gearlash, tmp_path: Path)
     assert [str(each.kind) for each in branch.special] == ran.answer["start"]["special"]
 
 
+@pytest.mark.slow
 def test_a_kept_branch_and_a_kept_curve_are_begun_at(gearlash: Gearlash, kept: str, tmp_path: Path):
     branch = gl.load_branch(kept)
     number = 1 + next(i for i, each in enumerate(branch.special) if abs(each.value - MEETING[0]) < 1e-9)
@@ -178,6 +179,7 @@ def interrupted(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("gearlash.cli.progress.progress_bar", interrupting)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="sends SIGINT to this process")
 @pytest.mark.usefixtures("interrupted")
 def test_ctrl_c_keeps_what_was_found(gearlash: Gearlash, kept: str, tmp_path: Path):

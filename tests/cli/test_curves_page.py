@@ -14,6 +14,7 @@ from cli.pages import follow, page, run_python
 PAGE = page("curves.md")
 
 
+@pytest.mark.slow
 def test_every_command_prints_what_the_page_shows(gearlash: Gearlash, rattle: Path):
     assert follow(PAGE, gearlash) == 4
     names = {path.name for path in (rattle / "corner").iterdir()}
@@ -28,6 +29,7 @@ def test_every_command_prints_what_the_page_shows(gearlash: Gearlash, rattle: Pa
     } <= names
 
 
+@pytest.mark.slow
 def test_its_python_runs(rattle: Path):
     names = run_python(PAGE, "curves.md")
     assert [str(point.kind) for point in names["folds"].special] == ["grazing with a multiplier 1", "cusp"]

@@ -14,6 +14,7 @@ from gearlash.case.kinds import kind_named
 PAGE = page("drawing.md")
 
 
+@pytest.mark.slow
 def test_every_command_prints_what_the_page_shows_and_its_python_runs(
     gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):

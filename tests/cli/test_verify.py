@@ -44,6 +44,7 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
     short_verify.shorten(monkeypatch.setattr)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("short")
 def test_helical_case_as_json_with_figures_and_tables(gearlash: Gearlash, tmp_path: Path):
     out = tmp_path / "out"
@@ -66,6 +67,7 @@ def test_helical_case_as_json_with_figures_and_tables(gearlash: Gearlash, tmp_pa
     assert "dB re its mean" in (out / "orders.svg").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("short")
 @pytest.mark.parametrize("kind", ["spur-1dof", "helical-pair"])
 def test_spur_cases(gearlash: Gearlash, tmp_path: Path, kind: str):
@@ -83,6 +85,7 @@ def test_spur_cases(gearlash: Gearlash, tmp_path: Path, kind: str):
         assert point["apart"] < 1.0
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="processes are looked for in /proc")
 def test_interrupted_it_keeps_what_was_found_and_leaves_nothing_running(tmp_path: Path):
     out, mark = tmp_path / "out", f"{os.getpid()}-verify"

@@ -62,6 +62,7 @@ def below(columns: int = 5, rows: int = 4) -> gl.Atlas:
     return gl.atlas(gl.load_case(KS), x, y, lines=1)
 
 
+@pytest.mark.slow
 def test_a_curve_is_straight_until_the_farthest_extremum_meets_the_back_side():
     """An orbit on one boundary does not depend on D. Its least X, taken from the drive side, is the same for
     every D, so that where it meets the back side follows from one orbit alone."""
@@ -94,6 +95,7 @@ def test_the_grazing_line_of_a_motion_that_stays_in_contact_is_straight_all_the_
     assert (piece.lower, piece.upper) == pytest.approx((0.12, 1.1), abs=1e-12)
 
 
+@pytest.mark.slow
 def test_a_coarse_map_and_a_fine_one_give_the_same_curves():
     coarse, fine = below(), below(2, 2)
     folds = [sorted(round(p.value, 8) for each in a.curves for p in each.straight) for a in (coarse, fine)]
@@ -251,6 +253,7 @@ def test_the_numbers_of_its_page_are_those_of_the_atlas():
     assert f"\n  {below().counts[CURVE]}  a curve of these motions" in page
 
 
+@pytest.mark.slow
 def test_at_a_corner_both_grazing_curves_are_drawn():
     """Where the forcing is orthogonal two grazing curves of the motion in contact cross."""
     case = gl.load_case(KS, {"ripple": 0.95, "error_phase": 0.0})

@@ -2,12 +2,15 @@
 
 from pathlib import Path
 
+import pytest
+
 import gearlash as gl
 from gearlash.system import MotionKind
 
 SOFT_STOP = Path(__file__).parents[1] / "cases" / "soft-stop.toml"
 
 
+@pytest.mark.slow
 def test_a_window_within_chaos_is_no_end_of_what_coexists():
     """At 0.727 the chaos has a window of 6-4-0; a way down in finer steps leads through it."""
     case = gl.load_case(SOFT_STOP)

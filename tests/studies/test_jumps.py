@@ -82,6 +82,7 @@ def test_the_mirrored_pair_does_the_same():
     assert [t.value for t in found] == pytest.approx([TOUCH_AT, FOLD_AT], abs=1e-7)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [4, 41, 201])
 @pytest.mark.parametrize("damping", [0.3, 0.002])
 def test_a_resonance_is_no_jump(count, damping):

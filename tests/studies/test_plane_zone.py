@@ -57,6 +57,7 @@ def far_from_boundary(zone: gl.PlaneZone, place: np.ndarray) -> bool:
     return bool(np.linalg.norm((zone.outline - place) / unit, axis=1).min() > BESIDE)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("which", [parametric, physical])
 def test_random_places_inside_and_outside(which):
     zone = which()
@@ -82,6 +83,7 @@ def test_where_the_parametric_instability_takes_over_from_the_grazing():
     assert doubling.values[:, 1].max() == pytest.approx(corner.values[1], abs=1e-9)
 
 
+@pytest.mark.slow
 def test_the_corner_of_the_contact_only_orbit():
     """Known from another program: two grazings cross there, and the zone has a corner."""
     zone = gl.plane_zone(
@@ -96,6 +98,7 @@ def test_the_corner_of_the_contact_only_orbit():
     assert not zone.contains(1.01, 0.0909)
 
 
+@pytest.mark.slow
 def test_a_zone_without_back_side_ends_at_a_fold_and_then_at_the_back_side():
     """Known from another program: where the fold meets the back side."""
     zone = gl.plane_zone(
@@ -191,6 +194,7 @@ def test_a_motion_that_is_not_quiet_has_no_zone():
         gl.plane_zone(case, ("omega", "D"), lower=(0.85, 0.9), upper=(0.95, 1.1), values={"omega": 0.9})
 
 
+@pytest.mark.slow
 def test_a_zone_that_lies_over_itself_behind_a_cusp():
     """Two folds leave a cusp: the zone goes round it, and both are told."""
     zone = gl.plane_zone(

@@ -68,6 +68,7 @@ def test_together_is_at_least_as_bad_as_each_alone(light: tuple[gl.Case, AcrossR
     assert margin_of(case, found.together.values) == found.together.margin
 
 
+@pytest.mark.slow
 def test_what_takes_nothing_leaves_the_verdict():
     found = across_ranges(pair("1000 rpm", "600 N m"))
     assert found is not None

@@ -34,6 +34,7 @@ def opens(load: float, error: float) -> tuple[float, float]:
     return tuple(float(x) for x in np.sqrt(roots[roots > 0.0]))  # type: ignore[return-value]
 
 
+@pytest.mark.slow
 def test_bands_of_a_linear_mesh_are_those_of_the_closed_form():
     case = loads(LINEAR)
     axis = gl.Axis.even("omega", 0.5, 3.2, 3)
@@ -52,6 +53,7 @@ def test_bands_of_a_linear_mesh_are_those_of_the_closed_form():
     assert found.here == 1.0
 
 
+@pytest.mark.slow
 def test_the_probability_is_that_of_brute_force():
     case = loads(LINEAR)
     axis = gl.Axis.even("omega", 0.8, 0.95, 4)
@@ -156,6 +158,7 @@ def test_a_drive_in_its_units_and_the_margin_at_the_corners():
     assert repr(again) == repr(found)
 
 
+@pytest.mark.slow
 def test_ranges_of_what_a_drawing_leaves_open_are_taken_by_themselves():
     case = gl.load_case(Path(__file__).parents[1] / "cases" / "drawing.toml")
     axis = gl.Axis.even("pinion_speed", "1000 rpm", "1030 rpm", 2)
