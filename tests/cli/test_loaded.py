@@ -50,10 +50,19 @@ def test_a_run_without_a_folder_draws_and_writes_nothing():
     assert not libraries & DRAWING
 
 
-def test_a_run_follows_no_curve_and_loads_no_library_for_that():
-    code = CODE + "\nprint(*sorted(sys.modules), file=sys.stderr)\n"
+def test_a_run_loads_no_library_for_curves_or_matrices_and_numba_still_has_them_afterwards():
+    code = (
+        CODE
+        + """
+print(*sorted(sys.modules), file=sys.stderr)
+import numba, numpy
+matrix = numpy.array([[0.0, 1.0], [2.0, 3.0]])
+assert numba.njit(lambda a: a @ a)(matrix).tolist() == [[2.0, 3.0], [6.0, 11.0]]
+assert "scipy.linalg" in sys.modules
+"""
+    )
     command = [sys.executable, "-c", code, "run", "article"]
     ended = subprocess.run(command, capture_output=True, text=True, check=True, encoding="utf-8")
     names = set(ended.stderr.splitlines()[-1].split())
     assert "gearlash.studies.impact_free" in names
-    assert not names & {"scipy.optimize", "scipy.integrate", "gearlash.branches.curves"}
+    assert not names & {"scipy.linalg", "scipy.optimize", "scipy.integrate", "gearlash.branches.curves"}

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import gc
 
+from .linear_algebra import not_importing_linear_algebra
 from .terminal import tell
 
 
@@ -19,9 +20,10 @@ def load_engine(data: bool = False) -> None:
         import xarray  # noqa: F401
     from gearlash._kernel import compile_all, load_all, not_collecting
 
-    with not_collecting():
-        from gearlash.flow import sensitivity  # noqa: F401  (declares all kernels)
+    with not_importing_linear_algebra():
+        with not_collecting():
+            from gearlash.flow import sensitivity  # noqa: F401  (declares all kernels)
 
-        missing = load_all()
-    gc.freeze()  # what numba consists of stays as long as this process: no garbage is looked for in it
-    compile_all(missing, tell)
+            missing = load_all()
+        gc.freeze()  # what numba consists of stays as long as this process: no garbage is looked for in it
+        compile_all(missing, tell)
