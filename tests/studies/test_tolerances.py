@@ -11,7 +11,8 @@ from gearlash.case import loads
 from gearlash.cli.answers.tolerance import chance_text
 from gearlash.studies.impact_free import closed_margin
 from gearlash.studies.tolerances.bands import outside, positive_bands, shared
-from gearlash.studies.tolerances.influence import combinations, influences
+from gearlash.studies.tolerances.influence import combinations, influences, share_and_error
+from gearlash.studies.tolerances.worst import LAST_STEP, MOST, worst_from
 
 DRIVE = Path(__file__).parents[1] / "cases" / "drive.toml"
 LINEAR = """
@@ -233,3 +234,44 @@ def test_what_few_samples_that_agree_bound():
     assert chance_text(1.0, 0.0, 256) == "of at least 98.8 %"
     assert chance_text(0.0, 0.0, 8) == "of at most 31.3 %"
     assert chance_text(0.75, 0.02, 64) == "75 ± 2 %"
+
+
+def test_the_worst_combination_is_at_a_limit_and_inside_and_no_single_value_is_worse():
+    """Least where x = 0.37 inside, y at its lower and z at its upper limit, which matter only together."""
+    inputs = [gl.ToleranceInput(name, "", 0.0, 1.0, 0.5) for name in "xyz"]
+    looked = []
+
+    def heights(rows):
+        looked.extend(rows)
+        return [(x - 0.37) ** 2 + y - 0.4 * z * (1.5 - y) + 0.1 * z for x, y, z in rows]
+
+    begin = (0.9, 0.6, 0.1)
+    x, y, z = worst_from(begin, heights([begin])[0], inputs, heights)
+    assert (y, z) == (0.0, 1.0)
+    assert x == pytest.approx(0.37, abs=2.0 * LAST_STEP)
+    assert len(looked) < MOST
+
+
+def test_a_search_that_is_stopped_keeps_what_it_has():
+    inputs = [gl.ToleranceInput("x", "", 0.0, 1.0, 0.5)]
+    assert worst_from((0.5,), 1.0, inputs, lambda _rows: []) == (0.5,)
+
+
+def test_the_worst_of_a_mesh_lies_at_no_better_place_than_any_of_its_limits():
+    case, axis = loads(LINEAR), gl.Axis.even("omega", 0.55, 0.65, 3)
+    limits = {"load": (0.1, 0.3), "error": (0.05, 0.15), "mesh_damping": (0.03, 0.1)}
+    found = gl.tolerance(case, axis, limits, samples=2, replicates=2)
+    assert found.worst.inputs == pytest.approx((0.1, 0.15, 0.03))
+
+
+def test_shares_are_possible_ones():
+    """Indices of few samples lie between none and all, alone no more than in all; and sets that agree by
+    chance do not make a share exact."""
+    rng = np.random.default_rng(3)
+    inputs = [gl.ToleranceInput(name, "", 0.0, 1.0, 0.5) for name in "ab"]
+    points = [combinations(rng.uniform(size=(2, 4, 2))) for _ in range(3)]
+    for row in influences(inputs, [x[..., 0] + 1e-3 * x[..., 1] for x in points]):
+        assert 0.0 <= row.first <= row.total <= 1.0
+    held = np.repeat([[1.0, 1.0, 1.0, 0.0]], 4, axis=0)
+    share, error = share_and_error(held)
+    assert (float(share), 0.02 < float(error) < 0.1) == (0.75, True)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from time import monotonic
 
+from .terminal import errors
 from .terminal import tell as announce
 
 PATIENCE, LONG = 1.0, 5.0  # seconds
@@ -26,12 +27,12 @@ def late_bar(title: str) -> Iterator[Callable[[int, int], None]]:
                 seconds_as_text,
             )  # late too: loading it takes as long as many a search
 
-            from .progress import silent, stage_bar
+            from .progress import stage_bar
 
             if not shown:
                 shown.append(stack.enter_context(stage_bar()))
                 seconds = (monotonic() - began) * total / max(done, 1)
-                if shown[0] is silent and seconds > LONG:
+                if not errors().is_terminal and seconds > LONG:
                     announce(f"{title}: about {seconds_as_text(seconds)}")
             shown[0](title, Progress(done, total, monotonic() - began, None))
 

@@ -1,23 +1,28 @@
-"""Progress on standard error: a bar with points done and the time left as measured. Nothing where that is no
-terminal."""
+"""Progress on standard error: a bar with points done and the time left as measured. Where that is no terminal
+a line now and then, ever more seldom, of what takes long."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass, field
+from time import monotonic
 
 from gearlash.jobs import Progress, ProgressCallback, seconds_as_text
 
 from .terminal import errors
+from .terminal import tell as announce
+
+FIRST_LINE = 30.0  # seconds until the first line where no bar can be shown; each comes after twice as long
 
 StageCallback = Callable[[str, Progress | None], object]
 
 
 @contextmanager
-def progress_bar(title: str) -> Iterator[ProgressCallback | None]:
-    """A callback for studies, or None; the bar goes when the block ends."""
+def progress_bar(title: str) -> Iterator[ProgressCallback]:
+    """A callback for studies; the bar goes when the block ends."""
     with stage_bar() as tell:
-        yield None if tell is silent else lambda progress: tell(title, progress)
+        yield lambda progress: tell(title, progress)
 
 
 @contextmanager
@@ -25,7 +30,7 @@ def stage_bar() -> Iterator[StageCallback]:
     """A callback for studies of several stages: the stage, and how far it is (None: at its beginning)."""
     console = errors()
     if not console.is_terminal:
-        yield silent
+        yield Lines().tell
         return
     from rich.progress import BarColumn, TextColumn
     from rich.progress import Progress as Bar
@@ -44,8 +49,20 @@ def stage_bar() -> Iterator[StageCallback]:
         yield tell
 
 
-def silent(stage: str, progress: Progress | None) -> None:
-    """Says nothing."""
+@dataclass(eq=False)
+class Lines:
+    """What is told where no bar can be shown."""
+
+    began: float = field(default_factory=monotonic)
+    next: float = FIRST_LINE
+
+    def tell(self, stage: str, progress: Progress | None) -> None:
+        """A line, when it is time for one."""
+        elapsed = monotonic() - self.began
+        if elapsed >= self.next:
+            self.next = 2.0 * elapsed
+            words = "" if progress is None else f" {in_words(progress)}"
+            announce(f"{stage}:{words} (after {seconds_as_text(elapsed)})")
 
 
 def in_words(progress: Progress) -> str:

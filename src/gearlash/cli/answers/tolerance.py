@@ -14,7 +14,7 @@ from gearlash.case.units import pretty
 from .parts import CaseUsed, case_used
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.results.tolerance import Tolerance, ToleranceMember
+    from gearlash.results.tolerance import Influence, Tolerance, ToleranceMember
 
 CONFIDENCE = 0.05  # chance that a bound is wrong
 MOST_TOLD = 3  # bands in the sentence
@@ -163,10 +163,7 @@ def _sentence(case: Case, found: Tolerance) -> str:
     said = [here, always if found.always else "no value of the range holds for all combinations tried", never]
     first = found.influences[0] if found.influences else None
     if first is not None and first.total > SURE * first.total_error:
-        said.append(
-            f"the margin there depends most on {first.path} "
-            f"({round(100.0 * first.total)} ± {round(100.0 * first.total_error)} % of its variance)"
-        )
+        said.append(f"the margin there depends most on {first.path} ({variance_text(first)} of its variance)")
     if not found.never:
         said.remove(never)
     return "; ".join(said)
@@ -191,6 +188,12 @@ def chance_text(share: float, error: float, count: int) -> str:
     if share <= 0.0:
         return f"of at most {ceil(10.0 * (100.0 - bound)) / 10.0:.1f} %"
     return f"{100.0 * share:.3g} ± {100.0 * error:.2g} %"
+
+
+def variance_text(one: Influence) -> str:
+    """The whole share of the variance that an input makes, no more than is possible."""
+    share, error = round(100.0 * one.total), round(100.0 * one.total_error)
+    return f"nearly all, {100 - error} % or more," if share + error > 100 else f"{share} ± {error} %"
 
 
 def margin_text(case: Case, member: ToleranceMember) -> str:

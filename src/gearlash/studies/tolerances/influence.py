@@ -34,8 +34,10 @@ def influences(inputs: Sequence[ToleranceInput], found: Sequence[Points]) -> tup
     whole = indices(values)
     left_out = np.array([indices(np.delete(values, at, axis=0)) for at in range(len(values))])
     spread = np.sqrt((len(values) - 1) * left_out.var(axis=0))
+    total = np.clip(whole[1], 0.0, 1.0)  # few samples may tell more, or less than nothing
+    first = np.clip(whole[0], 0.0, total)
     rows = [
-        Influence(one.path, *(float(x) for x in (whole[0, i], spread[0, i], whole[1, i], spread[1, i])))
+        Influence(one.path, *(float(x) for x in (first[i], spread[0, i], total[i], spread[1, i])))
         for i, one in enumerate(inputs)
     ]
     return tuple(sorted(rows, key=lambda row: -row.total))
@@ -49,6 +51,15 @@ def indices(values: Points) -> Points:
     first = 1.0 - np.square(other[:, None] - mixed).mean(axis=(0, 2)) / variance
     total = np.square(one[:, None] - mixed).mean(axis=(0, 2)) / variance
     return np.array([first, total])
+
+
+def share_and_error(held: Points) -> tuple[Points, Points]:
+    """Share of samples (sets, samples, ...) that are 1, and its standard error. A set tells a share no closer
+    than to one of its samples, so that sets which agree do not make it exact."""
+    sets, count = held.shape[:2]
+    share, error = mean_and_error(held.mean(axis=1))
+    least = np.where((share > 0.0) & (share < 1.0), 1.0 / (count * np.sqrt(12.0 * sets)), 0.0)
+    return share, np.maximum(error, least)
 
 
 def mean_and_error(sets: Points) -> tuple[Points, Points]:

@@ -4,13 +4,10 @@ or none of the combinations of values that lie between their limits."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from math import inf, isnan, nan
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.optimize import minimize
 
 from gearlash.case import Case
 from gearlash.jobs import Chain, Execution, run
@@ -22,15 +19,14 @@ from gearlash.system import GearlashError, given
 
 from .bands import contains, outside, shared
 from .designs import corners, samples
-from .influence import combinations, influences, mean_and_error
+from .influence import combinations, influences, share_and_error
 from .inputs import Limits, read_inputs
 from .members import Task, present_on, work
 from .profile import profile
+from .worst import Row, worst_from
 
 OF_A_TASK = 4  # combinations with their bands
 OF_A_SHORT_TASK = 32  # at one value of the axis
-SEARCH = 40  # combinations of the search for the worst one
-Points = NDArray[np.float64]
 
 
 def tolerance(
@@ -196,26 +192,14 @@ class _Looker:
 
     def search(self, members: Sequence[ToleranceMember]) -> list[ToleranceMember]:
         """From the worst combination on, towards worse ones between the limits."""
+
+        def tried(rows: Sequence[Row]) -> list[float]:
+            found = [_badness(member) for member in self.members(rows, bands=False)]
+            return found if len(found) == len(rows) else []
+
         begin = min(members, key=_badness)
-        lower = np.array([one.lower for one in self.inputs])
-        upper = np.array([one.upper for one in self.inputs])
-        size = upper - lower
-        met: list[ToleranceMember] = []
-
-        def height(unit: Points) -> float:
-            row = tuple((lower + size * np.clip(unit, 0.0, 1.0)).tolist())
-            met.extend(self.members([row], bands=False))
-            if self.stopped or len(met) >= SEARCH:
-                raise _EnoughError
-            return float(_badness(met[-1]) if met[-1].margin > -inf else -1e30)
-
-        start = (np.array(begin.inputs) - lower) / size
-        with suppress(_EnoughError):
-            minimize(height, start, method="Powell", bounds=[(0.0, 1.0)] * len(size))
-        if not met or self.stopped:
-            return []
-        worst = min(met, key=_badness)
-        return self.members([worst.inputs]) if _badness(worst) < _badness(begin) else []
+        worst = worst_from(begin.inputs, _badness(begin), self.inputs, tried)
+        return self.members([worst]) if worst != begin.inputs and not self.stopped else []
 
     def probability(
         self, drawn: Sequence[ToleranceMember], count: int
@@ -228,7 +212,7 @@ class _Looker:
         if sets < 2:
             empty = (nan,) * len(self.axis)
             return empty, empty
-        share, error = mean_and_error(free[: sets * count].reshape(sets, count, -1).mean(axis=1))
+        share, error = share_and_error(free[: sets * count].reshape(sets, count, -1))
         return tuple(share.tolist()), tuple(error.tolist())
 
     def at_present(self, drawn: Sequence[ToleranceMember], count: int) -> tuple[float, float]:
@@ -238,26 +222,21 @@ class _Looker:
         if not inside or sets < 2:
             return nan, nan
         free = np.array([member.margin > 0.0 for member in drawn[: sets * count]], float)
-        share, error = mean_and_error(free.reshape(sets, count).mean(axis=1))
+        share, error = share_and_error(free.reshape(sets, count))
         return float(share), float(error)
 
     def influences(self, count: int, sets: int) -> tuple[Influence, ...]:
         """Sobol indices of the margin at the present value."""
         if len(self.inputs) < 2:
             return ()
-        found = []
-        for both in samples(self.inputs, count, sets, 2):
-            points = combinations(both)
-            rows = [tuple(row) for row in points.reshape(-1, len(self.inputs)).tolist()]
-            members = self.members(rows, bands=False)
-            if len(members) < len(rows):
-                return ()
-            found.append(np.array([m.compression for m in members]).reshape(points.shape[:2]))
+        sets_of_points = [combinations(both) for both in samples(self.inputs, count, sets, 2)]
+        rows = [tuple(row) for one in sets_of_points for row in one.reshape(-1, len(self.inputs)).tolist()]
+        members = self.members(rows, bands=False)
+        if len(members) < len(rows):
+            return ()
+        margins = np.array([member.compression for member in members])
+        found = list(margins.reshape(len(sets_of_points), *sets_of_points[0].shape[:2]))
         return influences(self.inputs, found)
-
-
-class _EnoughError(Exception):
-    """The search has looked at as many combinations as it may."""
 
 
 def _badness(member: ToleranceMember) -> float:

@@ -1,0 +1,61 @@
+"""The worst combination of values between limits, from a bad one on.
+
+A compass search: each value is moved to both its limits and by a step either way, the moves that make it
+worse are put together one after the other, and where none does the step is halved. So at the end, unless `MOST`
+are looked at before, no single value at one of its limits, nor a last step away, is worse."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import accumulate
+from typing import TypeAlias
+
+from gearlash.results.tolerance import ToleranceInput
+
+Row: TypeAlias = tuple[float, ...]
+
+STEP, LAST_STEP = 0.25, 0.05  # of the distance between the limits
+MOST = 400  # combinations
+
+
+def worst_from(
+    begin: Row, height: float, inputs: Sequence[ToleranceInput], heights: Callable[[list[Row]], list[float]]
+) -> Row:
+    """The combination of least height that is found, from ``begin`` whose height is given. ``heights`` of
+    combinations; none where it was stopped."""
+    best, step, looked = begin, STEP, 0
+    while step >= LAST_STEP and looked < MOST:
+        moves = [(i, to) for i, one in enumerate(inputs) for to in _places(best[i], one, step)]
+        singly = heights([_moved(best, move) for move in moves])
+        if not singly:
+            break
+        worse = sorted((h, k) for k, h in enumerate(singly) if h < height)
+        looked += len(moves)
+        if not worse:
+            step /= 2.0
+            continue
+        chosen: dict[int, tuple[int, float]] = {}
+        for _, k in worse:
+            chosen.setdefault(moves[k][0], moves[k])
+        rows = list(accumulate(chosen.values(), _moved, initial=best))[1:]
+        jointly = heights(rows)
+        if not jointly:
+            break
+        looked += len(rows)
+        found = min(zip(jointly, rows, strict=True))
+        if found[0] >= height:  # rounding
+            break
+        height, best = found
+    return best
+
+
+def _places(at: float, one: ToleranceInput, step: float) -> list[float]:
+    """Other values of an input that are tried."""
+    size = one.upper - one.lower
+    tried = (one.lower, one.upper, max(one.lower, at - step * size), min(one.upper, at + step * size))
+    return sorted({value for value in tried if value != at})
+
+
+def _moved(row: Row, move: tuple[int, float]) -> Row:
+    i, to = move
+    return (*row[:i], to, *row[i + 1 :])
