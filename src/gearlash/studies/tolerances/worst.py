@@ -1,8 +1,8 @@
 """The worst combination of values between limits, from a bad one on.
 
 A compass search: each value is moved to both its limits and by a step either way, the moves that make it
-worse are put together one after the other, and where none does the step is halved. So at the end, unless `MOST`
-are looked at before, no single value at one of its limits, nor a last step away, is worse."""
+worse are put together one after the other, and where none does the step is halved. So at the end no single
+value at one of its limits, nor a last step away, is worse, unless the search ended at `MOST` combinations."""
 
 from __future__ import annotations
 
