@@ -16,6 +16,7 @@ from gearlash.gears import flank_tolerances, mesh_stiffness
 from gearlash.orbits import motion_statistics
 from gearlash.orbits.signals import Signal
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
+from gearlash.report.pair.orders import exciting, meetings, meetings_within, natural_frequencies
 from gearlash.report.pair.verdict import verdict
 from gearlash.report.pair.words import Words
 from gearlash.results import Axis
@@ -23,9 +24,11 @@ from gearlash.results.pair_question import carrying_forwards, speeds_around
 from gearlash.results.pair_units import PairUnits
 from gearlash.results.tolerance import ToleranceInput
 from gearlash.studies.assessment import Assessment, assess
-from gearlash.studies.bands import back_bands, bands
+from gearlash.studies.bands import Band, back_bands, bands
 from gearlash.studies.ranges import AcrossRanges, Corner, Varied
 from gearlash.studies.speed_run import SpeedRun, speed_run, with_modes
+from gearlash.studies.speeds_across import SpeedsAcross
+from gearlash.studies.zone_end import ZoneEnd
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
 
@@ -129,7 +132,7 @@ def test_impact_free_is_not_quiet_in_whatever_direction_it_is_so(window: tuple[A
 
     said = not_quiet(changed(1.0, 1e-3), units, words)
     assert said.startswith("Impact-free is not quiet: without any impact the bearing force, gear, lateral")
-    assert "more than wherever teeth separate" in said
+    assert "more than in the same direction wherever teeth separate" in said
     assert not_quiet(changed(1e-3, 1.0), units, words).startswith("Without impacts the bearing force")
 
 
@@ -220,11 +223,13 @@ def test_a_verdict_must_hold_across_the_ranges_of_estimates(window: tuple[Assess
 
     kind, first, line = said(_ranges(0.6, harmless, Varied(error, (), 16.3, 0.4), together=0.3))
     assert kind == "good"
-    assert first.endswith("the teeth stay in contact; this holds across the ranges of its 2 estimates.")
+    assert "the teeth stay in contact, pressed by at least" in first
+    assert first.endswith("a motion without impacts exists there across the ranges of its 2 estimates.")
     assert "30 % of the static one (60 % as estimated)" in line
     kind, first, line = said(_ranges(0.6, harmless, harmful, together=-0.3))
     assert kind == "doubt"
-    assert first.endswith("this does not hold if mesh.error is above 11.2 µm (its range: 0 to 16.3 µm).")
+    assert first.endswith("none without impacts exists if mesh.error is above 11.2 µm.")
+    assert "mesh.error is above 11.2 µm (its range: 0 to 16.3 µm)" in line
     assert "holds across the ranges of the other 1 estimate, one at a time" in line
     kind, first, line = said(_ranges(0.6, harmless, Varied(error, (), 16.3, 0.4), together=-0.1))
     assert kind == "doubt"
@@ -262,3 +267,79 @@ def test_an_estimated_error_keeps_its_range_in_the_mirror_image():
     one, other = (each.family()[0].complete({}) for each in (case, mirrored))
     assert abs(one["error_phase"] - other["error_phase"]) == pytest.approx(np.pi)
     assert other["load"] > 0.0
+
+
+def test_a_motion_with_impacts_beside_the_quiet_one_is_in_the_first_sentence():
+    """From rest the teeth stay in contact, and below the resonance another motion hammers."""
+    case = gl.load_case("kahraman-singh", {"omega": 0.8})
+    found = assess(case, Axis.even("omega", 0.7, 0.9, 5))
+    assert str(found.attractor.label) == "1-0-0"
+    assert found.signals is not None
+    assert found.other is not None
+    label, loud = found.other
+    assert str(label) == "1-1-0"
+    assert loud.force.most > found.signals.force.most
+    told = verdict(found)
+    assert told.kind == "doubt"
+    assert "it depends on how the pair came there" in told.lines[0].text
+    assert "one in which teeth separate (1-1), with a mesh force of up to" in told.lines[0].text
+
+
+def test_what_sweeps_reach_next_to_a_speed_is_among_the_starts_there():
+    case = gl.load_case("kahraman-singh", {"omega": 0.8})
+    axis = Axis.even("omega", 0.7, 0.9, 5)
+    found = assess(case, axis)
+    family = case.family()[0]
+    alone = gl.motions_beside(
+        found.attractor, dict(zip(family.states, family.start(), strict=True)), family.start()
+    )
+    assert alone is not None
+    assert found.beside is not None
+    assert found.beside.starts > alone.starts
+
+
+def test_estimates_at_the_ends_of_their_ranges_are_held_against_the_stated_range_of_speed(
+    window: tuple[Assessment, SpeedRun],
+):
+    found = window[0]
+    zone = next(z for z in found.impact_free.zones if z.lower.value < found.here < z.upper.value)
+    low, high = (float(found.case.scales.pinion_rpm(end.value)) for end in (zone.lower, zone.upper))
+    stated = {"operation.least_speed": f"{low + 1} rpm", "operation.greatest_speed": f"{high - 1} rpm"}
+    ranged = replace(found, case=found.case.with_overrides(stated))
+    error = ToleranceInput("mesh.error", "um", 0.0, 16.3, 5.0)
+    quiet = AcrossRanges(0.6, (Varied(error, (), 16.3, 0.4),), speeds=(SpeedsAcross({}, (), 0.5),))
+    apart = SpeedsAcross({"mesh.error": "16.3 um"}, ((1.0, 1.05),), -0.1)
+
+    def told(ranges: AcrossRanges) -> tuple[str, str, str]:
+        said = verdict(replace(ranged, ranges=ranges))
+        return said.kind, said.lines[0].text, said.lines[1].text
+
+    kind, _, line = told(quiet)
+    assert kind == "good"
+    assert "with each of its 1 estimate at both ends of its range" in line
+    kind, first, line = told(replace(quiet, speeds=(*quiet.speeds, apart)))
+    assert kind == "doubt"
+    assert first.endswith("as estimated; with an estimate elsewhere in its range they do.")
+    assert "with mesh.error = 16.3 µm at " in line
+    narrow = {"operation.least_speed": f"{low - 60} rpm", "operation.greatest_speed": f"{high - 1} rpm"}
+    said = verdict(replace(found, case=found.case.with_overrides(narrow), ranges=quiet))
+    assert (said.kind, said.short) == ("doubt", "not over its range of speed")
+    assert "Not at every speed from" in said.lines[0].text
+
+
+def test_the_order_of_the_mesh_that_meets_a_natural_frequency_in_a_band_is_named():
+    """Order 4 of a stiffness with many harmonics, at a quarter of the natural frequency."""
+    case = gl.load_case("blankenship-kahraman")
+    values = {**case.family()[0].complete(), "omega": 0.25}
+    more = case.with_overrides({"omega": 0.25, "ripple_4": 0.1})
+    assert 4 in exciting(more)
+    assert 4 not in exciting(case)
+    at = {one.order: one for one in meetings(more, 0.2, 0.3)}
+    (first,) = natural_frequencies(more)
+    assert at[4].omega == pytest.approx(first / 4.0)
+    assert at[4].text == "f1/4"
+    end = ZoneEnd(0.2, "range"), ZoneEnd(0.3, "range")
+    words = Words(PairUnits.of(more), values["omega"])
+    said = meetings_within(more, (Band(*end, True, ()),), words)
+    assert "order 4 of the mesh meets natural frequency 1 at omega = " in said
+    assert meetings_within(case, (Band(*end, True, ()),), words) == ""

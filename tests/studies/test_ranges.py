@@ -10,6 +10,7 @@ import pytest
 import gearlash as gl
 from gearlash.studies.impact_free import closed_margin
 from gearlash.studies.ranges import AcrossRanges, across_ranges, margin_of, values_of, varied
+from gearlash.studies.speeds_across import speeds_across
 from gearlash.studies.tolerances.inputs import estimated_inputs
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
@@ -68,10 +69,18 @@ def test_together_is_at_least_as_bad_as_each_alone(light: tuple[gl.Case, AcrossR
     assert margin_of(case, found.together.values) == found.together.margin
 
 
-@pytest.mark.slow
-def test_what_takes_nothing_leaves_the_verdict():
-    found = across_ranges(pair("1000 rpm", "600 N m"))
+@pytest.fixture(scope="module")
+def firm() -> AcrossRanges:
+    """Much torque, and a range of speed below every resonance."""
+    stated = {"operation.least_speed": "900 rpm", "operation.greatest_speed": "1100 rpm"}
+    found = across_ranges(pair("1000 rpm", "600 N m").with_overrides(stated))
     assert found is not None
+    return found
+
+
+@pytest.mark.slow
+def test_what_takes_nothing_leaves_the_verdict(firm: AcrossRanges):
+    found = firm
     assert found.holds
     assert found.broken == ()
     assert found.together is not None
@@ -105,3 +114,31 @@ def test_values_of_a_range_go_from_end_to_end():
 
 def test_without_estimates_nothing_is_varied():
     assert across_ranges(gl.load_case("article")) is None
+
+
+def test_speeds_at_which_contact_ends_are_those_of_a_search_from_the_present_speed():
+    """With an error at the end of its range: the first ends around the present speed are the same."""
+    case = pair("4200 rpm", "150 N m")
+    here = case.family()[0].defaults["omega"]
+    inputs = estimated_inputs(case)
+    (error,) = (one for one in inputs if one.path == "mesh.error")
+    values = {error.path: error.text(error.upper)}
+    found = speeds_across(case, values, (0.6 * here, 1.4 * here))
+    other = gl.impact_free_speeds(case.with_overrides(values))
+    assert other is not None
+    assert found.parting
+    ends = [end for band in found.parting for end in band]
+    for end in (other.lower, other.upper):
+        if end is not None and 0.6 * here < end < 1.4 * here:
+            assert min(abs(one - end) for one in ends) < 1e-9
+    assert any(low <= here <= high for low, high in found.parting) == (not other.here)
+
+
+@pytest.mark.slow
+def test_a_range_of_speed_is_looked_at_with_every_estimate_at_both_ends(firm: AcrossRanges):
+    assert firm.speeds[0].values == {}
+    for one in firm.varied:
+        at = [s.values[one.input.path] for s in firm.speeds if list(s.values) == [one.input.path]]
+        assert {one.input.text(one.input.lower), one.input.text(one.input.upper)} <= set(at)
+    assert firm.parting == ()
+    assert min(s.least for s in firm.speeds) > 0.0

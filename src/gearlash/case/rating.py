@@ -75,6 +75,16 @@ def band_of_grades(case: Case, omega: float) -> str:
     )
 
 
+def values_of_grades(case: Case, omega: float) -> str:
+    """``1.09``, or ``1.04 to 1.31`` over grades where the case states none; nothing where there is no K_v."""
+    own = stated_grades(case)
+    try:
+        found = [method_b(case, omega, own or (grade, grade)).value for grade in GRADES]
+    except GearlashError:
+        return ""
+    return f"{found[0]:.2f}" if own is not None else f"{found[0]:.2f} to {found[1]:.2f}"
+
+
 def materials_of(case: Case) -> tuple[Material, Material]:
     """Of pinion and gear; steel where the case states none."""
     found = {value.path: value.value for value in case.values()}

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
 
 from gearlash.case import Case
 from gearlash.jobs import Execution, Progress
 from gearlash.orbits import Attractor, Settings, attractor
 from gearlash.orbits.signals import Signals, signals
-from gearlash.results import Axis
+from gearlash.results import Axis, Sweep
 from gearlash.results.beside import Beside
 from gearlash.results.pair_question import SPEED, carrying_forwards, check_pair
-from gearlash.system import GearlashError
+from gearlash.system import GearlashError, Label
 from gearlash.system.readout import Readout
 
 from .bands import Band, back_bands, bands
@@ -56,6 +59,8 @@ class Assessment:
         What the ranges of estimates leave of the motion without impacts; None where nothing has a range.
     turned : bool
         Whether the back side carries: then ``case`` is the mirror image of what was asked, which moves alike.
+    other : (Label, Signals) or None
+        Of the other motions at the present speed that have impacts, the one with the largest contact force.
     """
 
     case: Case
@@ -69,6 +74,7 @@ class Assessment:
     drive_side: Zones
     ranges: AcrossRanges | None = None
     turned: bool = False
+    other: tuple[Label, Signals] | None = None
 
     @property
     def here(self) -> float:
@@ -137,18 +143,43 @@ def assess(
     found = attractor(family.system(), cold, settings)
     readouts = readouts_of(case, values)
     measured = signals(found.trace, readouts) if traceable(summary(found)) else None
-    beside = motions_beside(
-        found, dict(zip(family.states, map(float, cold), strict=True)), cold, settings=settings
-    )
     ways = sweeps(case, axis, ("up", "down"), settings=settings, execution=telling(execution, say, "speeds"))
+    own = dict(zip(family.states, map(float, cold), strict=True))
+    beside = motions_beside(found, own, cold, more=_next_to(ways, values[SPEED]), settings=settings)
     quiet, drive = zones_of_kinds(
         case, axis, [Quiet.IMPACT_FREE, Quiet.DRIVE_SIDE_ONLY], known=ways, settings=settings,
         execution=telling(execution, say, "ends of bands"), work=WORK,
     )  # fmt: skip
     ranges = across_ranges(case, settings, telling(execution, say, "ranges of estimates"))
+    loud = _loudest(found, beside, readouts, settings)
     return Assessment(
-        case, values, axis, found, readouts, measured, beside, quiet, drive, ranges, case is not asked
+        case, values, axis, found, readouts, measured, beside, quiet, drive, ranges, case is not asked, loud
     )
+
+
+def _next_to(ways: Sequence[Sweep], here: float) -> list[NDArray[np.float64]]:
+    """States of the motions that sweeps found at the speeds next to this one, below and above."""
+    states = []
+    for way in ways:
+        points = [point for point in way.points if traceable(point)]
+        below = max((p for p in points if p.value <= here), key=lambda p: p.value, default=None)
+        above = min((p for p in points if p.value > here), key=lambda p: p.value, default=None)
+        states += [point.state for point in (below, above) if point is not None]
+    return states
+
+
+def _loudest(
+    found: Attractor, beside: Beside | None, readouts: tuple[Readout, ...], settings: Settings
+) -> tuple[Label, Signals] | None:
+    """Of the other motions with impacts the one with the largest contact force, with what was measured."""
+    rows = []
+    for other in () if beside is None else beside.others:
+        if not other.impacts:
+            continue
+        motion = attractor(found.propagators, np.array(list(other.start.values())), settings)
+        if traceable(summary(motion)):
+            rows.append((motion.label, signals(motion.trace, readouts)))
+    return max(rows, key=lambda row: row[1].force.most, default=None)
 
 
 def telling(execution: Execution, say: Tell, stage: str) -> Execution:

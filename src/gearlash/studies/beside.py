@@ -1,13 +1,14 @@
 """A few other starts at the same parameters: does another motion coexist with the one found?
 
-From the motion itself the relative velocity in every clearance is raised and lowered, so that contact is lost
-or made; of a system with one clearance the periodic motions without any change of contact are tried, too.
+From the motion itself the relative velocity in every clearance is raised and lowered, a little and much, so
+that contact is lost or made; of a system with one clearance the periodic motions without any change of
+contact are tried, too.
 Each start is followed for `BUDGET` base periods at the most.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -24,8 +25,10 @@ from .arguments import checked_settings
 Array = NDArray[np.float64]
 
 BUDGET = 2_000  # base periods of one start
-KICKS = (-1.0, 1.0, -2.0, 2.0)  # in units of what carries the motion across its clearance
-MOST_STARTS = 12  # starts in all
+KICKS = (-1.0, 1.0, -2.0, 2.0, -4.0, 4.0, -8.0, 8.0, 16.0)
+"""In units of what carries the motion across its clearance. The larger ones lead to motions of much energy
+that go on below a resonance, where speed that comes down from it finds them."""
+MOST_STARTS = 16  # starts in all, beside those that are given
 SAME_MOTION = 1e-6  # of the size of a motion: what agrees so well is the same
 SMALLEST_SIZE = 1e-3  # of a clearance's own numbers, where the motion has no size
 
@@ -35,6 +38,7 @@ def motions_beside(
     start: Mapping[str, float],
     cold_start: ArrayLike,
     *,
+    more: Sequence[ArrayLike] = (),
     settings: Settings | None = None,
     tell: Callable[[int, int], object] | None = None,
 ) -> Beside | None:
@@ -52,6 +56,8 @@ def motions_beside(
         The state, by name, from which it was found: it is not tried again.
     cold_start : array_like of shape (n,)
         Such as ``family.start()``.
+    more : sequence of array_like of shape (n,)
+        Starts that are tried first, such as states of motions at parameters next to these.
     settings : Settings, optional
         How every attractor is looked for.
     tell : callable, optional
@@ -87,7 +93,8 @@ def motions_beside(
     cold = given.numbers("cold_start", cold_start, (size,))
     settings = checked_settings(settings)
     settings = replace(settings, budget=min(settings.budget, BUDGET))
-    starts = _different(found, own, _starts(found, cold))
+    given_starts = [given.numbers("more", state, (size,)) for state in more]
+    starts = _different(found, own, [*given_starts, *_starts(found, cold)], MOST_STARTS + len(given_starts))
     same = undecided = 0
     others: list[tuple[Attractor, Array, int]] = []
     for done, state in enumerate(starts, 1):
@@ -108,7 +115,7 @@ def motions_beside(
     return Beside(len(starts), same, undecided, tuple(_motion(*row, list(start)) for row in rows))
 
 
-def _different(found: Attractor, own: Array, states: Iterable[Array]) -> list[Array]:
+def _different(found: Attractor, own: Array, states: Iterable[Array], most: int) -> list[Array]:
     """Each once, without the start that was used and without states of the motion itself."""
     near = SAME_MOTION * max(1.0, float(np.abs(found.strobes).max()))
     kept: list[Array] = []
@@ -116,7 +123,7 @@ def _different(found: Attractor, own: Array, states: Iterable[Array]) -> list[Ar
         known = np.array([own, *kept, *found.strobes])
         if float(np.abs(known - state).max(axis=1).min()) > near:
             kept.append(state)
-    return kept[:MOST_STARTS]
+    return kept[:most]
 
 
 def _starts(found: Attractor, cold: Array) -> Iterator[Array]:

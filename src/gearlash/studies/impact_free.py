@@ -128,13 +128,16 @@ class ClosedMesh:
         return self.family.system({**self.parameters, self.name: value})
 
     def orbit(self, omega: float) -> Orbit | None:
-        found = _orbit(_closed(self.system(omega), self.side), self.beside)
+        return self._orbit_of(self.system(omega))
+
+    def _orbit_of(self, system: System) -> Orbit | None:
+        found = _orbit(_closed(system, self.side), self.beside)
         self.beside = None if found is None else found.state
         return found
 
     def margin(self, omega: float) -> float:
-        orbit = self.orbit(omega)
-        return _margin(self.system(omega), self.side, orbit)
+        system = self.system(omega)
+        return _margin(system, self.side, self._orbit_of(system))
 
     def error(self, change: SignChange) -> float:
         """Of the speed at a change: what lies between its two sides, and how far an error of the margin, or

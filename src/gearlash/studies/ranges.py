@@ -3,6 +3,7 @@
 The motion of teeth that never part is solved for at values over each range, everything else as estimated, and
 where it ends within a range that value is solved for. The worst values of all ranges are then put together
 and made worse one by one; there the ends of its band of speed are solved for, and the cold start is followed.
+Where the case states a range of speed, contact is looked for over all of it, too.
 """
 
 from __future__ import annotations
@@ -18,11 +19,13 @@ from gearlash.case import Case
 from gearlash.jobs import Chain, Execution, Part, run
 from gearlash.orbits import Settings, attractor
 from gearlash.results.impact_free import ImpactFree
+from gearlash.results.pair_question import stated_speeds
 from gearlash.results.tolerance import Band, ToleranceInput
 from gearlash.system import GearlashError, Label
 
 from .impact_free import closed_margin, impact_free_speeds
 from .model import Source
+from .speeds_across import SpeedsAcross, speeds_across
 from .tolerances.bands import outside, positive_bands
 from .tolerances.inputs import estimated_inputs
 
@@ -104,6 +107,10 @@ class AcrossRanges:
     together : Corner or None
         The worst combination that was found; None where no range takes anything.
     complete : bool
+    speeds : tuple of SpeedsAcross
+        Over the range of speed that the case states: first all as estimated; where that never parts, then
+        every estimate at both ends of its range and at its worst value at the present speed, and the worst
+        combination. Empty where it states none.
     """
 
     margin: float
@@ -112,11 +119,17 @@ class AcrossRanges:
     together: Corner | None = None
     complete: bool = True
     inputs: tuple[ToleranceInput, ...] = field(default=(), repr=False)
+    speeds: tuple[SpeedsAcross, ...] = ()
 
     @property
     def broken(self) -> tuple[Varied, ...]:
-        """Ranges in which the impact-free motion ends."""
-        return tuple(one for one in self.varied if one.broken)
+        """Ranges in which the impact-free motion ends, the worst first."""
+        return tuple(sorted((one for one in self.varied if one.broken), key=lambda one: one.margin))
+
+    @property
+    def parting(self) -> tuple[SpeedsAcross, ...]:
+        """Values with which it ends somewhere in the stated range of speed, the worst first."""
+        return tuple(sorted((one for one in self.speeds if one.parting), key=lambda one: one.least))
 
     @property
     def holds(self) -> bool:
@@ -127,12 +140,13 @@ class AcrossRanges:
 
 @dataclass(frozen=True)
 class Task:
-    """One range, or one corner with its band of speed."""
+    """One range; or values with the band of speed around the present one; or values over a range of speed."""
 
     source: Source
-    input: ToleranceInput | None
+    input: ToleranceInput | None = None
     values: tuple[tuple[str, str], ...] = ()
     settings: Settings | None = None
+    reach: tuple[float, float] | None = None
 
 
 def across_ranges(
@@ -150,19 +164,29 @@ def across_ranges(
     if not outcome.complete:
         return AcrossRanges(nominal, varied, complete=False, inputs=inputs)
     harmful = sorted((v for v in varied if _takes(v.margin, nominal)), key=lambda one: one.margin)
-    if not harmful:
-        return AcrossRanges(nominal, varied, inputs=inputs)
-    worst = together(case, harmful)
+    worst = together(case, harmful) if harmful else None
     corners = [Corner({v.input.path: v.input.text(v.worst)}, v.margin) for v in harmful[:SOLVED]]
-    corners += [worst] if len(worst.values) > 1 else []
-    chains = [
-        Chain(i, (Task(source, None, tuple(one.values.items()), settings),), (1,))
-        for i, one in enumerate(corners)
-    ]
-    outcome = run(work, chains, execution)
-    looked = [outcome.results[i][0] if outcome.results.get(i) else one for i, one in enumerate(corners)]
-    last = looked.pop() if len(worst.values) > 1 else looked[0]
-    return AcrossRanges(nominal, varied, tuple(looked), last, outcome.complete, inputs)
+    corners += [worst] if worst is not None and len(worst.values) > 1 else []
+    reach = stated_speeds(case)
+    own = None if reach is None else speeds_across(case, {}, reach)
+    over = [] if own is None or own.parting else list(_over_speed(varied, worst))
+    tasks = [Task(source, values=tuple(one.values.items()), settings=settings) for one in corners]
+    tasks += [Task(source, values=tuple(one.items()), reach=reach) for one in over]
+    outcome = run(work, [Chain(i, (task,), (1,)) for i, task in enumerate(tasks)], execution)
+    done = [outcome.results[i][0] if outcome.results.get(i) else None for i in range(len(tasks))]
+    looked = [found or one for one, found in zip(corners, done, strict=False)]
+    speeds = tuple(found for found in (own, *done[len(corners) :]) if found is not None)
+    last = looked.pop() if worst is not None and len(worst.values) > 1 else (looked[0] if looked else None)
+    return AcrossRanges(nominal, varied, tuple(looked), last, outcome.complete, inputs, speeds)
+
+
+def _over_speed(varied: Sequence[Varied], worst: Corner | None) -> Iterator[Mapping[str, str]]:
+    """Values that are looked at over the stated range of speed."""
+    for one in varied:
+        for at in dict.fromkeys((one.input.lower, one.input.upper, one.worst)):
+            yield {one.input.path: one.input.text(at)}
+    if worst is not None and len(worst.values) > 1:
+        yield worst.values
 
 
 def _takes(margin: float, nominal: float) -> bool:
@@ -174,6 +198,8 @@ def work(task: Task, _carry: object) -> Part:
     case = _case(task.source.case_json or "")
     if task.input is not None:
         return Part((varied(case, task.input),))
+    if task.reach is not None:
+        return Part((speeds_across(case, dict(task.values), task.reach),))
     return Part((solved(case, dict(task.values), task.settings),))
 
 

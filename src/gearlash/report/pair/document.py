@@ -7,7 +7,7 @@ from gearlash.report.pictures import Picture
 
 from . import basis, maps, motions, speed
 from .contents import Contents
-from .noise import backlash_matters, not_quiet, unloaded
+from .noise import backlash_matters, not_quiet, reversing, unloaded
 from .verdict import NO_APPROVAL, Line, verdict
 from .words import Words
 
@@ -63,6 +63,7 @@ def _first(contents: Contents) -> Section:
         words = Words(contents.units, found.here)
         more = (
             ("Noise", _noise(contents, words)),
+            ("Bearings", reversing(contents.run, words)),
             ("Backlash", backlash_matters(found, contents.run, contents.units)),
         )
         lines[-1:-1] = [Line(title, text) for title, text in more if text]

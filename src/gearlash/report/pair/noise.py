@@ -71,18 +71,48 @@ def not_quiet(run: SpeedRun, units: PairUnits, words: Words) -> str:
     text = f"the {one.words} reaches {force(quiet[0])} at {words.speed(quiet[1])}{times}"
     if one.hitting is None:
         return f"Without impacts {text}; no motion with impacts was found at these speeds."
-    there = f"{force(one.hitting[0])} at {words.speed(one.hitting[1])}"
+    there = f"{force(one.hitting[0])} at {words.speed(one.hitting[1])}{_another(run, one, units, words)}"
     if one.exceeded >= 1.0:
         return (
-            f"Impact-free is not quiet: without any impact {text}: more than wherever teeth separate "
-            f"({there})."
+            f"Impact-free is not quiet: without any impact {text}: more than in the same direction "
+            f"wherever teeth separate ({there})."
         )
     if one.exceeded >= MOST:
         return (
             f"Impact-free is not quiet: without any impact {text}: more than in {100.0 * one.exceeded:.0f} "
-            f"% of the motions in which teeth separate (largest there: {there})."
+            f"% of the motions in which teeth separate (largest there in the same direction: {there})."
         )
     return f"Without impacts {text}; where teeth separate it reaches {there}."
+
+
+def _another(run: SpeedRun, one: Loudest, units: PairUnits, words: Words) -> str:
+    """The largest bearing force where teeth separate, if it has another direction."""
+    hitting = [(each.hitting, each) for each in loudest(run) if each.hitting is not None]
+    worst, most = max(hitting, key=lambda row: row[0])
+    if most.words == one.words:
+        return ""
+    return f"; the largest of all there is that of the {most.words.removeprefix('bearing force, ')}, " + (
+        f"{units.force.text(worst[0])} at {words.speed(worst[1])}"
+    )
+
+
+def reversing(run: SpeedRun, words: Words) -> str:
+    """Bearing forces whose direction changes within a motion."""
+    said = []
+    for i, readout in enumerate(run.readouts):
+        at = [p.value for p, one in run.measured() if one.read[i].least < 0.0 < one.read[i].most]
+        mean = [abs(one.read[i].mean) for _, one in run.measured()]
+        if readout.quantity == "force" and at and max(mean) > 0.0:
+            name = readout.words.removeprefix("bearing force, ")
+            said.append(
+                f"{name}, at {len(set(at))} of {len(run.axis)} speeds from {words.reach(min(at), max(at))}"
+            )
+    if not said:
+        return ""
+    return (
+        f"The bearing force changes its direction within a motion: {'; '.join(said)}. The clearance of "
+        "bearings is not in this model: each is a spring that pulls as it pushes."
+    )
 
 
 def unloaded(run: SpeedRun, units: PairUnits, words: Words) -> str:
@@ -101,8 +131,8 @@ def unloaded(run: SpeedRun, units: PairUnits, words: Words) -> str:
         text = (
             f"The mode of a body on its bearing alone ({body}) lies at {words.speed(omega)}. There, without "
             f"any impact, the bearing force changes by {units.force.text(one.read[i].peak_to_peak)}, "
-            f"{ratio:.3g} times as much as the mesh force ({_changes(one.force, units)}): the body gives "
-            "way to the error, and the mesh is unloaded."
+            f"{ratio:.3g} times as much as the mesh force ({_changes(one.force, units)}): the body swings, "
+            "and the load between the teeth hardly varies."
         )
         said.append((one.read[i].peak_to_peak, text))
     return max(said, default=(0.0, ""))[1]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite, isnan
 
@@ -20,6 +20,8 @@ from gearlash.system import Signature
 from .words import Words
 
 MOST = 3
+"""Values that the first lines name together."""
+NAMED = 5
 """Ranges that the first lines name."""
 
 
@@ -39,24 +41,29 @@ def across(found: Assessment, words: Words) -> Across | None:
         return None
     if not ranges.complete:
         return Across(False, "its ranges were not looked at to the end", "Not looked at to the end.")
-    many = _estimates(len(ranges.varied))
+    many = estimates(len(ranges.varied))
     if not ranges.margin > 0.0:
         return Across(False, *_where_it_would_hold(ranges, many))
     ends = _ends(found, words)
     if ranges.broken:
-        named = "; ".join(_broken(one) for one in ranges.broken[:MOST])
-        more = len(ranges.broken) - MOST
-        named += f"; and for {more} more of its estimates" if more > 0 else ""
+        named = listed([_broken(one) for one in ranges.broken])
         rest = len(ranges.varied) - len(ranges.broken)
         text = f"Does not hold if {named}: there no motion without impacts exists, all else as estimated. "
-        text += f"It holds across the ranges of the other {_estimates(rest)}, one at a time." if rest else ""
-        return Across(False, f"this does not hold if {named}", f"{text}{ends}")
+        text += f"It holds across the ranges of the other {estimates(rest)}, one at a time." if rest else ""
+        clause = listed([_broken(one).partition(" (")[0] for one in ranges.broken])
+        return Across(False, f"none without impacts exists if {clause}", f"{text}{ends}")
     worst = ranges.together
     if worst is not None and not worst.margin > 0.0:
         said = f"Holds across the range of each of its {many}, one at a time, but not for all together: "
         text = f"{said}with {_together(worst)} no motion without impacts exists.{ends}"
-        return Across(False, "this does not hold if several estimates are at their worst together", text)
-    return Across(True, f"this holds across the ranges of its {many}", _holding(ranges, many) + ends)
+        return Across(
+            False, "none without impacts exists if several estimates are at their worst together", text
+        )
+    return Across(
+        True,
+        f"a motion without impacts exists there across the ranges of its {many}",
+        _holding(ranges, many) + ends,
+    )
 
 
 def _holding(ranges: AcrossRanges, many: str) -> str:
@@ -68,7 +75,7 @@ def _holding(ranges: AcrossRanges, many: str) -> str:
         f"without impacts exists there, whose least compression is {_percent(worst.margin)} of the static "
         f"one ({_percent(ranges.margin)} as estimated). Most is taken by "
     )
-    text += " and ".join(_settings(one.values) for one in ranges.single[:2]) + "."
+    text += " and ".join(settings(one.values) for one in ranges.single[:2]) + "."
     if worst.cold is not None and not (isinstance(worst.cold, Signature) and worst.cold.impacts == 0):
         text += f" In that combination the motion from the cold start has impacts, though ({worst.cold})."
     return text
@@ -80,9 +87,16 @@ def _where_it_would_hold(ranges: AcrossRanges, many: str) -> tuple[str, str]:
     if not some:
         text = f"Over the whole range of each of its {many}, one at a time, no motion without impacts exists."
         return f"no other value within the ranges of its {many} changes that by itself", text
-    named = "; ".join(_quiet(one) for one in some[:MOST])
+    named = listed([_quiet(one) for one in some])
     text = f"All else as estimated, a motion without impacts exists if {named}."
     return f"within the ranges of its {many} that changes if {named}", text
+
+
+def listed(said: Sequence[str]) -> str:
+    """The first ones, and how many more there are: one more is named as well."""
+    shown = said[:NAMED] if len(said) > NAMED + 1 else said
+    more = len(said) - len(shown)
+    return ", or if ".join(shown) + (f", and for {more} more of its estimates (listed below)" if more else "")
 
 
 def _broken(one: Varied) -> str:
@@ -121,7 +135,7 @@ def _ends(found: Assessment, words: Words) -> str:
         near = _nearest(corner, found.here)
         if near is None:
             continue
-        what = _settings(corner.values) if len(corner.values) == 1 else "the worst combination"
+        what = settings(corner.values) if len(corner.values) == 1 else "the worst combination"
         side = "above" if near > found.here else "below"
         share = percent(100.0 * abs(near - found.here) / found.here)
         end = f"with {what} at {words.speed(near)}, {share} % {side}"
@@ -143,10 +157,10 @@ def _nearest(corner: Corner, here: float) -> float | None:
 def _together(corner: Corner) -> str:
     first = dict(list(corner.values.items())[:MOST])
     more = len(corner.values) - len(first)
-    return _settings(first) + (f" and {more} more (listed at the end)" if more else "")
+    return settings(first) + (f" and {more} more (listed at the end)" if more else "")
 
 
-def _settings(values: Mapping[str, str]) -> str:
+def settings(values: Mapping[str, str]) -> str:
     """``mesh.error = 16.3 µm, …``."""
     return ", ".join(f"{path} = {shown(text)}" for path, text in values.items())
 
@@ -167,7 +181,7 @@ def _percent(share: float) -> str:
     return f"{100.0 * share:.3g} %"
 
 
-def _estimates(count: int) -> str:
+def estimates(count: int) -> str:
     return f"{count} estimate{'' if count == 1 else 's'}"
 
 
@@ -187,8 +201,9 @@ def table(found: Assessment) -> Iterator[Block]:
         rows.append((one.input.path, f"{low} to {high}{unit}", f"{number(one.worst, 3)}{unit}", least, said))
     caption = (
         "Estimates, each over its range at the present speed and torque, all else as estimated "
-        f"({_percent(ranges.margin)}): the value with the least compression of teeth that never part, that "
-        "compression over the static one, and where that motion exists. Other motions were not looked for."
+        f"({_percent(ranges.margin)}): the value at which teeth are pressed together least in the motion of "
+        "a mesh held closed, that compression over the static one (below 0 they would have to pull, and part "
+        "instead), and where they stay in contact. Other motions were not looked for."
     )
     head = ("estimate", "range", "worst at", "least compression", "in contact")
     yield Table("ranges", caption, head, tuple(rows), widths=(25, 22, 14, 16, 23))

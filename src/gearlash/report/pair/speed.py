@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from gearlash.case import Case
-from gearlash.case.rating import band_of_grades
+from gearlash.case.rating import band_of_grades, values_of_grades
 from gearlash.plots.marks import Mark
 from gearlash.plots.over_speed import Curve, SpeedAxis, Stack, over_speed
 from gearlash.report.blocks import Block, Cell, Figure, Section, Table, Text
@@ -20,10 +20,8 @@ from gearlash.studies.speed_run import SpeedRun
 
 from .contents import Contents
 from .noise import loudest
+from .orders import LEAST, exciting, meetings, natural_frequencies
 from .words import Words
-
-ORDERS = 3
-"""Mesh orders that are drawn where they meet a natural frequency."""
 
 
 def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
@@ -52,7 +50,7 @@ def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
 _FORCE_WORDS = (
     "Mesh force and bearing forces over speed: peak over one period. On the right the dynamic factor K_v: "
     "mesh force over the static one. Dotted: a mesh order meets a natural frequency of the closed "
-    "mesh; f4/2: order 2 meets f4 of the table below."
+    "mesh; f4/2: order 2 meets f4 of the table below (orders above 3 only where teeth separate)."
 )
 _ERROR_WORDS = (
     "Dynamic transmission error DTE: rotation of both gears along the line of action, to which bearings that "
@@ -74,7 +72,7 @@ def _axis(contents: Contents, run: SpeedRun) -> SpeedAxis:
         separating=_spans(found.separating, unit),
         back=_spans(found.back_side, unit),
         present=unit.factor * found.here,
-        resonances=resonances(found.case, unit, run.axis.values),
+        resonances=resonances(contents, run),
     )
 
 
@@ -91,29 +89,15 @@ def _breaks(sweep: Sweep) -> np.ndarray:
     return np.array([False, *(a != b for a, b in pairwise(labels))], dtype=np.bool_)
 
 
-def natural_frequencies(case: Case) -> list[float]:
-    """Of the closed mesh, over ω_n."""
-    stem = "derived.natural_frequency_"
-    return [
-        float(value.value)
-        for value in case.values()
-        if value.path.startswith(stem) and value.path.removeprefix(stem).isdigit()
-    ]
-
-
-def resonances(case: Case, unit: Unit, speeds: np.ndarray) -> tuple[Mark, ...]:
-    """Speeds at which an order of the mesh frequency meets a natural frequency."""
-    low, high = float(speeds[0]), float(speeds[-1])
+def resonances(contents: Contents, run: SpeedRun) -> tuple[Mark, ...]:
+    """Speeds at which an order of the mesh frequency meets a natural frequency; orders beyond the first ones
+    only where teeth separate, so that the picture stays clear."""
+    found, factor = contents.found, contents.units.speed.factor
+    low, high = (float(run.axis.values[i]) for i in (0, -1))
     return tuple(
-        Mark(
-            unit.factor * frequency / order,
-            "resonance",
-            f"f{i}" if order == 1 else f"f{i}/{order}",
-            order == 1,
-        )
-        for i, frequency in enumerate(natural_frequencies(case), start=1)
-        for order in range(1, ORDERS + 1)
-        if low < frequency / order < high
+        Mark(factor * one.omega, "resonance", one.text, one.order == 1)
+        for one in meetings(found.case, low, high)
+        if one.order <= LEAST or any(band.contains(one.omega) for band in found.separating)
     )
 
 
@@ -180,18 +164,20 @@ def _bearing_table(run: SpeedRun, units: PairUnits, words: Words) -> list[Block]
 
 def _resonance_table(case: Case, units: PairUnits) -> list[Block]:
     hertz = float(case.scales.mesh_hz(1.0)) if case.scales.physical else None
+    orders = sorted({*range(1, LEAST + 1), *exciting(case)})
+    digits = 5 if len(orders) <= LEAST else 4  # as many columns as a page has room for
     rows = []
     for i, frequency in enumerate(natural_frequencies(case), start=1):
-        cells = [number(units.speed.factor * frequency / order, 5) for order in range(1, ORDERS + 1)]
+        cells = [number(units.speed.factor * frequency / order, digits) for order in orders]
         rows.append((f"f{i}", "" if hertz is None else number(hertz * frequency, 5), *cells))
     unit = units.speed.name or "omega"
-    orders = ("mesh order 1", "order 2", "order 3")
-    head = ("", "Hz" if hertz else "", *(f"{order} [{unit}]" for order in orders))
+    head = ("", "Hz" if hertz else "", f"order 1 [{unit}]", *(f"order {order}" for order in orders[1:]))
     caption = (
         "Natural frequencies with closed mesh (undamped, mean stiffness), and speeds at which mesh "
-        "orders meet them."
+        "orders meet them: the first three, and those that stiffness or error excite."
     )
-    return [Table("table-resonances", caption, head, tuple(rows), frozenset({1, 2, 3, 4}))]
+    columns = frozenset(range(1, 2 + len(orders)))
+    return [Table("table-resonances", caption, head, tuple(rows), columns)]
 
 
 def _factor(contents: Contents) -> list[Block]:
@@ -206,4 +192,20 @@ def _factor(contents: Contents) -> list[Block]:
         "the static one."
     )
     iso = band_of_grades(found.case, found.here)
-    return [Text.of(f"{text} {iso}")]
+    return [Text.of(f"{text} {iso}{_factor_elsewhere(contents, static)}")]
+
+
+def _factor_elsewhere(contents: Contents, static: float) -> str:
+    """Both factors at the greatest speed and at the one with the highest mesh force."""
+    found, run = contents.found, contents.run
+    rows = run.measured() if run is not None else []
+    if not rows:
+        return ""
+    words = Words(contents.units, found.here)
+    fastest, hardest = max(rows, key=lambda row: row[0].value), max(rows, key=lambda row: row[1].force.most)
+    said = []
+    for what, (point, one) in (("the greatest speed examined", fastest), ("the highest mesh force", hardest)):
+        standard = values_of_grades(found.case, point.value)
+        beside = f", by the standard {standard}" if standard else ""
+        said.append(f"at {what} ({words.speed(point.value)}) {one.force.most / static:.3g}{beside}")
+    return f" {said[0][0].upper()}{said[0][1:]}; {said[1]}."

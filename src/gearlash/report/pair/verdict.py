@@ -12,13 +12,14 @@ from gearlash.case import Case
 from gearlash.orbits import Neutral, Unresolved
 from gearlash.plots.regimes import short
 from gearlash.results.beside import Beside
-from gearlash.results.pair_question import stated_speeds
 from gearlash.results.pair_units import PairUnits
 from gearlash.studies.assessment import Assessment
 from gearlash.studies.bands import zone_with
-from gearlash.system import Signature, Status
+from gearlash.system import ContactRule, Signature, Status
 
+from .orders import meetings_within
 from .ranges import across
+from .speed_range import speed_range
 from .words import Words
 
 MOST_NAMED = 6
@@ -51,8 +52,9 @@ class Verdict:
     Parameters
     ----------
     kind : {"good", "doubt", "bad"}
-        No impacts were found at the present speed, whatever estimates are within their ranges; some motions
-        have them, or nothing settled, or it does not hold across the ranges; all have.
+        No impacts were found at the present speed nor over the range of speed that the case states, whatever
+        estimates are within their ranges; some motions have them, or nothing settled, or it does not hold
+        across the ranges; all have them at the present speed.
     short : str
         In a few words.
     lines : tuple of Line
@@ -69,16 +71,23 @@ def verdict(found: Assessment) -> Verdict:
     units = PairUnits.of(found.case)
     words = Words(units, found.here)
     kind, text, answer = _answer(found, words)
-    over = across(found, words)
+    over, speeds = across(found, words), speed_range(found, words)
     if over is not None:
         answer = f"{answer[:-1]}; {over.clause}."
-        if kind == "good" and not over.holds:
+    if speeds is not None:
+        answer += f" {speeds.first}"
+    if kind == "good":
+        if speeds is not None and not speeds.free:
+            kind, text = "doubt", "not over its range of speed"
+        elif over is not None and not over.holds:
             kind, text = "doubt", "not across the ranges of its estimates"
+        elif speeds is not None and not speeds.holds:
+            kind, text = "doubt", "over its range of speed not across the ranges of its estimates"
     lines = (
         Line("May it run there", answer),
+        *([] if speeds is None else [Line("Over its speed range", speeds.text)]),
         Line("Across its ranges", NO_RANGES if over is None else over.text),
         *([Line("Turned round", TURNED)] if found.turned else []),
-        *_over_its_range(found, words),
         Line("Teeth separate", _separating(found, words)),
         Line("Back side", _back(found, words)),
         Line("Margin", _margin(found, words)),
@@ -114,17 +123,22 @@ def _answer(found: Assessment, words: Words) -> tuple[Kind, str, str]:
         seen = "separate" if hits else "stay in contact"
         text = f"At {at} teeth {seen} in the motion from the cold start ({short(label)}); that speed lies "
         return "doubt", "not examined", text + f"outside the range examined, {words.reach(low, high)}."
-    quiet_here = own is not None or (not hits and not any(other.impacts for other in others))
-    if quiet_here and not hits and not any(other.impacts for other in others):
+    inside = [band for band in found.separating if band.contains(found.here) and own is None]
+    hit = [other.label for other in others if other.impacts] + [
+        label for band in inside for label in band.labels
+    ]
+    if not hits and not hit and not inside:
         text = f"At {at} no impacts were found: in every motion found there ({short(label)}) "
-        return "good", "no impacts found", text + "the teeth stay in contact."
+        return "good", "no impacts found", f"{text}the teeth stay in contact{_pressed(found)}."
     if (
         not hits
         or zone_with(found.impact_free, found.here) is not None
         or any(other.impacts is False for other in others)
     ):
+        apart = ", ".join(dict.fromkeys(short(each) for each in ([label] if hits else hit)))
         text = f"At {at} it depends on how the pair came there: a motion without impacts exists, and one in "
-        return "doubt", "depends on the start", text + "which teeth separate."
+        text += f"which teeth separate ({apart}){_force_apart(found, hits, words)}."
+        return "doubt", "depends on the start", text
     gone = f"{100.0 * found.signals.share_without_contact:.3g} % of the time"
     return "bad", "teeth separate", (
         f"At {at} teeth separate ({short(label)}): without contact {gone}"
@@ -132,24 +146,32 @@ def _answer(found: Assessment, words: Words) -> tuple[Kind, str, str]:
     )  # fmt: skip
 
 
-def _over_its_range(found: Assessment, words: Words) -> list[Line]:
-    """Whether it may run at every speed that the case states."""
-    stated = stated_speeds(found.case)
-    if stated is None:
-        return []
-    low, high = stated
-    reach = words.reach(low, high)
-    first, last = (float(found.axis.values[i]) for i in (0, -1))
-    bands = [b for b in found.separating if b.upper.value > low and b.lower.value < high]
-    if not found.complete:
-        text = f"Not looked for to the end in {reach}."
-    elif bands:
-        text = f"Not at every speed from {reach}: teeth separate at {words.bands(bands)}."
-    elif first > low or last < high:
-        text = f"Not told for all of {reach}: examined was {words.reach(first, last)}, where none separate."
-    else:
-        text = f"From {reach} no motion was found in which teeth separate."
-    return [Line("Over its speed range", text)]
+def _force_apart(found: Assessment, hits: bool, words: Words) -> str:
+    """The largest mesh force of the motions in which teeth separate."""
+    own = found.signals if hits else found.other[1] if found.other is not None else None
+    if own is None:
+        return ""
+    static = found.values["load"] / found.values["rotation_factor"]
+    most = words.units.force.text(own.force.most)
+    return f", with a mesh force of up to {most}, {own.force.most / static:.3g} times the static one"
+
+
+def _pressed(found: Assessment) -> str:
+    """How much of the static force is left between teeth that stay in contact."""
+    assert found.signals is not None
+    share = found.signals.force.least / (found.values["load"] / found.values["rotation_factor"])
+    return f", pressed by at least {100.0 * share:.2g} % of the static force" if share > 0.0 else ""
+
+
+def _pulling(found: Assessment) -> str:
+    """Under the rule of the article the damper acts while teeth are apart."""
+    contact = found.attractor.propagators.system.clearances[0].contact
+    if contact is not ContactRule.ALWAYS or not found.separating:
+        return ""
+    return (
+        " While they are apart the damper of the mesh still acts, also pulling: contact = always is the rule "
+        "of this case, and --set contact=no-tension lets teeth only push."
+    )
 
 
 def _separating(found: Assessment, words: Words) -> str:
@@ -159,7 +181,8 @@ def _separating(found: Assessment, words: Words) -> str:
     reach = words.reach(*(float(found.axis.values[i]) for i in (0, -1)))
     if not bands:
         return f"Nowhere from {reach}, as far as motions were found."
-    return f"{words.bands(bands)}; examined: {reach}."
+    met = meetings_within(found.case, bands, words)
+    return f"{words.bands(bands)}; examined: {reach}.{met}{_pulling(found)}"
 
 
 def _back(found: Assessment, words: Words) -> str:
@@ -210,7 +233,7 @@ def _coexisting(found: Assessment) -> str:
         seen = [m.label for m in zone.coexisting if m.label != label]
         if seen:
             names = ", ".join(dict.fromkeys(map(short, seen)))
-            text += f"; elsewhere in the band around it sweeps show {names} beside it"
+            text += f"; in the band around it sweeps show {names} beside it, at this speed or others"
     return f"{text}."
 
 
@@ -240,7 +263,8 @@ def _forces(found: Assessment, units: PairUnits) -> list[Line]:
         return []
     s, static = found.signals, found.values["load"] / found.values["rotation_factor"]
     text = (
-        f"Mesh force up to {units.force.text(s.force.most)}, {s.force.most / static:.3g} times the static one"
+        f"Mesh force from {units.force.text(s.force.least)} to {units.force.text(s.force.most)}, "
+        f"{s.force.least / static:.3g} to {s.force.most / static:.3g} times the static one"
     )
     bearings = [
         (one, sig) for one, sig in zip(found.readouts, s.read, strict=True) if one.quantity == "force"
@@ -249,6 +273,7 @@ def _forces(found: Assessment, units: PairUnits) -> list[Line]:
         one, sig = max(bearings, key=lambda pair: pair[1].peak)
         ratio = sig.peak / abs(sig.mean) if sig.mean else float("nan")
         text += f"; {one.words}, up to {units.force.text(sig.peak)}, {ratio:.3g} times its mean"
+        text += ", and changing its direction" if sig.mean and sig.least < 0.0 < sig.most else ""
     return [Line("Forces there", f"{text}.")]
 
 
@@ -260,7 +285,9 @@ def rests(found: Assessment) -> str:
     taken = {one.input.path: one.margin for one in found.ranges.varied} if found.ranges else {}
     known.sort(key=lambda value: (value.least is None, taken.get(value.path, inf)))
     assumed = [value.path for value in known]
+    ranged = sum(value.least is not None for value in known)
     many = f"{len(assumed)} assumed value{'s' if len(assumed) > 1 else ''}"
+    many += f", {ranged} of them with a range" if ranged else ""
     shown = ", ".join(assumed[:MOST_NAMED])
     if len(assumed) > MOST_NAMED:
         shown += f" and {len(assumed) - MOST_NAMED} more, which the report and gearlash check list"

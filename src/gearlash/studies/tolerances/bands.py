@@ -15,17 +15,20 @@ HALVINGS = 60  # where a function has no number on one side
 XTOL, RTOL = 1e-300, 1e-14  # of an end: as near as doubles come
 
 
-def positive_bands(function: Callable[[float], float], values: Sequence[float]) -> tuple[Band, ...]:
+def positive_bands(
+    function: Callable[[float], float], values: Sequence[float], near: float = inf
+) -> tuple[Band, ...]:
     """Where a function is positive between the first and the last of ascending values.
 
     Between two values its sign is taken to change once or not at all; where the function is least or largest
-    of three values next to each other, a closer look finds what lies between them.
+    of three values next to each other, and nearer to zero than ``near``, a closer look finds what lies
+    between them.
     """
     samples = [(value, function(value)) for value in values]
     samples += [
         look
         for three in zip(samples, samples[1:], samples[2:], strict=False)
-        if (look := _between(function, *three)) is not None
+        if abs(three[1][1]) < near and (look := _between(function, *three)) is not None
     ]
     samples.sort()
     cuts: list[float] = [samples[0][0]] if samples[0][1] > 0.0 else []
