@@ -164,7 +164,7 @@ def _pressed(found: Assessment) -> str:
 
 
 def _pulling(found: Assessment) -> str:
-    """Under the rule of the article the damper acts while teeth are apart."""
+    """Under the rule `always` the damper acts while teeth are apart."""
     contact = found.attractor.propagators.system.clearances[0].contact
     if contact is not ContactRule.ALWAYS or not found.separating:
         return ""
