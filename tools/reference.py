@@ -121,7 +121,7 @@ def _name(parameter: Any) -> str:
 def _text(parameter: Any) -> str:
     text = " ".join((parameter.help or "").split())
     plain = isinstance(parameter.default, str) and parameter.param_type_name == "option"
-    return f"{text} [default: {parameter.default}]" if plain else text
+    return f"{text} [default: {parameter.default}]" if plain and parameter.default else text
 
 
 def write(folder: Path) -> None:

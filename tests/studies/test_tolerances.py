@@ -139,7 +139,7 @@ def test_what_is_estimated_and_not_varied_stays_as_it_is():
 def test_a_drive_in_its_units_and_the_margin_at_the_corners():
     case = gl.load_case(DRIVE)
     axis = gl.Axis.even("pinion_speed", "4100 rpm", "4300 rpm", 3)
-    limits = {"backlash": ("60 um", "120 um"), "torque": ("100 N m", "250 N m")}
+    limits = {"backlash": ("60 um", "120 um"), "torque": "100:250Nm"}
     found = gl.tolerance(case, axis, limits, samples=8, replicates=2)
     assert found.present == pytest.approx(4200.0)
     margins = []
@@ -196,6 +196,8 @@ def test_what_rows_share_and_what_none_has():
         ({}, "expected at least one"),
         ({"lod": (1, 2)}, "did you mean 'load'"),
         ({"load": (1,)}, "two limits"),
+        ({"load": "0.1"}, "two limits"),
+        ({"load": "0.1:"}, "two limits"),
         ({"load": ("1 N", 2)}, "load"),
         ({"load": (0.2, 0.2)}, "two different limits"),
         ({"omega": (0.5, 0.6)}, "is the axis of the study"),

@@ -149,6 +149,15 @@ def behind_number(text: str) -> str:
     return match[2] if match else ""
 
 
+def in_unit_of(other: str, text: str) -> str:
+    """A value as typed; a number alone gets the unit of the other one, as ``60`` in ``60:120um``."""
+    try:
+        float(text)
+    except ValueError:
+        return text
+    return text + behind_number(other)
+
+
 def unit(text: str) -> Unit:
     """The unit of a text such as ``N·m`` or ``kg m^2``. Raises `UnitError` naming the part that is no
     unit."""

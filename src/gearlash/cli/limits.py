@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from gearlash.case import CaseError, Problem
-from gearlash.case.units import behind_number
+from gearlash.case.units import behind_number, in_unit_of
 
 from .inputs import parts_of
 
@@ -50,7 +50,7 @@ def read_axis(text: str) -> Axis:
 
 
 def _with_unit(lower: str, upper: str) -> tuple[str, str]:
-    return (lower + behind_number(upper) if _number(lower) else lower), upper
+    return in_unit_of(upper, lower), upper
 
 
 def _number(text: str) -> bool:

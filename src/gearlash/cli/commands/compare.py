@@ -38,7 +38,12 @@ FigureName = Annotated[
         "[default: as the column is named (TE rms [um]), else peak-to-peak]",
     ),
 ]
-Order = Annotated[float, typer.Option(min=1e-6, max=1e4, help="Of the mesh frequency, for --figure order.")]
+Order = Annotated[
+    float,
+    typer.Option(
+        metavar="ORDER", min=1e-6, max=1e4, help="Of the mesh frequency, for --figure order. [default: 1]"
+    ),
+]
 SpeedColumn = Annotated[
     str,
     typer.Option(

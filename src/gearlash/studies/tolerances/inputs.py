@@ -11,11 +11,11 @@ import numpy as np
 from gearlash.case import Case, CaseError, Problem
 from gearlash.case.entries import Entry
 from gearlash.case.quantity import Quantity
-from gearlash.case.units import unit
+from gearlash.case.units import in_unit_of, unit
 from gearlash.results.tolerance import ToleranceInput
 from gearlash.system import GearlashError, given, shown
 
-Limits: TypeAlias = Mapping[str, Sequence[float | str]]
+Limits: TypeAlias = Mapping[str, Sequence[float | str] | str]
 MOST_INPUTS = 20
 STATED = "stated"
 
@@ -45,10 +45,20 @@ def read_inputs(case: Case, limits: Limits | None) -> tuple[ToleranceInput, ...]
     return tuple(found)
 
 
-def _input(case: Case, name: str, ends: Sequence[float | str]) -> ToleranceInput:
-    ends = ends.tolist() if isinstance(ends, np.ndarray) else ends
+def _both(name: str, stated: Sequence[float | str] | str) -> Sequence[float | str]:
+    """Two limits, also as one text, ``60:120um``: a unit behind the second holds for both."""
+    ends: object = stated.tolist() if isinstance(stated, np.ndarray) else stated
+    if isinstance(stated, str):
+        typed = [end.strip() for end in stated.split(":")]
+        ends = [in_unit_of(typed[1], typed[0]), typed[1]] if len(typed) == 2 and all(typed) else None
     if not isinstance(ends, list | tuple) or len(ends) != 2:
-        raise CaseError("limits", [Problem(name, shown(ends), "two limits, such as (60 um, 120 um)")])
+        expected = 'two limits, such as ("60 um", "120 um") or "60:120um"'
+        raise CaseError("limits", [Problem(name, shown(stated), expected)])
+    return ends
+
+
+def _input(case: Case, name: str, stated: Sequence[float | str] | str) -> ToleranceInput:
+    ends = _both(name, stated)
     one, other = (_entry(case, name, end) for end in ends)
     place = case.content.places.get(one.path)
     if not isinstance(place, Quantity):

@@ -52,9 +52,9 @@ def tolerance(
         The parameter, mostly a speed, and the values between which bands are looked for, in any unit:
         ``Axis.even("pinion_speed", "3000 rpm", "5000 rpm", 61)``. What is narrower than a step may be missed
         where it lies beside no least or largest margin.
-    limits : mapping of str to (float or str, float or str), optional
-        Both limits of every input, by any name of the case: ``{"backlash": ("60 um", "120 um")}``. Without,
-        the ranges of all that the case estimates.
+    limits : mapping of str to (float or str, float or str) or str, optional
+        Both limits of every input, by any name of the case: ``{"backlash": ("60 um", "120 um")}``, or as one
+        text: ``{"backlash": "60:120um"}``. Without, the ranges of all that the case estimates.
     samples : int
         Points of one set of samples, a power of 2 from 2 on.
     replicates : int
