@@ -85,7 +85,7 @@ writes all of its tables into the folder instead.
 | command | tables, the main one first |
 |---|---|
 | run | `history.csv` (a row a sample), `spectrum.csv` (a row a line of the order spectrum), `events.csv` |
-| sweep | `sweep.csv` (a row a point and direction), `regimes.csv` |
+| sweep | `sweep.csv` (a row a point and direction; bearing forces of a pair), `regimes.csv` |
 | map | `map.csv` (a row a pixel) |
 | branch | `branch-1.csv` … (a row an orbit), `special.csv` |
 | curve | `curve-1.csv` … (a row an orbit), `special.csv` |
@@ -111,7 +111,9 @@ Spreadsheets take some labels (`1-1-0`) for dates: import these columns as text,
 and `back`. What is several numbers a point (states, points on sections) is in the NetCDF files only.
 
 `history.nc` and `spectrum.nc` have the columns of `history.csv` and `spectrum.csv` as variables of one
-dimension with `units` and `long_name`. A history is one period of an orbit, or 64 mesh cycles of another
+dimension with `units` and `long_name`. `gap` and `X` are the displacement of the flanks from the middle of
+the backlash (half of it is where they touch), `transmission_error` the rotation of both gears along the line
+of action. A history is one period of an orbit, or 64 mesh cycles of another
 motion, in 256 equal steps a mesh cycle (fewer where a period is longer than 256). Of an orbit the lines of a
 spectrum are its Fourier series; of another motion a Hann window is taken. `rms` is that of a line (of order
 0 the modulus of the mean), levels are 20 lg of it over what stands in brackets (1 uN, 1 pm, 1 nm/s; of

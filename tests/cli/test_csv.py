@@ -37,6 +37,7 @@ def test_a_run_as_history_spectrum_and_events(gearlash: Gearlash, tmp_path: Path
     history = pd.read_csv(tmp_path / "history.csv", sep=";", decimal=",")
     with xr.open_dataset(tmp_path / "history.nc") as data:
         assert data["X"].attrs == {"units": "1", "long_name": "state X"}
+        assert {"mesh_cycle", "tau"} <= set(data.coords)
         assert data["X"].values == pytest.approx(history["X"].to_numpy(), rel=1e-15)
     assert len(history) == 256
     case = gl.load_case("kahraman-singh", {"omega": 0.9})
@@ -69,6 +70,8 @@ def test_the_main_table_is_printed_and_nothing_else(gearlash: Gearlash):
     table = pd.read_csv(StringIO(ran.out))
     assert table["pinion_speed [rpm]"].tolist() == pytest.approx([3990.0, 4010.0])
     assert {"force_max", "force_max [N]", "label"} <= set(table.columns)
+    assert {"bearing_force_yp_peak [N]", "transmission_error_rms [um]"} <= set(table.columns)
+    assert (table["transmission_error_peak_to_peak [um]"] > table["transmission_error_rms [um]"]).all()
     ran = gearlash("map", "kahraman-singh", "--over", "omega=0.7:0.9:2", "--over", "D=0.9:1.1:2",
                    "--decimal-comma")  # fmt: skip
     table = pd.read_csv(StringIO(ran.out), sep=";", decimal=",")

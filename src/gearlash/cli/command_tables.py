@@ -68,11 +68,12 @@ def sweep_tables(case: Case, found: Sequence[Sweep], answer: SweepAnswer) -> Mad
 
     from .answers.sweep import Regime
     from .asked_columns import told_as_asked
+    from .measured_columns import measured_columns
 
     regimes = [(way.direction, each) for way in answer.sweeps for each in way.regimes]
     stretches = table_of([each for _, each in regimes], Regime)
     return {
-        "sweep": _points(case, found, answer.axis),
+        "sweep": [*_points(case, found, answer.axis), *measured_columns(case, found)],
         "regimes": [
             Column("direction", [way for way, _ in regimes]),
             *told_as_asked(stretches, answer.axis.asked, ("first", "last")),

@@ -8,7 +8,7 @@ from gearlash.case import Case
 from gearlash.case.units import pretty
 from gearlash.results.store import write_together
 
-from .files import draw_if
+from .files import at_what, draw_if
 from .folder import OutFolder
 from .jsonio import text
 
@@ -37,7 +37,8 @@ def write_compare(
             [p.speed for p in answer.points], [p.measured for p in answer.points],
             [p.up for p in answer.points], [p.down for p in answer.points],
             speed, f"{words}, {answer.figure}{order}{unit}",
-            f"{case.name}: measured and computed", [(jump.lower, jump.upper) for jump in answer.jumps],
+            f"{case.name}: measured and computed{at_what(case, 'omega')}",
+            [(jump.lower, jump.upper) for jump in answer.jumps],
             [p.direction for p in answer.points],
         ),
     )  # fmt: skip

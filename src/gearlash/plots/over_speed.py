@@ -124,7 +124,8 @@ def over_speed(axis: SpeedAxis, stacks: Sequence[Stack], title: str = "") -> Fig
         _curves(panel, axis, stack)
     rest[-1].set_xlabel(axis.label)
     style.align_labels(rest, 13.0)
-    figure.legend(handles=list(_key(axis)), loc="outside lower center", ncols=4, columnspacing=1.4)
+    both = any(_differs(curve).any() for stack in stacks for curve in stack.curves)
+    figure.legend(handles=list(_key(axis, both)), loc="outside lower center", ncols=4, columnspacing=1.4)
     return figure
 
 
@@ -141,8 +142,7 @@ def _shade(panel: Axes, axis: SpeedAxis) -> None:
 def _curves(panel: Axes, axis: SpeedAxis, stack: Stack) -> None:
     handles = []
     for curve, (colour, marker) in zip(stack.curves, LOOKS, strict=False):
-        differs = ~np.isclose(curve.up, curve.down, rtol=1e-6, atol=0.0, equal_nan=True)
-        down = np.where(differs, curve.down, np.nan)
+        down = np.where(_differs(curve), curve.down, np.nan)
         dots = {"ms": 2.6, "mew": 0.6} if len(axis.values) <= FEW else {"ms": 1.5, "mew": 0.4}
         for values, breaks, look in (
             (curve.up, axis.breaks[0], {"lw": 1.0, "mfc": colour}),
@@ -164,6 +164,11 @@ def _curves(panel: Axes, axis: SpeedAxis, stack: Stack) -> None:
                  facecolor="white", framealpha=0.8, frameon=True, edgecolor="none")  # fmt: skip
 
 
+def _differs(curve: Curve) -> NDArray[np.bool_]:
+    """Where the motion with speed going down is another one."""
+    return ~np.isclose(curve.up, curve.down, rtol=1e-6, atol=0.0, equal_nan=True)
+
+
 def _limits(panel: Axes, drawn: Array) -> None:
     """From zero where values lie near to it, with room for the legend above them."""
     panel.margins(y=0.04)
@@ -183,12 +188,15 @@ def _broken(x: Array, y: Array, breaks: NDArray[np.bool_]) -> tuple[Array, Array
     return np.insert(x, at, np.nan), np.insert(y, at, np.nan)
 
 
-def _key(axis: SpeedAxis) -> Iterator[Line2D | Patch]:
-    yield Line2D([], [], color=style.INK, lw=1.0, marker="o", ms=2.6, label="speed going up")
-    yield Line2D(
-        [], [], color=style.INK, lw=0.8, ls=(0, (4, 1.5)), marker="o", ms=2.6, mfc="white",
-        label="going down, where another motion",
-    )  # fmt: skip
+def _key(axis: SpeedAxis, both: bool) -> Iterator[Line2D | Patch]:
+    """What is there; ``both``: whether anywhere the motion depends on the way of speed."""
+    up = "speed going up" if both else "speed going up, and down"
+    yield Line2D([], [], color=style.INK, lw=1.0, marker="o", ms=2.6, label=up)
+    if both:
+        yield Line2D(
+            [], [], color=style.INK, lw=0.8, ls=(0, (4, 1.5)), marker="o", ms=2.6, mfc="white",
+            label="going down, where another motion",
+        )  # fmt: skip
     yield Line2D([], [], label="present speed", **NOMINAL)
     if axis.separating:
         yield Patch(facecolor=SEPARATING, label="teeth separate")

@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     import xarray as xr
 
+PLACES = ("time", "mesh_cycle", "tau", "order")
+"""Columns of histories and spectra that say where a row stands."""
 ASCII_UNITS = str.maketrans({"µ": "u", "·": "*", "°": "deg", "²": "^2", "₀": "0"})
 
 
@@ -131,7 +133,8 @@ def columns_of(name: str, values: NDArray[Any], about: Mapping[str, Any]) -> lis
 
 
 def dataset_of_table(table: Table, dim: str, about: Mapping[str, object]) -> xr.Dataset:
-    """A table as a dataset with one dimension; units are attributes."""
+    """A table as a dataset with one dimension; units are attributes, and columns that say when or at which
+    order are coordinates."""
     import xarray as xr
 
     data = {
@@ -141,4 +144,4 @@ def dataset_of_table(table: Table, dim: str, about: Mapping[str, object]) -> xr.
         )
         for column in table
     }  # fmt: skip
-    return xr.Dataset(data, attrs=dict(about))
+    return xr.Dataset(data, attrs=dict(about)).set_coords([name for name in PLACES if name in data])

@@ -13,6 +13,7 @@ from gearlash.cli.answers.tolerance import BandFound, InputFound, ToleranceAnswe
 from .layout import assumed, facts, headline, note, table
 
 SHOWN = 12  # rows of the probability
+MOST_OPEN = 24  # more of them where it is neither 0 nor 1
 NOTHING = 1e-9  # share of the variance of a value that the margin does not depend on
 
 
@@ -65,13 +66,20 @@ def _bands(answer: ToleranceAnswer, bands: Sequence[BandFound]) -> str:
 def _probability(answer: ToleranceAnswer) -> Iterator[list[str]]:
     count = len(answer.values)
     step = max(1, -(-count // SHOWN))
-    for at in sorted({*range(0, count, step), count - 1}):
+    open_ = [at for at in range(count) if _open(answer.probability[at])]
+    few = open_[:: max(1, -(-len(open_) // MOST_OPEN))]
+    for at in sorted({*range(0, count, step), count - 1, *few}):
         share, error = answer.probability[at], answer.probability_error[at]
         if share is None or error is None:
             yield [f"{answer.values[at]:.6g}", "-"]
         else:
             told = chance_text(share, error, answer.samples * answer.replicates)
             yield [f"{answer.values[at]:.6g}", told.removeprefix("of ")]
+
+
+def _open(share: float | None) -> bool:
+    """Whether contact is neither kept nor lost for sure: such values are not left out."""
+    return share is not None and 0.0 < share < 1.0
 
 
 def _input(one: InputFound) -> list[str]:

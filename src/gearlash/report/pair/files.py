@@ -69,6 +69,8 @@ def speed_columns(run: SpeedRun, units: PairUnits) -> Columns:
         unit = unit_of(units, readout.quantity)
         for which in ("most", "least", "mean", "rms"):
             add(f"{readout.name}_{_WORDS[which]}", f"{readout.name}.{which}", unit)
+        add(f"{readout.name}_peak", f"{readout.name}.peak", unit)
+        add(f"{readout.name}_peak_to_peak", f"{readout.name}.peak_to_peak", unit)
     add("gap_largest", "gap.most", units.length)
     add("gap_least", "gap.least", units.length)
     add("impact_velocity_drive", "impact_velocity", units.velocity)
