@@ -25,7 +25,7 @@ NARROW = ("--over", "pinion_speed=3700:4300rpm:13", "--workers", "1")
 
 @pytest.fixture(autouse=True)
 def small_maps(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr("gearlash.report.pair.planes.PIXELS", (4, 3))
+    monkeypatch.setattr("gearlash.studies.grids.PIXELS", (4, 3))
 
 
 def test_the_report_of_a_drive(gearlash: Gearlash, tmp_path: Path):

@@ -12,8 +12,6 @@ from .axis import Axis
 SPEED = "omega"
 REACH = (0.5, 1.5)
 """Of the present speed: what is examined where nothing else is asked for."""
-VALUES = 61
-"""Speeds of the sweeps that bands are found from; ends of bands are solved for."""
 
 
 def check_pair(case: Case) -> None:

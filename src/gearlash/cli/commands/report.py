@@ -86,7 +86,7 @@ def report(
         found = _assessed(asked, search, executor)
         if not as_json:
             show_answer(report_answer(found), False)
-        contents = _measured(asked, found, search, executor)
+        contents = _measured(asked, found, search, executor, over is None)
         with delivery():
             page = render(contents, place.path, None if contents.missing else executor, csv.style)
             answer = report_answer(found, contents, str(page))
@@ -123,27 +123,32 @@ def _assessed(asked: StudyInputs, search: SearchSettings, executor: Executor) ->
     from gearlash.cli.progress import stage_bar
     from gearlash.jobs import Execution
     from gearlash.results import Axis
-    from gearlash.results.pair_question import VALUES
     from gearlash.studies.assessment import assess
+    from gearlash.studies.grids import Grids
 
-    values = asked.axes[0].values
-    axis = Axis.even("omega", float(values[0]), float(values[-1]), min(VALUES, len(values)))
+    values, most = asked.axes[0].values, Grids.of_case(asked.case).speeds
+    axis = Axis.even("omega", float(values[0]), float(values[-1]), min(most, len(values)))
     with stage_bar() as tell:
         found = assess(asked.case, axis, settings=search, execution=Execution(executor), tell=tell)
     end_if_nothing(found.signals is not None)
     return found
 
 
-def _measured(asked: StudyInputs, found: Assessment, search: SearchSettings, executor: Executor) -> Contents:
-    """All else, as far as no signal comes."""
+def _measured(
+    asked: StudyInputs, found: Assessment, search: SearchSettings, executor: Executor, usual: bool
+) -> Contents:
+    """All else, as far as no signal comes; ``usual``: nobody said at how many speeds."""
     from gearlash.cli.interrupt import signalled
     from gearlash.cli.progress import stage_bar
     from gearlash.jobs import Execution
     from gearlash.report.pair import Contents
     from gearlash.report.pair.planes import STAGES, plane_over
+    from gearlash.studies.grids import Grids
     from gearlash.studies.speed_run import histories, speed_run
 
     (axis,), execution, missing, maps = asked.ranges(), Execution(executor), [], {}
+    if usual:
+        axis = Grids.of(found.attractor.propagators).fewer(axis)
     run = None
     with stage_bar() as tell:
         if not signalled():

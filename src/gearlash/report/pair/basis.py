@@ -10,6 +10,7 @@ from gearlash.report.numbers import number
 from gearlash.report.pictures import Picture
 from gearlash.results.provenance import package_version
 from gearlash.studies import Zones
+from gearlash.studies.grids import Grids
 
 from . import ranges
 from .contents import Contents
@@ -59,6 +60,9 @@ def section(contents: Contents) -> Section:
             "That there is no other motion is not claimed."
         )
     )
+    told = Grids.of(found.attractor.propagators).told
+    if told:
+        blocks.append(Text.of(told))
     if contents.missing:
         blocks.append(Text.of(f"The report was stopped early; not computed: {', '.join(contents.missing)}."))
     blocks.append(Text.of(f"Made by gearlash {package_version()}; case {case.hash[:12]}."))

@@ -11,8 +11,8 @@ from gearlash.orbits import Settings
 from gearlash.results import Axis, plane_dataset
 from gearlash.studies import map_plane
 from gearlash.studies.assessment import Assessment, Tell
+from gearlash.studies.grids import Grids
 
-PIXELS = 40, 20
 SPAN = 0.2, 2.0
 """Of the present value: what a map goes over."""
 STAGES = {"load": "map over torque", "D": "map over backlash"}
@@ -28,7 +28,8 @@ def plane_over(
         return None
     tell(STAGES[name], None)
     execution = replace(execution, progress=lambda progress: tell(STAGES[name], progress))
-    x = Axis.even(found.axis.name, float(found.axis.values[0]), float(found.axis.values[-1]), PIXELS[0])
-    y = Axis.even(name, SPAN[0] * here, SPAN[1] * here, PIXELS[1])
+    pixels = Grids.of(found.attractor.propagators).pixels
+    x = Axis.even(found.axis.name, float(found.axis.values[0]), float(found.axis.values[-1]), pixels[0])
+    y = Axis.even(name, SPAN[0] * here, SPAN[1] * here, pixels[1])
     done = map_plane(found.case, x, y, settings=settings, execution=execution)
     return plane_dataset(found.case, done) if done.complete else None
