@@ -1,4 +1,4 @@
-"""The article's pair with real teeth, kept for its report: ``python -m tools.verified`` (minutes).
+"""The article's pair with real teeth, kept for its report: ``python -m tools.verified [WORKERS]`` (minutes).
 
 Flanks with a modification that turns the harmonics of the stiffness round are one more way to hold the
 inputs.
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -21,13 +22,14 @@ from gearlash.cli.answers.verify import (
     VerifyAnswer,
     verify_answer,
 )
-from gearlash.cli.show.verify import spans
+from gearlash.cli.show.verify import spans, stays
 from gearlash.multibody import Relief
 from gearlash.plots.tooth_contact import ToothLoads
 from gearlash.studies.verification import Plan, Verification, sensitivity, verification
 
 KEPT = Path(__file__).resolve().parents[1] / "src" / "gearlash" / "article" / "verified.json"
-RELIEF = Relief(pinion_tip=53e-6, gear_tip=53e-6, pinion_length=7e-3, gear_length=7e-3, crowning=41e-6)
+RELIEF = Relief(pinion_tip=80e-6, gear_tip=80e-6, pinion_length=8e-3, gear_length=8e-3, crowning=70e-6)
+COMMAND = "make verified"
 RULE = "always"
 """The contact rule of the article, whose forces are drawn."""
 DIGITS = 5
@@ -36,13 +38,20 @@ PICTURED = "absolute"
 """The way whose lines of contact are drawn: teeth as wide as the case says, at its own torque."""
 
 
-def main() -> None:
+def main(workers: int = 2) -> None:
     """Computes and writes."""
     case = gl.load_case("article")
     plan = Plan(beside=sensitivity(), relief=RELIEF)
-    with gl.open_workers(case, 2) as executor:
+    with gl.open_workers(case, workers) as executor:
         found = verification(case, plan=plan, execution=gl.Execution(executor), tell=_tell)
     write(verify_answer(case, found), lines_of_contact(found))
+
+
+def computed() -> dict[str, str]:
+    """Which state of the code computes: its commit, and the day of that."""
+    asked = "git", "-C", str(KEPT.parent), "log", "-1", "--format=%h %cs"
+    commit, day = subprocess.run(asked, check=True, capture_output=True, text=True).stdout.split()
+    return {"commit": commit, "day": day}
 
 
 def _tell(stage: str, progress: Any) -> None:
@@ -70,6 +79,8 @@ def write(answer: VerifyAnswer, lines: dict[str, Any]) -> None:
     data = {
         "case": answer.case.hash,
         "gearlash": answer.case.gearlash,
+        "computed": computed(),
+        "command": COMMAND,
         "settings": list(answer.settings),
         "ways": [_way(one, list(meshes.values())) for one in answer.configurations],
         "pictured": PICTURED,
@@ -93,15 +104,32 @@ def _way(one: ConfigurationCompared, meshes: list[MeshComputed]) -> dict[str, An
         "stiffness": mesh.stiffness,
         "torque": one.torque,
         "error": one.error,
+        "numbers": one.numbers,
         "ripples": list(mesh.ripples),
         "points": [_point(one, index) for index in range(len(one.points))],
         "beside": [[p.setting, p.speed, p.label, p.apart] for p in one.beside],
         "breathing": [_breathing(each) for each in one.breathing],
         "up": spans(window.speed, window.up) if window.up else "",
         "down": spans(window.speed, window.down) if window.down else "",
+        "apart_differs": {rule: _differing(one, rule) for rule in window.lumped_up},
         "lumped_up": {rule: spans(window.speed, labels) for rule, labels in window.lumped_up.items()},
         "lumped_down": {rule: spans(window.speed, labels) for rule, labels in window.lumped_down.items()},
     }
+
+
+def _differing(one: ConfigurationCompared, rule: str) -> list[list[float]]:
+    """Speeds of the window, rising and falling, at which one model keeps teeth in contact and the other does
+    not."""
+    window = one.window
+    ways = (window.up, window.lumped_up[rule]), (window.down, window.lumped_down[rule])
+    return [
+        [
+            round(speed)
+            for speed, real, lumped in zip(window.speed, *labels, strict=True)
+            if stays(real) != stays(lumped)
+        ]
+        for labels in ways
+    ]
 
 
 def _breathing(each: BreathingComputed) -> dict[str, Any]:
@@ -128,6 +156,8 @@ def _point(one: ConfigurationCompared, index: int) -> dict[str, Any]:
         "least": point.least_force / mean,
         "peak": point.greatest_force / mean,
         "lumped": {rule: p.label for rule, p in beside.items()},
+        "lumped_apart": {rule: p.apart for rule, p in beside.items()},
+        "lumped_peak": {rule: float(f"{max(p.force):.{DIGITS}g}") for rule, p in beside.items()},
         "phase": _short(point.phase),
         "force": _short([each / mean for each in point.force]),
         "lumped_phase": _short(beside[RULE].phase),
@@ -147,4 +177,4 @@ def _short(values: Iterable[float]) -> list[float]:
 
 
 if __name__ == "__main__":
-    main()
+    main(*map(int, sys.argv[1:]))

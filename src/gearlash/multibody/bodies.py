@@ -164,7 +164,7 @@ class Bearings:
 
 @dataclass(frozen=True)
 class Modes:
-    """Elastic modes of the gear body beside its motion as a whole, orthogonal to it and of modal mass 1 kg.
+    """Elastic modes of the bodies beside their motion as a whole, orthogonal to it and of modal mass 1 kg.
 
     Parameters
     ----------
@@ -174,8 +174,11 @@ class Modes:
         Of each of them.
     hub : tuple of 6 float, one for each mode, optional
         Motion of the hub in the mode, which the bearings feel: along x, y, z and about them. At rest where
-        nothing is given. The body rotates and its bearings do not, so only what is the same all around (along
-        z and about it) may be other than 0.
+        nothing is given. The body rotates and its bearings do not: in a mode that rotates with the body only
+        what is the same all around (along z and about it) is other than 0; a mode of one wave has more where
+        its coordinate is that along directions that stand still, as both modes of such a pair then have.
+    bodies : tuple of int, one for each mode, optional
+        0 for the pinion, 1 for the gear; the gear where nothing is given.
 
     Examples
     --------
@@ -187,6 +190,30 @@ class Modes:
     frequencies: tuple[float, ...] = ()
     damping_ratio: float = 0.0
     hub: tuple[tuple[float, float, float, float, float, float], ...] = ()
+    bodies: tuple[int, ...] = ()
+
+    def and_(self, others: Modes) -> Modes:
+        """These modes and others behind them, of the same damping.
+
+        Parameters
+        ----------
+        others : Modes
+            Each of both says the hub and the body of all of its modes.
+
+        Returns
+        -------
+        Modes
+
+        Examples
+        --------
+        >>> from gearlash.multibody import Modes
+        >>> pinion = Modes((9e4,), 0.01, ((0.0,) * 6,), (0,))
+        >>> gear = Modes((2e4,), 0.01, ((0.0,) * 6,), (1,))
+        >>> gear.and_(pinion).bodies
+        (1, 0)
+        """
+        frequencies, hub = self.frequencies + others.frequencies, self.hub + others.hub
+        return Modes(frequencies, self.damping_ratio, hub, self.bodies + others.bodies)
 
 
 @dataclass(frozen=True)
@@ -210,7 +237,7 @@ class Machine:
     governor_time : float
         Time constant of the governor, s; infinite without one.
     modes : Modes
-        Of the gear.
+        Of both bodies.
 
     Examples
     --------
@@ -250,7 +277,8 @@ class Machine:
         """Of the bearings, which feel the hub: it moves with the body, and in its modes."""
         hubs = np.eye(12, self.size)
         for i, moved in enumerate(self.modes.hub):
-            hubs[6:, 12 + i] = moved
+            first = 6 * (self.modes.bodies[i] if self.modes.bodies else 1)
+            hubs[first : first + 6, 12 + i] = moved
         both = [np.append(getattr(bearings, what), 0.0) for bearings in self.bearings]
         return hubs.T @ np.diag(np.concatenate(both)) @ hubs
 

@@ -156,6 +156,28 @@ class MeshContact:
             ),
         )
 
+    def with_modes(self, modes: RimModes) -> MeshContact:
+        """The same gears on bodies that bend.
+
+        Parameters
+        ----------
+        modes : RimModes
+            In place of those that there are.
+
+        Returns
+        -------
+        MeshContact
+        """
+        counts = self.tables.counts.copy()
+        counts[places.MODES] = len(modes.body)
+        tables = self.tables._replace(
+            counts=counts,
+            mode_order=np.ascontiguousarray(modes.order, np.int64),
+            mode_body=np.ascontiguousarray(modes.body, np.int64),
+            mode_shape=np.ascontiguousarray(modes.shape, np.float64),
+        )
+        return replace(self, tables=tables)
+
     def rolls(self, phase: float) -> Reals:
         """Where on the pinion's flanks the places of contact are.
 

@@ -60,7 +60,8 @@ class RimModes:
     body : ndarray of int, shape (M,)
         0 pinion, 1 gear.
     order : ndarray of int, shape (M,)
-        n, waves around the circumference.
+        n, waves around the circumference of a mode that rotates with its body; 0 also for a mode of one wave
+        whose coordinate stands still: then a is the displacement where the teeth touch.
     shape : ndarray, shape (2, M, S, 2)
         Displacement outward and normal to the flanks of side 0 and 1, for a modal coordinate of 1, at the
         slices: a cos nψ + b sin nψ, with ψ the angle of the place on the body, counted from the line of
@@ -83,6 +84,14 @@ class RimModes:
         """Rigid bodies."""
         empty = np.zeros(0, np.int64)
         return cls(empty, empty, np.zeros((2, 0, slices, 2)))
+
+    def and_(self, others: RimModes) -> RimModes:
+        """These modes and others behind them, at the same slices."""
+        return RimModes(
+            np.concatenate([self.body, others.body]),
+            np.concatenate([self.order, others.order]),
+            np.concatenate([self.shape, others.shape], axis=1),
+        )
 
 
 def contact_tables(
@@ -244,4 +253,5 @@ def relief_table(flanks: Flanks, topography: Topography, x: Reals, middles: Real
     ]
     face = np.array([relief.of_face(float(z), width) for z in middles])
     one = np.sum(tips, axis=0)[None, :] + face[:, None]
+    one = one + topography.modification.gap(flanks.pair, rolls[None, :], middles[:, None] / width)
     return np.array([one, one])

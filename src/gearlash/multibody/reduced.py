@@ -1,6 +1,6 @@
-"""A flexible gear body in few coordinates: Craig and Bampton's, with the hub as a rigid interface.
+"""A flexible gear body in few coordinates: Craig and Bampton's, with its hub or the seats of bearings rigid.
 
-The coordinates are the six of the hub and the lowest modes of the body with its hub held. From them come the
+The coordinates are those of the interface and the lowest modes of the body with it held. From them come the
 modes of the free body: without strain energy between them, and without inertia between them and the motion of
 the body as a whole, which then is that of a rigid body. The teeth count as a full ring. Lengths in m, masses
 in kg; modal masses are 1 kg.
@@ -17,14 +17,14 @@ from math import cos, sin
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eigh
-from scipy.sparse.linalg import eigsh
 
 from gearlash.gears import CylindricalGear
 from gearlash.gears.gear_body import GearBody
 from gearlash.gears.materials import Material, named
 from gearlash.system import GearlashError
 
-from .revolution import Meridian, WaveModel, meridian, wave_model
+from .interface import Interface, craig_bampton, hub_interface, seat_interface
+from .revolution import Meridian, meridian, wave_model
 
 Reals = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -185,7 +185,88 @@ def flexible_body(
     if not hub < outer:
         raise GearlashError(f"a hub of {hub * 1e3:.4g} mm radius is the whole body")
     section = meridian(body, min(outer, body.face_width) / 8.0 if size is None else size)
-    found = [_free_modes(section, steel, hub, waves, interface_modes) for waves in range(greatest_waves + 1)]
+    return _body_of(body, section, steel, hub_interface(hub), greatest_waves, interface_modes)
+
+
+def flexible_shaft(
+    diameter: float,
+    face_width: float,
+    shaft_diameter: float,
+    shaft_length: float,
+    material: Material | None = None,
+    greatest_waves: int = 4,
+    interface_modes: int = 8,
+    size: float | None = None,
+) -> FlexibleBody:
+    """Modes of a gear in one piece with its shaft, which bearings hold at its two ends.
+
+    Craig and Bampton's interface is the two end faces of the shaft, each rigid: there the seats of the
+    bearings are.
+
+    Parameters
+    ----------
+    diameter, face_width : float
+        Of the toothed part, which counts as a full cylinder, m.
+    shaft_diameter, shaft_length : float
+        m; the shaft is thinner than the toothed part, and at least as long.
+    material : Material, optional
+        Steel where nothing is given.
+    greatest_waves, interface_modes : int
+        As of `flexible_body`.
+    size : float, optional
+        Of an element, m; a quarter of the shaft's diameter where nothing is given.
+
+    Returns
+    -------
+    FlexibleBody
+        ``hub`` is the motion of both seats together: the mean of their displacements, and the tilt of the
+        line through them. Two equal bearings feel no more of a mode.
+
+    Raises
+    ------
+    GearlashError
+        For a shaft as thick as the toothed part, or shorter.
+    MissingExtraError
+        Without the extra `multibody`.
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> from gearlash.multibody.reduced import flexible_shaft
+    >>> pinion = flexible_shaft(0.118, 0.07, 0.06, 0.15, greatest_waves=1, interface_modes=4)
+    >>> int(pinion.waves[0]), round(float(pinion.frequency[0] / (2 * pi)), -3)  # Hz
+    (1, 10000.0)
+    """
+    if not 0.0 < shaft_diameter < diameter or not shaft_length >= face_width:
+        raise GearlashError(
+            f"a shaft of {shaft_diameter * 1e3:.4g} mm, {shaft_length * 1e3:.4g} mm long, for a gear of "
+            f"{diameter * 1e3:.4g} mm, {face_width * 1e3:.4g} mm wide: it is thinner and no shorter"
+        )
+    steel = named("steel") if material is None else material
+    body = GearBody(
+        diameter,
+        face_width,
+        rim_inner_diameter=shaft_diameter,
+        hub_diameter=shaft_diameter,
+        hub_width=shaft_length,
+    )
+    section = meridian(body, 0.25 * shaft_diameter if size is None else size)
+    ends = seat_interface(0.5 * shaft_diameter, shaft_length)
+    return _body_of(body, section, steel, ends, greatest_waves, interface_modes)
+
+
+def _body_of(
+    body: GearBody,
+    section: Meridian,
+    steel: Material,
+    interface: Interface,
+    greatest_waves: int,
+    interface_modes: int,
+) -> FlexibleBody:
+    """Modes of all numbers of waves, by frequency."""
+    found = [
+        _free_modes(section, steel, interface, waves, interface_modes) for waves in range(greatest_waves + 1)
+    ]
     modes = sorted((mode for several in found for mode in several), key=lambda mode: mode.frequency)
     return FlexibleBody(
         body.mass(steel.density),
@@ -214,11 +295,12 @@ class _Mode:
 
 
 def _free_modes(
-    section: Meridian, material: Material, hub_radius: float, waves: int, interface_modes: int
+    section: Meridian, material: Material, interface: Interface, waves: int, interface_modes: int
 ) -> list[_Mode]:
-    """Modes of the free body in n waves, from the motion of its hub and its modes with the hub held."""
+    """Modes of the free body in n waves, from the motion of its interface and its modes with that held."""
     model = wave_model(section, material, waves)
-    basis, rigid = craig_bampton(model, hub_radius, interface_modes)
+    basis, hub_of = craig_bampton(model, interface, interface_modes)
+    rigid = model.rigid.shape[1]
     stiffness, mass = basis.T @ (model.stiffness @ basis), basis.T @ (model.mass @ basis)
     squares, shares = eigh(stiffness, mass)
     outer = model.nodes[:, 0].max()
@@ -229,57 +311,9 @@ def _free_modes(
         share = shares_of_mode * _sign(basis @ shares_of_mode)
         moved = (basis @ share).reshape(-1, 3)[rim]
         for quarter in _twins(waves, moved):
-            hub = _hub_motion(waves, quarter, share[:rigid])
+            hub = _hub_motion(waves, quarter, hub_of @ share[: hub_of.shape[1]])
             modes.append(_Mode(waves, quarter, float(np.sqrt(square)), hub, moved))
     return modes
-
-
-def craig_bampton(model: WaveModel, hub_radius: float, interface_modes: int) -> tuple[Reals, int]:
-    """Motions that Craig and Bampton's body can make in n waves.
-
-    Parameters
-    ----------
-    model : WaveModel
-    hub_radius : float
-        Up to which the body is rigid, m.
-    interface_modes : int
-        At least 1.
-
-    Returns
-    -------
-    (ndarray, int)
-        Columns of motions, shape (3k, rigid + interface_modes): those of the rigid body, which is how a body
-        follows a hub that moves slowly, then the lowest modes with the hub held; and how many are rigid.
-
-    Raises
-    ------
-    GearlashError
-        If no node lies on the hub, or nothing else is left.
-    """
-    held = _on_hub(model, hub_radius)
-    free = np.flatnonzero(~held)
-    if len(free) == len(held):
-        raise GearlashError(f"a hub of {hub_radius * 1e3:.4g} mm radius lies inside the bore")
-    if interface_modes >= len(free) - 1:
-        raise GearlashError(f"{interface_modes} modes with the hub held: too few elements for so many")
-    stiffness, mass = model.stiffness[free][:, free], model.mass[free][:, free]
-    start = np.sin(np.arange(len(free)) + 1.0)  # anything that no mode is orthogonal to
-    _, shapes = eigsh(stiffness, k=interface_modes, M=mass, sigma=0.0, v0=start)
-    motions = np.zeros((len(held), model.rigid.shape[1] + interface_modes))
-    motions[:, : model.rigid.shape[1]] = model.rigid
-    motions[free, model.rigid.shape[1] :] = shapes
-    return motions, model.rigid.shape[1]
-
-
-def _on_hub(model: WaveModel, hub_radius: float) -> NDArray[np.bool_]:
-    """Unknowns of the hub. A hub of no radius is the axis, and so much beside it turns with it that it can
-    hold a turn."""
-    radius = model.nodes[:, 0]
-    held = np.repeat(radius <= hub_radius * (1.0 + 1e-9) + 1e-12, 3)
-    if model.waves == 0 and held.any():
-        core = max(hub_radius, radius[radius > 1e-12].min())
-        held[1::3] |= radius <= core * (1.0 + 1e-9)
-    return held
 
 
 def _twins(waves: int, moved: Reals) -> tuple[bool, ...]:

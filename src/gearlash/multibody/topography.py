@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from gearlash.gears.flank_modification import PairModification
+
 Reals = NDArray[np.float64]
 
 
@@ -78,6 +80,8 @@ class Topography:
         ``"opposite"``: e opens side 0 and closes side 1, as an error of the tooth's place does; ``"none"``:
         side 1 has none.
     relief : Relief
+    modification : PairModification
+        More of it, as a drawing states it.
 
     Examples
     --------
@@ -89,6 +93,7 @@ class Topography:
     error: tuple[tuple[float, float, int], ...] = ()
     back: str = "opposite"
     relief: Relief = field(default_factory=Relief)
+    modification: PairModification = field(default_factory=PairModification)
 
     def series(self, side: int) -> Reals:
         """Amplitudes of cos nθ and sin nθ on a side, shape (harmonics, 2), θ counted forwards on side 0.

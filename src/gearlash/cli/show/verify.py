@@ -106,15 +106,19 @@ def _kept(one: ConfigurationCompared) -> str:
     return "; ".join(told)
 
 
+def stays(label: str) -> bool:
+    """Whether teeth stay in contact in a motion of this label."""
+    return label.endswith("-0-0") or label == KEPT
+
+
 def spans(speeds: tuple[float, ...], labels: tuple[str, ...]) -> str:
     """Runs of grid speeds at which teeth stay in contact: ``3700 to 4250 rpm``."""
     runs: list[list[float]] = []
     inside = False
     for speed, label in zip(speeds, labels, strict=True):
-        free = label.endswith("-0-0") or label == KEPT
-        if free and inside:
+        if stays(label) and inside:
             runs[-1][1] = speed
-        elif free:
+        elif stays(label):
             runs.append([speed, speed])
-        inside = free
+        inside = stays(label)
     return ", ".join(f"{low:.0f} to {high:.0f} rpm" for low, high in runs) or "nowhere on the grid"

@@ -12,6 +12,10 @@ from gearlash.case.kinds.gears.kind import GearContent
 from gearlash.case.kinds.gears.teeth import Teeth
 from gearlash.case.units import unit
 from gearlash.gears import CylindricalPair, backlash
+from gearlash.gears.drawing import Drawing
+from gearlash.gears.flank_modification import PairModification
+from gearlash.gears.gear_body import GearBody
+from gearlash.gears.materials import Material, named
 from gearlash.system import GearlashError
 
 ORDERS = (1, 2, 3)
@@ -36,6 +40,12 @@ class Inputs:
         As the lumped model has them: kg, kg·m², m.
     body_widths : (float, float)
         Of the bodies, m: they decide the inertia about axes across the shaft.
+    bodies : (GearBody, GearBody)
+        How they are made, for their modes: as stated, or solid discs of the pitch diameter.
+    materials : (Material, Material)
+        Steel where nothing is stated.
+    modification : PairModification
+        Relief and crowning that the case states.
     bearing_y, bearing_z : (float, float) or None
         As stated, N/m; None where the model has no bearings, and nothing moves but the shafts' rotations.
     mean_stiffness, mesh_damping, bearing_damping : float
@@ -60,6 +70,9 @@ class Inputs:
     axial_inertias: tuple[float, float]
     radii: tuple[float, float]
     body_widths: tuple[float, float]
+    bodies: tuple[GearBody, GearBody]
+    materials: tuple[Material, Material]
+    modification: PairModification
     bearing_y: tuple[float, float] | None
     bearing_z: tuple[float, float] | None
     mean_stiffness: float
@@ -133,7 +146,9 @@ def inputs_of(case: Case, speeds: tuple[float, ...]) -> Inputs:
             f"{case.name} says too little for a model with real teeth; missing: {', '.join(missing)}"
         )
     parameters, scales = content.family().complete(), case.scales
-    pair = _with_backlash(Teeth(content.rules, content.completed.entries).pair(), stated["mesh.backlash"])
+    drawing = content.completed.drawing
+    teeth = Teeth(content.rules, content.completed.entries).pair() if drawing is None else drawing.meshing
+    pair = _with_backlash(teeth, stated["mesh.backlash"])
     radii = scales.radii
     assert radii is not None
     ripples = {n: parameters.get("ripple" if n == 1 else f"ripple_{n}", 0.0) for n in ORDERS}
@@ -146,6 +161,9 @@ def inputs_of(case: Case, speeds: tuple[float, ...]) -> Inputs:
         axial_inertias=(stated["pinion.inertia"], stated["gear.inertia"]),
         radii=radii,
         body_widths=(stated["pinion.face_width"], stated["gear.face_width"]),
+        bodies=_bodies(drawing, pair, stated),
+        materials=(named("steel"), named("steel")) if drawing is None else drawing.chosen_materials,
+        modification=PairModification() if drawing is None else drawing.modification,
         bearing_y=_of_both(stated, "bearing_stiffness_y"),
         bearing_z=_of_both(stated, "bearing_stiffness_z"),
         mean_stiffness=stated["mesh.mean_stiffness"],
@@ -159,6 +177,18 @@ def inputs_of(case: Case, speeds: tuple[float, ...]) -> Inputs:
         ripple_order=largest,
         speeds=speeds,
     )
+
+
+def _bodies(
+    drawing: Drawing | None, pair: CylindricalPair, stated: Mapping[str, float]
+) -> tuple[GearBody, GearBody]:
+    """As stated; a solid disc of the pitch diameter, which has the mass of the case, where nothing is."""
+    known = (None, None) if drawing is None else drawing.bodies
+    first, second = (
+        GearBody(gear.reference_diameter, stated[f"{name}.face_width"]) if body is None else body
+        for name, gear, body in zip(("pinion", "gear"), pair.gears, known, strict=True)
+    )
+    return first, second
 
 
 def _needed() -> tuple[str, ...]:

@@ -37,6 +37,10 @@ class LumpedInputs:
         N·m.
     error, error_phase : float
         m and rad, in the same mesh phase.
+    relief_errors : tuple of complex
+        Beside it, of the mesh orders 1, 2, …, m: what relief that the case does not state makes.
+    bearings : float
+        Stiffness of all bearings over that of the case.
     """
 
     stiffness: float
@@ -45,6 +49,14 @@ class LumpedInputs:
     torque: float
     error: float
     error_phase: float
+    relief_errors: tuple[complex, ...] = ()
+    bearings: float = 1.0
+
+    @property
+    def errors(self) -> tuple[complex, ...]:
+        """All of the error, of the mesh orders 1, 2, …, m."""
+        first, *others = self.relief_errors or (0j,)
+        return (complex(self.error * np.exp(1j * self.error_phase)) + first, *others)
 
 
 @dataclass(frozen=True)
@@ -91,11 +103,12 @@ def lumped_case(case: Case, given: LumpedInputs, rule: ContactRule) -> Case:
     Case
     """
     known = {value.path for value in case.values()}
+    first, *others = given.errors
     changes: dict[str, object] = {
         "mesh.mean_stiffness": f"{given.stiffness!r} N/m",
         "operation.torque": f"{given.torque!r} N*m",
-        "mesh.error": f"{given.error * 1e6!r} um",
-        "dimensionless.error_phase": given.error_phase,
+        "mesh.error": f"{abs(first) * 1e6!r} um",
+        "dimensionless.error_phase": float(np.angle(first)),
         "model.contact": str(rule),
     }
     for n in range(1, 9):
@@ -105,7 +118,23 @@ def lumped_case(case: Case, given: LumpedInputs, rule: ContactRule) -> Case:
             changes[f"dimensionless.ripple_phase{tail}"] = given.ripple_phases[n - 1]
         elif f"dimensionless.ripple{tail}" in known:
             changes[f"dimensionless.ripple{tail}"] = 0.0
+    length = case.scales.length
+    for n, error in enumerate(others, start=2):
+        assert length is not None  # of every case with teeth
+        changes[f"dimensionless.error_{n}"] = abs(error) / length
+        changes[f"dimensionless.error_phase_{n}"] = float(np.angle(error))
+    if given.bearings != 1.0:
+        changes |= _bearings(case, given.bearings)
     return case.with_overrides(changes)
+
+
+def _bearings(case: Case, stiffer: float) -> dict[str, object]:
+    """All that the case states of bearings' stiffness, times a factor."""
+    return {
+        value.path: f"{stiffer * float(value.value)!r} {value.unit}"
+        for value in case.values()
+        if "bearing_stiffness_" in value.path and isinstance(value.value, int | float)
+    }
 
 
 def stated_points(case: Case, omegas: tuple[float, ...]) -> tuple[LumpedPoint, ...]:

@@ -3,30 +3,36 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from gearlash.gears import CylindricalPair
-from gearlash.gears.gear_body import GearBody
+from gearlash.gears.flank_modification import PairModification
 from gearlash.multibody import Modes
-from gearlash.multibody.contact import MeshContact, RimModes
+from gearlash.multibody.contact import MeshContact
 from gearlash.multibody.quasi_static import QuasiStatic, quasi_static
 from gearlash.multibody.topography import Relief, Topography
 
+from .bending import Bending, bending_gear, bending_pinion
 from .inputs import ORDERS, Inputs
+
+if TYPE_CHECKING:  # scikit-fem is an extra
+    from gearlash.multibody.compliance import FlankCompliance
 
 SLICES = 21
 PHASES = 32
 """Of a mesh cycle, at which the stiffness is computed."""
 CLOSE = 5e-3
 """Of a stiffness to the one wanted, relative."""
-MODES = 5
-"""Of the gear body, at least."""
-MODAL_DAMPING = 0.005
-"""Of each of them: that of a steel body, assumed."""
 MOST_WIDTHS = 4
 FINEST = 1e-4
 """Widths are whole multiples of this, m."""
+RIM_DEPTH = 4.0
+"""Of the sector below the root circle, over the module, where the body is so deep."""
+OF_BODY = 0.8
+"""Of what lies between root circle and bore, or inner face of a rim, the sector takes at most so much."""
 
 
 @dataclass(frozen=True)
@@ -38,19 +44,26 @@ class Mesh:
     pair : CylindricalPair
     perfect : MeshContact
         Of flanks without error, undamped; with what modification they have.
-    bending : MeshContact
-        The same with a gear body that bends.
-    modes : Modes
-        Of that body.
+    inputs : Inputs
+        What it was made from.
     static : QuasiStatic
         A mesh cycle under the torque, flanks without error.
     """
 
     pair: CylindricalPair
     perfect: MeshContact
-    bending: MeshContact
-    modes: Modes
+    inputs: Inputs
     static: QuasiStatic
+
+    @cached_property
+    def gear(self) -> Bending:
+        """How the body of the gear bends."""
+        return bending_gear(self.inputs, self.perfect)
+
+    @cached_property
+    def pinion(self) -> Bending:
+        """How that of the pinion bends, with its shaft."""
+        return bending_pinion(self.inputs, self.perfect)
 
     @property
     def width(self) -> float:
@@ -72,6 +85,23 @@ class Mesh:
         """φ_n, rad."""
         return tuple(self.static.ripple(n)[1] for n in ORDERS)
 
+    @property
+    def relief_errors(self) -> tuple[complex, ...]:
+        """Harmonics of the error that relief and crowning make beside the stiffness, m: e_n of
+        e = Re Σ e_n exp(i n θ), so that F/k + e, with k of `ripples`, is the static error under load. None
+        where the flanks have none but what the case states, which the lumped model knows by itself.
+        """
+        if self.perfect.topography.relief == Relief():
+            return ()
+        theta = 2.0 * np.pi * self.static.phase
+        waves = sum(
+            ripple * np.cos(n * theta + phase)
+            for n, ripple, phase in zip(ORDERS, self.ripples, self.ripple_phases, strict=True)
+        )
+        left = self.static.transmission_error - self.static.force / (self.stiffness * (1.0 + waves))
+        found = (self.static.error_harmonic(n, left) for n in ORDERS)
+        return tuple(complex(amplitude * np.exp(1j * angle)) for amplitude, angle in found)
+
     def contact(
         self,
         inputs: Inputs,
@@ -80,6 +110,7 @@ class Mesh:
         error_phase: float = 0.0,
         damping: float = 1.0,
         flexible: bool = False,
+        flexible_pinion: bool = False,
     ) -> MeshContact:
         """The contact with an error on its flanks, damped as ξ_m asks for.
 
@@ -94,6 +125,8 @@ class Mesh:
             Over what matches ξ_m: the damping time 2 ξ_m/√(k/m_e).
         flexible : bool
             Whether the gear's body bends.
+        flexible_pinion : bool
+            Whether the pinion's does.
 
         Returns
         -------
@@ -101,9 +134,31 @@ class Mesh:
         """
         time = 2.0 * damping * inputs.mesh_damping / inputs.natural_frequency(self.stiffness)
         waves = ((error, error_phase, 1),) if error else ()
-        shape = Topography(error=waves, relief=self.perfect.topography.relief)
-        flanks = self.bending if flexible else self.perfect
-        return flanks.with_(damping_time=time, topography=shape)
+        shape = replace(self.perfect.topography, error=waves)
+        bending = self.bending(flexible, flexible_pinion)
+        contact = self.perfect if bending is None else self.perfect.with_modes(bending.rim)
+        return contact.with_(damping_time=time, topography=shape)
+
+    def bending(self, flexible: bool, flexible_pinion: bool = False) -> Bending | None:
+        """Modes of the bodies that bend; None where both are rigid.
+
+        Parameters
+        ----------
+        flexible, flexible_pinion : bool
+            Whether the gear does, and the pinion.
+
+        Returns
+        -------
+        Bending or None
+        """
+        if not flexible:
+            return self.pinion if flexible_pinion else None
+        return self.gear.and_(self.pinion) if flexible_pinion else self.gear
+
+    def modes(self, flexible: bool, flexible_pinion: bool = False) -> Modes | None:
+        """The same as the machine takes them."""
+        found = self.bending(flexible, flexible_pinion)
+        return None if found is None else found.modes
 
 
 def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
@@ -121,33 +176,28 @@ def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
     -------
     Mesh
     """
-    from gearlash.multibody.compliance import pair_compliances
-
     pair = replace(inputs.pair, face_width=width)
-    compliances = pair_compliances(pair, (width, width))
-    contact = MeshContact.of(pair, compliances, slices=SLICES)
-    rim, modes = _bending_gear(inputs, contact)
-    bending = MeshContact.of(pair, compliances, slices=SLICES, modes=rim)
-    return Mesh(pair, contact, bending, modes, quasi_static(contact, torque, phases=PHASES))
+    contact = MeshContact.of(
+        pair,
+        _compliances(inputs, pair),
+        materials=inputs.materials,
+        slices=SLICES,
+        topography=Topography(modification=inputs.modification),
+    )
+    return Mesh(pair, contact, inputs, quasi_static(contact, torque, phases=PHASES))
 
 
-def _bending_gear(inputs: Inputs, contact: MeshContact) -> tuple[RimModes, Modes]:
-    """The lowest modes of the gear as a solid disc of its pitch diameter, which has its mass.
+def _compliances(inputs: Inputs, pair: CylindricalPair) -> tuple[FlankCompliance, FlankCompliance]:
+    """Of both gears. A body that is less deep than the usual sector has a smaller one."""
+    from gearlash.multibody.compliance import SectorSettings, pair_compliances
 
-    Modes of one wave are left out: their hub moves across the shaft, in a direction that rotates.
-    """
-    from gearlash.multibody.reduced import flexible_body
-
-    width = inputs.body_widths[1]
-    found = flexible_body(GearBody(2.0 * inputs.radii[1], width)).first(MODES)
-    pair = contact.flanks.pair
-    gear = pair.gear.mirrored() if pair.gear.helix_angle * pair.pinion.helix_angle > 0.0 else pair.gear
-    kept = found.waves != 1
-    shape = found.at_flanks(gear, pair.working_pressure_angle, contact.tables.slices)[:, kept]
-    waves = found.waves[kept]
-    rim = RimModes(np.ones(len(waves), np.int64), waves, np.ascontiguousarray(shape))
-    hub = tuple(tuple(map(float, row)) for row in found.hub[kept])
-    return rim, Modes(tuple(map(float, found.frequency[kept])), MODAL_DAMPING, hub)  # pyright: ignore[reportArgumentType]
+    bodies = zip(pair.gears, inputs.bodies, strict=True)
+    depth = min(0.5 * (gear.root_diameter - (body.rim_inner_diameter or body.bore)) for gear, body in bodies)
+    ratio = OF_BODY * depth / pair.pinion.normal_module
+    widths = pair.face_width, pair.face_width
+    if ratio >= RIM_DEPTH:
+        return pair_compliances(pair, widths, inputs.materials)
+    return pair_compliances(pair, widths, inputs.materials, SectorSettings(rim_depth=ratio))
 
 
 def modified(mesh: Mesh, relief: Relief) -> Mesh:
@@ -157,15 +207,32 @@ def modified(mesh: Mesh, relief: Relief) -> Mesh:
     ----------
     mesh : Mesh
     relief : Relief
+        In place of what the case states.
 
     Returns
     -------
     Mesh
     """
-    shape = Topography(relief=relief)
-    flanks, bending = mesh.perfect.with_(topography=shape), mesh.bending.with_(topography=shape)
-    static = quasi_static(flanks, mesh.static.torque, phases=PHASES)
-    return replace(mesh, perfect=flanks, bending=bending, static=static)
+    return _with_shape(mesh, Topography(relief=relief))
+
+
+def unmodified(mesh: Mesh) -> Mesh:
+    """The same teeth with plain involute flanks.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Returns
+    -------
+    Mesh
+    """
+    return _with_shape(mesh, Topography(modification=PairModification()))
+
+
+def _with_shape(mesh: Mesh, shape: Topography) -> Mesh:
+    flanks = mesh.perfect.with_(topography=shape)
+    return replace(mesh, perfect=flanks, static=quasi_static(flanks, mesh.static.torque, phases=PHASES))
 
 
 def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:

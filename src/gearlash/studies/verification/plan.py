@@ -16,9 +16,11 @@ Array = NDArray[np.float64]
 WINDOW = (0.82, 1.14, 17)
 """Speeds of the window over the last one asked for: from, to, how many."""
 RIGID = replace(PLANNED, name="rigid gear", flexible=False)
+STATED = replace(PLANNED, name="bearings as stated", bearings_as_stated=True)
+"""Of inputs that are held so that bearings grow with the mesh."""
 DISTANCE_HELD = replace(PLANNED, name="centre distance held", held="centre distance")
 """Beside the planned setting it tells what the breathing of the centre distance does."""
-AT_WINDOW = Setting("window", steps=128, settle=30, read=16)
+AT_WINDOW = Setting("window", steps=128, finer=1, settle=30, read=16)
 """Every speed begins from the motion of its neighbour, so that less has to settle."""
 
 
@@ -41,6 +43,8 @@ class Configuration:
         m.
     omegas : tuple of float
         Mesh frequency over √(stiffness/m_e).
+    bearings : float
+        Stiffness of all bearings over that of the case.
     """
 
     name: str
@@ -50,9 +54,10 @@ class Configuration:
     torque: float
     error: float
     omegas: tuple[float, ...]
+    bearings: float = 1.0
 
     def numbers(self, inputs: Inputs) -> dict[str, float]:
-        """The dimensionless numbers: E k/F, (b/2) k/F, and k over that of the case.
+        """The dimensionless numbers: E k/F, (b/2) k/F; k and the bearings over those of the case.
 
         Parameters
         ----------
@@ -67,6 +72,7 @@ class Configuration:
             "error over static deflection": self.error * self.stiffness / force,
             "half backlash over static deflection": 0.5 * inputs.backlash * self.stiffness / force,
             "stiffness over that of the case": self.stiffness / inputs.mean_stiffness,
+            "bearings over those of the case": self.bearings,
         }
 
 
@@ -87,7 +93,6 @@ def configurations(
     tuple of Configuration
     """
     grown = full[1] / inputs.mean_stiffness
-    slower = tuple(omega / float(np.sqrt(grown)) for omega in inputs.speeds)
     return (
         Configuration(
             "stiffness",
@@ -100,12 +105,13 @@ def configurations(
         ),
         Configuration(
             "dimensionless",
-            "the face width of the case; E k/F, b k/F and the mesh frequency over that of the mesh are held: "
-            "torque and speed grow with the stiffness",
+            "the face width of the case; E k/F, b k/F, the mesh frequency over that of the mesh and bearings "
+            "over the mesh are held: torque, bearings and the square of the speed grow with the stiffness",
             *full,
             inputs.torque * grown,
             inputs.error,
             inputs.speeds,
+            grown,
         ),
         Configuration(
             "absolute",
@@ -113,13 +119,13 @@ def configurations(
             *full,
             inputs.torque,
             inputs.error,
-            slower,
+            _slower(inputs, full[1]),
         ),
     )
 
 
 def modified_configuration(inputs: Inputs, width: float, stiffness: float) -> Configuration:
-    """The case's width with modified flanks, at the dimensionless numbers of the case.
+    """The case's width with modified flanks, at the torque, error, backlash and speeds of the case.
 
     Parameters
     ----------
@@ -131,16 +137,20 @@ def modified_configuration(inputs: Inputs, width: float, stiffness: float) -> Co
     -------
     Configuration
     """
-    told = "the face width of the case with modified flanks; torque, error and backlash as in the case, "
     return Configuration(
         "modified",
-        told + "mesh frequency over that of the mesh held",
+        "the face width of the case with modified flanks; torque, error, backlash and speed as in the case",
         width,
         stiffness,
         inputs.torque,
         inputs.error,
-        inputs.speeds,
+        _slower(inputs, stiffness),
     )
+
+
+def _slower(inputs: Inputs, stiffness: float) -> tuple[float, ...]:
+    """ω of a mesh of another stiffness, at the speeds of the case."""
+    return tuple(omega * float(np.sqrt(inputs.mean_stiffness / stiffness)) for omega in inputs.speeds)
 
 
 @dataclass(frozen=True)
@@ -154,7 +164,9 @@ class Plan:
     everywhere : tuple of Setting
         Beside it, of every configuration at every speed.
     beside : tuple of Setting
-        Of the first configuration at every speed.
+        Of the configurations ``varied`` at every speed.
+    varied : tuple of str
+        Names of configurations.
     window : Setting
     window_over : (float, float, int)
         Speeds of the window over the last speed: from, to, how many; 0 for none.
@@ -165,9 +177,25 @@ class Plan:
     planned: Setting = PLANNED
     everywhere: tuple[Setting, ...] = (RIGID, DISTANCE_HELD)
     beside: tuple[Setting, ...] = ()
+    varied: tuple[str, ...] = ("absolute",)
     window: Setting = AT_WINDOW
     window_over: tuple[float, float, int] = WINDOW
     relief: Relief | None = None
+
+    def settings_of(self, configuration: Configuration) -> tuple[Setting, ...]:
+        """The planned setting of a configuration, and those beside it.
+
+        Parameters
+        ----------
+        configuration : Configuration
+
+        Returns
+        -------
+        tuple of Setting
+        """
+        stated = (STATED,) if configuration.bearings != 1.0 and self.everywhere else ()
+        varied = self.beside if configuration.name in self.varied else ()
+        return (self.planned, *self.everywhere, *stated, *varied)
 
     def window_omegas(self, configuration: Configuration) -> Array:
         """Of one configuration, ascending.

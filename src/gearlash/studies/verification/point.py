@@ -96,7 +96,13 @@ class PointFound:
 
 
 def machine_of(
-    inputs: Inputs, setting: Setting, torque: float, speed: float, period: float, modes: Modes
+    inputs: Inputs,
+    setting: Setting,
+    torque: float,
+    speed: float,
+    period: float,
+    modes: Modes,
+    stiffer: float = 1.0,
 ) -> Machine:
     """Bodies, bearings, drive and load.
 
@@ -111,20 +117,23 @@ def machine_of(
     period : float
         Of a mesh cycle, s.
     modes : Modes
-        Of the gear's body.
+        Of the bodies.
+    stiffer : float
+        Bearings over those of the case.
 
     Returns
     -------
     Machine
     """
     bodies, bearings = [], []
+    scale = 1.0 if setting.bearings_as_stated else stiffer
     sides = zip(inputs.masses, inputs.axial_inertias, inputs.radii, inputs.body_widths, strict=True)
     for i, (mass, inertia, radius, width) in enumerate(sides):
         across = mass * (3.0 * radius**2 + width**2) / 12.0
         body = RigidBody(mass, inertia, across)
         bodies.append(body)
-        lateral = 0.0 if inputs.bearing_y is None else inputs.bearing_y[i]
-        axial = 0.0 if inputs.bearing_z is None else inputs.bearing_z[i]
+        lateral = 0.0 if inputs.bearing_y is None else scale * inputs.bearing_y[i]
+        axial = 0.0 if inputs.bearing_z is None else scale * inputs.bearing_z[i]
         tilt = 0.25 * lateral * setting.bearing_span**2
         stiffness = (setting.bearing_x * lateral, lateral, axial, tilt, tilt)
         ratio = setting.bearing_damping * inputs.bearing_damping
@@ -150,6 +159,7 @@ def run_point(
     torque: float,
     start: tuple[Array, Array] | None = None,
     modes: Modes | None = None,
+    stiffer: float = 1.0,
 ) -> PointFound:
     """Settle at one speed and read the motion.
 
@@ -168,7 +178,9 @@ def run_point(
     start : (ndarray, ndarray), optional
         State of a neighbour; pressed together on the drive side without one.
     modes : Modes, optional
-        Of the gear's body, where it bends.
+        Of the bodies that bend.
+    stiffer : float
+        Bearings over those of the case.
 
     Returns
     -------
@@ -177,7 +189,7 @@ def run_point(
     teeth = inputs.pair.pinion.teeth
     speed = omega * inputs.natural_frequency(stiffness) / teeth
     period = 2.0 * pi / (teeth * speed)
-    machine = machine_of(inputs, setting, torque, speed, period, modes or Modes())
+    machine = machine_of(inputs, setting, torque, speed, period, modes or Modes(), stiffer)
     held = AXES["lumped" if inputs.bearing_y is None else setting.held]
     carried = Held(contact, held) if held else contact
     q, v = _start(inputs, machine, stiffness, torque, start)
@@ -192,9 +204,10 @@ def run_point(
         every=setting.settle * setting.steps,
         solver=setting.solver,
     )
-    steps = (setting.read + 1) * setting.steps  # one more: whole mesh cycles lie within
+    steps = (setting.read + 1) * setting.steps * setting.finer  # one more: whole mesh cycles lie within
+    fine = step / setting.finer
     motion = simulate(
-        machine, carried, settled.q[-1], settled.v[-1], step=step, steps=steps, solver=setting.solver
+        machine, carried, settled.q[-1], settled.v[-1], step=fine, steps=steps, solver=setting.solver
     )
     apart = motion.q[:, 6] - motion.q[:, 0]
     return PointFound(

@@ -18,6 +18,8 @@ class Setting:
         What sets it apart from the first.
     bearing_x : float
         Stiffness along the line of centres over that across it.
+    bearings_as_stated : bool
+        Whether bearings stay as stated where the inputs are held so that they would grow with the mesh.
     bearing_span : float
         Distance of the two bearings of a shaft, m: tilt stiffness = k_y span²/4.
     held : {"", "centre distance", "centre-line", "lumped"}
@@ -27,9 +29,13 @@ class Setting:
     contact_damping, bearing_damping : float
         Over what matches ξ_m and ξ_b.
     flexible : bool
-        Whether the gear's body bends; the pinion's is rigid.
+        Whether the gear's body bends.
+    flexible_pinion : bool
+        Whether the pinion's does, with the ends of its shaft.
     steps : int
         Of the integrator, a mesh cycle.
+    finer : int
+        So many times the steps in the cycles that are read, so that the balance of energy closes there.
     settle, read : int
         Mesh cycles before those that are read, and those.
     solver : Solver
@@ -37,14 +43,17 @@ class Setting:
 
     name: str = "as planned"
     bearing_x: float = 1.0
+    bearings_as_stated: bool = False
     bearing_span: float = 0.15
     held: str = ""
     error_turn: float = 0.0
     contact_damping: float = 1.0
     bearing_damping: float = 1.0
     flexible: bool = True
+    flexible_pinion: bool = False
     steps: int = 192
-    settle: int = 60
+    finer: int = 3
+    settle: int = 80
     read: int = 20
     solver: Solver = Solver.RK44
 
@@ -68,6 +77,7 @@ def sensitivity(planned: Setting = PLANNED) -> tuple[Setting, ...]:
     tuple of Setting
     """
     quarter = 0.5 * pi
+    other_pinion = "rigid pinion" if planned.flexible_pinion else "flexible pinion"
     changes: tuple[tuple[str, dict[str, object]], ...] = (
         ("bearing x stiffness / 4", {"bearing_x": 0.25}),
         ("bearing x stiffness × 4", {"bearing_x": 4.0}),
@@ -81,6 +91,7 @@ def sensitivity(planned: Setting = PLANNED) -> tuple[Setting, ...]:
         ("contact damping × 2", {"contact_damping": 2.0}),
         ("bearing damping / 2", {"bearing_damping": 0.5}),
         ("bearing damping × 2", {"bearing_damping": 2.0}),
+        (other_pinion, {"flexible_pinion": not planned.flexible_pinion}),
         ("step / 2", {"steps": 2 * planned.steps}),
         ("generalized-α", {"solver": Solver.GENERALIZED_ALPHA}),
     )

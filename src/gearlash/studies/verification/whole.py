@@ -101,6 +101,7 @@ class _Task:
     stiffness: float
     torque: float
     modes: Modes | None
+    stiffer: float
 
 
 def verification(
@@ -188,9 +189,8 @@ def _chains(
             sizes = (1,) * len(tasks)
             chains.append(Chain((one.name, "up"), tuple(tasks), sizes))
             chains.append(Chain((one.name, "down"), tuple(reversed(tasks)), sizes))
-    for i, one in enumerate(held):
-        settings = (plan.planned, *plan.everywhere, *(plan.beside if i == 0 else ()))
-        for setting in settings:
+    for one in held:
+        for setting in plan.settings_of(one):
             for omega in one.omegas:
                 task = _task(inputs, one, _mesh(meshes, one), setting, omega)
                 chains.append(Chain((one.name, setting.name, omega), (task,), (1,)))
@@ -204,9 +204,11 @@ def _task(inputs: Inputs, one: Configuration, mesh: Mesh, setting: Setting, omeg
         error_phase=error_phase(inputs, mesh) + setting.error_turn,
         damping=setting.contact_damping,
         flexible=setting.flexible,
+        flexible_pinion=setting.flexible_pinion,
     )
-    modes = mesh.modes if setting.flexible else None
-    return _Task(inputs, ToothContact(contact.tables), setting, omega, one.stiffness, one.torque, modes)
+    modes = mesh.modes(setting.flexible, setting.flexible_pinion)
+    teeth = ToothContact(contact.tables)
+    return _Task(inputs, teeth, setting, omega, one.stiffness, one.torque, modes, one.bearings)
 
 
 def error_phase(inputs: Inputs, mesh: Mesh) -> float:
@@ -239,6 +241,7 @@ def _work(task: _Task, carry: tuple[Array, Array] | None) -> Part:
             torque=task.torque,
             start=carry,
             modes=task.modes,
+            stiffer=task.stiffer,
         )
     except SimulationError as error:
         return Part((str(error),), None)
@@ -260,6 +263,8 @@ def _compared(
         one.torque,
         one.error,
         error_phase(inputs, mesh),
+        mesh.relief_errors,
+        one.bearings,
     )
     omegas = plan.window_omegas(one)
     alone = [found for key, found in results.items() if key[0] == one.name and len(key) == 3]
