@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import gearlash as gl
-from gearlash.article.report import teeth
+from gearlash.article.report import conclusion, teeth
 from gearlash.article.report import verified as section_of
-from gearlash.article.verified import REPORTED, Verified, VerifiedBreathing, VerifiedLines, kept, verified
+from gearlash.article.verified import Verified, VerifiedBreathing, VerifiedLines, kept, verified
 from gearlash.report.blocks import Note, Section, Table, Text
 
 
@@ -31,35 +31,89 @@ def test_the_data_belong_to_the_case_as_it_comes():
     assert section(gl.load_case("article", {"backlash": "90 um"})) is None
 
 
-def test_the_conclusion_names_the_inputs_with_the_reported_motion():
+def test_the_first_sentence_says_where_the_numbers_come_from():
     shown = section(gl.load_case("article"))
     assert shown is not None
-    notes = {b.title: words(b.text) for b in shown.blocks if isinstance(b, Note)}
-    for way in kept().ways:
-        as_reported = tuple(point.label for point in way.points) == REPORTED
-        first, _, rest = notes["Conclusion"].partition(", and not with")
-        assert f"“{way.name}”" in (first if as_reported else rest)
-    assert "Friction is in neither model" in notes["What this rests on"]
+    first = words(shown.blocks[0])  # pyright: ignore[reportArgumentType]
+    made = kept().computed
+    assert first.startswith("The numbers of this section are kept and were not computed in this run: ")
+    for part in (
+        kept().gearlash,
+        made["commit"],
+        made["day"],
+        "make verified",
+        "gearlash reproduce --verify",
+    ):
+        assert part in first
+    done: Any = SimpleNamespace(case=gl.load_case("article"))
+    for found, checked, begins in (
+        (replace(kept(), in_run=True), "", "All numbers of this section were computed in this run"),
+        (None, "A check said so.", "The numbers of this section are kept"),
+    ):
+        made_now = section_of.section(done, found, checked)
+        assert made_now is not None
+        text = words(made_now[0].blocks[0])  # pyright: ignore[reportArgumentType]
+        assert text.startswith(begins)
+        assert checked in text
 
 
-def conclusion(found: Verified) -> str:
-    note = next(block for block in section_of._conclusion(found) if isinstance(block, Note))
+def text_of(found: Verified) -> str:
+    note = next(block for block in conclusion.blocks(found) if isinstance(block, Note))
     return words(note.text)
 
 
-def test_the_conclusion_says_where_a_moving_centre_distance_makes_the_agreement():
-    assert "with it held, the motion is another one at 3600 rpm (not periodic)." in conclusion(kept())
-    ways = tuple(
-        replace(
-            way,
-            breathing=tuple(
-                replace(moved, label_held=point.label)
-                for moved, point in zip(way.breathing, way.points, strict=True)
-            ),
-        )
-        for way in kept().ways
+def test_the_conclusion_names_the_inputs_with_the_reported_motion():
+    """First what the article's dimensionless numbers give, then where teeth do as is reported."""
+    said = text_of(kept())
+    assert said.startswith("With the article’s dimensionless numbers held")
+    assert "“stiffness”" in said.partition("as reported")[0]
+    agree = [way.name for way in conclusion.agreeing(kept())]
+    for way in kept().ways:
+        as_reported = f"as reported with the inputs “{way.name}”" in said
+        assert as_reported == (way.name in agree)
+    none = tuple(
+        replace(way, points=tuple(replace(p, label="2-1-0") for p in way.points)) for way in kept().ways
     )
-    assert "held" not in conclusion(replace(kept(), ways=ways))
+    assert "With none of the inputs" in text_of(replace(kept(), ways=none))
+
+
+def test_contact_that_does_not_repeat_is_the_reported_contact_and_another_label_is_not():
+    way = next(way for way in kept().ways if way.name == "absolute")
+    lower, higher = way.points
+    kept_on = replace(way, points=(replace(lower, label="1-1-0"), replace(higher, label="kept", apart=0.0)))
+    other = replace(way, points=(replace(lower, label="2-1-0"), higher))
+    assert conclusion.agreeing(replace(kept(), ways=(kept_on, other))) == [kept_on]
+
+
+def test_the_conclusion_says_with_which_settings_an_agreement_is_lost():
+    way = next(way for way in kept().ways if way.name == "absolute")
+    low, high = (point.speed for point in way.points)
+    points = (
+        replace(way.points[0], label="1-1-0", apart=0.1),
+        replace(way.points[1], label="1-0-0", apart=0.0),
+    )
+    rows = (
+        ("one", low, "1-1-0", 0.2),
+        ("two", low, "1-0-0", 0.0),
+        ("one", high, "kept", 0.0),
+        ("two", high, "none", 0.3),
+    )
+    said = text_of(replace(kept(), ways=(replace(way, points=points, beside=rows),)))
+    assert f"the label 1-1-0 at {low:.0f} rpm is lost with 1 of 2 settings beside: two (1-0-0)" in said
+    assert f"the contact at {high:.0f} rpm is lost with 1 of 2 settings beside: two (not periodic)" in said
+
+
+def test_agreement_of_both_models_is_counted_for_parting_and_for_labels():
+    point = kept().ways[0].points[0]
+    points = [
+        replace(point, label="1-1-0", apart=0.1, lumped={"always": "2-1-0"}, lumped_apart={"always": 0.3}),
+        replace(point, label="kept", apart=0.0, lumped={"always": "1-0-0"}, lumped_apart={"always": 0.0}),
+        replace(point, label="none", apart=0.2, lumped={"always": "1-0-0"}, lumped_apart={"always": 0.0}),
+        replace(
+            point, label="none", apart=0.2, lumped={"always": "aperiodic"}, lumped_apart={"always": None}
+        ),
+    ]
+    assert conclusion.same(points, "always") == 3
 
 
 def test_every_point_has_its_row():

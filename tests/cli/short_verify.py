@@ -15,16 +15,22 @@ from gearlash.multibody.compliance import SectorSettings
 from gearlash.multibody.tooth_section import Fineness
 
 COARSE = SectorSettings(Fineness(flank=2, fillet=1, core=1, rim=1, axial=2), teeth=3)
-SHORT = study.Setting(steps=64, settle=2, read=16)
+SHORT = study.Setting(steps=64, finer=1, settle=2, read=16)
 HELD = replace(SHORT, name=study.DISTANCE_HELD.name, held=study.DISTANCE_HELD.held)
-compliances, plan = fem.pair_compliances, study.Plan
+compliances, plan = fem.pair_compliances, study.planned
 
 
 def shorten(patch: Any) -> None:
     """``patch(owner, name, value)`` puts the short parts in place."""
     patch(fem, "pair_compliances", partial(compliances, settings=COARSE, keep=False))
-    short = partial(plan, planned=SHORT, everywhere=(HELD,), window=replace(SHORT, name="window"))
-    patch(study, "Plan", short)
+    patch(study, "planned", short_plan)
+
+
+def short_plan(*asked: Any) -> study.Plan:
+    """The plan that is asked for, of short motions."""
+    found = plan(*asked)
+    short = replace(SHORT, flexible_pinion=found.planned.flexible_pinion)
+    return replace(found, planned=short, everywhere=(HELD,), window=replace(SHORT, name="window"))
 
 
 if __name__ == "__main__":

@@ -48,23 +48,52 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("short")
 def test_helical_case_as_json_with_figures_and_tables(gearlash: Gearlash, tmp_path: Path):
     out = tmp_path / "out"
-    quick = ("--speed", "3600rpm", "--quick", "--workers", "1")
+    quick = ("--speed", "3600rpm", "--quick", "--workers", "1", "--tip-relief", "20um", "--flexible-pinion")
     ran = gearlash("verify", "article", *quick, "--json", "--csv", "--out", str(out))
     assert ran.code == 0, ran.complaint
     answer = ran.answer
     assert answer == json.loads((out / "verify.json").read_text(encoding="utf-8"))
     ways = answer["configurations"]
-    assert [way["name"] for way in ways] == WAYS
+    assert [way["name"] for way in ways] == [*WAYS, "modified"]
+    assert {one["flexible_pinion"] for one in answer["settings"] if one["name"] != "window"} >= {"True"}
     for way in ways:
-        assert [len(way[name]) for name in ("points", "beside", "breathing", "lumped")] == [1, 1, 1, 3]
+        scaled = way["name"] == "dimensionless"
+        assert [len(way[name]) for name in ("points", "beside", "breathing", "lumped")] == [
+            1,
+            1 + scaled,
+            1,
+            3,
+        ]
         assert [frame["phase"] for frame in way["points"][0]["frames"]] == sorted(
             frame["phase"] for frame in way["points"][0]["frames"]
         )
     assert {path.name for path in out.iterdir()} == {*FILES, *TABLES, "verify.json", ".gearlash.json"}
     rows = list(csv.DictReader((out / "verify.csv").read_text(encoding="utf-8").splitlines()))
-    assert [row["model"] for row in rows] == ["real teeth", "real teeth", *["lumped model"] * 3] * 3
+    assert [row["model"] for row in rows] == [
+        model for teeth in (2, 3, 2, 2) for model in ["real teeth"] * teeth + ["lumped model"] * 3
+    ]
     assert float(rows[0]["mean_force [N]"]) == ways[0]["points"][0]["mean_force"]
     assert "dB re its mean" in (out / "orders.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("asked", "why"),
+    [
+        (("--tip-relief", "20"), "a length with its unit"),
+        (("--crowning", "-3um"), "not below 0"),
+        (("--tip-relief", "20um", "--relief-length", "0mm"), "a length above 0"),
+    ],
+)
+def test_flanks_that_cannot_be_are_refused(gearlash: Gearlash, asked: tuple[str, ...], why: str):
+    ran = gearlash("verify", "article", *asked)
+    assert ran.code == 2
+    assert why in " ".join(ran.complaint.split())
+
+
+def test_real_teeth_are_computed_for_the_article_alone(gearlash: Gearlash, tmp_path: Path):
+    ran = gearlash("reproduce", "article", "--set", "backlash=90um", "--verify", "--out", str(tmp_path / "r"))
+    assert ran.code == 2
+    assert "gearlash verify" in ran.complaint
 
 
 @pytest.mark.slow

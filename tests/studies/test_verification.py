@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import fields, replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,22 +13,28 @@ import gearlash as gl
 from gearlash.cli.answers.verify import VerifyAnswer, verify_answer
 from gearlash.cli.show.verify import spans, verify_view
 from gearlash.gears import backlash
-from gearlash.multibody import Trajectory, read_motion
+from gearlash.multibody import MeshContact, Modes, Relief, Topography, Trajectory, read_motion
+from gearlash.multibody import _tables as places
 from gearlash.multibody.tooth_contact import ToothContact
 from gearlash.studies.verification import (
     DISTANCE_HELD,
     NotVerifiableError,
     Plan,
+    Seen,
     Setting,
     Verification,
     inputs_of,
+    seen_of_label,
     sensitivity,
     verification,
 )
-from gearlash.studies.verification.point import run_point
+from gearlash.studies.verification.lumped import lumped_case
+from gearlash.studies.verification.mesh import modified
+from gearlash.studies.verification.point import machine_of, run_point
 from multibody.standin import standin
 
-SHORT = Setting(steps=64, settle=4, read=16)
+SHORT = Setting(steps=64, finer=1, settle=4, read=16)
+CASES = Path(__file__).parents[1] / "cases"
 
 
 def _soft(pair, widths, materials=None):
@@ -57,7 +64,7 @@ def test_every_point_of_the_plan_is_there(found: Verification):
     assert [one.configuration.name for one in found.compared] == ["stiffness", "dimensionless", "absolute"]
     for i, one in enumerate(found.compared):
         assert [p.omega for p in one.points] == list(one.configuration.omegas)
-        assert len(one.beside) == (6 if i == 0 else 2)
+        assert len(one.beside) == (2, 4, 6)[i]
         assert sorted(p.omega for p in one.up) == sorted(p.omega for p in one.down) == list(one.window_omegas)
         assert len(one.lumped) == 6
     assert [p.label for p in found.stated] == ["1-1-0", "1-0-0"]
@@ -85,7 +92,7 @@ def test_mean_force_is_the_torque_over_the_base_radius(found: Verification):
 def test_answer_lists_every_input_and_setting(found: Verification):
     answer = verify_answer(gl.load_case("article"), found)
     assert answer.status == "ok"
-    assert answer.sentence.startswith("article: real teeth ")
+    assert answer.sentence.startswith("article: whether real teeth part is as the case says ")
     assert {"torque", "backlash", "error", "pinion.thickness_allowance", "centre_distance"} <= set(
         answer.inputs
     )
@@ -93,6 +100,7 @@ def test_answer_lists_every_input_and_setting(found: Verification):
         "as planned",
         "window",
         "rigid gear",
+        "bearings as stated",
         "held",
         "centre distance held",
     ]
@@ -104,19 +112,19 @@ def test_answer_lists_every_input_and_setting(found: Verification):
     assert json.dumps(answer.configurations[0].window.up)
 
 
-@pytest.mark.parametrize("flexible", [False, True])
-def test_no_energy_is_lost_or_made_between_real_teeth(found: Verification, flexible: bool):
+@pytest.mark.parametrize(("flexible", "pinion"), [(False, False), (True, False), (True, True)])
+def test_no_energy_is_lost_or_made_between_real_teeth(found: Verification, flexible: bool, pinion: bool):
     """Involute flanks that part and meet again, at a step of 1/2048 of a mesh cycle."""
     mesh, inputs = found.meshes[0], found.inputs
-    contact = mesh.contact(inputs, error=inputs.error, flexible=flexible)
+    contact = mesh.contact(inputs, error=inputs.error, flexible=flexible, flexible_pinion=pinion)
     point = run_point(
         inputs,
         ToothContact(contact.tables),
-        Setting(steps=2048, settle=1, read=1, flexible=flexible),
+        Setting(steps=2048, finer=1, settle=1, read=1, flexible=flexible, flexible_pinion=pinion),
         omega=inputs.speeds[0],
         stiffness=mesh.stiffness,
         torque=0.3 * inputs.torque,
-        modes=mesh.modes(flexible),
+        modes=mesh.modes(flexible, pinion),
     )
     assert 0.3 < point.reading.apart < 0.8
     assert point.reading.drive_impacts >= 1
@@ -125,8 +133,8 @@ def test_no_energy_is_lost_or_made_between_real_teeth(found: Verification, flexi
 
 def test_breathing_is_that_of_the_motion(found: Verification):
     """Backlash grows by 2 Δa sin α_wt cos β_b; where the centre distance is held it does not change."""
-    one = found.compared[0]
-    told = verify_answer(gl.load_case("article"), found).configurations[0].breathing
+    one = found.compared[2]
+    told = verify_answer(gl.load_case("article"), found).configurations[2].breathing
     pair = found.inputs.pair
     gain = 2.0 * np.sin(pair.working_pressure_angle) * np.cos(pair.pinion.base_helix_angle)
     for point, moved in zip(one.points, told, strict=True):
@@ -169,6 +177,78 @@ def test_inputs_are_those_of_the_case():
     assert inputs.rpm(1.0471283052204245, inputs.mean_stiffness) == pytest.approx(4000.0, rel=1e-9)
     with pytest.raises(NotVerifiableError, match="says too little"):
         inputs_of(gl.load_case("kahraman-singh"), (1.0,))
+
+
+def test_bearings_grow_with_the_mesh_where_dimensionless_numbers_are_held(found: Verification):
+    """In both models; without that, as a setting beside."""
+    case, one = gl.load_case("article"), found.compared[1]
+    grown = one.configuration.stiffness / found.inputs.mean_stiffness
+    assert [each.configuration.bearings for each in found.compared] == [1.0, grown, 1.0]
+    lumped = {v.path: v.value for v in lumped_case(case, one.given, gl.ContactRule.ALWAYS).values()}
+    assert lumped["gear.bearing_stiffness_z"] == pytest.approx(grown * 3.2e8)
+    stiffness = [
+        machine_of(found.inputs, setting, 1.0, 1.0, 1.0, Modes(), grown).bearings[0].stiffness
+        for setting in (SHORT, replace(SHORT, bearings_as_stated=True))
+    ]
+    assert np.array(stiffness[0]) == pytest.approx(grown * np.array(stiffness[1]))
+    assert {p.setting for p in one.beside} == {"rigid gear", "bearings as stated"}
+
+
+def test_relief_that_the_case_does_not_state_is_an_error_for_the_lumped_model(found: Verification):
+    """F/k + e is the static error under load, in its first three harmonics."""
+    mesh = modified(found.meshes[1], Relief(40e-6, 40e-6, 6e-3, 6e-3, crowning=20e-6))
+    assert found.meshes[1].relief_errors == ()
+    theta = 2.0 * np.pi * mesh.static.phase
+    waves = [
+        r * np.cos(n * theta + p) for n, r, p in zip((1, 2, 3), mesh.ripples, mesh.ripple_phases, strict=True)
+    ]
+    error = sum((e * np.exp(1j * n * theta)).real for n, e in enumerate(mesh.relief_errors, start=1))
+    static = mesh.static.force / (mesh.stiffness * (1.0 + sum(waves))) + error
+    for n in (1, 2, 3):
+        amplitude, phase = mesh.static.error_harmonic(n)
+        assert mesh.static.error_harmonic(n, static) == pytest.approx((amplitude, phase), rel=1e-6)
+    given = replace(found.compared[2].given, relief_errors=mesh.relief_errors)
+    values = lumped_case(gl.load_case("article"), given, gl.ContactRule.ALWAYS).family()[0].complete()
+    assert values["error_2"] * 50e-6 == pytest.approx(abs(mesh.relief_errors[1]))
+
+
+def test_stated_relief_materials_and_bodies_are_used():
+    stated = {"pinion.tip_relief": "20 um", "pinion.tip_relief_length": "3 mm", "gear.crowning": "8 um"}
+    case = gl.load_case(CASES / "drawing.toml", stated)
+    inputs = inputs_of(case, (1.0,))
+    drawing = case.content.completed.drawing
+    assert drawing is not None
+    assert inputs.modification == drawing.modification
+    assert inputs.modification.modified
+    assert inputs.materials == drawing.chosen_materials
+    plain = MeshContact.of(inputs.pair, _soft(inputs.pair, (inputs.pair.face_width,) * 2), slices=3)
+    shaped = plain.with_(topography=Topography(modification=inputs.modification))
+    off = shaped.tables.relief - plain.tables.relief
+    width, x = inputs.pair.face_width, plain.tables.scalars
+    rolls = x[places.RELIEF_START] + x[places.RELIEF_STEP] * np.arange(off.shape[2])
+    expected = inputs.modification.gap(inputs.pair, rolls, plain.tables.slices[0] / width)
+    assert off[0, 0] == pytest.approx(expected, abs=1e-15)
+    assert off.max() > 15e-6
+
+
+def test_what_is_the_same_is_said_of_each_thing(found: Verification):
+    """A motion that stays in contact without repeating is the same as 1-0-0 in all but the label."""
+    assert seen_of_label("1-0-0") == Seen(False, False, "1-0-0")
+    assert seen_of_label("3-4-1") == Seen(True, True, "3-4-1")
+    assert seen_of_label("aperiodic") == Seen(True, None, "")
+    assert seen_of_label("unresolved") == Seen(None, None, "")
+    only = found.compared[2]
+    point = only.points[1]
+    quiet = replace(
+        point, reading=replace(point.reading, label=None, apart=0.0, back_impacts=0, most_back=0.0)
+    )
+    one = replace(only, points=(quiet,), configuration=replace(only.configuration, omegas=(quiet.omega,)))
+    said = verify_answer(
+        gl.load_case("article"), replace(found, compared=(one,), stated=(found.stated[1],))
+    ).sentence
+    assert "whether real teeth part is as the case says with these inputs" in said
+    assert "whether their back sides touch with these inputs" in said
+    assert "the periodic label not with these inputs" in said
 
 
 def test_settings_beside_change_one_thing_each():

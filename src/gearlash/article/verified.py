@@ -32,8 +32,9 @@ class VerifiedPoint:
         P-Q-R with a gear that bends, and with a rigid one.
     apart, least, peak : float
         Share of time without contact; least and greatest force over the mean one.
-    lumped : dict
-        Label of the lumped model at the same inputs by contact rule.
+    lumped, lumped_apart, lumped_peak : dict
+        Label of the lumped model at the same inputs by contact rule; share of time without contact, None
+        where it has no orbit; greatest force over the mean one.
     phase, force, lumped_phase, lumped_force : tuple of float
         Mesh cycles and forces over the mean one.
     orders : tuple of float
@@ -52,6 +53,8 @@ class VerifiedPoint:
     least: float
     peak: float
     lumped: dict[str, str]
+    lumped_apart: dict[str, float | None]
+    lumped_peak: dict[str, float]
     phase: tuple[float, ...]
     force: tuple[float, ...]
     lumped_phase: tuple[float, ...]
@@ -116,6 +119,8 @@ class VerifiedWay:
     name, held : str
     face_width, stiffness, torque, error : float
         mm, N/m, N·m, µm.
+    numbers : dict of str to float
+        Dimensionless, that are held or not.
     ripples : tuple of float
         Of the mesh orders 1, 2, 3 of the stiffness.
     points : tuple of VerifiedPoint
@@ -127,6 +132,9 @@ class VerifiedWay:
         Speeds in contact, speed rising and falling; empty where they were not computed.
     lumped_up, lumped_down : dict
         The same of the lumped model by contact rule.
+    apart_differs : dict
+        By contact rule, speeds rising and falling, rpm, at which one model keeps teeth in contact and the
+        other does not.
     """
 
     name: str
@@ -135,6 +143,7 @@ class VerifiedWay:
     stiffness: float
     torque: float
     error: float
+    numbers: dict[str, float]
     ripples: tuple[float, ...]
     points: tuple[VerifiedPoint, ...]
     beside: tuple[tuple[str, float, str, float], ...]
@@ -143,6 +152,7 @@ class VerifiedWay:
     down: str
     lumped_up: dict[str, str]
     lumped_down: dict[str, str]
+    apart_differs: dict[str, list[list[float]]]
 
 
 @dataclass(frozen=True)
@@ -155,6 +165,12 @@ class Verified:
         Hash of the case.
     gearlash : str
         Version of the program that computed it.
+    computed : dict of str to str
+        ``commit`` and ``day`` of the code that computed it, and the ``command`` that renews it.
+    in_run : bool
+        Whether this run computed it.
+    check : dict of str to float
+        Numbers of `gearlash.article.verifying.check_numbers` by that code; empty where none are kept.
     settings : tuple of dict
         Every setting that was tried.
     ways : tuple of VerifiedWay
@@ -166,6 +182,9 @@ class Verified:
 
     case: str
     gearlash: str
+    computed: dict[str, str]
+    in_run: bool
+    check: dict[str, float]
     settings: tuple[dict[str, str], ...]
     ways: tuple[VerifiedWay, ...]
     pictured: str
@@ -206,10 +225,29 @@ def kept() -> Verified:
     Verified
     """
     data = json.loads(files("gearlash.article").joinpath("verified.json").read_text(encoding="utf-8"))
+    return from_data(data)
+
+
+def from_data(data: dict[str, Any], in_run: bool = False) -> Verified:
+    """What such a file holds.
+
+    Parameters
+    ----------
+    data : dict
+    in_run : bool
+        Whether this run computed it.
+
+    Returns
+    -------
+    Verified
+    """
     ways, lines = tuple(map(_way, data["ways"])), data.get("lines")
     return Verified(
         data["case"],
         data["gearlash"],
+        data.get("computed", {}),
+        in_run,
+        data.get("check", {}),
         tuple(data["settings"]),
         ways,
         data.get("pictured", ""),

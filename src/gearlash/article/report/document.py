@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 from gearlash.article import Reproduction
+from gearlash.article.verified import Verified
 from gearlash.report.blocks import Page
 from gearlash.report.pictures import Picture
 
 from . import branches, claims, events, method, rules, sources, summary, sweeps, table2, verified, zones
 
 
-def document(done: Reproduction) -> tuple[Page, list[Picture]]:
+def document(
+    done: Reproduction, real: Verified | None = None, checked: str = ""
+) -> tuple[Page, list[Picture]]:
     """Summary, claims, zones, sweeps, branches, events, rules, real teeth, Table 2, assumptions, method."""
     swept, drawn_sweeps = sweeps.section(done)
     zoned, drawn_zones = zones.section(done)
     shown, drawn_events = events.section(done)
     compared = rules.section(done)
     followed, drawn_branches = branches.section(done)
-    real = verified.section(done)
+    teeth = verified.section(done, real, checked)
     parts = (
         summary.section(done),
         claims.section(done),
@@ -25,7 +28,7 @@ def document(done: Reproduction) -> tuple[Page, list[Picture]]:
         *([followed] if done.scans else []),
         shown,
         *([compared] if compared is not None else []),
-        *([real[0]] if real is not None else []),
+        *([teeth[0]] if teeth is not None else []),
         table2.section(done),
         sources.section(done),
         method.section(done),
@@ -39,5 +42,5 @@ def document(done: Reproduction) -> tuple[Page, list[Picture]]:
         f"Made by gearlash {version}. Figures lie beside this file as SVG and PDF, all numbers as "
         "report.json.",
     )
-    drawn_real = [] if real is None else real[1]
+    drawn_real = [] if teeth is None else teeth[1]
     return page, [*drawn_zones, *drawn_sweeps, *drawn_branches, *drawn_events, *drawn_real]

@@ -116,8 +116,9 @@ def _breathing(found: Verified) -> list[Block]:
         Table(
             "table-verified-breathing",
             "The centre distance breathes, and contact ratio and backlash with it: least and greatest values "
-            "over the motion of real teeth, at mid face; and what it does to the greatest force, beside the "
-            "motion with the centre distance held.",
+            "over the motion of real teeth, at mid face; and what the freedom to move along the line of "
+            "centres "
+            "does to the greatest force, beside the motion with the centre distance held.",
             (
                 "inputs",
                 "speed",
@@ -147,4 +148,5 @@ def _row(moved: VerifiedBreathing, point: VerifiedPoint) -> tuple[str, ...]:
 
 def told(label: str) -> str:
     """A label in words."""
-    return {NONE: "not periodic", KEPT: "in contact, not settled", "": NOT_COMPUTED}.get(label, label)
+    words = {NONE: "not periodic", KEPT: "in contact, not repeating within 1 %", "": NOT_COMPUTED}
+    return words.get(label, label)

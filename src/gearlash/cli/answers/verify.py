@@ -13,7 +13,7 @@ from .outcome import INCOMPLETE, OK, RESUME
 from .parts import CaseUsed, case_used
 
 if TYPE_CHECKING:  # answers are described without the engine
-    from gearlash.studies.verification import Compared, LumpedPoint, Mesh, PointFound, Verification
+    from gearlash.studies.verification import Compared, LumpedPoint, Mesh, PointFound, Setting, Verification
 
 
 KEPT, NONE = "kept", "none"
@@ -22,7 +22,7 @@ KEPT, NONE = "kept", "none"
 
 def in_words(label: str) -> str:
     """A label as sentences, tables and figures say it."""
-    return {KEPT: "in contact, not settled", NONE: "not periodic"}.get(label, label)
+    return {KEPT: "in contact, not repeating within 1 %", NONE: "not periodic"}.get(label, label)
 
 
 @dataclass(frozen=True)
@@ -162,19 +162,25 @@ def verify_answer(case: Case, found: Verification) -> VerifyAnswer:
     complete = not found.reason and not found.failures
     said = [*found.failures, *([f"stopped: {found.reason}"] if found.reason else [])]
     configurations = tuple(_configuration(found, one) for one in found.compared)
-    plan = found.plan
     return VerifyAnswer(
-        sentence=_sentence(found, configurations),
+        sentence=_sentence(found),
         status=OK if complete else INCOMPLETE,
         message="; ".join(said),
         advice="" if complete else RESUME,
         case=case_used(case),
         inputs=_inputs(found),
-        settings=tuple(one.told() for one in (plan.planned, plan.window, *plan.everywhere, *plan.beside)),
+        settings=tuple(one.told() for one in _settings(found)),
         meshes=tuple(_mesh(mesh) for mesh in found.meshes),
         stated=tuple(map(_lumped, found.stated)),
         configurations=configurations,
     )
+
+
+def _settings(found: Verification) -> list[Setting]:
+    """Each that was planned anywhere, once."""
+    plan = found.plan
+    every = [each for one in found.compared for each in plan.settings_of(one.configuration)]
+    return list(dict.fromkeys([plan.planned, plan.window, *every]))
 
 
 def _inputs(found: Verification) -> dict[str, str]:
@@ -306,41 +312,62 @@ def _point(point: PointFound) -> PointComputed:
     )
 
 
-def _sentence(found: Verification, configurations: tuple[ConfigurationCompared, ...]) -> str:
-    """At each speed what real teeth do in every configuration, beside the case as it is."""
+def _sentence(found: Verification) -> str:
+    """What of the case's motions real teeth confirm; then at each speed what they do in every way."""
     name = found.inputs.case
-    if not any(one.points for one in configurations):
+    ways = [one for one in found.compared if one.points]
+    if not ways:
         return f"{name}: nothing was computed of the multibody model"
+    if not found.stated:
+        return f"{name}: motions of real teeth were found, and nothing beside them of the lumped model"
     told = []
     for i, stated in enumerate(found.stated):
-        does = [_at(one, i) for one in configurations]
+        motions = [(one.configuration.name, _at(one, i)) for one in ways]
+        real = ", ".join(f"{in_words(_label(point))} ({way})" for way, point in motions if point is not None)
         speed = found.inputs.rpm(found.inputs.speeds[i], found.inputs.mean_stiffness)
-        real = ", ".join(
-            f"{in_words(label)} ({one.name})"
-            for one, label in zip(configurations, does, strict=True)
-            if label
+        told.append(
+            f"at {speed:.0f} rpm {stated.label} by the case, with real teeth {real or 'not computed'}"
         )
-        told.append(f"at {speed:.0f} rpm {stated.label} by the case, with real teeth {real}")
-    return f"{name}: {_count(found, configurations)}; {'; '.join(told)}"
+    return f"{name}: {_agreement(found, ways)}; {'; '.join(told)}"
 
 
-def _at(one: ConfigurationCompared, index: int) -> str:
-    """Label of the point at the index-th speed; empty where it was not computed."""
-    omegas = sorted({p.omega for p in one.lumped}, key=[p.omega for p in one.lumped].index)
-    return next((p.label for p in one.points if p.omega == omegas[index]), "")
+def _at(one: Compared, index: int) -> PointFound | None:
+    """The point at the index-th speed; None where it was not computed."""
+    omega = one.configuration.omegas[index]
+    return next((point for point in one.points if point.omega == omega), None)
 
 
-def _count(found: Verification, configurations: tuple[ConfigurationCompared, ...]) -> str:
-    """In how many ways to hold the inputs real teeth move as the case says, at all speeds."""
-    agree = [
-        one.name
-        for one in configurations
-        if all(_at(one, i) == stated.label for i, stated in enumerate(found.stated))
-    ]
-    every = len(configurations)
-    if len(agree) == every:
-        return "real teeth move as the case says"
-    if not agree:
-        return f"real teeth do not move as the case says in any of {every} ways to hold the inputs"
-    ways = f"{len(agree)} of {every} ways to hold the inputs ({', '.join(agree)})"
-    return f"real teeth move as the case says in {ways}"
+def _agreement(found: Verification, ways: list[Compared]) -> str:
+    """In which ways to hold the inputs real teeth do as the case says, at all speeds: one thing each."""
+    from gearlash.studies.verification import seen_of_lumped, seen_of_teeth
+
+    pairs = {
+        one.configuration.name: [
+            (seen_of_lumped(stated), None if (point := _at(one, i)) is None else seen_of_teeth(point))
+            for i, stated in enumerate(found.stated)
+        ]
+        for one in ways
+    }
+
+    def where(what: str) -> str:
+        """Where both say the same of it; what one of them does not know is not the same."""
+        same = [
+            name
+            for name, both in pairs.items()
+            if all(
+                real is not None and getattr(real, what) not in (None, "")
+                and getattr(real, what) == getattr(case, what)
+                for case, real in both
+            )
+        ]  # fmt: skip
+        count = len(pairs)
+        if len(same) == count:
+            return f"in all {count} ways to hold the inputs" if count > 1 else "with these inputs"
+        if not same:
+            return f"in none of {count} ways to hold the inputs" if count > 1 else "not with these inputs"
+        return f"in {len(same)} of {count} ways to hold the inputs ({', '.join(same)})"
+
+    return (
+        f"whether real teeth part is as the case says {where('parts')}, whether their back sides touch "
+        f"{where('back')}, the periodic label {where('label')}"
+    )

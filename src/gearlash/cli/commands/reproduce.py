@@ -13,6 +13,7 @@ from gearlash.cli.interrupt import end_if_nothing, expect_results, nothing_more
 from gearlash.cli.options import AsCsv, AsJson, DecimalComma, ReportOut, Settings, Workers
 
 if TYPE_CHECKING:
+    from gearlash.article.verified import Verified
     from gearlash.case import Case
     from gearlash.cli.answers.reproduce import ReproduceAnswer
     from gearlash.cli.folder import OutFolder
@@ -41,6 +42,14 @@ def reproduce(
             help="Points on each of the two axes. [default: 451 over omega, 361 over D]",
         ),
     ] = None,
+    verify: Annotated[
+        bool,
+        typer.Option(
+            "--verify",
+            help="Computes the pair with real teeth in this run, too (minutes more; needs the extra). "
+            "Otherwise the report shows numbers that are kept, and says so.",
+        ),
+    ] = False,
     workers: Workers = None,
     as_json: AsJson = False,
     as_csv: AsCsv = False,
@@ -65,13 +74,15 @@ def reproduce(
     csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
     chosen = read_case(case, settings)
     check_pair(chosen)
+    if verify:
+        _check_teeth(chosen)
     sweeps = [f"sweep-{name}{ending}" for name in ("omega", "D") for ending in (".nc", ".json")]
     folder = claim(
         out, ["report.html", "report.json", "figures", "reproduce.json", *sweeps, *csv.files(*TABLES)]
     )
     load_engine(data=True)
 
-    answer = _answer(chosen, points, workers, folder)
+    answer = _answer(chosen, points, workers, folder, verify)
     with delivery():
         write_file(answer, folder.file("reproduce.json"))
         csv.keep(folder, TABLES, lambda: reproduce_tables(answer))
@@ -79,7 +90,23 @@ def reproduce(
     return code_of(answer.status)
 
 
-def _answer(case: Case, points: int | None, workers: int | None, folder: OutFolder) -> ReproduceAnswer:
+def _check_teeth(case: Case) -> None:
+    """Refuses what the section of real teeth is not made for: another case, or no extra."""
+    import gearlash as gl
+    from gearlash.multibody.extra import require_extra
+
+    require_extra()
+    if case.hash != gl.load_case("article").hash:
+        raise typer.BadParameter(
+            "--verify is for the article's pair as it comes, beside what the article reports of it; for "
+            "other "
+            "values there is gearlash verify"
+        )
+
+
+def _answer(
+    case: Case, points: int | None, workers: int | None, folder: OutFolder, verify: bool
+) -> ReproduceAnswer:
     """The study, and its report in the folder."""
     from gearlash import article
     from gearlash.article import report
@@ -90,10 +117,35 @@ def _answer(case: Case, points: int | None, workers: int | None, folder: OutFold
     with stage_bar() as progress:
         keep, show_stage = _keeper(case, folder), _expecting_results(progress)
         found = article.reproduce(case, _scope(points), workers=workers, progress=show_stage, keep=keep)
+        real, checked = _teeth(case, verify, workers, progress)
         progress("report", None)
         with open_executor(workers) as executor, delivery(breakable=True):
-            page = report.render(found, folder.path, executor)
+            page = report.render(found, folder.path, executor, real=real, checked=checked)
     return reproduce_answer(found, str(page))
+
+
+def _teeth(
+    case: Case, verify: bool, workers: int | None, progress: StageCallback
+) -> tuple[Verified | None, str]:
+    """The pair with real teeth, computed now; or what a short computation says of what is kept of it."""
+    from gearlash.article.verified import from_data, verified
+    from gearlash.article.verifying import checked, plan_of_article
+
+    if not verify:
+        kept = verified(case)
+        progress("check of what is kept", None)
+        return None, "" if kept is None else checked(case, kept.check)
+    from gearlash.cli.answers.verify import verify_answer
+    from gearlash.cli.verified_data import verified_data
+    from gearlash.cli.workers import executor_for
+    from gearlash.jobs import Execution
+    from gearlash.studies.verification import verification
+
+    with executor_for(case, workers, 1_000) as executor:
+        found = verification(case, plan=plan_of_article(), execution=Execution(executor), tell=progress)
+    if found.reason:
+        raise KeyboardInterrupt  # sweeps are kept; a section of some of the points would not be one
+    return from_data(verified_data(found, verify_answer(case, found), {}), in_run=True), ""
 
 
 def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], None]:

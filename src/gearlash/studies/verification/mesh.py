@@ -19,7 +19,7 @@ from .bending import Bending, bending_gear, bending_pinion
 from .inputs import ORDERS, Inputs
 
 if TYPE_CHECKING:  # scikit-fem is an extra
-    from gearlash.multibody.compliance import FlankCompliance
+    from gearlash.multibody.compliance import FlankCompliance, SectorSettings
 
 SLICES = 21
 PHASES = 32
@@ -161,7 +161,7 @@ class Mesh:
         return None if found is None else found.modes
 
 
-def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
+def mesh_of(inputs: Inputs, width: float, torque: float, settings: SectorSettings | None = None) -> Mesh:
     """The mesh of the inputs at a face width.
 
     Parameters
@@ -171,6 +171,8 @@ def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
         m.
     torque : float
         On the pinion, N·m.
+    settings : SectorSettings, optional
+        Of the finite elements, as they are in `_compliances` where nothing is given.
 
     Returns
     -------
@@ -179,7 +181,7 @@ def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
     pair = replace(inputs.pair, face_width=width)
     contact = MeshContact.of(
         pair,
-        _compliances(inputs, pair),
+        _compliances(inputs, pair, settings),
         materials=inputs.materials,
         slices=SLICES,
         topography=Topography(modification=inputs.modification),
@@ -187,7 +189,9 @@ def mesh_of(inputs: Inputs, width: float, torque: float) -> Mesh:
     return Mesh(pair, contact, inputs, quasi_static(contact, torque, phases=PHASES))
 
 
-def _compliances(inputs: Inputs, pair: CylindricalPair) -> tuple[FlankCompliance, FlankCompliance]:
+def _compliances(
+    inputs: Inputs, pair: CylindricalPair, settings: SectorSettings | None
+) -> tuple[FlankCompliance, FlankCompliance]:
     """Of both gears. A body that is less deep than the usual sector has a smaller one."""
     from gearlash.multibody.compliance import SectorSettings, pair_compliances
 
@@ -195,6 +199,8 @@ def _compliances(inputs: Inputs, pair: CylindricalPair) -> tuple[FlankCompliance
     depth = min(0.5 * (gear.root_diameter - (body.rim_inner_diameter or body.bore)) for gear, body in bodies)
     ratio = OF_BODY * depth / pair.pinion.normal_module
     widths = pair.face_width, pair.face_width
+    if settings is not None:
+        return pair_compliances(pair, widths, inputs.materials, settings, keep=False)
     if ratio >= RIM_DEPTH:
         return pair_compliances(pair, widths, inputs.materials)
     return pair_compliances(pair, widths, inputs.materials, SectorSettings(rim_depth=ratio))

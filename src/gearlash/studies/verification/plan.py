@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from gearlash.multibody import Relief
 
 from .inputs import Inputs
-from .settings import PLANNED, Setting
+from .settings import PLANNED, Setting, sensitivity
 
 Array = NDArray[np.float64]
 WINDOW = (0.82, 1.14, 17)
@@ -97,7 +97,7 @@ def configurations(
         Configuration(
             "stiffness",
             "the face width whose computed stiffness is that of the case: all numbers, dimensionless and "
-            "absolute, are those of the case",
+            "absolute, are those of the case, but the ripple of the stiffness, which is that of these teeth",
             *matched,
             inputs.torque,
             inputs.error,
@@ -124,11 +124,12 @@ def configurations(
     )
 
 
-def modified_configuration(inputs: Inputs, width: float, stiffness: float) -> Configuration:
-    """The case's width with modified flanks, at the torque, error, backlash and speeds of the case.
+def reshaped(name: str, inputs: Inputs, width: float, stiffness: float) -> Configuration:
+    """The case's width with other flanks, at the torque, error, backlash and speeds of the case.
 
     Parameters
     ----------
+    name : {"modified", "unmodified"}
     inputs : Inputs
     width, stiffness : float
         m and N/m.
@@ -138,8 +139,8 @@ def modified_configuration(inputs: Inputs, width: float, stiffness: float) -> Co
     Configuration
     """
     return Configuration(
-        "modified",
-        "the face width of the case with modified flanks; torque, error, backlash and speed as in the case",
+        name,
+        f"the face width of the case with {name} flanks; torque, error, backlash and speed as in the case",
         width,
         stiffness,
         inputs.torque,
@@ -172,6 +173,8 @@ class Plan:
         Speeds of the window over the last speed: from, to, how many; 0 for none.
     relief : Relief, optional
         A modification of the flanks, for one more configuration of the case's width.
+    unmodified : bool
+        Whether there is one more of plain flanks, where the case states a modification.
     """
 
     planned: Setting = PLANNED
@@ -181,6 +184,7 @@ class Plan:
     window: Setting = AT_WINDOW
     window_over: tuple[float, float, int] = WINDOW
     relief: Relief | None = None
+    unmodified: bool = False
 
     def settings_of(self, configuration: Configuration) -> tuple[Setting, ...]:
         """The planned setting of a configuration, and those beside it.
@@ -193,7 +197,11 @@ class Plan:
         -------
         tuple of Setting
         """
-        stated = (STATED,) if configuration.bearings != 1.0 and self.everywhere else ()
+        stated = (
+            (replace(STATED, flexible_pinion=self.planned.flexible_pinion),)
+            if configuration.bearings != 1.0 and self.everywhere
+            else ()
+        )
         varied = self.beside if configuration.name in self.varied else ()
         return (self.planned, *self.everywhere, *stated, *varied)
 
@@ -210,3 +218,44 @@ class Plan:
         """
         low, high, count = self.window_over
         return np.linspace(low, high, count) * configuration.omegas[-1]
+
+
+def planned(
+    quick: bool = False,
+    flexible_pinion: bool = False,
+    relief: Relief | None = None,
+    unmodified: bool = False,
+) -> Plan:
+    """The plan of a verification.
+
+    Parameters
+    ----------
+    quick : bool
+        Without the window of speeds, and without the settings beside.
+    flexible_pinion : bool
+        Whether the body of the pinion bends in all of it.
+    relief, unmodified
+        As of `Plan`.
+
+    Returns
+    -------
+    Plan
+
+    Examples
+    --------
+    >>> from gearlash.studies.verification import planned
+    >>> len(planned().beside), planned(quick=True).window_over
+    (15, (0.0, 0.0, 0))
+    """
+    first, window, *everywhere = (
+        replace(each, flexible_pinion=flexible_pinion) for each in (PLANNED, AT_WINDOW, RIGID, DISTANCE_HELD)
+    )
+    return Plan(
+        planned=first,
+        everywhere=tuple(everywhere),
+        beside=() if quick else sensitivity(first),
+        window=window,
+        window_over=(0.0, 0.0, 0) if quick else WINDOW,
+        relief=relief,
+        unmodified=unmodified,
+    )

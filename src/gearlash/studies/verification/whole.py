@@ -11,20 +11,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.case import Case
-from gearlash.jobs import Chain, Execution, Part, run
+from gearlash.jobs import INTERRUPTED, Chain, Execution, Part, run
+from gearlash.jobs.stop import interruptible
 from gearlash.multibody import Modes, require_extra
 from gearlash.multibody.dynamics import SimulationError
 from gearlash.multibody.tooth_contact import ToothContact
 
 from .inputs import Inputs, inputs_of
 from .lumped import LumpedInputs, LumpedPoint, lumped_points, lumped_window, stated_points
-from .mesh import Mesh, matched_mesh, mesh_of, modified
-from .plan import Configuration, Plan, configurations, modified_configuration
+from .mesh import Mesh, matched_mesh, mesh_of, modified, unmodified
+from .plan import Configuration, Plan, configurations, reshaped
 from .point import PointFound, run_point
 from .settings import Setting
 
 Array = NDArray[np.float64]
 Tell = Callable[[str, Any], object]
+MOTIONS = "bodies in space"
+"""The stage from which on there are results."""
 SLOWER = 0.9
 """The second speed over that of the case, where none is named: 3600 rpm beside 4000 rpm."""
 
@@ -46,7 +49,7 @@ class Compared:
     up, down : tuple of PointFound
         Over the window, each in the order in which they were computed.
     lumped : tuple of LumpedPoint
-        At the speeds asked for, under every rule.
+        At the speeds asked for, under every rule; empty where the work was stopped before.
     lumped_window : dict
         Labels over the window, going up and down, by rule.
     """
@@ -150,24 +153,52 @@ def verification(
     matched = matched_mesh(inputs, full)
     meshes: tuple[Mesh, ...] = (matched, full)
     held = configurations(inputs, (matched.width, matched.stiffness), (full.width, full.stiffness))
-    if chosen.relief is not None:
-        meshes = (*meshes, modified(full, chosen.relief))
-        held = (*held, modified_configuration(inputs, full.width, meshes[-1].stiffness))
+    others = {
+        "modified": None if chosen.relief is None else modified(full, chosen.relief),
+        "unmodified": unmodified(full) if chosen.unmodified and inputs.modification.modified else None,
+    }
+    for name, mesh in others.items():
+        if mesh is not None:
+            meshes = (*meshes, mesh)
+            held = (*held, reshaped(name, inputs, full.width, mesh.stiffness))
     chains = _chains(inputs, chosen, held, meshes)
-    progress = replace(work, progress=lambda each: tell("bodies in space", each))
+    tell(MOTIONS, None)
+    progress = replace(work, progress=lambda each: tell(MOTIONS, each))
     outcome = run(_work, chains, progress)
-    tell("lumped model", None)
-    compared = tuple(
-        _compared(case, inputs, chosen, one, _mesh(meshes, one), outcome.results) for one in held
-    )
+    compared = tuple(_compared(inputs, chosen, one, _mesh(meshes, one), outcome.results) for one in held)
+    stated, reason = (), outcome.reason
+    if not reason:
+        tell("lumped model", None)
+        stated, compared, reason = _beside(case, inputs, compared)
     failures = tuple(
         f"{name}: {each}"
         for name, found in outcome.results.items()
         for each in found
         if isinstance(each, str)
     )
-    stated = stated_points(case, inputs.speeds)
-    return Verification(inputs, chosen, meshes, stated, compared, failures, outcome.reason)
+    return Verification(inputs, chosen, meshes, stated, compared, failures, reason)
+
+
+def _beside(
+    case: Case, inputs: Inputs, compared: tuple[Compared, ...]
+) -> tuple[tuple[LumpedPoint, ...], tuple[Compared, ...], str]:
+    """The case as it is, and the lumped model at the inputs of each configuration. Where Ctrl-C ends that,
+    what was found of real teeth stays."""
+    stated: tuple[LumpedPoint, ...] = ()
+    found = list(compared)
+    try:
+        with interruptible():
+            stated = stated_points(case, inputs.speeds)
+            for i, one in enumerate(compared):
+                omegas = one.window_omegas
+                found[i] = replace(
+                    one,
+                    lumped=lumped_points(case, one.given, one.configuration.omegas),
+                    lumped_window=lumped_window(case, one.given, omegas) if len(omegas) else {},
+                )
+    except KeyboardInterrupt:
+        return stated, tuple(found), INTERRUPTED
+    return stated, tuple(found), ""
 
 
 def _mesh(meshes: tuple[Mesh, ...], one: Configuration) -> Mesh:
@@ -249,13 +280,13 @@ def _work(task: _Task, carry: tuple[Array, Array] | None) -> Part:
 
 
 def _compared(
-    case: Case,
     inputs: Inputs,
     plan: Plan,
     one: Configuration,
     mesh: Mesh,
     results: dict[Any, tuple[Any, ...]],
 ) -> Compared:
+    """Without the lumped model."""
     given = LumpedInputs(
         one.stiffness,
         mesh.ripples,
@@ -277,8 +308,8 @@ def _compared(
         window_omegas=omegas,
         up=_points(results.get((one.name, "up"), ())),
         down=_points(results.get((one.name, "down"), ())),
-        lumped=lumped_points(case, given, one.omegas),
-        lumped_window=lumped_window(case, given, omegas) if len(omegas) else {},
+        lumped=(),
+        lumped_window={},
     )
 
 
