@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import gearlash as gl
+from gearlash.case.kinds.gears.kind import GearContent
 from gearlash.cli.answers.verify import VerifyAnswer, verify_answer
 from gearlash.cli.show.verify import spans, verify_view
 from gearlash.gears import backlash
@@ -216,12 +217,17 @@ def test_stated_relief_materials_and_bodies_are_used():
     stated = {"pinion.tip_relief": "20 um", "pinion.tip_relief_length": "3 mm", "gear.crowning": "8 um"}
     case = gl.load_case(CASES / "drawing.toml", stated)
     inputs = inputs_of(case, (1.0,))
+    assert isinstance(case.content, GearContent)
     drawing = case.content.completed.drawing
     assert drawing is not None
     assert inputs.modification == drawing.modification
     assert inputs.modification.modified
     assert inputs.materials == drawing.chosen_materials
-    plain = MeshContact.of(inputs.pair, _soft(inputs.pair, (inputs.pair.face_width,) * 2), slices=3)
+    soft = (
+        standin(inputs.pair.pinion, inputs.pair.face_width),
+        standin(inputs.pair.gear, inputs.pair.face_width),
+    )
+    plain = MeshContact.of(inputs.pair, soft, slices=3)
     shaped = plain.with_(topography=Topography(modification=inputs.modification))
     off = shaped.tables.relief - plain.tables.relief
     width, x = inputs.pair.face_width, plain.tables.scalars
