@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+import gearlash as gl
 from gearlash.case.column_figures import figure_in
 from gearlash.case.columns import parse_columns
 
@@ -32,3 +35,21 @@ def test_unit_and_figure(head: str, unit: str, figure: str):
     assert found.units == ("rpm", unit)
     assert figure_in(found.names[1]) == figure
     assert found.column(1)[:2] == [1.5, 2.5]
+
+
+def test_a_footer_is_left_out_and_counted(tmp_path: Path):
+    case, path = gl.load_case("article"), tmp_path / "run.csv"
+    path.write_text("n [rpm];TE [um]\n1000;1,5\n1100;2,5\nMittelwert;2,0\nMaximum;2,5\n")
+    found = gl.load_measurement(case, path, "gap")
+    assert (found.omega * found.speed_factor).tolist() == pytest.approx([1000.0, 1100.0])
+    assert found.left_out == 2
+    path.write_text("n [rpm];TE [um]\n1000;1,5\nMittelwert;2,0\n1100;2,5\n")
+    with pytest.raises(gl.CaseError, match="line 3 has no number in column 'n'"):
+        gl.load_measurement(case, path, "gap")
+
+
+def test_speeds_are_above_zero():
+    with pytest.raises(gl.CaseError, match="above zero"):
+        gl.measurement(
+            gl.load_case("article"), [-1000.0, 1000.0], [1.0, 2.0], "gap", speed_unit="rpm", unit="um"
+        )

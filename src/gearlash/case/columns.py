@@ -11,7 +11,7 @@ import csv
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isfinite, nan
 from pathlib import Path
@@ -61,6 +61,13 @@ class Columns:
                 )
             found.append(number)
         return found
+
+    def without_footer(self, *places: int) -> Columns:
+        """Without last rows that have words in one of these columns: means and maxima below a table."""
+        count = len(self.cells)
+        while count and any(as_number(self.cells[count - 1][at], self.decimal) is None for at in places):
+            count -= 1
+        return replace(self, cells=self.cells[:count], lines=self.lines[:count])
 
     @cached_property
     def rows(self) -> tuple[tuple[float, ...], ...]:

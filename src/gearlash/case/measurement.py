@@ -208,7 +208,8 @@ def load_measurement(
             raise UnreadableError("it has one column only")
         at = _column(found, speed, "--speed", _speed_place(case, found))
         other = _column(found, value, "--value", _value_place(case, found, kind, at))
-        rows = list(zip(found.column(at), found.column(other), strict=True))
+        table = found.without_footer(at, other)
+        rows = list(zip(table.column(at), table.column(other), strict=True))
     except (UnreadableError, GearlashError) as error:
         if isinstance(error, CaseError):
             raise
@@ -223,7 +224,7 @@ def load_measurement(
     omega, values = np.array(kept).T
     where = "--unit" if unit else f"column {names[1]}"
     told = _measurement(case, omega, values, quantity, *units, reference, where)
-    return replace(told, columns=names, left_out=len(rows) - len(kept))
+    return replace(told, columns=names, left_out=len(found.cells) - len(kept))
 
 
 def kind_of(quantity: str) -> str:
