@@ -188,7 +188,12 @@ def test_both_names_of_the_module_are_understood(kind, name):
         ('material = "steel"', 'material = "stel"', "pinion.material", "steel"),
         ("quality = 7", "quality = 17", "pinion.quality", "from 1 to 12"),
         ('bore = "50 mm"', 'bore = "500 mm"', "gear.bore", "root diameter"),
-        ('backlash = "80 um"', 'backlash = "80 um"\ncentre_distance = "100 mm"', "mesh", "base circles"),
+        (
+            'backlash = "80 um"',
+            'backlash = "80 um"\ncentre_distance = "100 mm"',
+            "mesh.centre_distance",
+            "base circles",
+        ),
         ('backlash = "80 um"', 'shift_sum = 2\ncentre_distance = "130 mm"', "mesh.shift_sum", "one of two"),
     ],
 )

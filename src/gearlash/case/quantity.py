@@ -39,6 +39,8 @@ class Quantity:
         rad.
     key : str
         The quantity; the same for all places that name it. Empty: the path.
+    below : str
+        What is told beside the range of a value below it.
     """
 
     path: str
@@ -52,6 +54,7 @@ class Quantity:
     integer: bool = False
     bare: bool = False
     key: str = ""
+    below: str = ""
 
     def accepts(self, value: float) -> bool:
         """Is the value (SI) in range?"""
@@ -88,3 +91,9 @@ class Choice:
     choices: tuple[str, ...]
     default: str
     description: str
+    also: tuple[str, ...] = ()
+    """Names that are taken, too, and told only in the description."""
+
+    def takes(self, name: str) -> bool:
+        """Is it one of the names?"""
+        return name in self.choices or name in self.also

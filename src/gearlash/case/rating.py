@@ -47,7 +47,7 @@ def method_b(case: Case, omega: float, grades: tuple[int, int]) -> DynamicFactor
         raise GearlashError("the case does not state inertias")
     base = body.geometry.base_radii
     reduced = equivalent_mass(base, body.inertias) / pair.face_width
-    torque = float(scales.torque(case.family()[0].defaults["load"]))
+    torque = abs(float(scales.torque(case.family()[0].defaults["load"])))
     load = torque / body.geometry.pitch_radii[0] / pair.face_width
     speed = float(scales.pinion_speed(omega))
     errors = EffectiveErrors.of_grades(pair, grades)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
@@ -49,6 +50,8 @@ class ValueRefusedError(ValueError):
         super().__init__(expected)
 
 
+RANGE = "here stands one value; two ends go to gearlash tolerance with --limits, or to a sweep with --over"
+_TWO_VALUES = re.compile(r"\d[^\d]*?(?:\.\.+|…|:| to |\+/?-|±|(?<=[A-Za-z])/)\s*[-+]?\d")
 LONGEST = 200
 """Characters of a number with its unit."""
 _KEYS = ("value", "provenance", "reason")
@@ -91,9 +94,11 @@ def _read(raw: object, place: Quantity | Choice) -> float | str:
 
 
 def _choice(raw: object, place: Choice) -> str:
-    if isinstance(raw, str) and raw in place.choices:
+    if isinstance(raw, str) and place.takes(raw):
         return str(raw)
-    raise ValueRefusedError(f"one of {', '.join(place.choices)}", _nearest(raw, place.choices))
+    raise ValueRefusedError(
+        f"one of {', '.join(place.choices)}", _nearest(raw, (*place.choices, *place.also))
+    )
 
 
 def _number(raw: object, place: Quantity) -> float:
@@ -108,7 +113,8 @@ def _number(raw: object, place: Quantity) -> float:
     if place.integer and value != int(value):
         raise ValueRefusedError(place.expected)
     if not place.accepts(value):
-        raise ValueRefusedError(place.expected_in_range)
+        more = f"; {place.below}" if place.below and value < min(place.lower, 0.0) else ""
+        raise ValueRefusedError(f"{place.expected_in_range}{more}")
     return value
 
 
@@ -140,7 +146,8 @@ def _from_text(raw: str, place: Quantity) -> float:
     try:
         number, unit = read(raw)
     except UnitError as error:
-        raise ValueRefusedError(f"{place.expected} ({error})") from None
+        why = f"{error}; {RANGE}" if _TWO_VALUES.search(raw) else str(error)
+        raise ValueRefusedError(f"{place.expected} ({why})") from None
     if takes(place.dimension, unit):
         return _in_si(number, in_si(place.dimension, number, unit))
     if place.bare and unit.dimension == NUMBER and unit.ratio == 1:

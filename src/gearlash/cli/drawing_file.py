@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from itertools import groupby
-from math import pi
+from math import cos, degrees, pi
 
 from gearlash.case import Case
 from gearlash.case.kinds import Quantity, kind_named
@@ -117,8 +118,22 @@ def known_of(case: Case) -> dict[str, str]:
             "ball_diameter": ball,
             "tip_diameter": one.tip_diameter,
             "root_diameter": one.root_diameter,
+            "tooth_thickness": one.normal_thickness(),
+            "tip_alteration": 0.5 * (one.tip_diameter - replace(one, stated_tip_diameter=None).tip_diameter),
         }
+        numbers = {
+            "addendum": one.rack.addendum,
+            "dedendum": one.rack.dedendum,
+            "root_radius": one.rack.root_radius,
+            "transverse_profile_shift": one.profile_shift * cos(one.helix_angle),
+        }
+        found |= {f"{gear}.{leaf}": f"{number:.6g}" for leaf, number in numbers.items()}
         found |= {f"{gear}.{leaf}": f"{1e3 * length:.6g} mm" for leaf, length in lengths.items()}
+    first = teeth.pinion
+    found["mesh.transverse_module"] = f"{1e3 * first.transverse_module:.7g} mm"
+    found["mesh.transverse_pressure_angle"] = f"{degrees(first.transverse_pressure_angle):.7g} deg"
+    found["mesh.diametral_pitch"] = f"{0.0254 / first.normal_module:.7g}"
+    found["mesh.transverse_diametral_pitch"] = f"{0.0254 / first.transverse_module:.7g}"
     found["mesh.centre_distance"] = f"{1e3 * teeth.centre_distance:.7g} mm"
     found["mesh.shift_sum"] = f"{sum(one.profile_shift for one in teeth.gears):.4g}"
     speed, torque = (_of(case, path) for path in ("operation.pinion_speed", "operation.torque"))

@@ -49,6 +49,19 @@ class Word:
 WORDS = (
     Word("teeth", "{gear}.teeth", "25/57", "Teeth of pinion and gear.", True, True),
     Word("module", "mesh.normal_module", "3mm", "Normal module m_n.", True, True),
+    Word("transverse_module", "mesh.transverse_module", "3.1mm", "Transverse module m_t, in place of that."),
+    Word(
+        "diametral_pitch",
+        "mesh.diametral_pitch",
+        "8",
+        "Normal diametral pitch P_n in teeth per inch, in place of that.",
+    ),
+    Word(
+        "transverse_diametral_pitch",
+        "mesh.transverse_diametral_pitch",
+        "7.7",
+        "Transverse diametral pitch P_t, in place of that.",
+    ),
     Word(
         "pressure_angle",
         "mesh.pressure_angle",
@@ -56,9 +69,21 @@ WORDS = (
         "Normal pressure angle α_n; 20° where none is given.",
         True,
     ),
+    Word(
+        "transverse_pressure_angle",
+        "mesh.transverse_pressure_angle",
+        "20.6deg",
+        "Transverse pressure angle α_t, in place of that.",
+    ),
     Word("helix_angle", "mesh.helix_angle", "15deg", "Helix angle β; spur teeth where none is given.", True),
     Word("face_width", "{gear}.face_width", "40mm", "Face width b.", True),
     Word("profile_shift", "{gear}.profile_shift", "0.3/0.1", "Profile shift x.", True),
+    Word(
+        "transverse_profile_shift",
+        "{gear}.transverse_profile_shift",
+        "0.3/0.1",
+        "Profile shift x_t over m_t, in place of that.",
+    ),
     Word("span", "{gear}.span", "32.83mm/68.9mm", "Span measurement W_k."),
     Word("span_teeth", "{gear}.span_teeth", "4/8", "Teeth k that W_k is measured over."),
     Word("over_balls", "{gear}.over_balls", "83.9mm/", "Dimension over two balls M_dK."),
@@ -70,14 +95,32 @@ WORDS = (
         "Diameter D_M of balls or pins; 1.75 m_n where none is given.",
     ),
     Word(
+        "tooth_thickness",
+        "{gear}.tooth_thickness",
+        "5.4mm/4.9mm",
+        "Normal tooth thickness s_n on the reference circle.",
+    ),
+    Word(
         "thickness_allowance",
         "{gear}.thickness_allowance",
         "-70um",
         "Allowance E_sn of the normal tooth thickness.",
     ),
     Word("tip_diameter", "{gear}.tip_diameter", "83mm/182mm", "Tip diameter d_a."),
+    Word(
+        "tip_alteration",
+        "{gear}.tip_alteration",
+        "-0.1mm",
+        "Tip alteration k m_n, below 0 where tips are shortened.",
+    ),
+    Word("tips", "mesh.tips", "shortened", "Tips that nobody states: full, or shortened by k m_n."),
     Word("root_diameter", "{gear}.root_diameter", "70mm/169mm", "Root diameter d_f."),
-    Word("rack", "mesh.rack", "ISO53-A", "Standard basic rack, ISO53-A to ISO53-D."),
+    Word("rack", "mesh.rack", "ISO53-A", "Basic rack: ISO53-A to ISO53-D, DIN867 or stub."),
+    Word("addendum", "{gear}.addendum", "1.0", "Addendum h_aP of the rack over m_n, in place of its own."),
+    Word("dedendum", "{gear}.dedendum", "1.25", "Dedendum h_fP of the rack over m_n, in place of its own."),
+    Word(
+        "root_radius", "{gear}.root_radius", "0.38", "Root fillet radius ρ_fP of the rack over m_n, likewise."
+    ),
     Word("centre_distance", "mesh.centre_distance", "128mm", "Centre distance a_w.", True),
     Word("shift_sum", "mesh.shift_sum", "0.4", "Sum of the profile shifts."),
     Word(
@@ -182,7 +225,11 @@ WORDS = (
     Word("gear_torque", "operation.gear_torque", "342N*m", "Torque of the gear, in place of that."),
     Word("power", "operation.power", "66kW", "Power, in place of a torque."),
 )
-EITHER = {"speed": ("gear_speed",), "torque": ("gear_torque", "power")}
+EITHER = {
+    "module": ("transverse_module", "diametral_pitch", "transverse_diametral_pitch"),
+    "speed": ("gear_speed",),
+    "torque": ("gear_torque", "power"),
+}
 """Words that stand in for a needed one."""
 
 

@@ -55,3 +55,5 @@ ISO53_C = BasicRack(root_radius=0.25)
 """For standard hobs."""
 ISO53_D = BasicRack(dedendum=1.4, root_radius=0.39)
 """For ground or shaved flanks and full root radii, high quality."""
+STUB = BasicRack(addendum=0.8, dedendum=1.0, root_radius=0.3)
+"""American stub teeth of 20° (ASA B6.1): 0.8 and 1.0; their fillet is not told, 0.3 is that of hobs."""

@@ -134,7 +134,9 @@ def dynamic_factor(
     """
     ratio = pair.total_contact_ratio
     if not ratio > 1.0 or not line_load > 0.0:
-        raise GearlashError(f"ε_γ = {ratio:g}, w = {line_load:g} N/m: K_v is for ε_γ above 1 under load")
+        raise GearlashError(
+            f"ε_γ = {ratio:.3g}, w = {1e-3 * line_load:.4g} N/mm: K_v is for ε_γ above 1 under load"
+        )
     n = pair.pinion.teeth * speed / sqrt(mesh.mean / reduced_mass)
     pitch, form = mesh.single * errors.pitch / line_load, mesh.single * errors.form / line_load
     relief = abs(1.0 - mesh.single * tip_relief / line_load)

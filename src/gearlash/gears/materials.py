@@ -101,13 +101,21 @@ MATERIALS: Mapping[str, Material] = MappingProxyType(
 """By name."""
 
 
+STEELS = (
+    *("16MnCr5", "20MnCr5", "18CrNiMo7-6", "17CrNiMo6", "17NiCrMo6-4", "14NiCrMo13-4", "15CrNi6", "20CrMnTi"),
+    *("20NiCrMo2-2", "SCM415", "SCM420", "SCM440", "SCr420", "8620", "9310", "4140", "4340", "1045"),
+    *("31CrMoV9", "34CrNiMo6", "42CrMo4", "C45", "C45E", "S45C", "E335", "S355"),
+)
+"""Designations that drawings have for gear steels: all of them have the modulus of steel."""
+
+
 def named(name: str) -> Material:
     """A material of the list.
 
     Parameters
     ----------
     name : str
-        A key of `MATERIALS`, in any case.
+        A key of `MATERIALS` or one of `STEELS`, in any case.
 
     Returns
     -------
@@ -124,9 +132,12 @@ def named(name: str) -> Material:
     >>> materials.named("pom").density
     1410.0
     """
+    plain = name.strip().casefold()
     for key, material in MATERIALS.items():
-        if key.casefold() == name.strip().casefold():
+        if key.casefold() == plain:
             return material
+    if plain in (steel.casefold() for steel in STEELS):
+        return MATERIALS["steel"]
     raise GearlashError(f"no material {name!r}; the list has {', '.join(MATERIALS)}")
 
 

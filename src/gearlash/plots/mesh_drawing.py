@@ -181,7 +181,9 @@ def _words(axes: Axes, pair: CylindricalPair, play: float | None) -> None:
     both(r"$d_{\mathrm{b}}$, mm", lambda g: g.base_diameter * MM)
     working = [f"{d * MM:.5g}" for d in pair.working_diameters]
     rows.append((r"$d_{\mathrm{w}}$, mm", working[0], working[1]))
-    rows.append((r"$W_k$, mm", _span(first), _span(second)))
+    bare = all(gear.thickness_allowance == 0.0 for gear in (first, second))
+    title = r"$W_k$ nominal, mm" if bare else r"$W_k$, mm"
+    rows.append((title, _span(first), _span(second)))
     rows.append(("", "", ""))
     normal = backlash.of_pair(pair).normal if play is None else play
     for name, value in (
@@ -212,4 +214,4 @@ def _words(axes: Axes, pair: CylindricalPair, play: float | None) -> None:
 
 def _span(gear: CylindricalGear) -> str:
     k = inspection.span_teeth(gear)
-    return f"{inspection.span_measurement(gear.nominal(), k) * MM:.5g} (k {k})"
+    return f"{inspection.span_measurement(gear, k) * MM:.5g} (k {k})"

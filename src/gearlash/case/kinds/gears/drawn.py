@@ -5,22 +5,27 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from gearlash.case.quantity import Choice, Quantity
-from gearlash.case.units import LENGTH, POWER, SPEED, TORQUE
+from gearlash.case.units import ANGLE, LENGTH, POWER, SPEED, TORQUE
 from gearlash.gears import basic_rack, gear_fits
-from gearlash.gears.materials import MATERIALS
+from gearlash.gears.materials import MATERIALS, STEELS
 from gearlash.gears.mesh import harmonic_name
 
 from . import relief
 from .keys import GEARS
-from .shared import HIGHEST_HARMONIC, number, positive
+from .shared import HIGHEST_HARMONIC, RIGHT_ANGLE, number, positive
 
 RACKS = {
     "ISO53-A": basic_rack.ISO53_A,
     "ISO53-B": basic_rack.ISO53_B,
     "ISO53-C": basic_rack.ISO53_C,
     "ISO53-D": basic_rack.ISO53_D,
+    "DIN867": basic_rack.ISO53_A,
+    "stub": basic_rack.STUB,
 }
-RACK = "mesh.rack"
+RACK, TIPS = "mesh.rack", "mesh.tips"
+SHORTENED = "shortened"
+TRANSVERSE_MODULE, TRANSVERSE_ANGLE = "mesh.transverse_module", "mesh.transverse_pressure_angle"
+PITCH, TRANSVERSE_PITCH = "mesh.diametral_pitch", "mesh.transverse_diametral_pitch"
 FITS = tuple(
     f"{tolerance}{allowance}" for tolerance in range(21, 31) for allowance in gear_fits.ALLOWANCE_SERIES
 )
@@ -30,7 +35,7 @@ PLAY = "mesh.backlash_circumferential"
 WIDTH = "mesh.face_width"
 BOTH_WIDTHS = {WIDTH: ("pinion.face_width", "gear.face_width")}
 CENTRE, SHIFT_SUM = "mesh.centre_distance", "mesh.shift_sum"
-MEASURES = ("span", "over_balls", "over_pins")
+MEASURES = ("span", "over_balls", "over_pins", "tooth_thickness")
 """What is measured on a gear: it tells the profile shift, or the allowance beside a stated shift."""
 SAME: tuple[tuple[str, ...], ...] = (
     ("omega", GEAR_SPEED),
@@ -38,6 +43,10 @@ SAME: tuple[tuple[str, ...], ...] = (
     ("D", PLAY),
     (CENTRE, SHIFT_SUM),
     *(tuple(f"{gear}.{leaf}" for leaf in MEASURES) for gear in GEARS),
+    ("mesh.module", "mesh.normal_module", TRANSVERSE_MODULE, PITCH, TRANSVERSE_PITCH),
+    ("mesh.pressure_angle", TRANSVERSE_ANGLE),
+    *((f"{gear}.profile_shift", f"{gear}.transverse_profile_shift") for gear in GEARS),
+    *((f"{gear}.tip_diameter", f"{gear}.tip_alteration") for gear in GEARS),
     *relief.SAME,
 )
 """Keys of which one is stated; another one takes its place."""
@@ -69,17 +78,29 @@ def contradicted(entries: Collection[str]) -> list[tuple[str, str]]:
 def of_gear(gear: str) -> Iterator[Quantity]:
     """What the table [pinion] or [gear] may hold."""
     yield number(f"{gear}.profile_shift", "0.2", f"profile shift x of the {gear}, over m_n", -3.0, 3.0)
+    what = f"profile shift x_t of the {gear} in the transverse section, over m_t"
+    yield number(f"{gear}.transverse_profile_shift", "0.2", what, -3.0, 3.0)
     yield positive(f"{gear}.span", LENGTH, "mm", "32.83 mm", f"span measurement W_k of the {gear}", 50)
     what = "teeth k that it is measured over"
     yield number(f"{gear}.span_teeth", "4", what, 1, 2000, integer=True)
     for leaf, name in (("over_balls", "balls M_dK"), ("over_pins", "pins M_dR")):
         what = f"dimension over two {name} of the {gear}"
         yield positive(f"{gear}.{leaf}", LENGTH, "mm", "58.08 mm", what, 50)
+    what = f"normal tooth thickness s_n of the {gear} on the reference circle"
+    yield positive(f"{gear}.tooth_thickness", LENGTH, "mm", "4.71 mm", what, 0.5)
     what = f"diameter D_M of balls or pins in the {gear}"
     yield positive(f"{gear}.ball_diameter", LENGTH, "mm", "3.5 mm", what, 1)
     what = f"allowance E_sn of the normal tooth thickness of the {gear}"
     yield Quantity(f"{gear}.thickness_allowance", LENGTH, "um", "-70 um", what, -0.02, 0.001)
     yield positive(f"{gear}.tip_diameter", LENGTH, "mm", "93 mm", f"tip diameter d_a of the {gear}", 50)
+    what = f"tip alteration k m_n of the {gear}: what its tip radius has more than by rack and shift"
+    yield Quantity(f"{gear}.tip_alteration", LENGTH, "mm", "-0.1 mm", what, -0.1, 0.1)
+    what = f"addendum h_aP of the basic rack of the {gear}, over m_n"
+    yield number(f"{gear}.addendum", "1.0", what, 0.3, 2.0)
+    what = f"dedendum h_fP of the basic rack of the {gear}, over m_n"
+    yield number(f"{gear}.dedendum", "1.25", what, 0.3, 2.5)
+    what = f"root fillet radius ρ_fP of the basic rack of the {gear}, over m_n"
+    yield number(f"{gear}.root_radius", "0.38", what, 0.0, 1.0)
     yield positive(f"{gear}.root_diameter", LENGTH, "mm", "80 mm", f"root diameter d_f of the {gear}", 50)
     what = f"bore of the {gear}, or diameter of the shaft it is one piece with"
     yield positive(f"{gear}.bore", LENGTH, "mm", "30 mm", what, 50)
@@ -97,6 +118,10 @@ def of_mesh() -> Iterator[Quantity]:
     yield positive(WIDTH, LENGTH, "mm", "40 mm", "face width b of both gears", 5)
     yield positive(CENTRE, LENGTH, "mm", "125 mm", "centre distance a_w", 50)
     yield number(SHIFT_SUM, "0.4", "sum of the profile shifts x_1 + x_2", -6.0, 6.0)
+    yield positive(TRANSVERSE_MODULE, LENGTH, "mm", "4.2 mm", "transverse module m_t", 0.2)
+    yield positive(TRANSVERSE_ANGLE, ANGLE, "deg", "21 deg", "transverse pressure angle α_t", RIGHT_ANGLE)
+    yield number(PITCH, "8", "normal diametral pitch P_n, teeth per inch", 0.1, 500.0)
+    yield number(TRANSVERSE_PITCH, "7.7", "transverse diametral pitch P_t, teeth per inch", 0.1, 500.0)
     what = "tolerance grade of the centre distance: the 7 of js7"
     yield number("mesh.distance_grade", "7", what, 5, 11, integer=True)
     yield Quantity(PLAY, LENGTH, "um", "100 um", "whole backlash j_wt on the working circle", 0.0, 0.02)
@@ -116,9 +141,12 @@ def of_operation() -> Iterator[Quantity]:
 def options() -> Iterator[Choice]:
     """Named options; each is the default where a drawing does not say."""
     for gear in GEARS:
-        yield Choice(f"{gear}.material", tuple(MATERIALS), "steel", f"material of the {gear}")
+        what = f"material of the {gear}; a gear steel by its designation, too"
+        yield Choice(f"{gear}.material", tuple(MATERIALS), "steel", what, STEELS)
         yield Choice(f"{gear}.fit", FITS, "25cd", f"fit of the {gear}'s teeth, DIN 3967")
     yield Choice(RACK, tuple(RACKS), "ISO53-A", "standard basic rack that cuts both gears")
+    what = "tips that nobody states: full, or shortened so that the rack's clearance is kept"
+    yield Choice(TIPS, ("full", SHORTENED), "full", what)
     yield from relief.options()
 
 

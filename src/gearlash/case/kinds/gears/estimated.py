@@ -20,6 +20,7 @@ from gearlash.gears.mesh_stiffness import SOLID, Rim
 from gearlash.system import GearlashError
 
 from . import drawn, play, relief
+from .converted import operation_in_other_words, teeth_in_other_words
 from .curves import STEMS
 from .keys import EQUIVALENT_MASS, GEARS, REFERENCE
 from .loaded import is_loaded
@@ -91,12 +92,14 @@ def complete(
     these. A ripple or an error that is not stated is none unless there is such a word. Where a file states
     one harmonic, it has no others but those it states.
     """
+    twice = drawn.contradicted(entries)
+    entries = teeth_in_other_words(rules, entries)
     geometry = ("pinion.teeth", "gear.teeth", rules.module, *rules.angles)
-    if not all(key in entries for key in geometry) or drawn.contradicted(entries):
+    if not all(key in entries for key in geometry) or twice:
         return Completed(entries, problems=(*play.unusable(entries), *relief.unusable(entries)))
     widths = all(f"{gear}.face_width" in entries for gear in GEARS) and "mesh.pressure_angle" in entries
     has_drawing = is_drawn(entries)
-    known = {**entries, **{e.key: e for e in _converted(entries)}}
+    known = {**entries, **{e.key: e for e in operation_in_other_words(entries)}}
     moved = bool(play.stated(entries))
     estimable = has_drawing or widths
     wanted = _wanted(rules, known, has_drawing, curves, kept) if estimable else frozenset[str]()
@@ -133,31 +136,8 @@ def complete(
     except ValueProblemError as error:
         return Completed(known, problems=(error.problem,))
     except GearlashError as error:
-        return Completed(known, problems=(Problem("mesh", None, f"teeth that mesh ({error})"),))
+        return Completed(known, problems=(_unmeshed(known, error),))
     return Completed(known, drawing, tuple(_refused(known, entries, pair)), play_added=more)
-
-
-def _converted(entries: EntriesByKey) -> Iterator[Entry]:
-    """Speed and torque of the gear, and power, as those of the pinion."""
-    ratio = entries["gear.teeth"].number / entries["pinion.teeth"].number
-    speed = entries.get("omega")
-    if drawn.GEAR_SPEED in entries:
-        value = entries[drawn.GEAR_SPEED].number * ratio
-        speed = Entry(
-            "omega", "operation.pinion_speed", value, "", Provenance.INFERRED, "speed of the gear times u"
-        )
-        yield speed
-    path, inferred = "operation.torque", Provenance.INFERRED
-    if drawn.GEAR_TORQUE in entries:
-        value = entries[drawn.GEAR_TORQUE].number / ratio
-        yield Entry("load", path, value, "", inferred, "torque of the gear over u, without losses")
-    if drawn.POWERED in entries and speed is not None and not speed.dimensionless:
-        turning = speed.number
-        if speed.path == "operation.mesh_frequency":
-            turning = 6.283185307179586 * speed.number / entries["pinion.teeth"].number
-        yield Entry(
-            "load", path, entries[drawn.POWERED].number / turning, "", inferred, "power over the stated speed"
-        )
 
 
 def _play(entries: EntriesByKey, pair: CylindricalPair) -> Iterator[Entry]:
@@ -200,6 +180,18 @@ def _wanted(
     if any(f"bearing_damping_{b}" not in entries for b in rules.bearings):
         found.add("bearing_damping")
     return frozenset(found)
+
+
+def _unmeshed(entries: EntriesByKey, error: GearlashError) -> Problem:
+    """Teeth that do not mesh, at the centre distance where that is as of an internal gear."""
+    if drawn.CENTRE not in entries:
+        return Problem("mesh", None, f"teeth that mesh ({error})")
+    first, second = (entries[f"{gear}.teeth"].number for gear in GEARS)
+    entry, module = entries[drawn.CENTRE], entries.get("mesh.module") or entries["mesh.normal_module"]
+    inner = 0.5 * abs(second - first) * module.number
+    ring = abs(entry.number - inner) < 1.5 * module.number
+    hint = "; a ring gear would have it, and there is no model of internal gears here" if ring else ""
+    return Problem(entry.path, repr(entry.text), f"teeth that mesh ({error}{hint})")
 
 
 def _bodies_known(rules: PairRules, entries: EntriesByKey) -> bool:

@@ -17,6 +17,7 @@ from .at_torque import loaded_of
 from .curves import TABLE
 from .estimated import is_drawn
 from .meshing import normal_force, unusual
+from .odd import odd
 from .pair import GearPair
 from .shared import HIGHEST_HARMONIC
 
@@ -53,6 +54,7 @@ def _teeth(pair: GearPair) -> Iterator[Note]:
     if drawing is not None and is_drawn(pair.stated):
         torque = float(pair.scales.torque(pair.numbers.parameters["load"]))
         yield from unusual(pair.entries, drawing, normal_force(drawing.pair, torque))
+        yield from odd(pair.stated, pair.entries, drawing)
 
 
 def _relief(pair: GearPair) -> Iterator[Note]:

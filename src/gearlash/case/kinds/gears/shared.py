@@ -61,7 +61,8 @@ def harmonic_names() -> Iterator[str]:
 
 def of_gear(gear: str) -> Iterator[Quantity]:
     """The table [pinion] or [gear]."""
-    yield number(f"{gear}.teeth", "28", f"teeth of the {gear}", 5, 2000, integer=True)
+    inner = "below 0 they are those of an internal gear, of which there is no model here"
+    yield number(f"{gear}.teeth", "28", f"teeth of the {gear}", 5, 2000, integer=True, below=inner)
     yield positive(f"{gear}.mass", MASS, "kg", "5.98 kg", f"mass of the {gear}", 1e6)
     yield positive(f"{gear}.inertia", INERTIA, "kg*m^2", "0.01 kg·m²", f"inertia of the {gear}", 1e9)
     yield positive(f"{gear}.face_width", LENGTH, "mm", "65 mm", f"face width b of the {gear}", 5)

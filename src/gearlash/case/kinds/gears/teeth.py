@@ -10,10 +10,10 @@ from gearlash.case.entries import Entry
 from gearlash.case.errors import Problem
 from gearlash.case.stated import Provenance
 from gearlash.gears import BasicRack, CylindricalGear, CylindricalPair, inspection
-from gearlash.gears.cylindrical_pair import shift_sum
+from gearlash.gears.cylindrical_pair import shift_sum, tip_shortening
 from gearlash.system import GearlashError
 
-from .drawn import CENTRE, RACK, RACKS, SHIFT_SUM
+from .drawn import CENTRE, RACK, RACKS, SHIFT_SUM, SHORTENED, TIPS
 from .keys import GEARS
 from .meshing import ValueProblemError
 from .rules import EntriesByKey, PairRules
@@ -48,7 +48,17 @@ class Teeth:
             self._finished(name, replace(gear, profile_shift=x))
             for name, gear, x in zip(GEARS, gears, shifts, strict=True)
         ]
-        return replace(pair, pinion=gears[0], gear=gears[1])
+        found = replace(pair, pinion=gears[0], gear=gears[1])
+        if self.rules.places.chosen(self.entries, TIPS) != SHORTENED:
+            return found
+        taken = 2.0 * min(tip_shortening(found), 0.0)
+        gears = [
+            gear
+            if gear.stated_tip_diameter is not None
+            else replace(gear, stated_tip_diameter=gear.tip_diameter + taken)
+            for gear in found.gears
+        ]
+        return replace(found, pinion=gears[0], gear=gears[1])
 
     def _gear(self, gear: str) -> CylindricalGear:
         """Without tip, root and allowance."""
@@ -57,23 +67,29 @@ class Teeth:
             teeth,
             self.entries[self.rules.module].number,
             self.number("mesh.helix_angle") or 0.0,
-            rack=self._rack(),
+            rack=self._rack(gear),
         )
         x = self.number(f"{gear}.profile_shift")
         return plain if x is None else replace(plain, profile_shift=x)
 
-    def _rack(self) -> BasicRack:
+    def _rack(self, gear: str) -> BasicRack:
         angle = self.number("mesh.pressure_angle")
         if angle is None:
             angle = PRESSURE_ANGLE
             self._assume("mesh.pressure_angle", angle, "not stated: 20° of ISO 53")
         rack = replace(RACKS[self.rules.places.chosen(self.entries, RACK)], pressure_angle=angle)
+        for leaf in ("addendum", "dedendum", "root_radius"):
+            stated = self.number(f"{gear}.{leaf}")
+            rack = rack if stated is None else replace(rack, **{leaf: stated})
         room = _room(rack.dedendum, angle)
         if room < 0.0:
             most = degrees(atan(pi / 4 / rack.dedendum))
-            entry = self.entries["mesh.pressure_angle"]
+            paths = ("mesh.pressure_angle", "mesh.transverse_pressure_angle", f"{gear}.dedendum")
+            entry = next(e for p in paths if (e := self.entries.get(p)) is not None and e.text)
             expected = (
                 f"up to {int(10 * most) / 10:g} deg: with more, this rack ends in a point before its tip"
+                if entry.path != paths[-1]
+                else f"up to {pi / 4 / tan(angle):.3g}: with more, this rack ends in a point before its tip"
             )
             raise ValueProblemError(Problem(entry.path, repr(entry.text), expected))
         return replace(rack, root_radius=min(rack.root_radius, room))
@@ -141,6 +157,10 @@ class Teeth:
             nominal = f"{1e3 * inspection.span_measurement(gear.nominal(), k):.5g} mm over {k} teeth"
             x = self._measurable(f"{name}.span", nominal, lambda: inspection.with_span(gear, span, k))
             return x, f"from W_{k}"
+        thickness = self.number(f"{name}.tooth_thickness")
+        if thickness is not None:
+            tangent, module = tan(gear.rack.pressure_angle), gear.normal_module
+            return (thickness / module - 0.5 * pi) / (2.0 * tangent), "from the tooth thickness s_n"
         ball = self.number(f"{name}.ball_diameter")
         for leaf, pins in (("over_balls", False), ("over_pins", True)):
             dimension = self.number(f"{name}.{leaf}")
@@ -190,12 +210,16 @@ class Teeth:
         if root is not None:
             self._root_fits(name, gear, root)
             gear = replace(gear, rack=_with_root(gear, root))
+        path, alteration = f"{name}.tip_diameter", self.number(f"{name}.tip_alteration")
+        if alteration is not None:
+            path, tip = f"{name}.tip_alteration", gear.tip_diameter + 2.0 * alteration
         if tip is not None:
             least = max(gear.base_diameter, gear.root_diameter)
             if not tip > least:
                 usual = f"{1e3 * gear.tip_diameter:.5g} mm is usual"
-                path = f"{name}.tip_diameter"
-                expected = f"more than {1e3 * least:.5g} mm, that of base or root circle; {usual}"
+                expected = (
+                    f"a tip diameter of more than {1e3 * least:.5g} mm, that of base or root circle; {usual}"
+                )
                 raise ValueProblemError(Problem(path, repr(self.entries[path].text), expected))
         return replace(gear, stated_tip_diameter=tip)
 
