@@ -80,7 +80,7 @@ def test_in_words(gearlash: Gearlash):
     assert "D nothing within the range, which ends 0.05 (5 %) below" in out
     assert "Other motions were looked for at the operating point alone." in out
     assert re.search(
-        r"1-0-0 that was followed; there \d of \d other starts lead to another motion: 1-1;", out
+        r"1-0-0 that was followed; there \d+ of \d+ other starts lead to another motion: 1-1;", out
     )
 
 

@@ -260,3 +260,9 @@ def test_further_gaps_are_told_by_name():
     assert link.force.maximum == pytest.approx(samples.force.max(), abs=1e-4)
     gap = samples.state @ [1.0, 0.0, -1.0, 0.0]
     assert link.distances.drive.maximum == pytest.approx(gap.max() - 0.3, abs=1e-8)
+
+
+def test_without_torque_teeth_float(gearlash: Gearlash):
+    case = str(Path(__file__).resolve().parents[1] / "cases" / "drive.toml")
+    said = " ".join(gearlash("run", case, "--set", "torque=0Nm").out.split())
+    assert "no torque presses the teeth together, and they float in the backlash" in said

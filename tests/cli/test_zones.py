@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
 from gearlash.cli.answers.asked import Asked
-from gearlash.cli.answers.zones_parts import EndPoint, MarginFound, ZoneEnd, ZoneFound
+from gearlash.cli.answers.zones_parts import EndPoint, MarginFound, Resident, Stay, ZoneEnd, ZoneFound
 from gearlash.cli.answers.zones_words import headline
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
@@ -180,17 +181,17 @@ def _end_and_margin(v: float, inside: bool, here: float) -> tuple[ZoneEnd, Margi
             4.0,
             [zone(3.0, 5.0, every=False, here=4.0)],
             "4000 rpm lies in a zone free of impacts for at least one attractor found, but not everywhere "
-            "for all: 3000 to 5000 rpm; teeth begin to separate (grazing) at 3000 rpm, 1000 rpm (25 %) "
-            "below; teeth begin to separate (grazing) at 5000 rpm, 1000 rpm (25 %) above; no interval was "
-            "found in which every attractor found is free of impacts",
+            "for all: 3000 to 5000 rpm; what is not quiet was found elsewhere in it; teeth begin to separate "
+            "(grazing) at 3000 rpm, 1000 rpm (25 %) below; teeth begin to separate (grazing) at 5000 rpm, "
+            "1000 rpm (25 %) above; no interval was found in which every attractor found is free of impacts",
         ),
         (
             4.0,
             [zone(3.0, 5.0, every=False, here=4.0), zone(1.0, 9.0, kind="drive-side-only", here=4.0)],
             "4000 rpm lies in a zone free of impacts for at least one attractor found, but not everywhere "
-            "for all: 3000 to 5000 rpm; teeth begin to separate (grazing) at 3000 rpm, 1000 rpm (25 %) "
-            "below; teeth begin to separate (grazing) at 5000 rpm, 1000 rpm (25 %) above; no interval was "
-            "found in which every attractor found is free of impacts",
+            "for all: 3000 to 5000 rpm; what is not quiet was found elsewhere in it; teeth begin to separate "
+            "(grazing) at 3000 rpm, 1000 rpm (25 %) below; teeth begin to separate (grazing) at 5000 rpm, "
+            "1000 rpm (25 %) above; no interval was found in which every attractor found is free of impacts",
         ),
         (
             4.0,
@@ -214,6 +215,15 @@ def _end_and_margin(v: float, inside: bool, here: float) -> tuple[ZoneEnd, Margi
 )
 def test_headlines(here: float, zones: list[ZoneFound], words: str):
     assert headline(RPM, (1.0, 9.0), here, zones) == words
+
+
+def test_what_has_impacts_at_the_present_value_of_a_zone_is_named():
+    stay = Stay(3.5, 6.0, "fold", "grazing")
+    loud = Resident("1-1-0", ("down",), 3.5, 6.0, False, True, stay)
+    one = replace(zone(3.0, 5.0, every=False, here=4.0), residents=(loud,))
+    assert "; at this value 1-1-0 was found as well, which is not; " in headline(RPM, (1.0, 9.0), 4.0, [one])
+    away = replace(one, residents=(replace(loud, stable=Stay(4.5, 6.0, "fold", "grazing")),))
+    assert "1-1-0 was found as well" not in headline(RPM, (1.0, 9.0), 4.0, [away])
 
 
 def test_an_end_that_was_halved_is_shown_where_motion_was_last_seen_to_be_quiet():

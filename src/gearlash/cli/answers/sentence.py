@@ -25,6 +25,7 @@ ASSUMED_MARK = "†"  # behind a physical number that rests on an assumed value
 MANY = 64  # mesh cycles: of more only an average is given, as mostly the motion does not repeat
 PHASE_ROUNDING = 1e-9  # of a phase
 TIMES = {1: "once", 2: "twice"}
+NO_TORQUE = "state the torque that bearings, seals and oil take without load"
 LOST = {"stability": "unstable", "unsolved": "not solved for"}
 """How a motion without impacts ends where it does not touch."""
 
@@ -46,6 +47,8 @@ def run_sentence(
     here = speed.here
     if idle is not None:
         return f"{here}: {_idle(case, attractor, numbers, idle)}"
+    if isinstance(attractor, Neutral) and case.between_teeth and parameters.get("load") == 0.0:
+        return f"{here}: no torque presses the teeth together, and they float in the backlash; {NO_TORQUE}"
     if isinstance(attractor, Unresolved | Neutral) or numbers is None:
         return f"{here}: {attractor.label}, {attractor.message}"
     label = attractor.signature.short if isinstance(attractor, Orbit) else "aperiodic"

@@ -30,12 +30,26 @@ def headline(asked: Asked, ends: tuple[float, float], here: float, zones: Sequen
     else:
         span = _span(asked, own, here)
         first = [f"{at} lies in a zone {QUIET[own.kind]} for {WHO[own.every]}: {span}"]
+        if not own.every:
+            first.append(_loud(own, here))
         first.append(_margins(asked, own, here))
     kind = own.kind if own is not None else _first_kind(zones)
     others = [zone for zone in zones if zone is not own and zone.every and zone.kind == kind]
     if own is not None and own.every and not others:
         return "; ".join(first)
     return "; ".join([*first, _further(asked, others, kind, here, own)])
+
+
+def _loud(own: ZoneFound, here: float) -> str:
+    """What is not quiet at the present value, in a zone of only some motions."""
+    at = [
+        one.label
+        for one in own.residents
+        if not one.quiet and one.stable is not None and one.stable.lower <= here <= one.stable.upper
+    ]
+    if not at:
+        return "what is not quiet was found elsewhere in it"
+    return f"at this value {', '.join(dict.fromkeys(at))} was found as well, which is not"
 
 
 @dataclass(frozen=True)
