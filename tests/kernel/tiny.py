@@ -54,6 +54,7 @@ def process(
         "GEARLASH_CACHE_DIR": str(cache),
         "NUMBA_DISABLE_JIT": "0",
         "GEARLASH_QUIET": "1",
+        "PYTHONDONTWRITEBYTECODE": "1",  # two versions of a file may be as long, and made in one second
     }
     return subprocess.run(
         [sys.executable, "-c", program],

@@ -71,6 +71,7 @@ def test_the_probability_is_that_of_brute_force():
         assert share == pytest.approx(np.mean(response < load), abs=4.0 * spread + 0.03)
 
 
+@pytest.mark.slow
 def test_the_probability_between_values_of_the_axis_is_that_of_the_ends():
     """An axis of two values only: around the resonance between them teeth part with either load."""
     case, axis = loads(LINEAR), gl.Axis.even("omega", 0.5, 3.2, 2)

@@ -59,6 +59,7 @@ def found() -> Verification:
         return verification(gl.load_case("article"), plan=plan)
 
 
+@pytest.mark.slow
 def test_every_point_of_the_plan_is_there(found: Verification):
     assert found.reason == ""
     assert found.failures == ()

@@ -124,6 +124,7 @@ def test_the_windows_of_the_article():
     assert rpm.upper > rpm.lower
 
 
+@pytest.mark.slow
 def test_backlash_without_back_side_impacts():
     axis = Axis.even("D", 0.4, 0.55, 11)
     found = studies.zones(ARTICLE, axis, Quiet.DRIVE_SIDE_ONLY, values={"omega": 0.78})
@@ -156,6 +157,7 @@ def test_an_orbit_that_turns_unstable_ends_the_zone_there():
     assert abs(found.leading) == pytest.approx(1.0, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_several_kinds_at_once_are_those_of_one():
     both = zones_of_kinds(CLASSICAL, SPEEDS, ["impact-free", "drive-side-only"])
     for kind, found in zip(("impact-free", "drive-side-only"), both, strict=True):

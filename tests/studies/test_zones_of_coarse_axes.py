@@ -34,6 +34,7 @@ def test_impacts_between_two_quiet_points_end_the_zones(count: int):
     assert any(abs(end.value - high) < 1e-9 for end in solved)
 
 
+@pytest.mark.slow
 def test_an_end_does_not_depend_on_the_step_of_the_sweep():
     """The impacting motion of this pair is lost in a step of a 128th of the axis, but goes on to a fold."""
     drive = case.load(str(Path(__file__).parents[1] / "cases" / "drive.toml"))
@@ -49,6 +50,7 @@ def test_an_end_does_not_depend_on_the_step_of_the_sweep():
     assert end.value == pytest.approx(fold.value, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("range_", [(0.5, 1.5), (0.4, 1.31), (0.73, 1.9)])
 def test_a_loss_of_contact_narrower_than_a_step_is_found_by_its_flanks(range_: tuple[float, float]):
     """A resonance with ζ = 0.001, in which contact is lost over 1.3e-3 in ω only."""
