@@ -22,6 +22,7 @@ def home(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     return place
 
 
+@pytest.mark.slow
 def test_every_path_of_a_command_may_begin_at_home(gearlash: Gearlash, home: Path):
     case = (Path(gl.__file__).parent / "case" / "data" / "kahraman-singh.toml").read_text("utf-8")
     (home / "mine.toml").write_text(case, "utf-8")
