@@ -51,8 +51,10 @@ def test_where_a_harmonic_meets_the_natural_frequency_the_model_has_more():
 
 
 def test_steps_of_unmodified_teeth_excite_more():
+    # Between harmonics 3 and 4, which contact beyond the path of contact makes larger, as finite elements have
+    # it. Static error that goes with it, and would take a part of that away, is not in the estimates.
     _, own, standard = both(PLAIN, 0.27)
-    assert 1.05 * standard < own < 1.15 * standard
+    assert 1.3 * standard < own < 1.45 * standard
 
 
 def test_the_factor_of_the_standard_has_the_relief_and_the_teeth_of_the_case():
