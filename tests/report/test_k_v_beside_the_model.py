@@ -51,8 +51,8 @@ def test_where_a_harmonic_meets_the_natural_frequency_the_model_has_more():
 
 
 def test_steps_of_unmodified_teeth_excite_more():
-    # Between harmonics 3 and 4, which contact beyond the path of contact makes larger, as finite elements have
-    # it. Static error that goes with it, and would take a part of that away, is not in the estimates.
+    # Between harmonics 3 and 4: contact beyond the path of contact makes them larger, as it does in finite
+    # elements. The static error that goes with it is not in the estimates.
     _, own, standard = both(PLAIN, 0.27)
     assert 1.3 * standard < own < 1.45 * standard
 
