@@ -52,7 +52,7 @@ def _force_panels(one: ConfigurationCompared, rule: str) -> list[ForcePanel]:
     lumped = {p.omega: p for p in one.lumped if p.rule == rule}
     return [
         plots.ForcePanel(
-            f"{one.name}, {p.speed:.0f} rpm: {in_words(p.label)}",
+            f"{one.name}, {p.speed:.0f} rpm: {in_words(p.label).partition(',')[0]}",
             np.array(p.phase),
             np.array(p.force) / p.mean_force,
             np.array(lumped[p.omega].phase),

@@ -139,7 +139,7 @@ def _panels(found: Verified) -> list[list[plots.ForcePanel]]:
     return [
         [
             plots.ForcePanel(
-                f"{way.name}, {point.speed:.0f} rpm: {told(point.label)}",
+                f"{way.name}, {point.speed:.0f} rpm: {told(point.label).partition(',')[0]}",
                 *(
                     np.asarray(each)
                     for each in (point.phase, point.force, point.lumped_phase, point.lumped_force)
