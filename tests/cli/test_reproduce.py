@@ -74,7 +74,7 @@ def study(monkeypatch: pytest.MonkeyPatch) -> Callable[[bool], dict[str, object]
             asked.update(case=case, scope=scope, **options)
             return found(case, complete)
 
-        def render(reproduction: Reproduction, folder: Path, executor: object) -> Path:
+        def render(reproduction: Reproduction, folder: Path, executor: object, **options: object) -> Path:
             (folder / "report.html").write_text("report", encoding="utf-8")
             return folder / "report.html"
 

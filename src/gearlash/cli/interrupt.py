@@ -38,6 +38,7 @@ STOPPING = b"\nstopping, and keeping what was computed (once more gives it up)\n
 LOST = b"\ninterrupted\n"
 CURSOR = b"\x1b[?25h"  # shows the cursor again that a bar has hidden
 ECHO = 0.25  # s in which a second signal is the first one, sent to the process and to its group
+AGAIN = 0.02  # s until what was raised in vain is raised once more; within `ECHO`
 LOOK = 0.1  # s between two looks at a command that was told to end
 PATIENCE = 1.0  # s that a reader may take nothing of what is shown, or that ending may take
 
@@ -92,7 +93,10 @@ def signals_answered() -> Iterator[None]:
     numbers = _answered() if threading.current_thread() is threading.main_thread() else []
     before = {number: signal.signal(number, _break_off) for number in numbers}
     try:
-        with _listening(numbers) if numbers else contextlib.nullcontext():
+        with contextlib.ExitStack() as stack:
+            if numbers:
+                stack.enter_context(_listening(numbers))
+                stack.enter_context(_raised_again())
             yield
     finally:
         for number, handler in before.items():
@@ -203,6 +207,31 @@ def _break_off(number: int, _frame: FrameType | None) -> None:
 
         if may_be_interrupted():
             raise KeyboardInterrupt
+
+
+@contextmanager
+def _raised_again() -> Iterator[None]:
+    """What breaks off the main thread may be raised where Python lets nothing through, as in the callback of
+    a weak reference, and prints it instead. It is not printed here, and raised once more a little later."""
+    before, timers = sys.unraisablehook, []
+
+    def hook(lost: sys.UnraisableHookArgs) -> None:
+        if not _state.number:
+            before(lost)
+        if not _state.number or lost.exc_type is not KeyboardInterrupt:
+            return  # after a signal: a file that was broken off, and cannot close
+        _state.met = None
+        timers.append(threading.Timer(AGAIN, signal.raise_signal, (_state.number,)))
+        timers[-1].daemon = True
+        timers[-1].start()
+
+    sys.unraisablehook = hook
+    try:
+        yield
+    finally:
+        sys.unraisablehook = before
+        for timer in timers:
+            timer.cancel()
 
 
 @contextmanager

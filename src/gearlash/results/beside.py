@@ -20,7 +20,7 @@ class BesideMotion:
     >>> found = gl.attractor(family.system({"omega": 0.8}), start)
     >>> (other,) = gl.motions_beside(found, dict(zip(family.states, start)), start).others
     >>> str(other.label), other.starts, other.impacts
-    ('1-1-0', 5, True)
+    ('1-1-0', 8, True)
     """
 
     label: Annotated[Label, "P-Q-R (/Q-R of every further clearance), aperiodic, neutral or unresolved"]
@@ -46,7 +46,7 @@ class Beside:
     >>> found = gl.attractor(family.system({"omega": 0.8}), start)
     >>> beside = gl.motions_beside(found, dict(zip(family.states, start)), start)
     >>> beside.starts, beside.same, beside.undecided, len(beside.others)
-    (6, 1, 0, 1)
+    (11, 3, 0, 1)
     """
 
     starts: Annotated[int, "other starts that were followed"]

@@ -81,7 +81,7 @@ def motions_beside(
     >>> found = gl.attractor(family.system({"omega": 0.8}), start)
     >>> beside = gl.motions_beside(found, dict(zip(family.states, start)), start)
     >>> beside.starts, beside.same, [other.label for other in beside.others]
-    (6, 1, [1-1-0])
+    (11, 3, [1-1-0])
     """
     given.instance("found", found, (Orbit, Aperiodic), "a motion, as from gearlash.attractor")
     if tell is not None:

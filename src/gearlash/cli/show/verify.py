@@ -45,7 +45,8 @@ def verify_view(answer: VerifyAnswer, width: int) -> Iterator[Text]:
                ("static error", "right"), ("contact ratio", "right")]  # fmt: skip
     yield from table("The mesh of real teeth", columns, rows, width)
     stated = [(f"ω {p.omega:.4f}", f"{p.label} ({p.rule})") for p in answer.stated]
-    yield from facts("The case as it is", stated, width)
+    if stated:  # nothing stands here before the first motion of the lumped model
+        yield from facts("The case as it is", stated, width)
     for one in answer.configurations:
         yield from _configuration(one, width)
     yield from note(LIMITS, width)

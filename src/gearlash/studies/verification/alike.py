@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gearlash.system import MotionKind
+from gearlash.system import GearlashError, MotionKind, Signature, read_label
 
 from .lumped import LumpedPoint
 from .point import PointFound
@@ -48,10 +48,12 @@ def seen_of_label(label: str) -> Seen:
     Seen(parts=True, back=False, label='2-1-0')
     """
     try:
-        _, drive, back = map(int, label.split("-"))
-    except ValueError:
-        return Seen(True if label == MotionKind.APERIODIC else None, None, "")
-    return Seen(drive + back > 0, back > 0, label)
+        read = read_label(label)
+    except (GearlashError, ValueError):
+        return Seen(None, None, "")
+    if not isinstance(read, Signature):
+        return Seen(True if read is MotionKind.APERIODIC else None, None, "")
+    return Seen(read.impacts > 0, read.back > 0, label)
 
 
 def seen_of_lumped(point: LumpedPoint) -> Seen:
