@@ -57,7 +57,7 @@ def test_a_drawing_takes_the_estimated_stiffness_out():
     text = drawing.replace("[mesh]", '[mesh]\nloaded_error = "2 um"\nloaded_error_torque = "150 N m"')
     values = {v.path: v for v in loads(text).values()}
     assert values["mesh.error"].provenance == "inferred"
-    assert "that the stiffness makes" in values["mesh.error"].reason
+    assert "that stiffness and contact under load make" in values["mesh.error"].reason
     assert values["mesh.error"].least is None
 
 

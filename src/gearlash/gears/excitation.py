@@ -57,7 +57,7 @@ class Excitation:
     runout_factor : float
         Amplitude of the error over radial run-out F_r: half of cos β_b, as F_r is twice the eccentricity.
     relief : Curve, optional
-        e/D_c that modified flanks make under the load of the case.
+        e/D_c that modified flanks, and contact beyond the path of contact, make under the load of the case.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Stiffness of a mesh and the error that modified flanks make, at a torque that need not be the case's."""
+"""Stiffness of a mesh, and the error that its flanks make under load, at any torque."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class MeshAt:
     shape : ndarray
         Stiffness over its mean, [1, c1, s1, …], without that of a curve.
     relief : ndarray
-        Error of modified flanks, [0, c1, s1, …], m.
+        Error of flanks that are modified or touch beyond the path of contact, [0, c1, s1, …], m.
     """
 
     mean: float
@@ -40,16 +40,27 @@ class MeshAt:
     relief: Fourier
 
 
-def loaded_of(drawing: Drawing | None) -> LoadedMesh | None:
-    """The mesh of modified flanks under the torque of a drawing; None where none are modified."""
-    if drawing is None or not drawing.modification.modified:
+def loaded_of(drawing: Drawing | None, entries: EntriesByKey) -> LoadedMesh | None:
+    """The mesh under the torque of a drawing, where its contact lines are those of the model: flanks are
+    modified, or the variation of the stiffness is estimated from them at a torque that is known."""
+    if drawing is None or not (drawing.modification.modified or (drawing.torque and varies(entries))):
         return None
     return loaded_mesh(drawing)
 
 
-def relief_error(drawing: Drawing | None) -> Fourier | None:
-    """What relief and crowning make of the error at the torque of a drawing, m; None where there are none."""
-    found = loaded_of(drawing)
+def varies(entries: EntriesByKey) -> bool:
+    """Is a harmonic of the stiffness estimated?"""
+    return any(
+        each.least is not None
+        for key, each in entries.items()
+        if key.startswith("ripple") and "phase" not in key
+    )
+
+
+def relief_error(drawing: Drawing | None, entries: EntriesByKey) -> Fourier | None:
+    """The error that belongs to the contact lines under load at the torque of a drawing, m: what relief,
+    crowning and contact beyond the path of contact make. None where the lines are not those of the model."""
+    found = loaded_of(drawing, entries)
     return None if found is None else found.error_series(HIGHEST_HARMONIC)
 
 
@@ -61,11 +72,10 @@ def mesh_at(entries: EntriesByKey, drawing: Drawing | None, torque: float) -> Me
     there = replace(drawing, torque=torque)
     if entries[MEAN].least is not None:
         mean = _estimated(there, "mean_stiffness")["mean_stiffness"].value
-    amplitudes = [each for key, each in entries.items() if key.startswith("ripple") and "phase" not in key]
-    if any(each.least is not None for each in amplitudes):
+    if varies(entries):
         values = {name: one.value for name, one in _estimated(there, "ripple").items()}
         shape = _series({_renamed(name): value for name, value in values.items()})
-    error = relief_error(there)
+    error = relief_error(there, entries)
     return MeshAt(mean, shape, np.zeros(3) if error is None else error)
 
 

@@ -59,7 +59,7 @@ def _derived_geometry(pair: GearPair) -> Iterator[Derived]:
         inputs = (*radius, "pinion.face_width", "gear.face_width")
         yield from pair.rules.overlap(geometry.overlap_ratio(width), ratio, inputs)
     yield from _at_work(pair, radius)
-    yield from _modified(pair)
+    yield from _under_load(pair)
 
 
 def _at_work(pair: GearPair, radius: tuple[str, ...]) -> Iterator[Derived]:
@@ -73,15 +73,15 @@ def _at_work(pair: GearPair, radius: tuple[str, ...]) -> Iterator[Derived]:
     yield Derived("derived.working_pressure_angle", angle, "deg", "ISO 21771-1", inputs, text)
 
 
-def _modified(pair: GearPair) -> Iterator[Derived]:
-    """What bears of modified flanks under the torque of the case."""
-    mesh = loaded_of(pair.completed.drawing)
+def _under_load(pair: GearPair) -> Iterator[Derived]:
+    """What bears of the flanks under the torque of the case."""
+    mesh = loaded_of(pair.completed.drawing, pair.entries)
     if mesh is None:
         return
     stated = tuple(sorted(relief.KEYS & pair.entries.keys()))
     inputs = ("load", "mesh.mean_stiffness", *stated)
     how = "contact lines that bear at this torque"
-    text = "ε_α under this torque, of modified flanks"
+    text = "ε_α under this torque: pairs of teeth that bear, in the mean"
     yield Derived("derived.loaded_contact_ratio", mesh.contact_ratio, "", how, inputs, text)
     text = "static transmission error under this torque, peak to peak, without deviations of the flanks"
     size = 1e6 * float(np.ptp(mesh.deflection))

@@ -75,8 +75,7 @@ def teeth_of(entries: EntriesByKey) -> dict[str, int]:
 def reconstructed(
     curves: Curves, entries: EntriesByKey, scales: Scales, drawing: Drawing | None = None
 ) -> dict[str, Reconstructed]:
-    """The series of every stated curve; of a loaded error without what the stiffness, and modified flanks,
-    make of it."""
+    """The series of every stated curve; of a loaded error without what stiffness and flanks make of it."""
     found: dict[str, Reconstructed] = {}
     if "stiffness" in curves:
         stated = curves["stiffness"]
@@ -113,7 +112,7 @@ def excitation(
     """Curves, run-out and relief of a case."""
     found = reconstructed(curves, entries, scales, drawing)
     made = {name: Curve(each.series, each.cycles) for name, each in found.items()}
-    relief = relief_error(drawing)
+    relief = relief_error(drawing, entries)
     relieved = None if relief is None else Curve(relief / (scales.length or 1.0))
     teeth = teeth_of(entries)
     runout = {shaft: teeth[shaft] for shaft in SHAFTS if f"{shaft}_runout" in entries}
@@ -164,7 +163,7 @@ def _unloaded(
     stiffness: Reconstructed | None,
     drawing: Drawing | None,
 ) -> Reals:
-    """The error without what stiffness and modified flanks make of it under this load: δ − F/K − e."""
+    """The error without what stiffness and flanks make of it under this load: δ − F/K − e."""
     c_t = scales.c_t
     force = float(scales.force_N(scales.load_from_torque(stated["torque"]) / c_t**2))
     phases = 2.0 * np.pi * np.array(stated["phases"])

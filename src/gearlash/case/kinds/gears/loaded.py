@@ -66,7 +66,7 @@ def unloaded(
     left = unloaded_error_of(own, mesh.mean * evaluate(mesh.shape, theta), force)
     found = np.fft.rfft(left)[1 : HIGHEST_HARMONIC + 1] * 2.0 / POINTS
     made = np.ptp(loaded - left)
-    makes = "the stiffness makes" if not np.any(mesh.relief) else "stiffness and relief make"
+    makes = "the stiffness makes" if not np.any(mesh.relief) else "stiffness and contact under load make"
     reason = f"what is left of the loaded error without the {made * 1e6:.3g} µm that {makes}"
     return {**entries, **{e.key: e for e in _entries(found, reason)}}, []
 

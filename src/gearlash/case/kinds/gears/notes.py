@@ -60,8 +60,8 @@ def _teeth(pair: GearPair) -> Iterator[Note]:
 def _relief(pair: GearPair) -> Iterator[Note]:
     """What is counted of modified flanks, and what is not."""
     drawing = pair.completed.drawing
-    mesh = loaded_of(drawing)
-    if mesh is None or drawing is None:
+    mesh = loaded_of(drawing, pair.entries)
+    if mesh is None or drawing is None or not drawing.modification.modified:
         return
     path = max(key for key in relief.KEYS & pair.entries.keys() if pair.entries[key].text)
     of_flanks, series = np.ptp(mesh.deflection), mesh.error_series(HIGHEST_HARMONIC)
@@ -70,7 +70,7 @@ def _relief(pair: GearPair) -> Iterator[Note]:
         path,
         f"modified flanks at this torque: {1e6 * of_flanks:.3g} um of static error under load, peak to "
         f"peak, made of the varying stiffness and of {1e6 * size:.3g} um of error beside mesh.error, which "
-        "is that of deviations from the modified flanks. Left out: contact beyond the path of contact, and "
+        "is that of deviations from the modified flanks. Left out: "
         "contact lines that change while the force swings about that of this torque",
     )
     ripples = [key for key, e in pair.entries.items() if key.startswith("ripple") and e.least is None]
