@@ -242,6 +242,28 @@ class Case(Record):
         """
         return self.content.physical(short, value)
 
+    def at_gear(self, short: str) -> tuple[str, float, str] | None:
+        """What one of a parameter is at the gear in place of the pinion.
+
+        Parameters
+        ----------
+        short : str
+            Short name of the parameter.
+
+        Returns
+        -------
+        (str, float, str) or None
+            Path, value and unit; None for what is no speed or torque of a pair whose teeth are stated.
+
+        Examples
+        --------
+        >>> import gearlash as gl
+        >>> path, rpm, unit = gl.load_case("article").at_gear("omega")
+        >>> print(path, round(rpm), unit)
+        operation.gear_speed 1528 rpm
+        """
+        return self.content.at_gear(short)
+
     def held(self, name: str) -> str:
         """What is taken to be the same wherever a parameter varies, although it may not be.
 

@@ -138,6 +138,10 @@ def known_of(case: Case) -> dict[str, str]:
     found["mesh.shift_sum"] = f"{sum(one.profile_shift for one in teeth.gears):.4g}"
     speed, torque = (_of(case, path) for path in ("operation.pinion_speed", "operation.torque"))
     found["operation.gear_speed"] = f"{speed / teeth.ratio:.6g} rpm"
+    for end in ("least", "greatest"):
+        own = next((v for v in case.values() if v.path == f"operation.{end}_speed"), None)
+        if own is not None:
+            found[f"operation.{end}_gear_speed"] = f"{float(own.value) / teeth.ratio:.6g} rpm"
     found["operation.gear_torque"] = f"{torque * teeth.ratio:.6g} N*m"
     found["operation.power"] = f"{1e-3 * torque * speed * pi / 30:.5g} kW"
     play = Backlash.from_normal(teeth, 1e-6 * _of(case, "mesh.backlash"))

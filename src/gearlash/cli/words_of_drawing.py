@@ -221,6 +221,8 @@ WORDS = (
     Word(
         "greatest_speed", "operation.greatest_speed", "4500rpm", "Greatest one; `report` examines the range."
     ),
+    Word("least_gear_speed", "operation.least_gear_speed", "660rpm", "The same of the gear, in place of it."),
+    Word("greatest_gear_speed", "operation.greatest_gear_speed", "2000rpm", "Greatest one of the gear."),
     Word("torque", "operation.torque", "150N*m", "Torque of the pinion.", True, True),
     Word("gear_torque", "operation.gear_torque", "342N*m", "Torque of the gear, in place of that."),
     Word("power", "operation.power", "66kW", "Power, in place of a torque."),

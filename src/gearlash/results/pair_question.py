@@ -65,11 +65,17 @@ def _check_alike(case: Case) -> None:
 
 def stated_speeds(case: Case) -> tuple[float, float] | None:
     """The range of speed ω that the case states; None where it states none."""
-    ends = [case.entries.get(path) for path in ("operation.least_speed", "operation.greatest_speed")]
-    if ends[0] is None or ends[1] is None:
-        return None
-    low, high = (float(case.scales.omega_from_pinion_speed(end.number)) for end in ends if end is not None)
-    return low, high
+    for of_gear, ends in (
+        (False, ("least_speed", "greatest_speed")),
+        (True, ("least_gear_speed", "greatest_gear_speed")),
+    ):
+        stated = [case.entries.get(f"operation.{end}") for end in ends]
+        if stated[0] is None or stated[1] is None:
+            continue
+        name = "gear_speed" if of_gear else "pinion_speed"
+        low, high = (case.resolve(name, f"{end.number!r} rad/s")[1] for end in stated if end is not None)
+        return low, high
+    return None
 
 
 def speeds_around(case: Case, count: int) -> Axis:

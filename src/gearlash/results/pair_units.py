@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gearlash.case import Case
+from gearlash.case.units import pretty
 
 
 @dataclass(frozen=True)
@@ -78,3 +79,12 @@ class PairUnits:
             torque=torque,
             time=Unit(1e3 * float(scales.time_s(1.0)), "ms", "ms"),
         )
+
+
+def stated_at_gear(case: Case, short: str, value: float, digits: int) -> str:
+    """``3000 rpm`` of the gear, where the case states its speed or torque in place of the pinion's; else
+    nothing."""
+    found = case.at_gear(short)
+    if found is None or found[0] not in case.entries:
+        return ""
+    return f"{found[1] * value:.{digits}g} {pretty(found[2])}"

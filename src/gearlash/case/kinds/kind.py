@@ -233,6 +233,21 @@ class Content(ABC):
         """
         return []
 
+    def at_gear(self, short: str) -> tuple[str, float, str] | None:
+        """What one of a parameter is at the gear in place of the pinion; see `Case.at_gear`.
+
+        Parameters
+        ----------
+        short : str
+            Short name.
+
+        Returns
+        -------
+        (str, float, str) or None
+            Path, value and unit; None where the kind has no gear, and for what is no speed or torque.
+        """
+        return None
+
     def held(self, name: str) -> str:
         """What is taken to be the same wherever a parameter varies; see `Case.held`.
 

@@ -29,6 +29,9 @@ class Asked:
         for path, values, own in case.physical(short, 1.0):
             if path.rpartition(".")[2] == leaf and (unit or named != short):
                 return Asked(leaf, *_converted(float(values), own, unit), gear)
+        at_gear = case.at_gear(short)
+        if at_gear is not None and at_gear[0].rpartition(".")[2] == leaf:
+            return Asked(leaf, *_converted(at_gear[1], at_gear[2], unit))
         return Asked(short if leaf == short else leaf, "", 1.0, gear)
 
     def value(self, dimensionless: float) -> float:
@@ -48,13 +51,23 @@ class Asked:
 
     def _ends(self, low: float, high: float, before: str, digits: int) -> str:
         ends = f"from {before}{self.value(low):.{digits}g} to {self.value(high):.{digits}g}"
-        return f"{ends} {pretty(self.unit)}" if self.unit else ends
+        return f"{ends} {self._unit}" if self.unit else ends
 
     @property
     def title(self) -> str:
         """The name as it is written for people."""
         name = self.name.replace("_", " ") if self.unit else self.name
         return f"{self.gear} {name}" if self.gear else name
+
+    @property
+    def _unit(self) -> str:
+        """With the shaft, where it is not that of the pinion."""
+        return f"{pretty(self.unit)} of the gear" if self.of_gear else pretty(self.unit)
+
+    @property
+    def of_gear(self) -> bool:
+        """Whether values are those of the gear in place of the pinion."""
+        return self.name in ("gear_speed", "gear_torque")
 
     def edge(self, value: float, inwards: int, beside: float) -> str:
         """The end of an interval, rounded into it; only the number."""
@@ -75,11 +88,11 @@ class Asked:
         return f"{shown} {pretty(self.unit)}" if self.unit else shown
 
     def with_unit(self, shown: str) -> str:
-        return f"{shown} {pretty(self.unit)}" if self.unit else f"{self.title} = {shown}"
+        return f"{shown} {self._unit}" if self.unit else f"{self.title} = {shown}"
 
     def between(self, low: str, high: str) -> str:
         """Two numbers as an interval: ``1000 to 3850 rpm``, ``omega from 0.13 to 0.5``."""
-        return f"{low} to {high} {pretty(self.unit)}" if self.unit else f"{self.title} from {low} to {high}"
+        return f"{low} to {high} {self._unit}" if self.unit else f"{self.title} from {low} to {high}"
 
 
 def _converted(value: float, own: str, asked: str) -> tuple[str, float]:

@@ -12,6 +12,7 @@ from gearlash.case import Case
 from gearlash.case.edges import shown_edge
 from gearlash.results.beside import Beside, BesideMotion
 from gearlash.results.impact_free import ImpactFree
+from gearlash.results.pair_units import stated_at_gear
 from gearlash.system import Label, MotionKind, Signature
 
 from .excitation import Unexcited, at_rest
@@ -214,6 +215,7 @@ class _Speed:
         rests = rests_on(case, numbers is not None and numbers.distances.back.minimum < 0.0)
         self.asked = f" {ASSUMED_MARK}" if "speed" in rests else ""
         self.computed = f" {ASSUMED_MARK}" if "time" in rests or "model" in rests else ""
+        self.of_gear = stated_at_gear(case, "omega", omega, 6)
 
     @property
     def here(self) -> str:
@@ -222,7 +224,8 @@ class _Speed:
         near = round(value)
         whole = self.scales is not None and abs(value - near) <= 1e-6 * abs(value)
         shown = f"{near}" if whole else f"{value:.6g}"
-        return self._with_unit(shown) + self.asked
+        told = self._with_unit(shown) + self.asked
+        return f"{self.of_gear} of the gear, {told}" if self.of_gear else told
 
     def text(self, omega: float, inwards: int = 0) -> str:
         """The end of an interval (see `shown_edge`)."""
@@ -234,4 +237,6 @@ class _Speed:
         return self._with_unit(shown) + (self.computed if inwards else self.asked)
 
     def _with_unit(self, shown: str) -> str:
-        return f"ω = {shown}" if self.scales is None else f"{shown} rpm"
+        if self.scales is None:
+            return f"ω = {shown}"
+        return f"{shown} rpm of the pinion" if self.of_gear else f"{shown} rpm"

@@ -154,7 +154,11 @@ def _end(answer: ZonesAnswer, end: ZoneEnd, inwards: int, marks: Marks) -> str:
         text = shown_edge(
             factor * end.inner(inwards), inwards if factor >= 0.0 else -inwards, answer.present * factor
         )
-        shown.append(marks.of(f"{text} {pretty(p.unit)}", p.rests_on))
+        of = " of the pinion" if answer.asked.of_gear and p.name in ("pinion_speed", "torque") else ""
+        shown.append(marks.of(f"{text} {pretty(p.unit)}{of}", p.rests_on))
+    if answer.asked.of_gear and end.physical:
+        edge = answer.asked.edge(end.inner(inwards), inwards, answer.present)
+        shown.insert(0, marks.of(answer.asked.with_unit(edge), end.physical[0].rests_on))
     shown.insert(1 if answer.asked.unit and shown else 0, f"{answer.axis.name} {value}")
     how = end.kind + (
         f", {end.inside} inside, {end.outside} outside ({end.direction})" if end.outside else ""

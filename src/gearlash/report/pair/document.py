@@ -8,7 +8,7 @@ from gearlash.report.pictures import Picture
 from . import basis, maps, motions, speed
 from .contents import Contents
 from .noise import backlash_matters, not_quiet, reversing, unloaded
-from .verdict import NO_APPROVAL, Line, verdict
+from .verdict import NO_APPROVAL, Line, place, verdict
 from .words import Words
 
 CAPTION = "In short. Found means: by the starts and sweeps that are named at the end."
@@ -38,7 +38,7 @@ def document(contents: Contents) -> tuple[Page, list[Picture]]:
     pictures += basis.pictures(contents)
     about = f" {found.case.description}." if found.case.description else ""
     page = Page(
-        f"{found.case.name}: {speed_text}, {torque}",
+        f"{found.case.name}: {place(found.case, units, found.here, load)}",
         f"What the model of this pair does there and around.{about}",
         tuple(parts),
         f"{NO_APPROVAL} Figures lie beside this file as SVG and PDF, curves, histories and spectra as CSV "

@@ -12,7 +12,7 @@ from gearlash.case import Case
 from gearlash.orbits import Neutral, Unresolved
 from gearlash.plots.regimes import short
 from gearlash.results.beside import Beside
-from gearlash.results.pair_units import PairUnits
+from gearlash.results.pair_units import PairUnits, stated_at_gear
 from gearlash.studies.assessment import Assessment
 from gearlash.studies.bands import zone_with
 from gearlash.system import ContactRule, Signature, Status
@@ -100,10 +100,15 @@ def verdict(found: Assessment) -> Verdict:
 
 
 def place(case: Case, units: PairUnits, omega: float, load: float) -> str:
-    """``4200 rpm and 150 N·m``, or both as numbers."""
+    """``4200 rpm and 150 N·m``, or both as numbers; of the gear first, where the case states those."""
     speed = units.speed.text(omega, 5) if units.speed.name else f"omega = {omega:.5g}"
     torque = units.torque.text(load, 5) if units.torque.name else f"load = {load:.5g}"
-    return f"{speed} and {torque}"
+    return f"{_both(case, 'omega', omega, speed)} and {_both(case, 'load', load, torque)}"
+
+
+def _both(case: Case, short: str, value: float, pinion: str) -> str:
+    of_gear = stated_at_gear(case, short, value, 5)
+    return f"{of_gear} of the gear ({pinion} of the pinion)" if of_gear else pinion
 
 
 def _answer(found: Assessment, words: Words) -> tuple[Kind, str, str]:

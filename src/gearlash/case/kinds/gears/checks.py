@@ -8,12 +8,13 @@ from math import pi
 
 import numpy as np
 
+from gearlash.case.entries import Entry
 from gearlash.case.errors import Problem
 from gearlash.gears.mesh import harmonic_count, series
 from gearlash.system import evaluate
 
 from .curve_checks import about_curves
-from .drawn import SPEED_RANGE
+from .drawn import GEAR_RANGE, SPEED_RANGE
 from .excitation import Curves
 from .keys import REFERENCE
 from .places import stated_paths
@@ -74,9 +75,13 @@ def contradictions(rules: PairRules, entries: EntriesByKey, curves: Curves) -> l
 
 def _speed_range(entries: EntriesByKey) -> Iterator[Problem]:
     """A range of speed has two ends, the least one first."""
-    stated = [entries[path] for path in SPEED_RANGE if path in entries]
+    for paths in (SPEED_RANGE, GEAR_RANGE):
+        yield from _both_ends([entries[path] for path in paths if path in entries], paths)
+
+
+def _both_ends(stated: list[Entry], paths: tuple[str, str]) -> Iterator[Problem]:
     if len(stated) == 1:
-        other = next(path for path in SPEED_RANGE if path != stated[0].path)
+        other = next(path for path in paths if path != stated[0].path)
         yield Problem(stated[0].path, repr(stated[0].text), f"{other} beside it, the other end of the range")
     if len(stated) == 2 and not stated[0].number < stated[1].number:
         yield Problem(stated[1].path, repr(stated[1].text), f"more than {stated[0].path} = {stated[0].text}")

@@ -57,6 +57,9 @@ def operation_in_other_words(entries: EntriesByKey) -> Iterator[Entry]:
         )
         yield speed
     path, inferred = "operation.torque", Provenance.INFERRED
+    for own, of_gear in zip(drawn.SPEED_RANGE, drawn.GEAR_RANGE, strict=True):
+        if of_gear in entries:
+            yield Entry(own, own, entries[of_gear].number * ratio, "", inferred, "speed of the gear times u")
     if drawn.GEAR_TORQUE in entries:
         value = entries[drawn.GEAR_TORQUE].number / ratio
         yield Entry("load", path, value, "", inferred, "torque of the gear over u, without losses")

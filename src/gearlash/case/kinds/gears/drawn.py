@@ -31,6 +31,7 @@ FITS = tuple(
 )
 GEAR_SPEED, GEAR_TORQUE, POWERED = "operation.gear_speed", "operation.gear_torque", "operation.power"
 SPEED_RANGE = "operation.least_speed", "operation.greatest_speed"
+GEAR_RANGE = "operation.least_gear_speed", "operation.greatest_gear_speed"
 PLAY = "mesh.backlash_circumferential"
 WIDTH = "mesh.face_width"
 BOTH_WIDTHS = {WIDTH: ("pinion.face_width", "gear.face_width")}
@@ -40,6 +41,7 @@ MEASURES = ("span", "over_balls", "over_pins", "tooth_thickness")
 SAME: tuple[tuple[str, ...], ...] = (
     ("omega", GEAR_SPEED),
     ("load", GEAR_TORQUE, POWERED),
+    *zip(SPEED_RANGE, GEAR_RANGE, strict=True),
     ("D", PLAY),
     (CENTRE, SHIFT_SUM),
     *(tuple(f"{gear}.{leaf}" for leaf in MEASURES) for gear in GEARS),
@@ -134,8 +136,9 @@ def of_operation() -> Iterator[Quantity]:
     yield Quantity(GEAR_TORQUE, TORQUE, "N*m", "900 N·m", what, -1e9, 1e9)
     what = "power at the stated speed; the torque that follows is kept where the speed varies"
     yield Quantity(POWERED, POWER, "kW", "45 kW", what, -1e12, 1e12)
-    for path, name, example in zip(SPEED_RANGE, ("least", "greatest"), ("1500 rpm", "4500 rpm"), strict=True):
-        yield positive(path, SPEED, "rpm", example, f"{name} speed that the pinion is to run at", 1e6)
+    for who, paths in (("pinion", SPEED_RANGE), ("gear", GEAR_RANGE)):
+        for path, name, example in zip(paths, ("least", "greatest"), ("1500 rpm", "4500 rpm"), strict=True):
+            yield positive(path, SPEED, "rpm", example, f"{name} speed that the {who} is to run at", 1e6)
 
 
 def options() -> Iterator[Choice]:
@@ -155,5 +158,5 @@ KEYS = frozenset(
     for place in (*(q for gear in GEARS for q in of_gear(gear)), *of_mesh(), *of_operation(), *options())
 )
 """Words of a drawing."""
-GEOMETRY = KEYS - {GEAR_SPEED, GEAR_TORQUE, POWERED, WIDTH, *SPEED_RANGE}
+GEOMETRY = KEYS - {GEAR_SPEED, GEAR_TORQUE, POWERED, WIDTH, *SPEED_RANGE, *GEAR_RANGE}
 """Those that say something of the teeth or their bodies."""

@@ -23,7 +23,7 @@ from .excitation import Curves, teeth_of
 from .held import held
 from .mean_stiffness import KEY as MEAN_STIFFNESS
 from .mean_stiffness import with_mean_stiffness
-from .naming import named, resolve, to_vary
+from .naming import at_gear, named, resolve, to_vary
 from .notes import notes
 from .pair import GearPair
 from .records import Numbers
@@ -100,6 +100,9 @@ class GearContent(Content):
 
     def physical(self, short: str, value: ArrayLike) -> list[tuple[str, NDArray[np.float64], str]]:
         return self.pair.physical(short, value)
+
+    def at_gear(self, short: str) -> tuple[str, float, str] | None:
+        return at_gear(self.pair, short)
 
     def held(self, name: str) -> str:
         return held(self.pair, name)

@@ -3,18 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from gearlash.case.errors import CaseError, Problem, shown
 from gearlash.case.quantity import Quantity
 from gearlash.case.stated import ValueRefusedError, read_stated
+from gearlash.case.units import unit
 from gearlash.system import UnknownNameError
 
 from . import play
-from .drawn import SPEED_RANGE
+from .drawn import GEAR_SPEED, GEAR_TORQUE, SPEED_RANGE
 from .entries import place_for, place_of
-from .keys import REFERENCE
+from .keys import GEARS, REFERENCE
 from .pair import GearPair
-from .units import to_dimensionless
+from .units import to_dimensionless, to_physical
+
+
+@dataclass(frozen=True)
+class OfGear:
+    """A quantity of the gear that is one of the pinion times the ratio to a power: the parameter it means."""
+
+    short: str
+    pinion: str
+    power: int
+
+
+AT_GEAR = {
+    GEAR_SPEED: OfGear("omega", "operation.pinion_speed", 1),
+    GEAR_TORQUE: OfGear("load", "operation.torque", -1),
+}
 
 
 def resolve(pair: GearPair, label: str, name: str, value: object) -> tuple[str, float]:
@@ -24,20 +41,48 @@ def resolve(pair: GearPair, label: str, name: str, value: object) -> tuple[str, 
     if isinstance(place, Problem):
         raise CaseError(label, [place])
     known = pair.family().defaults
+    of_gear = AT_GEAR.get(place.path)
+    if of_gear is not None and isinstance(place, Quantity) and of_gear.short in known and has_teeth(pair):
+        at_pinion = _stated(label, name, value, place) * _ratio(pair) ** of_gear.power
+        return of_gear.short, to_dimensionless(pair.scales, of_gear.pinion, at_pinion)
     cold = place.path == play.STATED and play.act_on(pair.entries) and place.path in known
     short = place.path
     if isinstance(place, Quantity) and place.key in known and not cold:
         short = place.key
     if short not in known or not isinstance(place, Quantity):
         raise UnknownNameError("parameter to vary", name, {*known, *_physical_names(pair, known)})
+    number = _stated(label, name, value, place)
+    if cold:
+        return short, number
+    more = pair.completed.play_added if place.path == play.STATED else 0.0
+    return short, to_dimensionless(pair.scales, place.path, number + more)
+
+
+def _stated(label: str, name: str, value: object, place: Quantity) -> float:
+    """A value in SI."""
     try:
-        stated = read_stated(value, place)
+        return float(read_stated(value, place).value)
     except ValueRefusedError as error:
         raise CaseError(label, [Problem(name, shown(value), error.expected, error.nearest)]) from None
-    if cold:
-        return short, float(stated.value)
-    more = pair.completed.play_added if place.path == play.STATED else 0.0
-    return short, to_dimensionless(pair.scales, place.path, float(stated.value) + more)
+
+
+def _ratio(pair: GearPair) -> float:
+    return pair.entries["gear.teeth"].number / pair.entries["pinion.teeth"].number
+
+
+def has_teeth(pair: GearPair) -> bool:
+    """Whether the numbers of teeth are known, and what is of the gear can be told for the pinion."""
+    return pair.scales.physical and all(f"{gear}.teeth" in pair.entries for gear in GEARS)
+
+
+def at_gear(pair: GearPair, short: str) -> tuple[str, float, str] | None:
+    """Path, value and unit at the gear of a parameter of 1; None of what is no speed or torque."""
+    for path, of_gear in AT_GEAR.items():
+        if of_gear.short == short and path in pair.places.quantities and has_teeth(pair):
+            place = pair.places.quantities[path]
+            si = float(to_physical(pair.scales, of_gear.pinion, 1.0)) / _ratio(pair) ** of_gear.power
+            return path, si * float(unit(place.unit).express(1.0)), place.unit
+    return None
 
 
 def to_vary(pair: GearPair, name: str) -> str | None:
@@ -48,6 +93,8 @@ def to_vary(pair: GearPair, name: str) -> str | None:
     if isinstance(place, Problem):
         raise CaseError(name, [place])
     cold = place.path == play.STATED and play.act_on(pair.entries)
+    if place.path in AT_GEAR and has_teeth(pair):
+        return None
     if place.path in known or (isinstance(place, Quantity) and place.key in known and not cold):
         return None
     entry = pair.entries.get(pair.places.keys(place)[0])
