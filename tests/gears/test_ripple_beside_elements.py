@@ -88,7 +88,7 @@ STATIC = {
 
 @pytest.mark.parametrize("name", STATIC)
 def test_stiffness_and_error_together_make_the_static_error_of_elements(name: str):
-    """Amplitudes of F/K + e are near it in every order, for a mesh of their mean stiffness; those of F/K less so."""
+    """Amplitudes of F/K + e are near it, for a mesh of their mean stiffness; those of F/K less so."""
     one = PAIRS[name]
     mesh = loaded_mesh(one.drawing)
     angle = np.linspace(0.0, 2.0 * np.pi, 720, endpoint=False)

@@ -43,13 +43,12 @@ class Asked:
 
     def span(self, low: float, high: float, digits: int = 6) -> str:
         """Two values with the name: ``pinion speed from 1000 to 3850 rpm``, ``omega from 0.13 to 0.5``."""
-        return f"{self.title} {self._ends(low, high, '', digits)}"
+        ends = f"from {self.value(low):.{digits}g} to {self.value(high):.{digits}g}"
+        return f"{self.title} {ends} {pretty(self.unit)}".rstrip()
 
     def reach(self, low: float, high: float, digits: int = 6) -> str:
         """How far was looked: ``from 1000 to 3850 rpm``, ``from omega = 0.13 to 0.5``."""
-        return self._ends(low, high, "" if self.unit else f"{self.title} = ", digits)
-
-    def _ends(self, low: float, high: float, before: str, digits: int) -> str:
+        before = "" if self.unit else f"{self.title} = "
         ends = f"from {before}{self.value(low):.{digits}g} to {self.value(high):.{digits}g}"
         return f"{ends} {self._unit}" if self.unit else ends
 
@@ -61,13 +60,12 @@ class Asked:
 
     @property
     def _unit(self) -> str:
-        """With the shaft, where it is not that of the pinion."""
-        return f"{pretty(self.unit)} of the gear" if self.of_gear else pretty(self.unit)
+        return unit_of(self.name, self.unit)
 
     @property
     def of_gear(self) -> bool:
         """Whether values are those of the gear in place of the pinion."""
-        return self.name in ("gear_speed", "gear_torque")
+        return is_of_gear(self.name)
 
     def edge(self, value: float, inwards: int, beside: float) -> str:
         """The end of an interval, rounded into it; only the number."""
@@ -93,6 +91,16 @@ class Asked:
     def between(self, low: str, high: str) -> str:
         """Two numbers as an interval: ``1000 to 3850 rpm``, ``omega from 0.13 to 0.5``."""
         return f"{low} to {high} {self._unit}" if self.unit else f"{self.title} from {low} to {high}"
+
+
+def is_of_gear(name: str) -> bool:
+    """Whether a name is that of a quantity of the gear which the pinion has, too."""
+    return name.rpartition(".")[2] in ("gear_speed", "gear_torque")
+
+
+def unit_of(name: str, unit: str) -> str:
+    """A unit as it is written, with the shaft where that is not the pinion."""
+    return f"{pretty(unit)} of the gear" if is_of_gear(name) else pretty(unit)
 
 
 def _converted(value: float, own: str, asked: str) -> tuple[str, float]:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
 from gearlash.case.edges import shown_interval
-from gearlash.case.units import pretty
 
+from .asked import unit_of
 from .parts import CaseUsed, case_used
 
 if TYPE_CHECKING:  # answers are described without the engine
@@ -205,15 +205,21 @@ def margin_text(case: Case, member: ToleranceMember) -> str:
     return f"least compression {1e6 * member.compression:.4g} µm"
 
 
+def _axis_unit(found: Tolerance) -> str:
+    """With the shaft, where it is not that of the pinion."""
+    return unit_of(found.axis.name, found.axis.unit)
+
+
 def value_text(found: Tolerance, value: float) -> str:
     """A value of the axis with its unit or its name."""
-    unit = found.axis.unit
-    return f"{value:.6g} {pretty(unit)}" if unit else f"{found.axis.name} = {value:.6g}"
+    if not found.axis.unit:
+        return f"{found.axis.name} = {value:.6g}"
+    return f"{value:.6g} {_axis_unit(found)}"
 
 
 def bands_text(found: Tolerance, bands: Sequence[tuple[float, float]]) -> str:
     """Bands rounded into them, with their unit."""
-    unit = f" {pretty(found.axis.unit)}" if found.axis.unit else ""
+    unit = f" {_axis_unit(found)}" if found.axis.unit else ""
     name = "" if found.axis.unit else f"{found.axis.name} "
     told = " and ".join(f"{name}{' to '.join(shown_interval(*band))}" for band in bands[:MOST_TOLD])
     more = f" and {len(bands) - MOST_TOLD} more" if len(bands) > MOST_TOLD else ""

@@ -76,7 +76,10 @@ def contradictions(rules: PairRules, entries: EntriesByKey, curves: Curves) -> l
 def _speed_range(entries: EntriesByKey) -> Iterator[Problem]:
     """A range of speed has two ends, the least one first."""
     for paths in (SPEED_RANGE, GEAR_RANGE):
-        yield from _both_ends([entries[path] for path in paths if path in entries], paths)
+        stated = [entries[path] for path in paths if path in entries]
+        yield from _both_ends(
+            [entry for entry in stated if entry.text], paths
+        )  # not what follows from others
 
 
 def _both_ends(stated: list[Entry], paths: tuple[str, str]) -> Iterator[Problem]:
