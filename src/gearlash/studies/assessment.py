@@ -148,7 +148,7 @@ def assess(
     beside = motions_beside(found, own, cold, more=_next_to(ways, values[SPEED]), settings=settings)
     quiet, drive = zones_of_kinds(
         case, axis, [Quiet.IMPACT_FREE, Quiet.DRIVE_SIDE_ONLY], known=ways, settings=settings,
-        execution=telling(execution, say, "ends of bands"), work=WORK,
+        execution=telling(execution, say, "ends of bands"), work=WORK, assure=False,
     )  # fmt: skip
     ranges = across_ranges(case, settings, telling(execution, say, "ranges of estimates"))
     loud = _loudest(found, beside, readouts, settings)

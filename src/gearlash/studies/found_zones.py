@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -28,7 +28,8 @@ FOLLOWED = "along its branch"  # how a motion was found that no start led to
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """All that was found along an axis; ``starts``: from how many starts."""
+    """All that was found along an axis; ``starts``: from how many starts; ``assure``: whether what lies
+    between computed orbits is looked at."""
 
     model: Model
     axis: Axis
@@ -36,6 +37,8 @@ class Found:
     followed: Followed
     onsets: Onsets
     starts: int
+    assure: bool = True
+    sure: dict[tuple[int, float, float], tuple[float, float] | None] = field(default_factory=dict)
 
     @property
     def near(self) -> float:
@@ -180,11 +183,22 @@ class Found:
             if high - low > self.near:
                 yield arc, low, high
 
+    def assured(self, calm: Sequence[tuple[Arc, float, float]]) -> dict[int, tuple[float, float]]:
+        """Between which values a stable orbit is assured on each arc, by its number: computed once where
+        zones of several kinds hold the same part of it, and not where nobody asks."""
+        if not self.assure:
+            return {}
+        of = {(self.followed.arcs.index(arc), low, high): (arc, low, high) for arc, low, high in calm}
+        new = {key: each for key, each in of.items() if key not in self.sure}
+        found = assured(self.followed, new.values())
+        self.sure.update({key: found.get(key[0]) for key in new})
+        return {key[0]: part for key in of if (part := self.sure[key]) is not None}
+
     def motions(self, quiet: Quiet, one: Interval, every: bool) -> Iterator[ZoneMotion]:
         """All that were found in an interval."""
         inside = list(self.inside(one))
         calm = [each for each in inside if quiet.holds_signature(each[0].label)]
-        sure = assured(self.followed, calm) if every else {}
+        sure = self.assured(calm) if every else {}
         for arc, _, _ in inside:
             yield ZoneMotion(
                 arc.label, self.ways(arc), arc.lower.value, arc.upper.value,

@@ -101,11 +101,13 @@ def zones_of_kinds(
     settings: Settings | None = None,
     execution: Execution | None = None,
     work: int | None = None,
+    assure: bool = True,
 ) -> tuple[Zones, ...]:
     """The same of several kinds from the same sweeps and branches.
 
     Where ``work`` is given no more of it is spent on following (units of `work.Work`), first on motions that
-    matter most. What is left out counts where sweeps saw it, and `Zones.left_out` says how much that is."""
+    matter most. What is left out counts where sweeps saw it, and `Zones.left_out` says how much that is.
+    Without ``assure`` nothing is assured between computed orbits (`ZoneMotion.assured`)."""
     source = Source.of(model)
     family = source.family()
     wanted, settings = [given.choice(Quiet, "kind of zone", k) for k in kinds], checked_settings(settings)
@@ -121,7 +123,7 @@ def zones_of_kinds(
     low, high = float(axis.values[0]), float(axis.values[-1])
     question = Question(source, tuple(fixed.items()), axis.name, low, high, settings)
     followed, starts = branches_found(ways, question, execution, work)
-    found = Found(model, axis, tuple(ways), followed, Onsets(followed, begin), starts)
+    found = Found(model, axis, tuple(ways), followed, Onsets(followed, begin), starts, assure)
     return tuple(found.zones(quiet) for quiet in wanted)
 
 

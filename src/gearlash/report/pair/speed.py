@@ -165,10 +165,9 @@ def _bearing_table(run: SpeedRun, units: PairUnits, words: Words) -> list[Block]
 def _resonance_table(case: Case, units: PairUnits) -> list[Block]:
     hertz = float(case.scales.mesh_hz(1.0)) if case.scales.physical else None
     orders = sorted({*range(1, LEAST + 1), *exciting(case)})
-    digits = 5 if len(orders) <= LEAST else 4  # as many columns as a page has room for
     rows = []
     for i, frequency in enumerate(natural_frequencies(case), start=1):
-        cells = [number(units.speed.factor * frequency / order, digits) for order in orders]
+        cells = [number(units.speed.factor * frequency / order, 5) for order in orders]
         rows.append((f"f{i}", "" if hertz is None else number(hertz * frequency, 5), *cells))
     unit = units.speed.name or "omega"
     head = ("", "Hz" if hertz else "", f"order 1 [{unit}]", *(f"order {order}" for order in orders[1:]))

@@ -88,6 +88,7 @@ def verdict(found: Assessment) -> Verdict:
         *([] if speeds is None else [Line("Over its speed range", speeds.text)]),
         Line("Across its ranges", NO_RANGES if over is None else over.text),
         *([Line("Turned round", TURNED)] if found.turned else []),
+        *_shaft(found),
         Line("Teeth separate", _separating(found, words)),
         Line("Back side", _back(found, words)),
         Line("Margin", _margin(found, words)),
@@ -104,6 +105,17 @@ def place(case: Case, units: PairUnits, omega: float, load: float) -> str:
     speed = units.speed.text(omega, 5) if units.speed.name else f"omega = {omega:.5g}"
     torque = units.torque.text(load, 5) if units.torque.name else f"load = {load:.5g}"
     return f"{_both(case, 'omega', omega, speed)} and {_both(case, 'load', load, torque)}"
+
+
+def _shaft(found: Assessment) -> list[Line]:
+    """Which shaft speeds are of, where the case states that of the gear."""
+    if not stated_at_gear(found.case, "omega", found.here, 5):
+        return []
+    entries = found.case.content.entries
+    teeth = " over ".join(f"{entries[f'{gear}.teeth'].number:.0f}" for gear in ("gear", "pinion"))
+    return [
+        Line("Speeds", f"Those that are told without a shaft are of the pinion: {teeth} times the gear's.")
+    ]
 
 
 def _both(case: Case, short: str, value: float, pinion: str) -> str:
