@@ -147,9 +147,9 @@ def _circles(axes: Axes, pair: CylindricalPair, half: float) -> None:
             (rf"$d_{{\mathrm{{f}}{index}}}$", gear.root_diameter, PALE, "-"),
         )
         middle = 0.0 if sign > 0 else pair.centre_distance * MM
-        for name, diameter, colour, style in circles:
+        for i, (name, diameter, colour, style) in enumerate(circles):
             axes.add_patch(_circle(middle, diameter * MM, colour, style))
-            x = -sign * 0.93 * half
+            x = -sign * (0.93 - 0.11 * (i % 2)) * half  # base and root circles may nearly be one
             if abs(x) < 0.5 * diameter * MM:
                 y = middle + sign * np.sqrt((0.5 * diameter * MM) ** 2 - x**2)
                 if abs(y - 0.5 * pair.working_diameters[0] * MM) > 0.57 * half:
