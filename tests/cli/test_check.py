@@ -69,3 +69,18 @@ def test_k_v_of_the_standard_stands_beside_the_case(gearlash: Gearlash):
     assert "for grades 7 and 7 of ISO 1328-1" in said
     assert said in " ".join(gearlash("check", str(drawn)).out.split())
     assert gearlash("check", "kahraman-singh", "--json").answer["dynamic_factor"] == ""
+
+
+def test_teeth_of_both_gears_stand_side_by_side(gearlash: Gearlash):
+    """Each dimension once, in one line, and the numbers of the JSON."""
+    drawn = str(Path(__file__).resolve().parents[1] / "cases" / "drawing.toml")
+    values = {v["path"]: v["value"] for v in gearlash("check", drawn, "--json").answer["values"]}
+    lines = gearlash("check", drawn).out.splitlines()
+    for leaf, told in (("tip_diameter", "tip diameter d_a, mm"), ("span", "span measurement W_k, mm"),
+                       ("working_diameter", "working pitch diameter d_w, mm")):  # fmt: skip
+        (line,) = [line for line in lines if line.strip().startswith(told)]
+        shown = [float(cell) for cell in line.replace(told, "").replace("†", "").split()]
+        pair = [values[f"derived.{leaf}_{gear}"] for gear in ("pinion", "gear")]
+        assert shown == pytest.approx(pair, rel=1e-6)
+        assert not any(f"derived.{leaf}_" in line for line in lines)
+    assert any("N/(mm·µm)" in line for line in lines)

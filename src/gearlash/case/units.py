@@ -252,7 +252,7 @@ def _registry():
     return pint.UnitRegistry(cache_folder=None)
 
 
-PRETTY = {"um": "µm", "N*m": "N·m", "kg*m^2": "kg·m²", "deg": "°", "degC": "°C"}
+PRETTY = {"um": "µm", "N*m": "N·m", "kg*m^2": "kg·m²", "deg": "°", "degC": "°C", "N/mm/um": "N/(mm·µm)"}
 
 
 def pretty(unit: str) -> str:

@@ -40,7 +40,8 @@ def _new(
     source.
     """
     from gearlash.cli.answers.new import new_answer
-    from gearlash.cli.drawing_file import TEMPLATE, file_text, known_of
+    from gearlash.cli.comments_of_drawing import comments_of
+    from gearlash.cli.drawing_file import TEMPLATE, file_text
     from gearlash.cli.frame import show_answer
     from gearlash.cli.new_file import checked_place, loaded, write
     from gearlash.cli.questions import asked, at_a_terminal
@@ -54,7 +55,7 @@ def _new(
     head = file.name, description or ""
     texts = placed(stated or TEMPLATE)
     case = loaded(file, file_text(texts, *head), stated)
-    text = file_text(texts, *head, example, known_of(case))
+    text = file_text(texts, *head, example, comments_of(case))
     answer = new_answer(str(file), case, example)
     with delivery():
         write(file, text, overwrite)

@@ -14,6 +14,10 @@ from .layout import facts, headline, note, remarks, table, wrapped
 from .numbers import Marks, number
 
 RESONANCE = re.compile(r"derived\.(natural_frequency|critical_speed)_(\d+)(_hz)?")
+OF_TEETH = re.compile(
+    r"derived\.(\w+_diameter|tip_clearance|\w+_thickness|span|span_teeth|over_balls)_(pinion|gear)"
+)
+GEARS = ("pinion", "gear")
 
 
 def check_view(answer: CheckAnswer, width: int) -> Iterator[Text]:
@@ -29,12 +33,13 @@ def check_view(answer: CheckAnswer, width: int) -> Iterator[Text]:
         yield from facts("Source", rows, width)
     marks = Marks({})
     stated = [v for v in answer.values if v.provenance != "derived"]
-    derived = [v for v in answer.values if v.provenance == "derived" and not RESONANCE.fullmatch(v.path)]
+    derived = [v for v in answer.values if v.provenance == "derived" and not _in_a_table(v.path)]
     open_ = [v for v in stated if v.provenance != "given"]
     yield from remarks("Given", [_row(v, marks) for v in stated if v.provenance == "given"], width)
     if open_:
         yield from remarks("Not given", open_rows(open_, marks), width)
     yield from remarks("Derived", [_row(v, marks) for v in derived], width)
+    yield from _teeth(answer.values, marks, width)
     yield from _resonances(answer.values, marks, width)
     if answer.dynamic_factor:
         yield from note(answer.dynamic_factor, width)
@@ -84,6 +89,26 @@ def _shown(value: CheckValue) -> str:
         return value.value
     blank = "" if value.unit in ("", "deg") else " "
     return f"{number(float(value.value), 7)}{blank}{pretty(value.unit)}"
+
+
+def _in_a_table(path: str) -> bool:
+    """Is it told beside its like, and not in a line of its own?"""
+    return bool(RESONANCE.fullmatch(path) or OF_TEETH.fullmatch(path))
+
+
+def _teeth(values: Sequence[CheckValue], marks: Marks, width: int) -> Iterator[Text]:
+    """Dimensions of both gears side by side."""
+    rows: dict[str, dict[str, str]] = {}
+    for v in values:
+        match = OF_TEETH.fullmatch(v.path)
+        if match:
+            told = v.description.removesuffix(f" of the {match[2]}")
+            unit = f", {v.unit}" if v.unit else ""
+            rows.setdefault(f"{told}{unit}", {})[match[2]] = marks.of(number(float(v.value), 7), v.rests_on)
+    if rows:
+        columns = [("", "left"), *((gear, "right") for gear in GEARS)]
+        cells = [[name, *(found.get(gear, "") for gear in GEARS)] for name, found in rows.items()]
+        yield from table("Teeth, at 20 °C", columns, cells, width)
 
 
 def _resonances(values: Sequence[CheckValue], marks: Marks, width: int) -> Iterator[Text]:

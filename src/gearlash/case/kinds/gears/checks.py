@@ -14,7 +14,7 @@ from gearlash.gears.mesh import harmonic_count, series
 from gearlash.system import evaluate
 
 from .curve_checks import about_curves
-from .drawn import GEAR_RANGE, SPEED_RANGE
+from .drawn import GEAR_RANGE, SPEED_RANGE, rivals
 from .excitation import Curves
 from .keys import REFERENCE
 from .places import stated_paths
@@ -33,8 +33,8 @@ def missing(rules: PairRules, entries: EntriesByKey, present: Collection[str] = 
     physical = rules.places.physical(paths) or not any(path.startswith("dimensionless.") for path in paths)
     problems = []
     for key in (*_required(entries, physical), *rules.required(entries, physical, known)):
-        if key in known:
-            continue
+        if key in known or not known.isdisjoint(rivals(key)):
+            continue  # stated, or said in other words that are at fault themselves
         ways = rules.places.two_way.get(key, (key,))
         place = places[ways[0]]
         other = f" (or {', '.join(ways[1:])})" if len(ways) > 1 else ""

@@ -4,12 +4,12 @@ from."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import degrees
 
 import numpy as np
 
 from . import play, relief
 from .at_torque import loaded_of
+from .derive_teeth import of_teeth, stiffness_per_width, under_torque
 from .keys import BODY, EQUIVALENT_MASS, GEARS, REFERENCE
 from .pair import GearPair
 from .records import Derived
@@ -58,19 +58,9 @@ def _derived_geometry(pair: GearPair) -> Iterator[Derived]:
     if width is not None:
         inputs = (*radius, "pinion.face_width", "gear.face_width")
         yield from pair.rules.overlap(geometry.overlap_ratio(width), ratio, inputs)
-    yield from _at_work(pair, radius)
+    yield from of_teeth(pair)
     yield from _under_load(pair)
-
-
-def _at_work(pair: GearPair, radius: tuple[str, ...]) -> Iterator[Derived]:
-    """Where the axes have another distance at work."""
-    meshing = pair.numbers.body.meshing
-    if meshing is None or not play.stated(pair.entries):
-        return
-    inputs = (*radius, *play.inputs(pair.entries)[1:])
-    text = "α_wt at the centre distance at work; contact ratio and stiffness are those of it"
-    angle = degrees(meshing.working_pressure_angle)
-    yield Derived("derived.working_pressure_angle", angle, "deg", "ISO 21771-1", inputs, text)
+    yield from stiffness_per_width(pair)
 
 
 def _under_load(pair: GearPair) -> Iterator[Derived]:
@@ -153,6 +143,7 @@ def _counterparts(pair: GearPair) -> Iterator[Derived]:
         yield Derived(
             "derived.transmitted_force", force, "N", "W = T_p/R_p", ("load", *torque), "mean force W"
         )
+        yield from under_torque(pair)
 
 
 def _half_of_own_backlash(entries: EntriesByKey) -> bool:

@@ -334,7 +334,7 @@ def _refused(entries: EntriesByKey, stated: EntriesByKey, pair: CylindricalPair)
             k
             for k in (
                 drawn.CENTRE,
-                *(f"{g}.{leaf}" for g in GEARS for leaf in ("profile_shift", *drawn.MEASURES)),
+                *(f"{g}.{leaf}" for leaf in (*drawn.MEASURES, "profile_shift") for g in GEARS),
             )
             if k in stated
         ]

@@ -23,6 +23,10 @@ MOST_SHIFT = 3.0
 """|x| beyond which a measure is that of another gear."""
 USUAL_WIDTH = 10.0
 """Face width over the module where none is stated."""
+ROUNDED = 1e-6
+"""m: a measured tooth thickness that is nearer than that to the nominal one is the nominal one, rounded."""
+NO_SHIFT = 1e-3
+"""Sum of the profile shifts below which a stated centre distance is that of teeth without shift, rounded."""
 
 
 class Teeth:
@@ -121,6 +125,10 @@ class Teeth:
             )
             return first, second
         rest = f"what x_1 + x_2 = {total:.4g} leaves"
+        if first is None and second is None and abs(total) < NO_SHIFT:
+            why = "x_1 + x_2 = 0: no profile shift stated"
+            first, second = (self._shifted(gear, 0.5 * total, why) for gear in GEARS)
+            return first, second
         if first is None and second is None:
             first = _pinion_share(total, pair)
             why = f"pinion's share of x_1 + x_2 = {total:.4g}, BS 436"
@@ -142,6 +150,8 @@ class Teeth:
         if stated is not None:
             allowance = f"{name}.thickness_allowance"
             self.allowances[name] = unit * (generating - stated)
+            if abs(self.allowances[name]) < ROUNDED:
+                self.allowances[name], how = 0.0, f"{how}, which is that of the stated shift"
             self.found.append(
                 Entry(allowance, allowance, self.allowances[name], "", Provenance.INFERRED, how)
             )

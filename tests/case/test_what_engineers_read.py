@@ -1,0 +1,145 @@
+"""Dimensions, forces, speed and stiffness that a case tells beside the numbers of its model.
+
+- Shigley: R. G. Budynas, J. K. Nisbett, Shigley's Mechanical Engineering Design, example 13-7: a helical
+  pinion of 18 teeth, P_n = 12 per inch, 20°, 30°, that transmits 1 hp at 1800 rpm.
+- KHK: a profile shifted helical pair of 12 and 60 teeth, as in `tests/gears/test_worked_examples.py`.
+- ISO/TR 6336-30, example 1: c_γα as KISSsoft has it, as in `tests/gears/test_mesh_stiffness.py`.
+"""
+
+from __future__ import annotations
+
+from math import asin, cos, hypot, radians, sin, tan
+
+import pytest
+
+from gearlash.case import load, loads
+
+POUND = 4.4482216152605  # N
+HORSEPOWER = 745.69987  # W
+
+
+def told(text: str) -> dict[str, float]:
+    """Derived values by name."""
+    found = loads(text).values()
+    return {v.path.removeprefix("derived."): float(v.value) for v in found if v.path.startswith("derived.")}
+
+
+SHIGLEY = f"""
+kind = "helical-pair"
+[pinion]
+teeth = 18
+quality = 7
+face_width = "25 mm"
+[gear]
+teeth = 36
+face_width = "25 mm"
+[mesh]
+diametral_pitch = 12
+pressure_angle = "20 deg"
+helix_angle = "30 deg"
+[operation]
+pinion_speed = "1800 rpm"
+power = "{HORSEPOWER} W"
+"""
+KHK = """
+kind = "helical-pair"
+[pinion]
+teeth = 12
+profile_shift = 0.09809
+[gear]
+teeth = 60
+profile_shift = 0.0
+[mesh]
+normal_module = "3 mm"
+pressure_angle = "20 deg"
+helix_angle = "30 deg"
+centre_distance = "125 mm"
+tips = "shortened"
+face_width = "30 mm"
+backlash = "80 um"
+[operation]
+pinion_speed = "1500 rpm"
+torque = "200 N m"
+"""
+ISO = """
+kind = "helical-pair"
+[pinion]
+teeth = 17
+profile_shift = 0.145
+tip_diameter = "159.66 mm"
+[gear]
+teeth = 103
+profile_shift = 0.0
+tip_diameter = "872.35 mm"
+[mesh]
+normal_module = "8 mm"
+pressure_angle = "20 deg"
+helix_angle = "15.8 deg"
+centre_distance = "500 mm"
+face_width = "100 mm"
+rack = "ISO53-D"
+[operation]
+pinion_speed = "360 rpm"
+torque = "9000 N m"
+"""
+
+
+def test_forces_and_speed_of_shigley():
+    found = told(SHIGLEY)
+    assert found["pitch_line_speed"] / 0.3048 * 60 == pytest.approx(816, abs=0.5)  # ft/min
+    forces = [found[f"{name}_force"] / POUND for name in ("tangential", "radial", "axial")]
+    assert forces == pytest.approx([40.4, 17.0, 23.3], abs=0.06)  # lbf
+    assert found["working_tangential_force"] == pytest.approx(found["tangential_force"], rel=1e-9)
+
+
+def test_dimensions_of_khk():
+    found = told(KHK)
+    printed = {
+        "reference_diameter": (41.569, 207.846),
+        "base_diameter": (38.322, 191.611),
+        "working_diameter": (41.667, 208.333),
+        "tip_diameter": (48.153, 213.842),
+        "root_diameter": (34.657, 200.346),
+    }
+    for name, pair in printed.items():
+        own = [found[f"{name}_{gear}"] for gear in ("pinion", "gear")]
+        assert own == pytest.approx(pair, abs=1e-3), name
+    assert found["centre_distance"] == pytest.approx(125.0)
+    assert found["working_pressure_angle"] == pytest.approx(23.1126, abs=1e-4)
+
+
+def test_forces_of_a_shifted_pair_make_the_normal_one():
+    found = told(KHK)
+    parts = (found[name] for name in ("working_tangential_force", "radial_force", "axial_force"))
+    assert hypot(*parts) == pytest.approx(found["normal_force"], rel=1e-12)
+    ratio = found["working_tangential_force"] / found["tangential_force"]
+    assert ratio == pytest.approx(41.569 / 41.667, rel=3e-5)
+    assert found["line_load"] == pytest.approx(2e3 * 200 / 41.569 / 30, rel=1e-4)
+
+
+def test_the_stiffness_per_width_is_that_of_the_standard():
+    assert told(ISO)["stiffness_per_width"] == pytest.approx(17.4553, rel=8e-4)
+    stated = ISO.replace("[mesh]\n", '[mesh]\nmean_stiffness = "1e9 N/m"\n')
+    beta_b = asin(sin(radians(15.8)) * cos(radians(20)))
+    assert told(stated)["stiffness_per_width"] == pytest.approx(10.0 * cos(beta_b) ** 2, rel=1e-4)
+
+
+def test_the_play_of_a_drawing_is_told_in_the_ways_it_is_measured():
+    found = told(KHK)
+    base = asin(sin(radians(30)) * cos(radians(20)))
+    arc = 80.0 / (cos(radians(23.1126)) * cos(base))
+    assert found["backlash_circumferential"] == pytest.approx(arc, rel=1e-5)
+    assert found["backlash_radial"] == pytest.approx(arc / 2 / tan(radians(23.1126)), rel=1e-5)
+    angle = 2e-3 * arc / 208.333  # rad
+    assert radians(found["backlash_angle_gear"] / 60) == pytest.approx(angle, rel=1e-5)
+
+
+def test_a_ball_that_does_not_rest_on_both_flanks_has_no_dimension():
+    found = told(KHK.replace("[gear]", 'ball_diameter = "12 mm"\n[gear]'))
+    assert "over_balls_pinion" not in found
+    assert found["over_balls_gear"] > found["tip_diameter_gear"]
+
+
+def test_what_a_dimensionless_case_does_not_know_is_not_told():
+    paths = {value.path for value in load("kahraman-singh").values()}
+    assert not {path for path in paths if path.endswith(("_force", "_diameter_gear", "_per_width"))}
