@@ -13,7 +13,7 @@ import pytest
 
 from gearlash import attractor
 from gearlash.case import Case, loads
-from gearlash.case.rating import materials_of, method_b, pair_of
+from gearlash.case.rating import materials_of, method_b, pair_of, relief_of
 from gearlash.gears import dynamic_factor, equivalent_mass, mesh_stiffness
 from gearlash.orbits.contact_force import force_extrema
 
@@ -61,7 +61,41 @@ def test_the_factor_of_the_standard_has_the_relief_and_the_teeth_of_the_case():
     mesh = mesh_stiffness.method_b(pair, materials_of(RELIEVED))
     reduced = equivalent_mass(body.geometry.base_radii, body.inertias) / pair.face_width
     load = 60.0 / body.geometry.pitch_radii[0] / pair.face_width
-    errors = dynamic_factor.EffectiveErrors.of_grades(pair, (6, 6))
+    errors = dynamic_factor.EffectiveErrors.of_grades(pair, (5, 5))
     speed = float(RELIEVED.scales.pinion_speed(0.3))
     expected = dynamic_factor.dynamic_factor(pair, mesh, reduced, speed, load, errors, 15e-6)
-    assert method_b(RELIEVED, 0.3, (6, 6)).value == pytest.approx(expected.value, rel=1e-12)
+    assert method_b(RELIEVED, 0.3, (5, 5)).value == pytest.approx(expected.value, rel=1e-12)
+
+
+def test_relief_counts_up_to_grade_5():
+    # ISO 6336-1, footnote of B_k: 1 for grades 6 to 12
+    assert relief_of(RELIEVED, (5, 5)) == pytest.approx(15e-6)
+    assert relief_of(RELIEVED, (6, 6)) == relief_of(RELIEVED, (5, 6)) == relief_of(PLAIN, (12, 1)) == 0.0
+
+
+def test_flanks_without_relief_have_what_running_in_takes():
+    # C_ay = (1500/97 - 18.45)² / 18 + 1.5 µm: KISSsoft prints 2.0 µm
+    assert relief_of(PLAIN, (5, 5)) == pytest.approx(2.0e-6, abs=0.01e-6)
+
+
+def test_relief_is_that_of_the_smaller_end_with_the_root_of_the_other_gear():
+    one = loads(TEXT, {"pinion.tip_relief": "15 um", "gear.root_relief": "5 um"})
+    assert relief_of(one, (5, 5)) == 0.0
+    both_ends = {"pinion.tip_relief": "15 um", "gear.root_relief": "5 um", "gear.tip_relief": "18 um"}
+    assert relief_of(loads(TEXT, both_ends), (5, 5)) == pytest.approx(18e-6)
+
+
+def test_rims_and_low_loads_count():
+    thin = loads(TEXT, {"gear.rim_diameter": "100 mm", "gear.web_width": "5 mm"})
+    solid, softer = (method_b(case, 0.3, (6, 6)) for case in (PLAIN, thin))
+    assert thin.numbers.body.rims[1].web_width == pytest.approx(5e-3)
+    # at one ω both have one speed over their own ω_n: N differs by the rim of the mass alone
+    assert softer.resonance_ratio != solid.resonance_ratio
+    light = loads(TEXT.replace("60 N m", "1 N m"))
+    pair, load = pair_of(light), 1.0 / PLAIN.numbers.body.geometry.pitch_radii[0] / 20e-3
+    mesh = mesh_stiffness.method_b(pair, materials_of(light), light.numbers.body.rims, load)
+    assert mesh.single < 0.6 * mesh_stiffness.method_b(pair).single
+    body = light.numbers.body
+    mass = equivalent_mass(body.geometry.base_radii, body.inertias) / pair.face_width
+    expected = 25 * float(light.scales.pinion_speed(0.3)) / (mesh.mean / mass) ** 0.5
+    assert method_b(light, 0.3, (6, 6)).resonance_ratio == pytest.approx(expected, rel=1e-12)

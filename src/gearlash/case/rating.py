@@ -14,6 +14,12 @@ GRADES = (5, 8)
 """Of ISO 1328-1, between which K_v is told, as a case states none."""
 
 
+COARSEST_WITH_RELIEF = 5
+"""Grade up to which the standard counts tip relief: for 6 to 12 its B_k is 1."""
+
+RUNNING_IN_RELIEF = 1e-6 * ((1500 / 97 - 18.45) ** 2 / 18 + 1.5)
+"""C_ay, m, of case-hardened gears (σ_Hlim = 1500 N/mm²) whose flanks are not modified."""
+
 LEAST_MODULUS = 40e9
 """Pa, Young's modulus: metals that gears are made of have more, plastics less."""
 
@@ -51,8 +57,8 @@ def method_b(case: Case, omega: float, grades: tuple[int, int]) -> DynamicFactor
     load = torque / body.geometry.pitch_radii[0] / pair.face_width
     speed = float(scales.pinion_speed(omega))
     errors = EffectiveErrors.of_grades(pair, grades)
-    mesh = mesh_stiffness.method_b(pair, materials)
-    return dynamic_factor(pair, mesh, reduced, speed, load, errors, tip_relief_of(case))
+    mesh = mesh_stiffness.method_b(pair, materials, body.rims, load)
+    return dynamic_factor(pair, mesh, reduced, speed, load, errors, relief_of(case, grades))
 
 
 def band_of_grades(case: Case, omega: float) -> str:
@@ -92,10 +98,18 @@ def materials_of(case: Case) -> tuple[Material, Material]:
     return first, second
 
 
-def tip_relief_of(case: Case) -> float:
-    """C_a, m: the smaller tip relief of both gears; 0 where one has none."""
+def relief_of(case: Case, grades: tuple[int, int]) -> float:
+    """C_a, m, of the smaller end of contact: tip relief and the root relief that meets it. Teeth without any
+    have what running in takes, C_ay. From grade 6 relief does not count: 0, with which B_k is 1."""
+    if max(grades) >= COARSEST_WITH_RELIEF + 1:
+        return 0.0
     found = {value.path: value.value for value in case.values()}
-    return 1e-6 * min(float(found.get(f"{gear}.tip_relief", 0.0)) for gear in ("pinion", "gear"))
+
+    def stated(gear: str, leaf: str) -> float:
+        return 1e-6 * float(found.get(f"{gear}.{leaf}_relief", 0.0))
+
+    ends = stated("pinion", "tip") + stated("gear", "root"), stated("gear", "tip") + stated("pinion", "root")
+    return min(ends) if any(ends) else RUNNING_IN_RELIEF
 
 
 def stated_grades(case: Case) -> tuple[int, int] | None:

@@ -106,7 +106,8 @@ def dynamic_factor(
         F_t K_A / b, N/m; above 0.
     errors : EffectiveErrors
     tip_relief : float
-        C_a, m.
+        C_a, m: the smaller one of both ends of contact, root relief of the other gear counted with it. For
+        grades 6 to 12 the standard takes B_k = 1, as for 0 here.
 
     Returns
     -------

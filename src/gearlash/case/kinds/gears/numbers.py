@@ -84,7 +84,8 @@ def _physical(rules: PairRules, entries: EntriesByKey, drawing: Drawing | None) 
         back_gap=entries["back_gap"].number if "back_gap" in entries else 1.0,
     )
     width = min(widths) if len(widths) == 2 else None
-    return Body(geometry, line, inertias, width, teeth, meshing), scales
+    rims = (None, None) if drawing is None else drawing.rims
+    return Body(geometry, line, inertias, width, teeth, meshing, rims), scales
 
 
 def geometry_of(rules: PairRules, entries: EntriesByKey) -> ToothGeometry | None:

@@ -9,6 +9,7 @@ from gearlash.case.scales import Scales
 from gearlash.gears import CylindricalGear, CylindricalPair, HelicalPair, LineOfAction, ToothGeometry
 from gearlash.gears.basic_rack import ISO53_A
 from gearlash.gears.excitation import Excitation
+from gearlash.gears.mesh_stiffness import Rim
 from gearlash.system import ContactRule
 
 Both: TypeAlias = tuple[float, float]
@@ -18,7 +19,8 @@ Both: TypeAlias = tuple[float, float]
 @dataclass(frozen=True)
 class Body:
     """The physical pair behind the numbers; what a case does not know is None. The ``teeth`` are known where
-    something was estimated from them; ``meshing`` are the same at the centre distance at work."""
+    something was estimated from them; ``meshing`` are the same at the centre distance at work, ``rims`` those
+    of their bodies."""
 
     geometry: ToothGeometry | None
     line: LineOfAction | None
@@ -26,6 +28,7 @@ class Body:
     face_width: float | None
     teeth: CylindricalPair | None = None
     meshing: CylindricalPair | None = None
+    rims: tuple[Rim | None, Rim | None] = (None, None)
 
     @property
     def drawn(self) -> CylindricalPair | None:
