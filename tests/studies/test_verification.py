@@ -16,6 +16,7 @@ from gearlash.cli.show.verify import spans, verify_view
 from gearlash.gears import backlash
 from gearlash.multibody import MeshContact, Modes, Relief, Topography, Trajectory, read_motion
 from gearlash.multibody import _tables as places
+from gearlash.multibody.quasi_static import quasi_static
 from gearlash.multibody.tooth_contact import ToothContact
 from gearlash.studies.verification import (
     DISTANCE_HELD,
@@ -82,6 +83,15 @@ def test_what_is_held_is_held(found: Verification):
     assert (absolute.torque, absolute.error) == (inputs.torque, inputs.error)
     speeds = [p.rpm for p in case[2].points]
     assert speeds == pytest.approx([3600.0, 4000.0], rel=1e-9)
+
+
+def test_the_stiffness_of_each_way_is_that_of_its_teeth_under_its_torque(found: Verification):
+    """Real teeth are stiffer the more they carry: what is held over stiffness needs that at work."""
+    assert found.meshes[2].stiffness > 1.01 * found.meshes[1].stiffness
+    for mesh, one in zip((found.meshes[0], found.meshes[2], found.meshes[1]), found.compared, strict=True):
+        turned = quasi_static(mesh.perfect, one.configuration.torque, phases=len(mesh.static.phase))
+        assert one.configuration.stiffness == pytest.approx(turned.mean_stiffness, rel=1e-3)
+        assert one.given.ripples == pytest.approx([turned.ripple(n)[0] for n in (1, 2, 3)], rel=1e-2)
 
 
 def test_mean_force_is_the_torque_over_the_base_radius(found: Verification):

@@ -7,7 +7,7 @@ is not shown.
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -32,6 +32,10 @@ class VerifiedPoint:
         P-Q-R with a gear that bends, and with a rigid one.
     apart, least, peak : float
         Share of time without contact; least and greatest force over the mean one.
+    impacts, back_impacts : float or None
+        Beginnings of contact a mesh cycle, of the drive side and of the back side; None in data without them.
+    energy_residual : float or None
+        What is missing in the balance of energy, over what dampers take.
     lumped, lumped_apart, lumped_peak : dict
         Label of the lumped model at the same inputs by contact rule; share of time without contact, None
         where it has no orbit; greatest force over the mean one.
@@ -63,6 +67,9 @@ class VerifiedPoint:
     lumped_orders: tuple[float, ...]
     lumped_amplitudes: tuple[float, ...]
     frames: tuple[tuple[float, ...], ...]
+    impacts: float | None = None
+    back_impacts: float | None = None
+    energy_residual: float | None = None
 
 
 @dataclass(frozen=True)
@@ -135,6 +142,9 @@ class VerifiedWay:
     apart_differs : dict
         By contact rule, speeds rising and falling, rpm, at which one model keeps teeth in contact and the
         other does not.
+    window : dict
+        The grid of speeds, ``speed`` in rpm ascending, and the label at each: ``up`` and ``down`` of real
+        teeth, ``lumped_up`` and ``lumped_down`` by contact rule; empty where it was not computed.
     """
 
     name: str
@@ -153,6 +163,7 @@ class VerifiedWay:
     lumped_up: dict[str, str]
     lumped_down: dict[str, str]
     apart_differs: dict[str, list[list[float]]]
+    window: dict[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -173,6 +184,8 @@ class Verified:
         Numbers of `gearlash.article.verifying.check_numbers` by that code; empty where none are kept.
     settings : tuple of dict
         Every setting that was tried.
+    stated : tuple of (str, str)
+        Contact rule and label of the case as it is, at both speeds.
     ways : tuple of VerifiedWay
     pictured : str
         Name of the way of which teeth are drawn.
@@ -189,6 +202,7 @@ class Verified:
     ways: tuple[VerifiedWay, ...]
     pictured: str
     lines: VerifiedLines | None
+    stated: tuple[tuple[str, str], ...] = ()
 
 
 def verified(case: Case) -> Verified | None:
@@ -252,6 +266,7 @@ def from_data(data: dict[str, Any], in_run: bool = False) -> Verified:
         ways,
         data.get("pictured", ""),
         lines and VerifiedLines(**_with_tuples(lines)),
+        tuple((rule, label) for rule, label in data.get("stated", ())),
     )
 
 

@@ -10,12 +10,15 @@ from gearlash.studies.verification import Plan, inputs_of, planned
 RELIEF = {"tip": 80e-6, "length": 8e-3, "crowning": 70e-6}
 """A modification that turns the harmonics of the stiffness round, m: of both tips, over which roll length,
 and at both ends of the face. With it the case's width is about as stiff as the case says, at its torque."""
+VARIED = "stiffness", "dimensionless", "absolute"
+"""Inputs with which every setting is tried."""
 CLOSE = 1e-6
 """Relative, of numbers of one code on two machines."""
 
 
 def plan_of_article() -> Plan:
-    """Everything, and flanks with `RELIEF` as one more way to hold the inputs.
+    """Everything; flanks with `RELIEF` as one more way to hold the inputs; and every setting with all inputs
+    that are not modified, so that those which disagree with the article are tried as hard as one that agrees.
 
     Returns
     -------
@@ -24,7 +27,8 @@ def plan_of_article() -> Plan:
     from gearlash.multibody.topography import Relief
 
     tip, length = RELIEF["tip"], RELIEF["length"]
-    return planned(relief=Relief(tip, tip, length, length, crowning=RELIEF["crowning"]))
+    relief = Relief(tip, tip, length, length, crowning=RELIEF["crowning"])
+    return replace(planned(relief=relief), varied=VARIED)
 
 
 def check_numbers(case: Case) -> dict[str, float]:

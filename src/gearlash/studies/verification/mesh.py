@@ -16,7 +16,7 @@ from gearlash.multibody.quasi_static import QuasiStatic, quasi_static
 from gearlash.multibody.topography import Relief, Topography
 
 from .bending import Bending, bending_gear, bending_pinion
-from .inputs import ORDERS, Inputs
+from .inputs import ORDERS, Inputs, NotVerifiableError
 
 if TYPE_CHECKING:  # scikit-fem is an extra
     from gearlash.multibody.compliance import FlankCompliance, SectorSettings
@@ -27,6 +27,9 @@ PHASES = 32
 CLOSE = 5e-3
 """Of a stiffness to the one wanted, relative."""
 MOST_WIDTHS = 4
+CLOSE_TORQUE = 1e-3
+"""Of a torque to the one wanted, relative."""
+MOST_TORQUES = 30
 FINEST = 1e-4
 """Widths are whole multiples of this, m."""
 RIM_DEPTH = 4.0
@@ -237,8 +240,45 @@ def unmodified(mesh: Mesh) -> Mesh:
 
 
 def _with_shape(mesh: Mesh, shape: Topography) -> Mesh:
-    flanks = mesh.perfect.with_(topography=shape)
-    return replace(mesh, perfect=flanks, static=quasi_static(flanks, mesh.static.torque, phases=PHASES))
+    return _under(replace(mesh, perfect=mesh.perfect.with_(topography=shape)), mesh.static.torque)
+
+
+def _under(mesh: Mesh, torque: float) -> Mesh:
+    """The same teeth under a torque, turned slowly through a mesh cycle."""
+    return replace(mesh, static=quasi_static(mesh.perfect, torque, phases=PHASES))
+
+
+def scaled_mesh(inputs: Inputs, full: Mesh) -> Mesh:
+    """The same teeth under the torque that is to that of the case as their stiffness to that of the case.
+
+    Real teeth are stiffer the more they carry, so this torque is the solution of an equation. Stiffness grows
+    less than in proportion to the torque, so each torque that follows from the last stiffness is nearer.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    full : Mesh
+        Of the width of the case.
+
+    Returns
+    -------
+    Mesh
+
+    Raises
+    ------
+    NotVerifiableError
+        Where no torque is within a thousandth of the one wanted.
+    """
+    found = full
+    for _ in range(MOST_TORQUES):
+        wanted = inputs.torque * found.stiffness / inputs.mean_stiffness
+        if abs(wanted / found.static.torque - 1.0) < CLOSE_TORQUE:
+            return found
+        found = _under(full, wanted)
+    raise NotVerifiableError(
+        f"model.torque: no torque was found under which teeth of {full.width * 1e3:.4g} mm are as stiff, "
+        f"beside {inputs.mean_stiffness:.4g} N/m, as it is beside {inputs.torque:.4g} N m"
+    )
 
 
 def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:

@@ -77,22 +77,22 @@ class Configuration:
 
 
 def configurations(
-    inputs: Inputs, matched: tuple[float, float], full: tuple[float, float]
+    inputs: Inputs, matched: tuple[float, float], full: tuple[float, float], scaled: tuple[float, float]
 ) -> tuple[Configuration, ...]:
     """The three configurations.
 
     Parameters
     ----------
     inputs : Inputs
-    matched, full : (float, float)
-        Face width in m and stiffness in N/m: of the width that has the stiffness of the case, and of the
-        width of the case.
+    matched, full, scaled : (float, float)
+        Face width in m and stiffness in N/m: of the width that has the stiffness of the case; of the width of
+        the case under its torque; and of this width under a torque that grows with the stiffness.
 
     Returns
     -------
     tuple of Configuration
     """
-    grown = full[1] / inputs.mean_stiffness
+    grown = scaled[1] / inputs.mean_stiffness
     return (
         Configuration(
             "stiffness",
@@ -107,7 +107,7 @@ def configurations(
             "dimensionless",
             "the face width of the case; E k/F, b k/F, the mesh frequency over that of the mesh and bearings "
             "over the mesh are held: torque, bearings and the square of the speed grow with the stiffness",
-            *full,
+            *scaled,
             inputs.torque * grown,
             inputs.error,
             inputs.speeds,
@@ -245,7 +245,7 @@ def planned(
     --------
     >>> from gearlash.studies.verification import planned
     >>> len(planned().beside), planned(quick=True).window_over
-    (15, (0.0, 0.0, 0))
+    (19, (0.0, 0.0, 0))
     """
     first, window, *everywhere = (
         replace(each, flexible_pinion=flexible_pinion) for each in (PLANNED, AT_WINDOW, RIGID, DISTANCE_HELD)

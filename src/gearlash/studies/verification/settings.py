@@ -24,6 +24,8 @@ class Setting:
         Distance of the two bearings of a shaft, m: tilt stiffness = k_y span²/4.
     held : {"", "centre distance", "centre-line", "lumped"}
         Directions that are held: none; the line of centres; it and all tilts; all but rotation.
+    error, torque : float
+        Over those of the inputs.
     error_turn : float
         Added to the phase of the error, rad.
     contact_damping, bearing_damping : float
@@ -46,6 +48,8 @@ class Setting:
     bearings_as_stated: bool = False
     bearing_span: float = 0.15
     held: str = ""
+    error: float = 1.0
+    torque: float = 1.0
     error_turn: float = 0.0
     contact_damping: float = 1.0
     bearing_damping: float = 1.0
@@ -84,6 +88,10 @@ def sensitivity(planned: Setting = PLANNED) -> tuple[Setting, ...]:
         ("tilt stiffness / 4", {"bearing_span": 0.5 * planned.bearing_span}),
         ("tilt stiffness × 4", {"bearing_span": 2.0 * planned.bearing_span}),
         ("centre line and tilts held", {"held": "centre-line"}),
+        ("error − 10 %", {"error": 0.9}),
+        ("error + 10 %", {"error": 1.1}),
+        ("torque − 10 %", {"torque": 0.9}),
+        ("torque + 10 %", {"torque": 1.1}),
         ("error phase + 90°", {"error_turn": quarter}),
         ("error phase + 180°", {"error_turn": 2.0 * quarter}),
         ("error phase + 270°", {"error_turn": 3.0 * quarter}),

@@ -19,7 +19,7 @@ from gearlash.multibody.tooth_contact import ToothContact
 
 from .inputs import Inputs, inputs_of
 from .lumped import LumpedInputs, LumpedPoint, lumped_points, lumped_window, stated_points
-from .mesh import Mesh, matched_mesh, mesh_of, modified, unmodified
+from .mesh import Mesh, matched_mesh, mesh_of, modified, scaled_mesh, unmodified
 from .plan import Configuration, Plan, configurations, reshaped
 from .point import PointFound, run_point
 from .settings import Setting
@@ -74,7 +74,8 @@ class Verification:
     inputs : Inputs
     plan : Plan
     meshes : tuple of Mesh
-        Of the matched width, and of the width of the case.
+        Of the matched width; of the width of the case, under its torque and under one that grows with the
+        stiffness; of other flanks.
     stated : tuple of LumpedPoint
         The case as it is, at its own ω.
     compared : tuple of Compared
@@ -150,9 +151,9 @@ def verification(
     work = Execution() if execution is None else execution
     tell("compliance of the teeth (finite elements)", None)
     full = mesh_of(inputs, inputs.pair.face_width, inputs.torque)
-    matched = matched_mesh(inputs, full)
-    meshes: tuple[Mesh, ...] = (matched, full)
-    held = configurations(inputs, (matched.width, matched.stiffness), (full.width, full.stiffness))
+    meshes: tuple[Mesh, ...] = (matched_mesh(inputs, full), full, scaled_mesh(inputs, full))
+    matched, wide, scaled = ((mesh.width, mesh.stiffness) for mesh in meshes)
+    held = configurations(inputs, matched, wide, scaled)
     others = {
         "modified": None if chosen.relief is None else modified(full, chosen.relief),
         "unmodified": unmodified(full) if chosen.unmodified and inputs.modification.modified else None,
@@ -231,7 +232,7 @@ def _chains(
 def _task(inputs: Inputs, one: Configuration, mesh: Mesh, setting: Setting, omega: float) -> _Task:
     contact = mesh.contact(
         inputs,
-        error=one.error,
+        error=one.error * setting.error,
         error_phase=error_phase(inputs, mesh) + setting.error_turn,
         damping=setting.contact_damping,
         flexible=setting.flexible,
@@ -239,7 +240,8 @@ def _task(inputs: Inputs, one: Configuration, mesh: Mesh, setting: Setting, omeg
     )
     modes = mesh.modes(setting.flexible, setting.flexible_pinion)
     teeth = ToothContact(contact.tables)
-    return _Task(inputs, teeth, setting, omega, one.stiffness, one.torque, modes, one.bearings)
+    torque = one.torque * setting.torque
+    return _Task(inputs, teeth, setting, omega, one.stiffness, torque, modes, one.bearings)
 
 
 def error_phase(inputs: Inputs, mesh: Mesh) -> float:
