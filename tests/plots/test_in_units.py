@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from matplotlib.axes._secondary_axes import SecondaryAxis
 
 import gearlash as gl
 from gearlash import plots
 from gearlash.plots.measured import Column, Strip, measured_histories
+from gearlash.plots.units import X
 
 RPM = plots.Twin(4000.0, "pinion speed", "rpm")
 
@@ -48,3 +50,35 @@ def test_no_history_leaves_its_panel():
         low, high = panel.get_ylim()
         assert low < -10.0
         assert high > 1.0
+
+
+def test_portraits_in_the_units_of_a_case_alone():
+    case = gl.load_case("article")
+    family, scales = case.family()
+    found = gl.motion(gl.attractor(family.system(), family.start()))
+    plain, own = (
+        plots.gallery([found], plots.Units.of(case), physical=physical).axes[0] for physical in (False, True)
+    )
+    assert own.get_xlabel() == "$x_n$  [µm]"
+    assert own.get_ylabel() == r"$\dot x_n$  [mm/s]"
+    assert not own.child_axes
+    limits = np.array([*plain.get_xlim(), *plain.get_ylim()])
+    length, velocity = float(scales.length_um(1.0)), 1e3 * float(scales.velocity(1.0))
+    shown = np.array([*own.get_xlim(), *own.get_ylim()])
+    assert shown == pytest.approx(limits * [length, length, velocity, velocity])
+    bare = gl.load_case("kahraman-singh")
+    assert plots.gallery([found], plots.Units.of(bare), physical=True).axes[0].get_xlabel() == X
+
+
+def test_every_and_some_have_two_looks():
+    case = gl.load_case("kahraman-singh")
+    found = gl.zones(case, gl.Axis.even("omega", 0.5, 0.9, 9), "impact-free")
+    assert found.zones
+    assert found.wider
+    figure = plots.zone_bands(gl.sweep_dataset(case, found.sweeps), [found])
+    looks = {bool(patch.get_hatch()): patch.get_facecolor() for patch in figure.axes[0].patches}
+    assert set(looks) == {False, True}
+    assert looks[True] == (1.0, 1.0, 1.0, 1.0) != looks[False]
+    said = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert "no impacts in every attractor found" in said
+    assert "no impacts in one, not in another" in said

@@ -14,6 +14,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from . import style
+from .legends import legend_below
 from .marks import Mark, height, texts
 from .units import Twin, literal
 
@@ -23,7 +24,9 @@ PANEL = 33.0  # mm of a panel
 LOW_PANEL = 27.0  # of three or more
 WIDTH = 150.0  # mm of the panels, beside the labels
 LEAST_ABOVE = 6.0  # mm above the panels, where there is no resonance
-SEPARATING, BACK = "#f6d9c8", "#e8c9dd"
+SEPARATING = {"facecolor": "#f6c9ae", "edgecolor": "none", "lw": 0.0}
+BESIDE = {"facecolor": "white", "edgecolor": "#d98a5b", "hatch": "....", "lw": 0.0}
+"""Two looks, told apart without colour: one is plain, the other dotted on white."""
 LOOKS = (
     (style.BLUE, "o"),
     (style.VERMILION, "s"),
@@ -32,6 +35,7 @@ LOOKS = (
 )
 NOMINAL = {"color": style.INK, "lw": 1.1, "ls": (0, (5, 2))}
 RESONANCE = {"color": style.GREY, "lw": 0.6, "ls": (0, (1, 1.5))}
+LEGEND_BELOW = 10.0  # mm: what the figure is made for
 LEGEND = 0.24  # of the height of a panel: room above the curves
 FEW = 90  # values up to which each is a dot
 
@@ -82,9 +86,11 @@ class SpeedAxis:
     breaks : (ndarray of bool, ndarray of bool)
         Of shape (m,), for up and down: whether the motion is another one than at the value below.
     separating, back : tuple of (float, float)
-        Bands in which teeth separate, and in which the back side is met.
+        Bands in which teeth separate in every motion found, and in which the back side is met.
     present : float
     resonances : tuple of Mark
+    beside : tuple of (float, float)
+        Bands in which teeth separate in one motion and stay in contact in another.
     """
 
     values: Array
@@ -94,6 +100,7 @@ class SpeedAxis:
     back: tuple[tuple[float, float], ...]
     present: float
     resonances: tuple[Mark, ...] = ()
+    beside: tuple[tuple[float, float], ...] = ()
 
 
 @style.styled
@@ -125,13 +132,14 @@ def over_speed(axis: SpeedAxis, stacks: Sequence[Stack], title: str = "") -> Fig
     rest[-1].set_xlabel(axis.label)
     style.align_labels(rest, 13.0)
     both = any(_differs(curve).any() for stack in stacks for curve in stack.curves)
-    figure.legend(handles=list(_key(axis, both)), loc="outside lower center", ncols=4, columnspacing=1.4)
+    legend_below(figure, list(_key(axis, both)), None, columns=4, room=LEGEND_BELOW)
     return figure
 
 
 def _shade(panel: Axes, axis: SpeedAxis) -> None:
-    for low, high in axis.separating:
-        panel.axvspan(low, high, facecolor=SEPARATING, edgecolor="none", zorder=0.1)
+    for spans, look in ((axis.separating, SEPARATING), (axis.beside, BESIDE)):
+        for low, high in spans:
+            panel.axvspan(low, high, zorder=0.1, **look)
     for low, high in axis.back:
         panel.axvspan(low, high, facecolor="none", edgecolor=style.PURPLE, hatch="////", lw=0.0, zorder=0.2)
     for mark in axis.resonances:
@@ -199,7 +207,9 @@ def _key(axis: SpeedAxis, both: bool) -> Iterator[Line2D | Patch]:
         )  # fmt: skip
     yield Line2D([], [], label="present speed", **NOMINAL)
     if axis.separating:
-        yield Patch(facecolor=SEPARATING, label="teeth separate")
+        yield Patch(label="teeth separate in every motion found", **SEPARATING)
+    if axis.beside:
+        yield Patch(label="in one motion, in another not", **BESIDE)
     if axis.back:
         yield Patch(facecolor="white", edgecolor=style.PURPLE, hatch="////", lw=0.0, label="back side met")
     if axis.resonances:

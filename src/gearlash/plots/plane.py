@@ -25,7 +25,7 @@ from . import style
 from .fills import NONE, Fill, fills, legend_order
 from .regimes import short
 from .scales import scales
-from .units import ASSUMED, Twin, Units, literal
+from .units import ASSUMED, Twin, Units, literal, rests
 from .words import GEARS, Words, words
 
 WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
@@ -47,6 +47,7 @@ def plane(
     title: str = "",
     height: float = HEIGHT,
     along: Sequence[Twin | None] = (None, None),
+    physical: bool = False,
 ) -> Figure:
     """A map of two parameters: a region for every label, named where there is room.
 
@@ -64,6 +65,8 @@ def plane(
         Of the panel, mm.
     along : sequence of Twin or None
         The units that the two parameters were asked for in, whose scales then stand first.
+    physical : bool
+        Whether such a scale stands alone.
 
     Returns
     -------
@@ -97,13 +100,14 @@ def plane(
     said = words(dataset, units)
     twins = [units.asked(name, own) for own, name in zip(along, (x, y), strict=True)]
     for which, name, twin, own in zip("xy", (x, y), twins, along, strict=True):
-        scales(panel, which, said.name(name), twin, first=own is not None)
+        scales(panel, which, said.name(name), twin, first=own is not None, only=physical)
     panel.set_title(literal(title) if title else _title(dataset, said, (x, y)), loc="left", fontsize=7.5)
     handles: list[Patch | Line2D] = [_patch(fill) for fill in legend_order(looks)]
     if present is not None:
         panel.plot(*([at] for at in present), clip_on=False, zorder=6, **PRESENT)
         handles.append(Line2D([], [], label="present point", **PRESENT))
-    marked = any(twin is not None and twin.assumed for twin in twins)
+    alone = [physical and own is not None for own in along]  # such a scale is as it was asked for
+    marked = any(rests(twin) for twin, bare in zip(twins, alone, strict=True) if not bare)
     key = KEY_OF_SEVERAL if any(isinstance(each, Signature) and each.others for each in names) else KEY
     key = sided(key, said is GEARS)
     made.legend(

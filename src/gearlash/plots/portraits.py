@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -131,6 +132,7 @@ def gallery(
     units: Units | None = None,
     parameter: str = "omega",
     titles: Sequence[str] = (),
+    physical: bool = False,
 ) -> Figure:
     """Phase portraits of coexisting motions under the same scales, three in a row.
 
@@ -143,6 +145,9 @@ def gallery(
         Short name of the parameter whose value stands in the heading.
     titles : sequence of str
         In place of these headings.
+    physical : bool
+        Whether the axes are in the units of the case alone, where it has any; no † then says on what these
+        rest.
 
     Returns
     -------
@@ -157,6 +162,13 @@ def gallery(
     >>> len(plots.gallery([gl.motion(found), gl.motion(found)]).axes)
     2
     """
+    units = units or Units()
+    labels: tuple[str, ...] = (X, VELOCITY)
+    length = units.length
+    if physical and units.length is not None and units.velocity is not None:
+        motions = [in_units(motion, units.length.factor, units.velocity.factor) for motion in motions]
+        own = (replace(each, assumed=False) for each in (units.length, units.velocity))
+        labels, length = tuple(each.label for each in own), None
     columns = min(3, len(motions))
     rows = -(-len(motions) // columns)
     figure = style.figure(style.PAGE if columns > 1 else style.COLUMN, 72.0 * rows + 12.0)
@@ -170,10 +182,32 @@ def gallery(
         _limits(panel, full)
         own = literal(titles[i]) if titles else heading(motions[i], parameter)
         panel.set_title(f"({chr(97 + i)})  {own}")
-        panel.set(xlabel=X, ylabel=VELOCITY if i % columns == 0 else "")
-        second(panel, (units or Units()).length)
-    figure.legend(handles=key(motions, units), loc="outside lower center", ncols=4 if columns > 1 else 2)
+        panel.set(xlabel=labels[0], ylabel=labels[1] if i % columns == 0 else "")
+        second(panel, length)
+    handles = key(motions, units, plain=physical)
+    figure.legend(handles=handles, loc="outside lower center", ncols=4 if columns > 1 else 2)
     return figure
+
+
+def in_units(motion: Motion, length: float, velocity: float) -> Motion:
+    """The motion with what a portrait draws of it in the units of a case, which are these factors."""
+    touch = motion.touch
+    if touch is not None:
+        touch = replace(
+            touch, displacement=length * touch.displacement, velocity=velocity * touch.velocity
+        )  # fmt: skip
+    return replace(
+        motion,
+        displacement=length * motion.displacement,
+        velocity=velocity * motion.velocity,
+        hit_displacement=length * motion.hit_displacement,
+        hit_velocity=velocity * motion.hit_velocity,
+        strobe_displacement=length * motion.strobe_displacement,
+        strobe_velocity=velocity * motion.strobe_velocity,
+        gap_plus=length * motion.gap_plus,
+        gap_minus=length * motion.gap_minus,
+        touch=touch,
+    )
 
 
 def heading(motion: Motion, parameter: str) -> str:
@@ -284,8 +318,8 @@ def _window(axes: Axes, box: Box) -> None:
     )
 
 
-def key(motions: Sequence[Motion], units: Units | None = None) -> list[Line2D | Patch]:
-    """Legend entries of what occurs in these motions."""
+def key(motions: Sequence[Motion], units: Units | None = None, plain: bool = False) -> list[Line2D | Patch]:
+    """Legend entries of what occurs in these motions; ``plain``: in words, without symbols."""
     teeth = units is None or units.teeth
     present = {int(r) for m in motions for r in np.unique(m.region)}
     handles: list[Line2D | Patch] = [
@@ -307,10 +341,11 @@ def key(motions: Sequence[Motion], units: Units | None = None) -> list[Line2D | 
             mfc=style.YELLOW,
             mec=style.INK,
             mew=0.5,
-            label=r"on $\sigma_t$",
+            label="once per mesh cycle" if plain else r"on $\sigma_t$",
         )
     )
     if any(m.touch for m in motions):
         handles.append(Line2D([], [], label="touch: $X_n'=0$", **TOUCH))
-    handles.append(Patch(facecolor=style.FREE_SHADE, label=r"gap,  $-D \leq X_n \leq D$"))
+    gap = "backlash" if plain else r"gap,  $-D \leq X_n \leq D$"
+    handles.append(Patch(facecolor=style.FREE_SHADE, label=gap))
     return handles

@@ -11,9 +11,9 @@ from .units import Twin, second
 OUT = 9.5  # mm: how far below the first scale of x the second one lies
 
 
-def scales(panel: Axes, which: str, text: str, twin: Twin | None, *, first: bool) -> None:
+def scales(panel: Axes, which: str, text: str, twin: Twin | None, *, first: bool, only: bool = False) -> None:
     """The axis x (below) or y (left): ``text`` is its name without a unit, ``twin`` the physical scale, which
-    stands in its place where it is to be the ``first``, and else beside it."""
+    stands in its place where it is to be the ``first`` (``only``: alone), and else beside it."""
     label = panel.set_xlabel if which == "x" else panel.set_ylabel
     below = OUT if which == "x" else 0.0
     if twin is None or not first:
@@ -28,4 +28,5 @@ def scales(panel: Axes, which: str, text: str, twin: Twin | None, *, first: bool
     else:
         panel.tick_params(axis="y", which="both", left=False, labelleft=False)
         second(panel, twin, "left")
-    second(panel, plain, which, below)
+    if not only:
+        second(panel, plain, which, below)

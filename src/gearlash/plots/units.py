@@ -122,9 +122,9 @@ class Units:
 
     Parameters
     ----------
-    speed, backlash, length, force, milliseconds : Twin, optional
-        Pinion speed of ω, backlash b of D, length of X, normal force of Φ, time of τ; None where the scales
-        of the case do not reach.
+    speed, backlash, length, force, milliseconds, velocity : Twin, optional
+        Pinion speed of ω, backlash b of D, length of X, normal force of Φ, time of τ, velocity of X′; None
+        where the scales of the case do not reach.
     others : mapping of str to Twin
         Those of further parameters, by short name.
     teeth : bool
@@ -145,6 +145,7 @@ class Units:
     milliseconds: Twin | None = None  # of one unit of τ
     others: Mapping[str, Twin] = field(default_factory=dict)  # of further parameters, by short name
     teeth: bool = False
+    velocity: Twin | None = None
 
     @staticmethod
     def of(case: Case) -> Units:
@@ -175,6 +176,7 @@ class Units:
             milliseconds=Twin(1e3 * float(scales.time_s(1.0)), "$t$", "ms", speed),
             others=_others(case, {"Hz": speed, "um": length, "N*m": force}),
             teeth=case.between_teeth,
+            velocity=Twin(1e3 * float(scales.velocity(1.0)), r"$\dot x_n$", "mm/s", length or speed),
         )
 
     @property

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
+import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
@@ -26,7 +29,8 @@ from .words import words
 WIDTH = 140.0  # mm of the panels: what is left beside the labels
 ROW = 6.0  # mm of a band
 THICK = 0.62  # of a band, of its row
-SOME = "/////"  # hatch of where only some attractors are quiet
+SOME = "/////"  # hatch, on white, of where only some attractors are quiet: a colour alone says every
+BEHIND = 0.55  # of its colour is left of a zone behind points
 PRESENT = (0, (5, 2))
 QUIET_WORDS = {Quiet.IMPACT_FREE: "no impacts", Quiet.DRIVE_SIDE_ONLY: "back side not hit"}
 FILLS = {Quiet.IMPACT_FREE: FREE.colour, Quiet.DRIVE_SIDE_ONLY: DRIVE.colour}
@@ -144,10 +148,9 @@ def _draw(axes: Axes, bands: Sequence[_Band]) -> list[Line2D]:
                     (low, bottom),
                     high - low,
                     THICK,
-                    facecolor=FILLS[band.quiet],
                     edgecolor=style.INK,
                     linewidth=0.5,
-                    hatch="" if band.every else SOME,
+                    **_look(band),
                 )
             )
             for end in (zone.lower, zone.upper):
@@ -176,28 +179,39 @@ def _tick(axes: Axes, end: ZoneEnd, height: float, seen: dict[str, Line2D]) -> N
 
 
 def _shade(axes: Axes, bands: Sequence[_Band]) -> None:
-    """Behind the points: the zones of the first kind that has any, for every attractor, and lines where zones
-    end."""
-    for zone in (zone for band in _certain(bands)[:1] for zone in band.zones):
-        axes.axvspan(
-            zone.lower.value, zone.upper.value, facecolor=FILLS[zone.quiet], alpha=0.55, edgecolor="none",
-            zorder=0.1,
-        )  # fmt: skip
+    """Behind the points: the zones of the first kind that has any, in two looks, and lines where zones
+    end. Where every attractor is quiet some is, too: there the look of every one covers the other."""
+    for band in _shaded(bands):
+        look = {
+            **_look(band),
+            "edgecolor": style.GREY,
+            "linewidth": 0.0,
+            "zorder": 0.1 if band.every else 0.05,
+        }
+        look["facecolor"] = 1.0 - BEHIND * (1.0 - np.array(to_rgb(look["facecolor"])))
+        for zone in band.zones:
+            axes.axvspan(zone.lower.value, zone.upper.value, **look)
     for end in (e for band in bands for zone in band.zones for e in (zone.lower, zone.upper)):
         if end.bounded:
             axes.axvline(end.value, color=style.GREY, lw=0.5, zorder=0.5)
 
 
-def _certain(bands: Sequence[_Band]) -> list[_Band]:
-    return [band for band in bands if band.every and band.zones]
+def _look(band: _Band) -> dict[str, Any]:
+    """Filled where every attractor found is quiet; hatched on white where one is and another is not."""
+    return {"facecolor": FILLS[band.quiet]} if band.every else {"facecolor": "white", "hatch": SOME}
+
+
+def _shaded(bands: Sequence[_Band]) -> list[_Band]:
+    """Those of the first kind that has any zone."""
+    found = [band for band in bands if band.zones]
+    return [band for band in found if band.quiet is found[0].quiet]
 
 
 def _key(bands: Sequence[_Band]) -> Iterator[Patch]:
-    looks = {"edgecolor": style.INK, "linewidth": 0.4}
-    for band in _certain(bands)[:1]:
-        yield Patch(facecolor=FILLS[band.quiet], alpha=0.55, label=f"zone: {band.title}", linewidth=0.0)
-    if any(not band.every for band in bands):
-        yield Patch(facecolor="white", hatch=SOME, label="some attractors found only", **looks)
+    for band in _shaded(bands):
+        words = QUIET_WORDS[band.quiet]
+        label = f"{words} in every attractor found" if band.every else f"{words} in one, not in another"
+        yield Patch(**_look(band), edgecolor=style.INK, linewidth=0.4, label=label)
 
 
 def _present(panels: Sequence[Axes], value: float | None) -> Iterator[Line2D]:

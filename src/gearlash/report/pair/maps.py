@@ -24,6 +24,7 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
             "present": present,
             "along": [_given(contents, units, each) for each in ("omega", name)],
             "height": HEIGHT,
+            "physical": True,
             "title": f"{found.case.name}: {words}, {_fixed(contents, name)}",
         }
         pictures.append(Picture(stem, plots.plane, (dataset, units), look))
@@ -33,7 +34,7 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
 
 
 def _given(contents: Contents, units: plots.Units, name: str) -> plots.Twin | None:
-    """The unit of a parameter that the case states in one: its scale stands first."""
+    """The unit of a parameter that the case states in one: its scale stands alone."""
     stated = {value.path for value in contents.found.case.values() if value.provenance != "derived"}
     return None if f"dimensionless.{name}" in stated else units.of_parameter(name)
 

@@ -31,7 +31,7 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
     time = f"time  [{units.time.name}]" if units.time.name else r"time  $\tau$"
     columns = [_column(one, units, words) for one, words in zip(shown, titles, strict=True)]
     motions = [one.motion for one in shown]
-    look = {"titles": titles}
+    look = {"titles": titles, "physical": True}
     pictures = [
         Picture("histories", measured_histories, (columns, time)),
         Picture("portraits", plots.gallery, (motions, plots.Units.of(case)), look),

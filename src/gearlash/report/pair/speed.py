@@ -69,10 +69,11 @@ def _axis(contents: Contents, run: SpeedRun) -> SpeedAxis:
         values=unit.factor * run.axis.values,
         label=_label("pinion speed" if unit.name == "rpm" else "mesh frequency", unit),
         breaks=(_breaks(run.sweeps[0]), _breaks(run.sweeps[1])),
-        separating=_spans(found.separating, unit),
+        separating=_spans(tuple(band for band in found.separating if band.every), unit),
         back=_spans(found.back_side, unit),
         present=unit.factor * found.here,
         resonances=resonances(contents, run),
+        beside=_spans(tuple(band for band in found.separating if not band.every), unit),
     )
 
 

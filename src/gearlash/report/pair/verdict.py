@@ -9,6 +9,7 @@ from math import inf
 from typing import Literal, TypeAlias
 
 from gearlash.case import Case
+from gearlash.case.edges import at_most
 from gearlash.orbits import Neutral, Unresolved
 from gearlash.plots.regimes import short
 from gearlash.results.beside import Beside
@@ -174,10 +175,16 @@ def _force_apart(found: Assessment, hits: bool, words: Words) -> str:
 
 
 def _pressed(found: Assessment) -> str:
-    """How much of the static force is left between teeth that stay in contact."""
+    """How much of the static mesh force is left between teeth that stay in contact; a share never rounded
+    up. Measured on the motion from the cold start alone."""
     assert found.signals is not None
     share = found.signals.force.least / (found.values["load"] / found.values["rotation_factor"])
-    return f", pressed by at least {100.0 * share:.2g} % of the static force" if share > 0.0 else ""
+    if share <= 0.0:
+        return ""
+    several = found.beside is not None and bool(found.beside.others)
+    whose = "in that from the cold start" if several else "there"
+    left = at_most(100.0 * share, 2)
+    return f"; {whose} the least mesh force over a cycle is {left} % of the static mesh force"
 
 
 def _pulling(found: Assessment) -> str:
