@@ -16,6 +16,8 @@ from gearlash.case import Case
 
 REPORTED = ("1-1-0", "1-0-0")
 """What the article reports of its own multibody model at the two speeds, rising."""
+REPORTED_WINDOW = (0.973, 1.112)
+"""ω between which the article reports that its lumped model has no impacts."""
 
 
 @dataclass(frozen=True)

@@ -1,34 +1,39 @@
-"""What follows of the pair with real teeth, as the data say: what agrees with what, and on what that "
-"rests."""
+"""What follows of the pair with real teeth, as the data say, and on what that rests."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
+from gearlash.article import Reproduction
 from gearlash.article.verified import REPORTED, Verified, VerifiedPoint, VerifiedWay
 from gearlash.article.verifying import RELIEF
 from gearlash.report.blocks import Block, Bullets, Note, Text
 from gearlash.report.numbers import number
 
+from . import lumped_beside, window
+from .seen import HELD, motion, parts, share
 from .teeth import told
 
-RULES = ("always", "in-contact", "no-tension")
-HELD = ("stiffness", "dimensionless")
-"""The ways in which all dimensionless numbers but the ripple of the stiffness are those of the case."""
 AS_STATED = "bearings as stated"
 NUMBERS = ("error over static deflection", "half backlash over static deflection")
 FITTED = (
     "Bearing damping, phase of the error, load and error come from fits of the lumped model to numbers of "
-    "the "
-    "article; bearings along the line of centres and against tilt are assumed."
+    "the article; the backlash in µm, on which torque and error in SI rest, is assumed, and so are bearings "
+    "along the line of centres and against tilt."
+)
+END = (
+    "The article leaves torque, error and backlash open, and states a stiffness that unmodified teeth of "
+    "the stated size do not have: so this neither confirms nor refutes its simulation, whose inputs are "
+    "not known."
 )
 
 
-def blocks(found: Verified) -> list[Block]:
-    """Conclusion, how both models compare, harmonics, and when everything was fixed."""
+def blocks(found: Verified, done: Reproduction) -> list[Block]:
+    """Conclusion, what it rests on, how both models compare, harmonics, and when everything was fixed."""
+    rests = [*(_rests_on(found, way) for way in found.ways), *_stated_bearings(found), FITTED]
     return [
         Note(_conclusion(found), "Conclusion"),
-        Text.of(_models(found)),
+        Text.of("What the conclusion rests on:"),
+        Bullets(tuple(Text.of(part) for part in rests if part)),
+        *lumped_beside.blocks(found, done),
         _harmonics(found),
         Text.of("The run was not strictly blind:"),
         fixed_when(),
@@ -47,26 +52,32 @@ def agreeing(found: Verified) -> list[VerifiedWay]:
     return [way for way in found.ways if all(map(is_so, way.points, REPORTED))]
 
 
+def in_short(found: Verified) -> str:
+    """One clause: with how many ways to hold the inputs both reported motions were found."""
+    agree = [way.name for way in agreeing(found)]
+    held = [way.name for way in found.ways if way.name in HELD]
+    said = (
+        f"real teeth do at both speeds as the article reports with {len(agree)} of {len(found.ways)} ways "
+        "to hold the "
+        "inputs"
+    )
+    if not held:
+        return said
+    with_held = sum(name in HELD for name in agree)
+    return f"{said}, and with {with_held} of the {len(held)} that hold the dimensionless numbers"
+
+
 def _conclusion(found: Verified) -> Text:
     """What disagrees comes first: the ways that hold the article's numbers."""
     agree = agreeing(found)
     said = [
+        f"In short: {in_short(found)}.",
         _with_numbers_held(found),
         *(_in_numbers(found, way) for way in agree),
-        *(_rests_on(way) for way in agree),
         "" if agree else "With none of the inputs do teeth at both speeds as is reported.",
-        _other_ways(found),
-        FITTED,
-        "The article leaves torque, error and backlash open, and states a stiffness that unmodified teeth of "
-        "the stated size do not have: so this neither confirms nor refutes its simulation, whose inputs are "
-        "not known.",
+        END,
     ]
     return Text.of(" ".join(part for part in said if part))
-
-
-def quoted(names: Iterable[str]) -> str:
-    """Names of ways in quotation marks."""
-    return ", ".join(f"“{name}”" for name in names)
 
 
 def _motions(way: VerifiedWay) -> str:
@@ -86,7 +97,7 @@ def _with_numbers_held(found: Verified) -> str:
     moves = "; ".join(f"“{way.name}”: {_motions(way)}" for way in ways)
     told_so = [_as_reported(ways, index, reported) for index, reported in enumerate(REPORTED)]
     return (
-        f"With the article’s dimensionless numbers held, the ripple of the stiffness excepted, "
+        f"With the dimensionless numbers of the case held, the ripple of the stiffness excepted: "
         f"{'; '.join(told_so)} ({moves})."
     )
 
@@ -108,118 +119,123 @@ def _in_numbers(found: Verified, way: VerifiedWay) -> str:
     said = f"Teeth part and stay in contact as reported with the inputs “{way.name}” ({_motions(way)})"
     case = next((each for each in found.ways if each.name == HELD[0]), None)
     if case is None or way.name in HELD:
-        return f"{said}."
+        return f"{said}.{_unsettled(way)}"
     error, play = ((way.numbers[name], case.numbers[name]) for name in NUMBERS)
     omegas = [" and ".join(f"{p.omega:.3f}" for p in each.points) for each in (way, case)]
-    window = f" On the grid of speeds teeth stay in contact from {way.up}, speed rising." if way.up else ""
     return (
         f"{said}, which hold the numbers in SI and not the dimensionless ones: the error is "
         f"{number(error[0], 3)} static deflections of the mesh, half the backlash {number(play[0], 3)}, the "
         f"mesh frequency {omegas[0]} of that of the mesh, where the case has {number(error[1], 3)}, "
-        f"{number(play[1], 3)}, and {omegas[1]}.{window}"
+        f"{number(play[1], 3)}, and {omegas[1]}: the labels agree, at another place beside the resonance of "
+        f"the mesh than the reported one.{_unsettled(way)}{window.beside_points(way)}"
     )
 
 
-def _rests_on(way: VerifiedWay) -> str:
-    """With which settings an agreement is lost, at each speed."""
-    said = []
-    for point in way.points:
-        rows = [row for row in way.beside if round(row[1]) == round(point.speed)]
-        apart = parts(point.label, point.apart)
-        lost = [
-            f"{setting} ({told(label)})"
-            for setting, _, label, share_apart in rows
-            if parts(label, share_apart) != apart or (apart and label != point.label)
-        ]
-        if rows:
-            which = f"label {point.label}" if apart else "contact"
-            names = f": {'; '.join(lost)}" if lost else ""
-            said.append(
-                f"the {which} at {point.speed:.0f} rpm is lost with {len(lost)} of {len(rows)} settings "
-                "beside"
-                f"{names}"
-            )
-    return f"With “{way.name}” {'. There '.join(said)}." if said else ""
+def _unsettled(way: VerifiedWay) -> str:
+    """Where contact is kept as reported and the period is not found."""
+    speeds = [
+        f"{p.speed:.0f} rpm"
+        for p, reported in zip(way.points, REPORTED, strict=True)
+        if not parts(reported, None) and not parts(p.label, p.apart) and p.label != reported
+    ]
+    if not speeds:
+        return ""
+    return (
+        f" The force that the article reports repeats every mesh cycle; within 1 % that was not found at "
+        f"{', '.join(speeds)}."
+    )
 
 
-def _other_ways(found: Verified) -> str:
-    """Ways that hold nothing dimensionless and do not agree, and bearings that are not scaled."""
-    agree = agreeing(found)
-    others = [way for way in found.ways if way.name not in HELD and way not in agree]
-    said = [f"With “{way.name}”: {_motions(way)}." for way in others]
+def _rests_on(found: Verified, way: VerifiedWay) -> str:
+    """What else is to be known of a way, and what the settings beside do to the motion of each speed, whether
+    it is the reported one or not."""
+    said = [f"{_motions(way)}{_near(found, way)}.{window.coexisting(way)}"] if _other(found, way) else []
+    beside = [each for point in way.points if (each := _beside(way, point))]
+    if beside:
+        ran, most = (len({row[0] for row in each.beside} - {AS_STATED}) for each in (way, _most(found)))
+        rest = f" The other {most - ran} settings were not run with these inputs." if ran < most else ""
+        said.append(f"One assumption or setting changed at a time: {'; '.join(beside)}.{rest}")
+    return f"“{way.name}”: {' '.join(said)}" if said else ""
+
+
+def _most(found: Verified) -> VerifiedWay:
+    """The way with the most settings beside."""
+    return max(found.ways, key=lambda way: len(way.beside))
+
+
+def _beside(way: VerifiedWay, point: VerifiedPoint) -> str:
+    """With how many settings the motion of one speed stays what it is, and with which it does not."""
+    rows = [row for row in way.beside if round(row[1]) == round(point.speed) and row[0] != AS_STATED]
+    if not rows:
+        return ""
+    apart, where = parts(point.label, point.apart), f"at {point.speed:.0f} rpm"
+    alike = [row for row in rows if parts(row[2], row[3]) == apart]
+    if not apart:
+        return f"{where} contact is kept with {len(alike)} of {len(rows)}{_listed(rows, alike)}"
+    said = f"{where} teeth part with {len(alike)} of {len(rows)}"
+    if point.label.count("-") != 2:
+        return f"{said}{_listed(rows, alike)}"
+    named = [row for row in alike if row[2] == point.label]
+    return f"{said}, and the label is {point.label} with {len(named)}{_listed(rows, named)}"
+
+
+Row = tuple[str, float, str, float]
+
+
+def _listed(rows: list[Row], alike: list[Row]) -> str:
+    """Which settings do as planned and which do not, where they differ; all settings where there are few."""
+    names = [row[0] for row in alike]
+    others = [f"{row[0]} ({motion(row[2], row[3])})" for row in rows if row not in alike]
+    if not others:
+        return f" ({', '.join(names)})" if len(names) <= FEW else ""
+    kept = f"with {', '.join(names)}; " if names else ""
+    return f" ({kept}not with {', '.join(others)})"
+
+
+FEW = 3
+"""Names that may stand in a bracket where nothing differs."""
+
+
+def _other(found: Verified, way: VerifiedWay) -> bool:
+    """Whether the conclusion itself says nothing of a way: one that was not made to hold dimensionless
+    numbers, and that does not agree."""
+    return way.name not in HELD and way not in agreeing(found)
+
+
+def _stated_bearings(found: Verified) -> list[str]:
+    """Bearings that are not scaled with the mesh."""
     stated = [
-        f"{told(label)} at {speed:.0f} rpm"
+        f"{motion(label, apart)}, at {speed:.0f} rpm"
         for way in found.ways
-        for setting, speed, label, _ in way.beside
+        for setting, speed, label, apart in way.beside
         if setting == AS_STATED
     ]
-    if stated:
-        said.append(
-            "Where bearings stay as the case states them while torque and speed grow with the mesh, so that "
-            "they "
-            f"are softer beside it than in the case: {' and '.join(stated)}."
-        )
-    return " ".join(said)
-
-
-def parts(label: str, apart: float | None) -> bool:
-    """Whether teeth part: by the label, or of a motion without one whether they were seen apart. An aperiodic
-    motion of the lumped model parts, as one without contact events would be periodic."""
-    if label.count("-") == 2:
-        return not label.endswith("-0-0")
-    return label == "aperiodic" or bool(apart)
-
-
-def same(points: list[VerifiedPoint], rule: str) -> int:
-    """How often both models agree on whether teeth part at all."""
-    return sum(
-        parts(p.label, p.apart) == parts(p.lumped.get(rule, ""), p.lumped_apart.get(rule)) for p in points
-    )
-
-
-def _models(found: Verified) -> str:
-    """How the lumped model compares at the same inputs."""
-    points = [p for way in found.ways for p in way.points]
-    count = len(points)
-    parting = ", ".join(f"{same(points, rule)} under “{rule}”" for rule in RULES)
-    labels = ", ".join(f"{sum(p.lumped.get(rule) == p.label for p in points)}" for rule in RULES)
-    differs = [
-        f"“{way.name}” {direction} at {', '.join(f'{speed:.0f}' for speed in speeds)} rpm"
-        for way in found.ways
-        for direction, speeds in zip(
-            ("rising", "falling"), way.apart_differs.get(RULES[0], [[], []]), strict=True
-        )
-        if speeds
+    if not stated:
+        return []
+    return [
+        "“dimensionless” with bearings as the case states them, so that they are softer beside the mesh "
+        "than in "
+        f"the case: {' and '.join(stated)}."
     ]
-    on_grid = (
-        f" On the grid of speeds one of both parts and the other does not under “{RULES[0]}” with "
-        f"{'; '.join(differs)}."
-        if differs
-        else ""
-    )
-    return (
-        f"The lumped model, given what real teeth have, agrees with them on whether teeth part at so many of "
-        f"{count} points: {parting}; on the full label at {labels}.{on_grid}{_forces(found)}"
-    )
 
 
-def _forces(found: Verified) -> str:
-    """Where both models part, how far apart their forces are."""
-    rule = RULES[0]
-    rows = [
-        f"“{way.name}” at {p.speed:.0f} rpm: apart {share(p.apart)} of the time, greatest force "
-        f"{number(p.peak, 3)} of the mean with real teeth; {share(p.lumped_apart[rule] or 0.0)} and "
-        f"{number(p.lumped_peak[rule], 3)} in the lumped model"
-        for way in found.ways
-        for p in way.points
-        if parts(p.label, p.apart) and parts(p.lumped[rule], p.lumped_apart[rule])
-    ]
-    return f" The same answer is not the same force: {'; '.join(rows)}." if rows else ""
+def _near(found: Verified, way: VerifiedWay) -> str:
+    """How far the dimensionless numbers of a way are from those of the case, where that is little."""
+    case = next((each for each in found.ways if each.name == HELD[0]), None)
+    if case is None:
+        return ""
+    pairs = [(way.numbers[name], case.numbers[name]) for name in NUMBERS]
+    pairs += [(one.omega, other.omega) for one, other in zip(way.points, case.points, strict=True)]
+    off = max(abs(one / other - 1.0) for one, other in pairs)
+    if off > NEAR:
+        return ""
+    twice = way.ripples[1] > max(way.ripples[0], way.ripples[2])
+    ripple = ", and the stiffness varies mostly twice a mesh cycle, as that of the case" if twice else ""
+    return f"; the dimensionless numbers are within {share(off)} of those of the case{ripple}"
 
 
-def share(part: float) -> str:
-    """A share in per cent."""
-    return f"{100.0 * part:.3g} %"
+NEAR = 0.05
+"""Relative, of the dimensionless numbers of a way to those of the case: what is worth telling."""
 
 
 def ripples(way: VerifiedWay) -> str:
@@ -231,7 +247,8 @@ def _harmonics(found: Verified) -> Text:
     plain = [way for way in found.ways if way.name != "modified"]
     turned = [way for way in found.ways if way.name == "modified" and way.ripples[1] > way.ripples[0]]
     said = (
-        "The stiffness that the case had to assume varies twice a mesh cycle. That of unmodified real teeth "
+        "The stiffness that the case assumes, found by a fit, varies twice a mesh cycle. That of unmodified "
+        "real teeth "
         "varies mostly once: "
         + "; ".join(f"{ripples(way)} at {number(way.face_width, 3)} mm" for way in plain[:2])
     )

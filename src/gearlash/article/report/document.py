@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gearlash.article import Reproduction
 from gearlash.article.verified import Verified
+from gearlash.article.verified import verified as kept_of
 from gearlash.report.blocks import Page
 from gearlash.report.pictures import Picture
 
@@ -19,9 +20,10 @@ def document(
     shown, drawn_events = events.section(done)
     compared = rules.section(done)
     followed, drawn_branches = branches.section(done)
-    teeth = verified.section(done, real, checked)
+    shown_real = kept_of(done.case) if real is None else real
+    teeth = verified.section(done, shown_real, checked)
     parts = (
-        summary.section(done),
+        summary.section(done, shown_real),
         claims.section(done),
         zoned,
         swept,

@@ -6,18 +6,20 @@ from __future__ import annotations
 
 from gearlash.article import NOT_FOUND, REPRODUCED, SHIFTED, ReportedZone, Reproduction
 from gearlash.article.reproduction import Reading
+from gearlash.article.verified import Verified
 from gearlash.article.zoning import EVERY, SOME
 from gearlash.plots.regimes import short
 from gearlash.report.blocks import Badge, Bullets, Inline, Ref, Section, Strong, Text
 from gearlash.report.numbers import number
 
+from . import conclusion
 from .claims import counts
 from .quantities import Quantities, fixed_words, symbol
 from .words import joined, plural, verdict
 
 
-def section(done: Reproduction) -> Section:
-    """The summary in plain words; every number in it is computed."""
+def section(done: Reproduction, real: Verified | None = None) -> Section:
+    """The summary in plain words; every number in it is computed. ``real`` is what is shown of real teeth."""
     quantities = Quantities.of(done.case)
     blocks = [
         Text.of(
@@ -29,6 +31,7 @@ def section(done: Reproduction) -> Section:
         Bullets(tuple(_zones(done, quantities))),
         _verdicts(done),
         *_missed(done),
+        *([] if real is None else [_real(real)]),
         _basis(done),
     ]
     return Section("summary", "In plain words", tuple(blocks))
@@ -112,6 +115,18 @@ def _missed(done: Reproduction) -> list[Text | Bullets]:
         for c in missed
     )
     return [Text.of("What does not reproduce:"), Bullets(items)]
+
+
+def _real(found: Verified) -> Text:
+    """The article's own check of its model, repeated."""
+    return Text.of(
+        "The article checks its model by a multibody simulation at two speeds: teeth part once a mesh cycle "
+        "at "
+        "the lower one and never at the higher one. Repeated here with other means, "
+        f"{conclusion.in_short(found)} (",
+        Ref("table-verified"),
+        ").",
+    )
 
 
 def _basis(done: Reproduction) -> Text:

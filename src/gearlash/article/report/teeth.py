@@ -116,9 +116,8 @@ def _breathing(found: Verified) -> list[Block]:
         Table(
             "table-verified-breathing",
             "The centre distance breathes, and contact ratio and backlash with it: least and greatest values "
-            "over the motion of real teeth, at mid face; and what the freedom to move along the line of "
-            "centres "
-            "does to the greatest force, beside the motion with the centre distance held.",
+            "over the motion of real teeth, at mid face; by how much the greatest force is above (+) or "
+            "below (−) that with the centre distance held; and the label with that held.",
             (
                 "inputs",
                 "speed",
@@ -142,8 +141,15 @@ def _row(moved: VerifiedBreathing, point: VerifiedPoint) -> tuple[str, ...]:
         f"{ratio[0]:.4f} to {ratio[1]:.4f}",
         f"{play[0]:.1f} to {play[1]:.1f} µm",
         NOT_COMPUTED if share is None else f"{minus(f'{100.0 * share:+.1f}')} %",
-        "the same" if moved.label_held == point.label else told(moved.label_held),
+        _when_held(moved.label_held, point.label),
     )
+
+
+def _when_held(held: str, label: str) -> str:
+    """Two motions with one label are the same in that; two without one need not be."""
+    if held != label:
+        return told(held)
+    return "the same" if label.count("-") == 2 else f"{told(held)}, either"
 
 
 def told(label: str) -> str:

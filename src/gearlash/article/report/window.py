@@ -1,0 +1,143 @@
+"""The window without parting on the grid of speeds: real teeth, the lumped model, and what is reported."""
+
+from __future__ import annotations
+
+import re
+
+from gearlash.article.verified import REPORTED_WINDOW, Verified, VerifiedWay
+from gearlash.report.blocks import Block, Cell, Table, Text
+from gearlash.studies.verification.plan import WINDOW
+
+from .seen import HELD, RULES, parts, share
+
+RUN = re.compile(r"(\d+) to (\d+) rpm")
+DIRECTIONS = ("rising", "falling")
+STEP = (WINDOW[1] - WINDOW[0]) / (WINDOW[2] - 1)
+"""Of the grid, over the higher speed."""
+
+
+def blocks(found: Verified) -> list[Block]:
+    """The table of windows and what it says beside the article's; nothing where no window was computed."""
+    ways = [way for way in found.ways if way.up]
+    if not ways:
+        return []
+    return [_table(found, ways), Text.of(_met(found, ways) + _differing(ways))]
+
+
+def _table(found: Verified, ways: list[VerifiedWay]) -> Table:
+    rows: list[tuple[Cell, ...]] = []
+    for way in ways:
+        reported = reported_ends(found, way)
+        last = "—" if reported is None else f"{reported[0]:.0f} to {reported[1]:.0f} rpm"
+        for direction, real, lumped in _both(way):
+            rows.append((way.name, direction, real, *(lumped[rule] for rule in RULES), last))
+    return Table(
+        "table-verified-window",
+        "Speeds of the grid at which teeth stay in contact, each begun from the motion at its neighbour; of "
+        "the lumped model those with a periodic motion. The grid has steps of "
+        f"{share(STEP)} of the higher speed, from {WINDOW[0]:.2f} to {WINDOW[1]:.2f} of it: an end lies "
+        "within a step beyond what is named, and what begins or ends with the grid may go on beyond. The "
+        f"last column is the article’s window of its lumped model, ω {REPORTED_WINDOW[0]} to "
+        f"{REPORTED_WINDOW[1]}, at the speeds that these inputs give it.",
+        ("inputs", "speed", "real teeth", *(f"lumped, {rule}" for rule in RULES), "reported"),
+        tuple(rows),
+        widths=(13, 9, 16, 16, 16, 16, 14),
+    )
+
+
+def _both(way: VerifiedWay) -> list[tuple[str, str, dict[str, str]]]:
+    """Direction, real teeth, and the lumped model by rule."""
+    return [(DIRECTIONS[0], way.up, way.lumped_up), (DIRECTIONS[1], way.down, way.lumped_down)]
+
+
+def runs(told: str) -> list[tuple[float, float]]:
+    """Intervals of speeds as they are kept, rpm: ``3680 to 4320 rpm``; none for ``nowhere on the grid``."""
+    return [(float(low), float(high)) for low, high in RUN.findall(told)]
+
+
+def reported_ends(found: Verified, way: VerifiedWay) -> tuple[float, float] | None:
+    """The article's window in rpm at the inputs of a way; None without the way that has the ω of the case."""
+    case = next((each for each in found.ways if each.name == HELD[0]), None)
+    if case is None:
+        return None
+    scale = way.points[-1].speed / case.points[-1].omega
+    return REPORTED_WINDOW[0] * scale, REPORTED_WINDOW[1] * scale
+
+
+def _met(found: Verified, ways: list[VerifiedWay]) -> str:
+    """At how many windows an end lies within the step of the grid in which the reported one lies."""
+    said = []
+    for end, which in enumerate(("lower", "upper")):
+        real = [_end_met(found, way, told, end) for way in ways for _, told, _ in _both(way)]
+        lumped = [
+            sum(_end_met(found, way, told[rule], end) for way in ways for _, _, told in _both(way))
+            for rule in RULES
+        ]
+        said.append(
+            f"the {which} end with {sum(real)} of {len(real)} windows of real teeth, and with "
+            f"{', '.join(map(str, lumped))} of {len(real)} of the lumped model"
+        )
+    rules = ", ".join(f"“{rule}”" for rule in RULES)
+    return (
+        f"The computed end and the reported one lie in the same step of the grid: {'; '.join(said)} (under "
+        f"{rules})."
+    )
+
+
+def _end_met(found: Verified, way: VerifiedWay, told: str, end: int) -> bool:
+    """Whether the reported end lies between the last speed in contact and the next one of the grid."""
+    reported, intervals = reported_ends(found, way), runs(told)
+    if reported is None or not intervals:
+        return False
+    step = STEP * way.points[-1].speed
+    seen = intervals[0][0] if end == 0 else intervals[-1][1]
+    beyond = seen - step if end == 0 else seen + step
+    return min(seen, beyond) - 0.5 <= reported[end] <= max(seen, beyond) + 0.5
+
+
+def _differing(ways: list[VerifiedWay]) -> str:
+    """At how many points of the grid one model parts and the other does not."""
+    count = len(ways) * len(DIRECTIONS) * WINDOW[2]
+    counts = [
+        str(sum(len(speeds) for way in ways for speeds in way.apart_differs.get(rule, []))) for rule in RULES
+    ]
+    return (
+        f" One model parts and the other does not at {', '.join(counts)} of {count} points of the grid (in "
+        "that "
+        "order of rules; all inputs, both directions)."
+    )
+
+
+def coexisting(way: VerifiedWay) -> str:
+    """Speeds at which teeth begun pressed together part, and begun from a neighbour stay in contact."""
+    said = [
+        f" At {point.speed:.0f} rpm teeth begun pressed together part; begun from the motion at the "
+        f"neighbouring speed, {direction}, they stay in contact: both motions exist there."
+        for point in way.points
+        for direction, told, _ in _both(way)
+        if parts(point.label, point.apart) and _within(told, point.speed)
+    ]
+    return "".join(said)
+
+
+def _within(told: str, speed: float) -> bool:
+    return any(low - 0.5 <= speed <= high + 0.5 for low, high in runs(told))
+
+
+def beside_points(way: VerifiedWay) -> str:
+    """How near the speeds at which teeth part are to the window on the grid."""
+    intervals = [runs(told) for _, told, _ in _both(way)]
+    if not all(intervals):
+        return ""
+    said = []
+    for point in way.points:
+        if not parts(point.label, point.apart) or any(
+            _within(told, point.speed) for _, told, _ in _both(way)
+        ):
+            continue
+        ends = [end for each in intervals for run in each for end in run]
+        near = min(ends, key=lambda end: abs(end - point.speed))
+        said.append(f" The nearest speed of the grid in contact is {near:.0f} rpm: {point.speed:.0f} rpm is ")
+        steps = abs(near - point.speed) / (STEP * way.points[-1].speed)
+        said.append("beside the edge." if steps < 1.5 else f"{steps:.0f} steps of the grid from the edge.")
+    return "".join(said)
