@@ -9,9 +9,10 @@ import pytest
 
 import gearlash as gl
 from gearlash.studies.impact_free import closed_margin
-from gearlash.studies.ranges import AcrossRanges, across_ranges, margin_of, values_of, varied
+from gearlash.studies.ranges import AcrossRanges, across_ranges, varied
 from gearlash.studies.speeds_across import speeds_across
 from gearlash.studies.tolerances.inputs import estimated_inputs
+from gearlash.studies.worst_of_ranges import margin_of, values_of
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
 KNOWN = {
@@ -67,6 +68,26 @@ def test_together_is_at_least_as_bad_as_each_alone(light: tuple[gl.Case, AcrossR
     assert found.together is not None
     assert found.together.margin <= min(one.margin for one in found.varied)
     assert margin_of(case, found.together.values) == found.together.margin
+
+
+def test_a_resonance_that_other_values_would_leave_is_combined_with_them():
+    """A bearing alone leaves half of the compression; the worst values of all others, each by itself, miss
+    that resonance. With a few of them beside the bearing teeth part, and a run says so as well."""
+    case = gl.load_case(CASES / "fast.toml")
+    found = across_ranges(case)
+    assert found is not None
+    assert found.broken == ()
+    assert found.together is not None
+    assert not found.holds
+    assert found.together.margin <= 0.0
+    assert len(found.together.values) <= 6
+    for one in found.inputs:
+        text = found.together.values.get(one.path)
+        assert text is None or one.lower <= float(text.partition(" ")[0]) <= one.upper
+    family = case.with_overrides(found.together.values).family()[0]
+    orbit = gl.attractor(family.system(), family.start())
+    assert isinstance(orbit.label, gl.Signature)
+    assert orbit.label.impacts > 0
 
 
 @pytest.fixture(scope="module")

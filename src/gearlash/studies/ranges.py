@@ -1,9 +1,9 @@
 """Does impact-free motion at the present point last over the ranges of what a case estimates?
 
 The motion of teeth that never part is solved for at values over each range, everything else as estimated, and
-where it ends within a range that value is solved for. The worst values of all ranges are then put together
-and made worse one by one; there the ends of its band of speed are solved for, and the cold start is followed.
-Where the case states a range of speed, contact is looked for over all of it, too.
+where it ends within a range that value is solved for. From there a combination is searched for with which
+it ends, or else the worst one; at it the ends of its band of speed are solved for, and the cold start is
+followed. Where the case states a range of speed, contact is looked for over all of it, too.
 """
 
 from __future__ import annotations
@@ -11,9 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from math import ceil, inf, isfinite, isnan, log, nan
-
-import numpy as np
+from math import isfinite, isnan, nan
 
 from gearlash.case import Case
 from gearlash.jobs import Chain, Execution, Part, run
@@ -23,23 +21,15 @@ from gearlash.results.pair_question import stated_speeds
 from gearlash.results.tolerance import Band, ToleranceInput
 from gearlash.system import GearlashError, Label
 
-from .impact_free import closed_margin, impact_free_speeds
+from .impact_free import impact_free_speeds
 from .model import Source
 from .speeds_across import SpeedsAcross, speeds_across
 from .tolerances.bands import outside, positive_bands
 from .tolerances.inputs import estimated_inputs
+from .worst_of_ranges import margin_of, member_of, values_of, worst_together
 
-FACTOR = 1.08
-"""From one value to the next in a range that spans a factor: of a stiffness 4 % of a natural frequency, and
-where the margin is least a closer look finds what lies between."""
-EVEN = 5
-"""Values of other ranges, both ends included."""
-AROUND = 13
-"""Of an angle that may be any."""
 SOLVED = 2
 """Ranges, the worst ones, for which the band of speed is solved at their worst value."""
-MOST_MOVED = 6
-"""Ranges whose values are tried again where all others are at their worst."""
 SMALL = 1e-3
 """Of the static compression: a range that takes less does not count."""
 
@@ -105,7 +95,8 @@ class AcrossRanges:
     single : tuple of Corner
         Ranges that take most of the margin, each at its worst value, with the ends of its band of speed.
     together : Corner or None
-        The worst combination that was found; None where no range takes anything.
+        The worst combination that was found, or one with which contact ends; None where no range takes
+        anything.
     complete : bool
     speeds : tuple of SpeedsAcross
         Over the range of speed that the case states: first all as estimated; where that never parts, then
@@ -140,10 +131,12 @@ class AcrossRanges:
 
 @dataclass(frozen=True)
 class Task:
-    """One range; or values with the band of speed around the present one; or values over a range of speed."""
+    """One range; or values from which a worst combination is searched for, or with the band of speed around
+    the present one, or over a range of speed."""
 
     source: Source
     input: ToleranceInput | None = None
+    moved: tuple[ToleranceInput, ...] = ()
     values: tuple[tuple[str, str], ...] = ()
     settings: Settings | None = None
     reach: tuple[float, float] | None = None
@@ -164,7 +157,9 @@ def across_ranges(
     if not outcome.complete:
         return AcrossRanges(nominal, varied, complete=False, inputs=inputs)
     harmful = sorted((v for v in varied if _takes(v.margin, nominal)), key=lambda one: one.margin)
-    worst = together(case, harmful) if harmful else None
+    worst, complete = _together(source, inputs, harmful, execution)
+    if not complete:
+        return AcrossRanges(nominal, varied, complete=False, inputs=inputs)
     corners = [Corner({v.input.path: v.input.text(v.worst)}, v.margin) for v in harmful[:SOLVED]]
     corners += [worst] if worst is not None and len(worst.values) > 1 else []
     reach = stated_speeds(case)
@@ -178,6 +173,30 @@ def across_ranges(
     speeds = tuple(found for found in (own, *done[len(corners) :]) if found is not None)
     last = looked.pop() if worst is not None and len(worst.values) > 1 else (looked[0] if looked else None)
     return AcrossRanges(nominal, varied, tuple(looked), last, outcome.complete, inputs, speeds)
+
+
+def _together(
+    source: Source, inputs: Sequence[ToleranceInput], harmful: Sequence[Varied], execution: Execution
+) -> tuple[Corner | None, bool]:
+    """The worst combination found, and whether the search came to its end.
+
+    Searched for from the worst value alone, and from every range at its own worst value, where resonances may
+    miss each other. Of combinations with which contact ends the one with the fewest values."""
+    if not harmful:
+        return None, True
+    own = [(v.input.path, v.input.text(v.worst)) for v in harmful]
+    alone = Corner(dict(own[:1]), harmful[0].margin)
+    if not alone.margin > 0.0:
+        return alone, True
+    first = [one.input for one in harmful]
+    moved = (*first, *(one for one in inputs if one not in first))
+    tasks = [Task(source, moved=moved, values=tuple(begin)) for begin in (own[:1], own)[: len(own)]]
+    outcome = run(work, [Chain(i, (task,), (1,)) for i, task in enumerate(tasks)], execution)
+    found = [outcome.results[i][0] for i in range(len(tasks)) if outcome.results.get(i)]
+    broken = [one for one in found if not one.margin > 0.0]
+    if broken:
+        return min(broken, key=lambda one: len(one.values)), outcome.complete
+    return min([alone, *found], key=lambda one: one.margin), outcome.complete
 
 
 def _over_speed(varied: Sequence[Varied], worst: Corner | None) -> Iterator[Mapping[str, str]]:
@@ -198,6 +217,8 @@ def work(task: Task, _carry: object) -> Part:
     case = _case(task.source.case_json or "")
     if task.input is not None:
         return Part((varied(case, task.input),))
+    if task.moved:
+        return Part((Corner(*worst_together(case, task.moved, dict(task.values))),))
     if task.reach is not None:
         return Part((speeds_across(case, dict(task.values), task.reach),))
     return Part((solved(case, dict(task.values), task.settings),))
@@ -206,23 +227,6 @@ def work(task: Task, _carry: object) -> Part:
 @lru_cache(maxsize=4)
 def _case(text: str) -> Case:
     return Case.from_json(text)
-
-
-def margin_of(case: Case, values: Mapping[str, str]) -> float:
-    """Least compression of the motion of teeth that never part, over the static one; -inf where it is not
-    stable, and where no pair can have these values; NaN where it was not solved for."""
-    try:
-        family = member_of(case, values).family()[0]
-        numbers = family.complete({})
-        static = numbers["load"] / numbers["rotation_factor"]
-        return closed_margin(family.system(), 1 if static > 0.0 else -1) / abs(static)
-    except GearlashError:
-        return -inf
-
-
-def member_of(case: Case, values: Mapping[str, str]) -> Case:
-    """The case with other values. Raises `GearlashError` where no pair can have them."""
-    return case.with_overrides(values) if values else case
 
 
 def varied(case: Case, one: ToleranceInput) -> Varied:
@@ -238,46 +242,6 @@ def varied(case: Case, one: ToleranceInput) -> Varied:
     known = {at: found for at, found in looked.items() if not isnan(found)}
     worst = min(known, key=lambda at: known[at], default=one.nominal)
     return Varied(one, outside([bands], one.lower, one.upper), worst, known.get(worst, nan))
-
-
-def values_of(one: ToleranceInput) -> list[float]:
-    """Ascending values from one end of a range to the other."""
-    low, high = one.lower, one.upper
-    if one.unit == "deg" and high - low >= 360.0:
-        return np.linspace(low, high, AROUND).tolist()
-    if low * high > 0.0:
-        small, large = sorted((abs(low), abs(high)))
-        count = ceil(log(large / small) / log(FACTOR))
-        if count >= EVEN:
-            sign = 1.0 if low > 0.0 else -1.0
-            inner = np.geomspace(small, large, count + 1)[1:-1]
-            return [low, *sorted((sign * inner).tolist()), high]
-    return np.linspace(low, high, EVEN).tolist()
-
-
-def together(case: Case, harmful: Sequence[Varied]) -> Corner:
-    """The worst combination: from each at its own worst value, one after the other made worse."""
-    values = {one.input.path: one.input.text(one.worst) for one in harmful}
-    least = margin_of(case, values)
-    for one in harmful[:MOST_MOVED]:
-        for text in _tried(one.input):
-            tried = {**values, one.input.path: text}
-            found = margin_of(case, tried)
-            if found < least:
-                values, least = tried, found
-            if least == -inf:
-                break
-    alone = harmful[0]
-    if not least < alone.margin:
-        return Corner({alone.input.path: alone.input.text(alone.worst)}, alone.margin)
-    return Corner(values, least)
-
-
-def _tried(one: ToleranceInput) -> Iterator[str]:
-    """A few values of a range."""
-    every = values_of(one)
-    for at in sorted({round(share * (len(every) - 1)) for share in np.linspace(0.0, 1.0, AROUND)}):
-        yield one.text(every[at])
 
 
 def solved(case: Case, values: Mapping[str, str], settings: Settings | None) -> Corner:

@@ -57,7 +57,7 @@ def across(found: Assessment, words: Words) -> Across | None:
         said = f"Holds across the range of each of its {many}, one at a time, but not for all together: "
         text = f"{said}with {_together(worst)} no motion without impacts exists.{ends}"
         return Across(
-            False, "none without impacts exists if several estimates are at their worst together", text
+            False, "none without impacts exists for a combination of values within their ranges", text
         )
     return Across(
         True,
@@ -135,7 +135,7 @@ def _ends(found: Assessment, words: Words) -> str:
         near = _nearest(corner, found.here)
         if near is None:
             continue
-        what = settings(corner.values) if len(corner.values) == 1 else "the worst combination"
+        what = settings(corner.values) if len(corner.values) == 1 else "the worst combination found"
         side = "above" if near > found.here else "below"
         share = percent(100.0 * abs(near - found.here) / found.here)
         end = f"with {what} at {words.speed(near)}, {share} % {side}"
@@ -211,7 +211,13 @@ def table(found: Assessment) -> Iterator[Block]:
     if worst is not None and len(worst.values) > 1:
         options = " ".join(f"--set '{path}={_typed(text)}'" for path, text in worst.values.items())
         found_there = _percent(worst.margin) if isfinite(worst.margin) else "no stable motion"
-        yield Text.of(
-            f"The worst combination found, by moving one value after the other ({found_there}; worse ones "
-            f"between are not excluded): {options}"
-        )
+        if worst.margin > 0.0:
+            said = f"The worst combination found, by moving one value after the other ({found_there}; "
+            yield Text.of(f"{said}worse ones between are not excluded): {options}")
+        else:
+            said = (
+                "A combination with which teeth do not stay in contact, found by moving one value after the "
+            )
+            yield Text.of(
+                f"{said}other until that was so ({found_there}; worse ones were not looked for): {options}"
+            )

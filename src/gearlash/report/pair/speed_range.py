@@ -82,5 +82,5 @@ def _nor(found: Assessment) -> str:
 
 
 def _parting(one: SpeedsAcross, words: Words) -> str:
-    what = settings(one.values) if len(one.values) == 1 else "the worst combination"
+    what = settings(one.values) if len(one.values) == 1 else "the combination found at the present speed"
     return f"with {what} at " + " and ".join(words.reach(low, high) for low, high in one.parting)
