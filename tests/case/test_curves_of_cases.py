@@ -139,6 +139,35 @@ def test_files_of_points_with_decimal_commas(tmp_path: Path):
 
 
 @pytest.mark.parametrize(
+    ("head", "keys", "said"),
+    [
+        ("angle [deg];stiffness [N/um]", 'angle = "pinion deg"\nunit = "kN/mm"', ""),  # one size
+        ("angle [°];k [N/mm]", 'angle = "pinion deg"\nunit = "N/um"', "curves.stiffness.unit"),
+        ("angle [°];k [um]", 'angle = "pinion deg"\nunit = "N/um"', "curves.stiffness.unit"),
+        ("angle [°];k [N/um]", 'angle = "pinion deg"\nunit = ""', "curves.stiffness.unit"),
+        ("angle [rad];k [N/um]", 'angle = "pinion deg"\nunit = "N/um"', "curves.stiffness.angle"),
+        ("angle [gear deg];k [N/um]", 'angle = "pinion deg"\nunit = "N/um"', "curves.stiffness.angle"),
+        ("angle [counts];k [as read]", 'angle = "pinion deg"\nunit = "N/um"', ""),  # no units
+        ("angle;k", 'angle = "pinion deg"\nunit = "N/um"', ""),
+    ],
+)
+def test_a_unit_in_the_head_of_a_file_is_not_overruled_in_silence(
+    head: str, keys: str, said: str, tmp_path: Path
+):
+    (tmp_path / "k.csv").write_text(f"{head}\n0.0;400\n10.8;400\n10.8;300\n18;300\n", "utf-8")
+    (tmp_path / "pair.toml").write_text(physical(f'[curves.stiffness]\nfile = "k.csv"\n{keys}'))
+    if not said:
+        mean = gl.load_case(tmp_path / "pair.toml").entries["mesh.mean_stiffness"].number
+        assert mean == pytest.approx(360e6, rel=1e-9)
+        return
+    with pytest.raises(CaseError) as refused:
+        gl.load_case(tmp_path / "pair.toml")
+    (problem,) = refused.value.problems
+    assert problem.path == said
+    assert "what the head of k.csv has" in problem.expected
+
+
+@pytest.mark.parametrize(
     ("text", "rows"),
     [
         ("1;2,5\n2;3,5", ((1, 2.5), (2, 3.5))),

@@ -9,6 +9,8 @@ import pytest
 from case.corpus import BAD_FILES, Bad
 from cli.conftest import Gearlash
 from cli.schema_check import problems
+from gearlash.case import CaseError, load
+from gearlash.cli.inputs import read_over
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 
@@ -189,3 +191,23 @@ def test_a_falling_interval_is_advised_on_only_where_it_can_be_followed(gearlash
         assert ran.code == 2
         assert "a rising interval FROM < TO" in ran.err
         assert "--down" not in ran.err
+
+
+@pytest.mark.parametrize(
+    ("over", "example"),
+    [
+        ("backlash=20um:60um", "backlash=50:150um:500"),
+        ("D=1", "D=0.5:1.5:500"),
+        ("torque=100", "torque=48.5:145N*m:500"),
+        ("pinion_speed", "pinion_speed=2000:6000rpm:500"),
+        ("nothing=1", "omega=0.5:1.4:900"),
+    ],
+)
+def test_an_interval_in_a_wrong_form_is_shown_one_of_the_quantity_that_was_named(over: str, example: str):
+    """Not one of speed, whatever was asked; what is shown can be typed."""
+    case = load("article")
+    with pytest.raises(CaseError) as refused:
+        read_over(case, over)
+    (problem,) = refused.value.problems
+    assert f"such as {example}" in problem.expected
+    assert len(read_over(case, example.partition(" ")[0]).values) in (500, 900)

@@ -100,9 +100,8 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None, hint
     unit behind TO holds for FROM too. ``hint``: what the command has for a falling interval."""
     import numpy as np
 
-    name, parts = parts_of(
-        text, 3, "NAME=FROM:TO:COUNT, such as omega=0.5:1.4:900 or pinion_speed=1000rpm:6000rpm:500"
-    )
+    general = "omega=0.5:1.4:900 or pinion_speed=1000rpm:6000rpm:500"
+    name, parts = parts_of(text, 3, f"NAME=FROM:TO:COUNT, such as {_example(case, text, ':500') or general}")
     short, first, last = _ends(case, name, parts)
     problems, here = [], f"--over {name}"
     digits = parts[2].isascii() and parts[2].isdigit() and len(parts[2]) < 20
@@ -133,7 +132,8 @@ class TypedLimits:
 
 def read_between(case: Case, text: str) -> TypedLimits:
     """``NAME=FROM:TO``, ends as they would stand in the case; a unit behind TO holds for FROM too."""
-    example = "NAME=FROM:TO, such as omega=0.5:1.4 or pinion_speed=3000:4500rpm, without a number of points"
+    general = "omega=0.5:1.4 or pinion_speed=3000:4500rpm"
+    example = f"NAME=FROM:TO, such as {_example(case, text) or general}, without a number of points"
     name, parts = parts_of(text, 2, example)
     short, first, last = _ends(case, name, parts)
     if not first < last:
@@ -149,6 +149,24 @@ def parts_of(text: str, count: int, example: str) -> tuple[str, list[str]]:
     if not equals or len(parts) != count:
         raise CaseError("--over", [Problem("--over", repr(text), example)])
     return name, parts
+
+
+def _example(case: Case, text: str, count: str = "") -> str:
+    """An interval about the value that the named quantity has in the case, in its unit; empty where the text
+    names none."""
+    name = text.partition("=")[0].strip()
+    known = case.family()[0].defaults
+    found = [(known[name], "")] if name in known else []
+    found += [
+        (v.value, v.unit)
+        for v in case.values()
+        if name in (v.path, v.path.rpartition(".")[2]) and not isinstance(v.value, str)
+    ]
+    if not found or not isinstance(found[0][0], float | int) or not found[0][0] > 0.0:
+        return ""
+    value, unit = float(found[0][0]), found[0][1]
+    low, high = (f"{float(f'{factor * value:.3g}'):g}" for factor in (0.5, 1.5))
+    return f"{name}={low}:{high}{unit}{count}"
 
 
 def _ends(case: Case, name: str, parts: list[str]) -> tuple[str, float, float]:
