@@ -8,9 +8,11 @@ import pytest
 
 from cli.conftest import Gearlash
 from cli.schema_check import problems
-from gearlash.case import bundled, load
+from gearlash.case import bundled, load, loads
+from gearlash.case.rating import band_of_grades, method_b
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
+from gearlash.gears.unloaded_error import unloaded_error
 
 
 @pytest.mark.parametrize("name", bundled())
@@ -60,13 +62,11 @@ def test_overrides_are_shown(gearlash: Gearlash):
 
 def test_k_v_of_the_standard_stands_beside_the_case(gearlash: Gearlash):
     """Where there are gears in physical units; why there is none where the case does not say enough."""
-    from gearlash.case.rating import band_of_grades
-
     drawn = Path(__file__).resolve().parents[1] / "cases" / "drawing.toml"
     case = load(drawn)
     said = gearlash("check", str(drawn), "--json").answer["dynamic_factor"]
     assert said == band_of_grades(case, case.family()[0].defaults["omega"])
-    assert "for grades 7 and 7 of ISO 1328-1" in said
+    assert "for grade 7 of ISO 1328-1, assumed for the gear" in said
     assert said in " ".join(gearlash("check", str(drawn)).out.split())
     assert gearlash("check", "kahraman-singh", "--json").answer["dynamic_factor"] == ""
 
@@ -84,3 +84,41 @@ def test_teeth_of_both_gears_stand_side_by_side(gearlash: Gearlash):
         assert shown == pytest.approx(pair, rel=1e-6)
         assert not any(f"derived.{leaf}_" in line for line in lines)
     assert any("N/(mm·µm)" in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("stated", "assumed", "told"),
+    [
+        (("pinion",), ("gear",), "grade 7 of ISO 1328-1, assumed for the gear; "),
+        (("gear",), ("pinion",), "grade 7 of ISO 1328-1, assumed for the pinion; "),
+        ((), ("pinion", "gear"), "grade 8 of ISO 1328-1, assumed for both gears; "),
+        (("pinion", "gear"), (), "grade 7 of ISO 1328-1 (K_A"),
+    ],
+)
+def test_a_grade_that_nobody_states_is_one_assumed_value(
+    stated: tuple[str, ...], assumed: tuple[str, ...], told: str
+):
+    """Error and K_v are those of it, and their ranges go over finer and coarser classes of that gear."""
+    drawn = Path(__file__).resolve().parents[1] / "cases" / "drawing.toml"
+    text = drawn.read_text(encoding="utf-8").replace("quality = 7\n", "")
+    for gear in stated:
+        text = text.replace(f"[{gear}]\n", f"[{gear}]\nquality = 7\n")
+    case = loads(text)
+    values = {v.path: v for v in case.values()}
+    for gear in assumed:
+        value = values[f"{gear}.quality"]
+        assert (value.provenance, value.value) == ("assumed", 7 if stated else 8)
+        assert f"classes {int(value.value) - 2} to {int(value.value) + 2}" in value.reason
+    said = band_of_grades(case, case.family()[0].defaults["omega"])
+    assert told in said
+    own = int(values["pinion.quality"].value)
+    ends = [(own - by * ("pinion" in assumed), own - by * ("gear" in assumed)) for by in (2, 0, -2)]
+    fine, mean, coarse = (method_b(case, case.family()[0].defaults["omega"], each).value for each in ends)
+    assert f"K_v = {mean:.2f} for grade {own}" in said
+    if assumed:
+        assert f"{fine:.2f} for grade" in said
+        assert f"{coarse:.2f} for grade" in said
+    limits = unloaded_error(case.numbers.body.meshing, ends[2]).mesh
+    assert values["mesh.error"].greatest == pytest.approx(1e6 * limits.greatest)
+    usual = unloaded_error(case.numbers.body.meshing, ends[1]).mesh
+    assert values["mesh.error"].value == pytest.approx(1e6 * usual.nominal)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import gearlash as gl
-from gearlash.case.rating import band_of_grades, method_b, pair_of, stated_grades
+from gearlash.case.rating import band_of_grades, grades_of, method_b, pair_of
 from gearlash.gears import flank_tolerances, mesh_stiffness
 from gearlash.orbits import motion_statistics
 from gearlash.orbits.signals import Signal
@@ -62,8 +62,8 @@ def test_k_v_of_the_standard_by_hand():
 
 def test_grades_are_those_of_the_drawing_and_else_a_range():
     drawn, bare = gl.load_case(CASES / "drawing.toml"), gl.load_case(CASES / "drive.toml")
-    assert stated_grades(drawn) == (7, 7)
-    assert "for grades 7 and 7" in band_of_grades(drawn, 0.3)
+    assert grades_of(drawn).own == (7, 7)
+    assert "for grade 7 of ISO 1328-1, assumed for the gear" in band_of_grades(drawn, 0.3)
     assert "the case states no grade" in band_of_grades(bare, 0.5)
     assert "does not stand beside it" in band_of_grades(gl.load_case("kahraman-singh"), 0.5)
 

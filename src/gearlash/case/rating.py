@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from gearlash.gears import CylindricalGear, CylindricalPair, equivalent_mass, mesh_stiffness
 from gearlash.gears.basic_rack import ISO53_A, BasicRack
+from gearlash.gears.drawing import COARSEST, GRADE_SPREAD
 from gearlash.gears.dynamic_factor import DynamicFactor, EffectiveErrors, dynamic_factor
 from gearlash.gears.materials import Material, named
 from gearlash.system import GearlashError
 
 from .case import Case
+from .stated import Provenance
 
+GEARS = ("pinion", "gear")
 GRADES = (5, 8)
 """Of ISO 1328-1, between which K_v is told, as a case states none."""
 
@@ -63,32 +68,40 @@ def method_b(case: Case, omega: float, grades: tuple[int, int]) -> DynamicFactor
 
 def band_of_grades(case: Case, omega: float) -> str:
     """A sentence with K_v of the standard at a speed, or why there is none."""
-    own = stated_grades(case)
+    grades = grades_of(case)
     try:
-        first, last = (method_b(case, omega, own or (grade, grade)) for grade in GRADES)
+        own, first, last = (
+            method_b(case, omega, each) for each in (grades.own, grades.finest, grades.coarsest)
+        )
     except GearlashError as error:
         return f"K_v of ISO 6336-1 does not stand beside it: {error}."
-    value = (
-        f"{first.value:.2f} for grade {GRADES[0]} of ISO 1328-1 and {last.value:.2f} for grade {GRADES[1]}"
-    )
-    stated = "; the case states no grade"
-    if own is not None:
-        value, stated = f"{first.value:.2f} for grades {own[0]} and {own[1]} of ISO 1328-1", ""
+    ends = f"{first.value:.2f} for {_told(grades.finest)} and {last.value:.2f} for {_told(grades.coarsest)}"
+    value = f"{own.value:.2f} for {_told(grades.own)} of ISO 1328-1"
+    if grades.assumed:
+        whose = "both gears" if len(grades.assumed) == 2 else f"the {grades.assumed[0]}"
+        value += f", assumed for {whose}; {ends}"
+    elif grades.finest != grades.coarsest:
+        value = f"{ends} of ISO 1328-1; the case states no grade"
     return (
-        f"ISO 6336-1:2019, method B, gives K_v = {value} (K_A = 1, {first.range} with N = "
-        f"{first.resonance_ratio:.2f}{stated}): a factor for rating, from tolerances, a line load and the "
+        f"ISO 6336-1:2019, method B, gives K_v = {value} (K_A = 1, {own.range} with N = "
+        f"{own.resonance_ratio:.2f}): a factor for rating, from tolerances, a line load and the "
         "stiffness of the standard, not from this model's error and bearings."
     )
 
 
 def values_of_grades(case: Case, omega: float) -> str:
-    """``1.09``, or ``1.04 to 1.31`` over grades where the case states none; nothing where there is no K_v."""
-    own = stated_grades(case)
+    """``1.09``, or ``1.04 to 1.31`` over grades where the case does not state both; nothing where there is no
+    K_v."""
+    grades = grades_of(case)
     try:
-        found = [method_b(case, omega, own or (grade, grade)).value for grade in GRADES]
+        first, last = (method_b(case, omega, each).value for each in (grades.finest, grades.coarsest))
     except GearlashError:
         return ""
-    return f"{found[0]:.2f}" if own is not None else f"{found[0]:.2f} to {found[1]:.2f}"
+    return f"{first:.2f}" if grades.finest == grades.coarsest else f"{first:.2f} to {last:.2f}"
+
+
+def _told(grades: tuple[int, int]) -> str:
+    return f"grade {grades[0]}" if grades[0] == grades[1] else f"grades {grades[0]} and {grades[1]}"
 
 
 def materials_of(case: Case) -> tuple[Material, Material]:
@@ -112,9 +125,32 @@ def relief_of(case: Case, grades: tuple[int, int]) -> float:
     return min(ends) if any(ends) else RUNNING_IN_RELIEF
 
 
-def stated_grades(case: Case) -> tuple[int, int] | None:
-    """Accuracy grades of pinion and gear; where one is stated alone, both have it."""
-    found = {value.path: value.value for value in case.values()}
-    grades = [found.get(f"{gear}.quality") for gear in ("pinion", "gear")]
-    known = [int(grade) for grade in grades if isinstance(grade, int | float)]
-    return (known[0], known[-1]) if known else None
+@dataclass(frozen=True)
+class Grades:
+    """Accuracy grades of pinion and gear: those of the case, the finest and the coarsest they may be, and of
+    which gears one is assumed."""
+
+    own: tuple[int, int]
+    finest: tuple[int, int]
+    coarsest: tuple[int, int]
+    assumed: tuple[str, ...] = ()
+
+
+def grades_of(case: Case) -> Grades:
+    """As the case states or assumes them; a case that is no drawing has none, and is told over `GRADES`."""
+    found = {value.path: value for value in case.values()}
+    known = [value for gear in GEARS if (value := found.get(f"{gear}.quality")) is not None]
+    if len(known) < len(GEARS):
+        fine, coarse = GRADES
+        return Grades((fine, fine), (fine, fine), (coarse, coarse))
+    free = [value.provenance == Provenance.ASSUMED and not value.text for value in known]
+
+    def moved(by: int) -> tuple[int, int]:
+        first, second = (
+            min(max(int(value.value) + by * open_, 1), COARSEST)
+            for value, open_ in zip(known, free, strict=True)
+        )
+        return first, second
+
+    assumed = tuple(gear for gear, open_ in zip(GEARS, free, strict=True) if open_)
+    return Grades(moved(0), moved(-GRADE_SPREAD), moved(GRADE_SPREAD), assumed)

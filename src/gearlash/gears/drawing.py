@@ -13,6 +13,11 @@ from .mesh_stiffness import Rim
 
 LEAST_LINE_LOAD = 1e3
 """N/m: with less the formulas for the stiffness of teeth would end at none."""
+USUAL_GRADE = 8
+"""Of ISO 1328-1, where none is stated."""
+GRADE_SPREAD = 2
+"""Classes finer or coarser that a class may be which nobody stated."""
+COARSEST = 12
 USUAL_LINE_LOAD = 100e3
 """N/m: where none is stated; the stiffness of teeth depends on it little."""
 
@@ -63,6 +68,8 @@ class Drawing:
         The pair at the centre distance at work; contact, stiffness and error are those of it.
     stated_stiffness : float, optional
         Mean stiffness where it is stated and not to be estimated, N/m.
+    assumed_grades : (bool, bool)
+        Which of the grades nobody stated: those may be `GRADE_SPREAD` classes finer or coarser.
 
     Examples
     --------
@@ -85,6 +92,7 @@ class Drawing:
     modification: PairModification = field(default_factory=PairModification)
     at_work: CylindricalPair | None = None
     stated_stiffness: float | None = None
+    assumed_grades: tuple[bool, bool] = (False, False)
 
     @property
     def meshing(self) -> CylindricalPair:
@@ -95,6 +103,26 @@ class Drawing:
     def chosen_materials(self) -> tuple[Material, Material]:
         """Materials, steel where nothing is given."""
         return (named("steel"), named("steel")) if self.materials is None else self.materials
+
+    def grades_apart(self, classes: int) -> tuple[int, int]:
+        """Flank tolerance classes with those that nobody stated so many coarser (below 0: finer).
+
+        Parameters
+        ----------
+        classes : int
+
+        Returns
+        -------
+        (int, int)
+            Of pinion and gear, from 1 to `COARSEST`.
+        """
+        stated = self.grades or (USUAL_GRADE, USUAL_GRADE)
+        assumed = self.assumed_grades if self.grades else (True, True)
+        first, second = (
+            min(max(grade + classes * open_, 1), COARSEST)
+            for grade, open_ in zip(stated, assumed, strict=True)
+        )
+        return first, second
 
     @property
     def line_load(self) -> float | None:

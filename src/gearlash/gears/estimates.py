@@ -14,7 +14,7 @@ import numpy as np
 
 from . import backlash, bearings, gear_fits, unloaded_error
 from .cylindrical_pair import CylindricalPair
-from .drawing import Drawing, Estimate
+from .drawing import GRADE_SPREAD, Drawing, Estimate
 from .gear_body import GearBody, mean_tooth_diameter
 from .stiffness_estimates import mean_stiffness, ripples
 
@@ -84,15 +84,15 @@ def estimates(drawing: Drawing, harmonics: int = 8, names: Collection[str] = NAM
 
 
 def _error(drawing: Drawing) -> Estimate:
-    nominal = unloaded_error.unloaded_error(drawing.meshing, drawing.grades or (8, 8)).mesh
-    if drawing.grades is not None:
-        source = (
-            f"ISO 1328-1, classes {drawing.grades[0]} and {drawing.grades[1]}; {unloaded_error.ASSUMPTION}"
-        )
-        return Estimate(nominal.nominal, nominal.least, nominal.greatest, source)
-    coarse = unloaded_error.unloaded_error(drawing.meshing, (10, 10)).mesh
-    source = f"ISO 1328-1, no class stated: 8 assumed, up to 10 in the range; {unloaded_error.ASSUMPTION}"
-    return Estimate(nominal.nominal, 0.0, coarse.greatest, source)
+    """Of the classes; the range goes to the most that the coarsest of them allow."""
+    finest, own, coarsest = (drawing.grades_apart(n * GRADE_SPREAD) for n in (-1, 0, 1))
+    nominal, coarse = (unloaded_error.unloaded_error(drawing.meshing, g).mesh for g in (own, coarsest))
+    told = [
+        f"{grade} (assumed, {low} to {high})" if low != high else f"{grade}"
+        for grade, low, high in zip(own, finest, coarsest, strict=True)
+    ]
+    source = f"ISO 1328-1, classes {told[0]} and {told[1]}; {unloaded_error.ASSUMPTION}"
+    return Estimate(nominal.nominal, nominal.least, coarse.greatest, source)
 
 
 def _backlash(drawing: Drawing) -> Estimate:

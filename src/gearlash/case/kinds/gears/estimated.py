@@ -12,7 +12,7 @@ from gearlash.case.errors import Problem
 from gearlash.case.stated import Provenance
 from gearlash.gears import CylindricalPair
 from gearlash.gears.backlash import Backlash
-from gearlash.gears.drawing import Drawing, Estimate
+from gearlash.gears.drawing import COARSEST, GRADE_SPREAD, USUAL_GRADE, Drawing, Estimate
 from gearlash.gears.estimates import estimates
 from gearlash.gears.gear_body import GearBody, mean_tooth_diameter
 from gearlash.gears.materials import named
@@ -110,7 +110,7 @@ def complete(
         pair = teeth.pair()
         if has_drawing:
             known |= {e.key: e for e in teeth.found}
-            known |= {e.key: e for e in _play(known, pair)}
+            known |= {e.key: e for e in (*_play(known, pair), *_grades(known))}
             wanted = _wanted(rules, known, has_drawing, curves, kept)
         unfit = tuple(_unfit_bodies(known, pair))
         if unfit:
@@ -146,6 +146,20 @@ def _play(entries: EntriesByKey, pair: CylindricalPair) -> Iterator[Entry]:
         gap = Backlash.from_circumferential(pair, entries[drawn.PLAY].number)
         how = "backlash on the working circle times cos α_wt cos β_b"
         yield Entry("D", "mesh.backlash", gap.normal, "", Provenance.INFERRED, how)
+
+
+def _grades(entries: EntriesByKey) -> Iterator[Entry]:
+    """Flank tolerance classes that nobody states: that of the mate, or a usual one. They have no range of
+    their own, as that of the error and of K_v goes over it."""
+    keys = [f"{gear}.quality" for gear in GEARS]
+    for key, mate in zip(keys, reversed(keys), strict=True):
+        if key in entries:
+            continue
+        grade = entries[mate].number if mate in entries else float(USUAL_GRADE)
+        low, high = max(grade - GRADE_SPREAD, 1), min(grade + GRADE_SPREAD, COARSEST)
+        origin = "as its mate" if mate in entries else "no class stated: a usual one"
+        why = f"{origin}; classes {low:g} to {high:g} in the range of what follows from it"
+        yield Entry(key, key, grade, "", Provenance.ASSUMED, why)
 
 
 def _wanted(
@@ -210,10 +224,9 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
     def stated(key: str) -> float | None:
         return entries[key].number if key in entries else None
 
-    quality = [stated(f"{gear}.quality") for gear in GEARS]
-    grades = [
-        int(q if q is not None else other or 8) for q, other in zip(quality, reversed(quality), strict=True)
-    ]
+    quality = [entries.get(f"{gear}.quality") for gear in GEARS]
+    grades = [USUAL_GRADE if each is None else int(each.number) for each in quality]
+    open_ = [each is None or not each.text for each in quality]
     fits = [str(entries[f"{g}.fit"].value) if f"{g}.fit" in entries else None for g in GEARS]
     chosen = [fits[0] or fits[1], fits[1] or fits[0]]
     materials = [named(rules.places.chosen(entries, f"{gear}.material")) for gear in GEARS]
@@ -224,10 +237,11 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
         (materials[0], materials[1]),
         bodies,
         rims,
-        None if quality == [None, None] else (grades[0], grades[1]),
+        (grades[0], grades[1]),
         None if chosen[0] is None or chosen[1] is None else (chosen[0], chosen[1]),
         int(stated("mesh.distance_grade") or 7),
         None if load is None or load.dimensionless else load.number,
+        assumed_grades=(open_[0], open_[1]),
         stated_stiffness=stated("mesh.mean_stiffness"),
     )
 
