@@ -14,7 +14,7 @@ from gearlash.case.kinds.gears.kind import GearContent
 from gearlash.cli.answers.verify import VerifyAnswer, verify_answer
 from gearlash.cli.show.verify import spans, verify_view
 from gearlash.gears import backlash
-from gearlash.multibody import MeshContact, Modes, Relief, Topography, Trajectory, read_motion
+from gearlash.multibody import MeshContact, Modes, Relief, Solver, Topography, Trajectory, read_motion
 from gearlash.multibody import _tables as places
 from gearlash.multibody.quasi_static import quasi_static
 from gearlash.multibody.tooth_contact import ToothContact
@@ -33,6 +33,7 @@ from gearlash.studies.verification import (
 from gearlash.studies.verification.lumped import lumped_case
 from gearlash.studies.verification.mesh import modified
 from gearlash.studies.verification.point import machine_of, run_point
+from gearlash.studies.verification.whole import error_phase
 from multibody.standin import standin
 
 SHORT = Setting(steps=64, finer=1, settle=4, read=16)
@@ -141,6 +142,29 @@ def test_no_energy_is_lost_or_made_between_real_teeth(found: Verification, flexi
     assert 0.3 < point.reading.apart < 0.8
     assert point.reading.drive_impacts >= 1
     assert point.energy_residual < 1e-4
+
+
+@pytest.mark.slow
+def test_two_solvers_agree_between_real_teeth_on_a_gear_that_bends(found: Verification):
+    """The width of the case, apart once a mesh cycle; on its way the damping jumps and Newton fails."""
+    mesh, absolute = found.meshes[1], found.compared[2].configuration
+    phase = error_phase(found.inputs, mesh)
+    contact = mesh.contact(found.inputs, error=absolute.error, error_phase=phase, flexible=True)
+    explicit, implicit = (
+        run_point(
+            found.inputs,
+            ToothContact(contact.tables),
+            Setting(steps=192, finer=1, settle=80, read=16, solver=solver),
+            omega=absolute.omegas[0],
+            stiffness=mesh.stiffness,
+            torque=absolute.torque,
+            modes=mesh.modes(flexible=True),
+        ).reading
+        for solver in (Solver.RK44, Solver.GENERALIZED_ALPHA)
+    )
+    assert str(explicit.label) == str(implicit.label) == "1-1-0"
+    assert explicit.least == implicit.least == 0.0
+    assert implicit.most == pytest.approx(explicit.most, rel=5e-3)
 
 
 def test_breathing_is_that_of_the_motion(found: Verification):

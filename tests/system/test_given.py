@@ -309,8 +309,8 @@ def _every_error() -> list[GearlashError]:
     from gearlash.case.kinds.gears.meshing import ValueProblemError
     from gearlash.case.kinds.piecewise.arrays import NoValueError
     from gearlash.jobs import NoWorkersError, UnfinishedError
-    from gearlash.multibody.dynamics import SimulationError
     from gearlash.multibody.extra import MissingExtraError
+    from gearlash.multibody.solvers import SimulationError
     from gearlash.studies.verification.inputs import NotVerifiableError
 
     return [

@@ -6,13 +6,14 @@ materials and bodies. It needs the extra `multibody` (Exudyn and scikit-fem), im
 
 from .bodies import Bearings, Machine, Modes, RigidBody
 from .contact import Details, MeshContact, RimModes
-from .dynamics import Contact, SimulationError, Solver, Trajectory, natural_frequencies, simulate
+from .dynamics import Contact, Trajectory, natural_frequencies, simulate
 from .energy import EnergyBalance, energy_balance
 from .extra import MissingExtraError, require_extra
 from .flanks import Flanks
 from .line_contact import LineContact
 from .quasi_static import QuasiStatic, quasi_static
 from .reading import Reading, read_motion
+from .solvers import SimulationError, Solver
 from .topography import Relief, Topography
 
 __all__ = [

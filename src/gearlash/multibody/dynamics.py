@@ -1,8 +1,6 @@
 """Motion of two gear bodies in bearings, integrated by Exudyn.
 
 The contact is one force function over the coordinates of both bodies, evaluated by whoever models the teeth.
-Two integrators that share nothing but that function check each other: classical Runge–Kutta of order 4 with
-a fixed step, and the generalized-α method with a Newton iteration in every step.
 """
 
 from __future__ import annotations
@@ -10,31 +8,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from enum import StrEnum
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.jobs import stopping
-from gearlash.system import GearlashError
 
 from .bodies import Machine
+from .solvers import Integration, SimulationError, Solver
 
 Array = NDArray[np.float64]
 LOOKS_EVERY = 256
 """Steps between two looks at whether the work was asked to stop."""
-
-
-class Solver(StrEnum):
-    """How the equations are integrated."""
-
-    RK44 = "rk44"
-    GENERALIZED_ALPHA = "generalized-alpha"
-
-
-class SimulationError(GearlashError):
-    """The integration of a multibody model failed; the text says where."""
 
 
 class Contact(Protocol):
@@ -95,6 +81,7 @@ def simulate(
     start: float = 0.0,
     every: int = 1,
     solver: Solver = Solver.RK44,
+    tolerance: float = 1e-10,
 ) -> Trajectory:
     """Integrate from a state.
 
@@ -105,7 +92,7 @@ def simulate(
     q, v : ndarray, shape (size,)
         Coordinates and rates at the time ``start``.
     step : float
-        s.
+        s; of `Solver.DOPRI5` the longest that it takes.
     steps : int
         How many.
     start : float
@@ -113,6 +100,9 @@ def simulate(
     every : int
         Steps from one state that is kept to the next; ``steps`` is a multiple of it.
     solver : Solver
+    tolerance : float
+        Of `Solver.DOPRI5` alone: how much a step may miss the state by, over the state; 1e-4 of that in m,
+        rad, m/s and rad/s where the state is small.
 
     Returns
     -------
@@ -145,11 +135,9 @@ def simulate(
         mbs = container.AddSystem()
         try:
             _assemble(mbs, machine, kept)
-            mbs.systemData.SetODE2Coordinates(np.array(q), configuration=exu.ConfigurationType.Initial)
-            mbs.systemData.SetODE2Coordinates_t(np.array(v), configuration=exu.ConfigurationType.Initial)
-            mbs.SetPreStepUserFunction(kept.before_step)
-            _solve(exu, mbs, _settings(exu, step, steps, start), solver, kept)
-            kept.keep(steps, mbs)
+            integration = Integration(exu, mbs, kept, solver, tolerance)
+            integration.begin(np.array(q), np.array(v))
+            integration.to(steps)
         finally:
             container.Reset()
     return kept.motion()
@@ -202,7 +190,7 @@ class _Kept:
     def __init__(self, machine: Machine, contact: Contact, start: float, step: float, every: int):
         self.machine, self.contact = machine, contact
         self.start, self.step, self.every = start, step, every
-        self.count = 0
+        self.count, self.looks = 0, 0
         self.interrupted = False
         self.load = machine.constant_load()
         self.direction, self.aim = machine.governor()
@@ -219,12 +207,17 @@ class _Kept:
 
     def before_step(self, mbs: Any, t: float) -> bool:
         try:
-            if self.count % LOOKS_EVERY == 0 and stopping():
-                self.interrupted = True
             self.keep(self.count, mbs)
             self.count += 1
         except KeyboardInterrupt:
             self.interrupted = True
+        return self.go_on(mbs, t)
+
+    def go_on(self, mbs: Any, t: float) -> bool:
+        """Before a step whose state is not kept."""
+        if self.looks % LOOKS_EVERY == 0 and stopping():
+            self.interrupted = True
+        self.looks += 1
         return not self.interrupted
 
     def keep(self, count: int, mbs: Any) -> None:
@@ -296,32 +289,3 @@ def _assemble(mbs: Any, machine: Machine, kept: _Kept) -> None:
         )
     )
     mbs.Assemble()
-
-
-def _settings(exu: Any, step: float, steps: int, start: float) -> Any:
-    settings = exu.SimulationSettings()
-    settings.timeIntegration.numberOfSteps = steps
-    settings.timeIntegration.startTime = start
-    settings.timeIntegration.endTime = start + steps * step
-    settings.timeIntegration.verboseMode = 0
-    settings.timeIntegration.automaticStepSize = False
-    settings.timeIntegration.adaptiveStep = False
-    settings.timeIntegration.explicit.computeEndOfStepAccelerations = False
-    settings.timeIntegration.generalizedAlpha.spectralRadius = 0.95
-    settings.timeIntegration.newton.relativeTolerance = 1e-8
-    settings.timeIntegration.newton.absoluteTolerance = 1e-7
-    settings.solution.file.write = False
-    settings.parallel.numberOfThreads = 1  # bodies are two: several threads only slow it down
-    return settings
-
-
-def _solve(exu: Any, mbs: Any, settings: Any, solver: Solver, kept: _Kept) -> None:
-    kinds = exu.DynamicSolverType
-    kind = kinds.RK44 if solver is Solver.RK44 else kinds.GeneralizedAlpha
-    try:
-        mbs.SolveDynamic(settings, solverType=kind)
-    except (exu.SolverError, exu.ModelError) as error:
-        if not kept.interrupted:
-            raise SimulationError(f"the multibody model could not be integrated: {error}") from error
-    if kept.interrupted:
-        raise KeyboardInterrupt

@@ -14,7 +14,7 @@ from gearlash.case import Case
 from gearlash.jobs import INTERRUPTED, Chain, Execution, Part, run
 from gearlash.jobs.stop import interruptible
 from gearlash.multibody import Modes, require_extra
-from gearlash.multibody.dynamics import SimulationError
+from gearlash.multibody.solvers import SimulationError
 from gearlash.multibody.tooth_contact import ToothContact
 
 from .inputs import Inputs, inputs_of
