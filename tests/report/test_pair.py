@@ -344,3 +344,29 @@ def test_the_order_of_the_mesh_that_meets_a_natural_frequency_in_a_band_is_named
     said = meetings_within(more, (Band(*end, True, ()),), words)
     assert "order 4 of the mesh meets natural frequency 1 at omega = " in said
     assert meetings_within(case, (Band(*end, True, ()),), words) == ""
+
+
+def test_a_motion_that_only_a_throw_leads_to_counts():
+    """With little damping a 1-1-1 lives beside the 1-0: sweeps up, down and from the cold start miss it."""
+    case = gl.load_case(CASES / "drive.toml", {"mesh.damping_ratio": "0.01", "torque": "100 N m"})
+    factor = PairUnits.of(case).speed.factor
+    axis = Axis.even("omega", 5950.0 / factor, 6230.0 / factor, 3)
+    found = assess(case.with_overrides({"pinion_speed": "6090 rpm"}), axis)
+    *usual, _, _, _ = found.impact_free.sweeps
+    assert found.throws == 3
+    assert {str(point.label) for sweep in usual for point in sweep.points} == {"1-0-0"}
+    family = case.family()[0]
+    values = {"omega": float(axis.values[1])}
+    oracle = gl.attractor(family.system(values), _beside(found, "1-1-1"))
+    assert str(oracle.label) == "1-1-1"
+    said = {line.title: line.text for line in verdict(found).lines}
+    assert "1-1-1" in said["Teeth separate"]
+    assert "the cold start and 3 thrown ones" in said["Teeth separate"]
+    assert said["Back side"].startswith("It is met at")
+    assert verdict(found).kind == "doubt"
+
+
+def _beside(found: Assessment, label: str) -> np.ndarray:
+    """The state of a motion that was found in the middle of the axis."""
+    states = [sweep.points[1] for sweep in found.impact_free.sweeps]
+    return next(point.state for point in states if str(point.label) == label)

@@ -19,7 +19,7 @@ from gearlash.system import GearlashError, Label
 from gearlash.system.readout import Readout
 
 from .bands import Band, back_bands, bands
-from .beside import motions_beside
+from .beside import motions_beside, thrown
 from .measured import readouts_of, traceable
 from .point import summary
 from .ranges import AcrossRanges, across_ranges
@@ -31,6 +31,8 @@ from .zones import zones_of_kinds
 WORK = 12_000
 """Units of `studies.work.Work`, about a millisecond of a processor each, that following branches may take: a
 verdict is wanted within seconds. Of most pairs that is all there is."""
+WAYS = ("up", "down", "cold")
+"""In which the speeds are swept, besides the thrown starts."""
 Tell = Callable[[str, Progress | None], object]
 
 
@@ -75,6 +77,11 @@ class Assessment:
     ranges: AcrossRanges | None = None
     turned: bool = False
     other: tuple[Label, Signals] | None = None
+
+    @property
+    def throws(self) -> int:
+        """From how many thrown starts motions were looked for at every speed."""
+        return len(self.impact_free.sweeps) - len(WAYS)
 
     @property
     def here(self) -> float:
@@ -143,11 +150,20 @@ def assess(
     found = attractor(family.system(), cold, settings)
     readouts = readouts_of(case, values)
     measured = signals(found.trace, readouts) if traceable(summary(found)) else None
-    ways = sweeps(case, axis, ("up", "down"), settings=settings, execution=telling(execution, say, "speeds"))
+    ways = sweeps(case, axis, WAYS, settings=settings, execution=telling(execution, say, "speeds"))
+    states = thrown(found, cold)
+    runs = [
+        sweeps(
+            case, axis, ("cold",), start=state, settings=settings,
+            execution=telling(execution, say, "speeds, thrown starts"),
+        )[0]
+        for state in states
+    ]  # fmt: skip
     own = dict(zip(family.states, map(float, cold), strict=True))
-    beside = motions_beside(found, own, cold, more=_next_to(ways, values[SPEED]), settings=settings)
+    beside = motions_beside(found, own, cold, more=_next_to([*ways, *runs], values[SPEED]), settings=settings)
     quiet, drive = zones_of_kinds(
-        case, axis, [Quiet.IMPACT_FREE, Quiet.DRIVE_SIDE_ONLY], known=ways, settings=settings,
+        case, axis, [Quiet.IMPACT_FREE, Quiet.DRIVE_SIDE_ONLY], known=ways,
+        thrown=list(zip(states, runs, strict=True)), settings=settings,
         execution=telling(execution, say, "ends of bands"), work=WORK, assure=False,
     )  # fmt: skip
     ranges = across_ranges(case, settings, telling(execution, say, "ranges of estimates"))

@@ -28,6 +28,8 @@ BUDGET = 2_000  # base periods of one start
 KICKS = (-1.0, 1.0, -2.0, 2.0, -4.0, 4.0, -8.0, 8.0, 16.0)
 """In units of what carries the motion across its clearance. The larger ones lead to motions of much energy
 that go on below a resonance, where speed that comes down from it finds them."""
+THROWS = (4.0, -4.0, 16.0)
+"""Of the cold start, in the same units: what is tried at every speed of a range, and not at one alone."""
 MOST_STARTS = 16  # starts in all, beside those that are given
 SAME_MOTION = 1e-6  # of the size of a motion: what agrees so well is the same
 SMALLEST_SIZE = 1e-3  # of a clearance's own numbers, where the motion has no size
@@ -129,7 +131,7 @@ def _different(found: Attractor, own: Array, states: Iterable[Array], most: int)
 def _starts(found: Attractor, cold: Array) -> Iterator[Array]:
     """Other states, those first that are the likeliest to lead elsewhere."""
     system, state = found.propagators.system, np.asarray(found.final_state, dtype=np.float64)
-    kicks = [_Kick.of(system, c, found, i) for i, c in enumerate(system.clearances)]
+    kicks = [Kick.of(system, c, found, i) for i, c in enumerate(system.clearances)]
     yield cold
     if cold.any():
         yield np.zeros(system.size)
@@ -140,15 +142,24 @@ def _starts(found: Attractor, cold: Array) -> Iterator[Array]:
             yield state + factor * kick.velocity * kick.direction
 
 
+def thrown(found: Attractor, cold: Array) -> list[Array]:
+    """The cold start with the velocity in the first clearance raised and lowered: teeth are thrown together
+    and apart, so that motions of much energy are met. None where ``found`` is no motion to measure it by."""
+    if found.status not in (Status.OK, Status.UNCERTAIN):
+        return []
+    kick = Kick.of(found.propagators.system, found.propagators.system.clearances[0], found, 0)
+    return [cold + factor * kick.velocity * kick.direction for factor in THROWS]
+
+
 @dataclass(frozen=True)
-class _Kick:
+class Kick:
     """A change of state that is one of the velocity of a gap: its direction, and how much matters."""
 
     direction: Array
     velocity: float
 
     @staticmethod
-    def of(system: System, clearance: Clearance, found: Attractor, index: int) -> _Kick:
+    def of(system: System, clearance: Clearance, found: Attractor, index: int) -> Kick:
         row = clearance.h @ system.matrix  # of the gap's velocity
         if not row.any():
             row = clearance.h
@@ -162,7 +173,7 @@ class _Kick:
         wide = clearance.gap_plus + clearance.gap_minus
         across = min(wide, 2.0 * float(x.max() - x.min()) + apart) if wide > 0.0 else float(np.ptp(x))
         across = max(across, SMALLEST_SIZE * max(1.0, abs(float(x.mean()))))
-        return _Kick(row / float(row @ row), across * max(system.omega, own))
+        return Kick(row / float(row @ row), across * max(system.omega, own))
 
 
 def _followed(found: Attractor, start: Array, settings: Settings) -> Attractor | None:

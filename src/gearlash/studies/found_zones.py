@@ -139,7 +139,7 @@ class Found:
     def ways(self, arc: Arc) -> tuple[str, ...]:
         """How the motion of an arc was found."""
         found = self.followed.ways.get(id(arc), set())
-        sweeps = [way for sweep in self.sweeps if (way := str(sweep.direction)) in found]
+        sweeps = dict.fromkeys(way for sweep in self.sweeps if (way := str(sweep.direction)) in found)
         return tuple(sweeps or sorted(found)) or (FOLLOWED,)
 
     def same(self, one: Interval, other: Interval) -> bool:

@@ -5,8 +5,8 @@ was solved for, it begins there; elsewhere the interval between the two values i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import groupby
 
@@ -136,13 +136,15 @@ def halve(task: Halve, carry: object) -> Part:
 
 @dataclass(eq=False)
 class Onsets:
-    """Where stretches begin and end; each is looked for once, where it is asked for."""
+    """Where stretches begin and end; each is looked for once, where it is asked for. ``start``: of sweeps but
+    for those whose own is in ``starts``, by their identity."""
 
     followed: Followed
     start: NDArray[np.float64] | None
+    starts: Mapping[int, NDArray[np.float64]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.known: dict[tuple[str, float, int], ZoneEnd] = {}
+        self.known: dict[tuple[int, float, int], ZoneEnd] = {}
 
     def cell(self, stretch: Stretch, side: int) -> tuple[float, float]:
         """The two values between which a stretch ends, the lower first."""
@@ -155,7 +157,7 @@ class Onsets:
         """The ends of stretches on one side of each; what must be halved is halved together."""
         tasks = {}
         for stretch, side in wanted:
-            key = str(stretch.sweep.direction), stretch.beside(side)[1].value, side
+            key = _key(stretch, side)
             if key in self.known:
                 continue
             end = self.solved(stretch, side)
@@ -164,15 +166,13 @@ class Onsets:
                 continue
             outside, own = stretch.beside(side)
             assert outside is not None
-            known = KnownArcs.of(self.followed)
-            tasks[key] = Halve(
-                self.followed.question, stretch.sweep.direction, self.start, outside, own, known
-            )
+            known, start = KnownArcs.of(self.followed), self.starts.get(id(stretch.sweep), self.start)
+            tasks[key] = Halve(self.followed.question, stretch.sweep.direction, start, outside, own, known)
         done = self.followed.done(halve, [Chain(key, (task,), (1,)) for key, task in tasks.items()])
         for key, task in tasks.items():
             periodic, other = done.get(key, (task.periodic, task.other))
             self.known[key] = halved(periodic, other, str(task.direction))
-        return [self.known[str(s.sweep.direction), s.beside(side)[1].value, side] for s, side in wanted]
+        return [self.known[_key(stretch, side)] for stretch, side in wanted]
 
     def solved(self, stretch: Stretch, side: int) -> ZoneEnd | None:
         """Where the range ends first, or the motion beside it in its sweep; None where it must be halved."""
@@ -214,6 +214,11 @@ class Onsets:
         """Whether another motion is stable just beyond an end, to which this one may lead."""
         value = end.value + 2.0 * sign * MEET * self.followed.question.width
         return end.bounded and any(arc.contains(value) for arc in self.followed.stable)
+
+
+def _key(stretch: Stretch, side: int) -> tuple[int, float, int]:
+    """Of an end of a stretch: its sweep, the value it was seen at, the side."""
+    return id(stretch.sweep), stretch.beside(side)[1].value, side
 
 
 def _aperiodic(point: Point | None) -> bool:

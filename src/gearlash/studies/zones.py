@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from gearlash.jobs import Execution
 from gearlash.orbits import Settings
@@ -100,11 +101,14 @@ def zones_of_kinds(
     start: ArrayLike | None = None,
     settings: Settings | None = None,
     execution: Execution | None = None,
+    thrown: Sequence[tuple[NDArray[np.float64], Sweep]] = (),
     work: int | None = None,
     assure: bool = True,
 ) -> tuple[Zones, ...]:
     """The same of several kinds from the same sweeps and branches.
 
+    ``thrown`` are more sweeps made before, each with the state that all of its points start from: what they
+    find counts as what ``known`` found.
     Where ``work`` is given no more of it is spent on following (units of `work.Work`), first on motions that
     matter most. What is left out counts where sweeps saw it, and `Zones.left_out` says how much that is.
     Without ``assure`` nothing is assured between computed orbits (`ZoneMotion.assured`)."""
@@ -119,11 +123,13 @@ def zones_of_kinds(
     ways = None if known is None else given.instances("known", known, Sweep, "sweeps made before")
     if ways is None:
         ways = sweeps(model, axis, values=fixed, start=begin, settings=settings, execution=execution)
+    starts_of = {id(sweep): state for state, sweep in thrown}
+    ways = [*ways, *(sweep for _, sweep in thrown)]
     check_sweeps(ways, axis, fixed)
     low, high = float(axis.values[0]), float(axis.values[-1])
     question = Question(source, tuple(fixed.items()), axis.name, low, high, settings)
     followed, starts = branches_found(ways, question, execution, work)
-    found = Found(model, axis, tuple(ways), followed, Onsets(followed, begin), starts, assure)
+    found = Found(model, axis, tuple(ways), followed, Onsets(followed, begin, starts_of), starts, assure)
     return tuple(found.zones(quiet) for quiet in wanted)
 
 

@@ -10,6 +10,8 @@ from gearlash.report.numbers import number
 from gearlash.report.pictures import Picture
 from gearlash.results.provenance import package_version
 from gearlash.studies import Zones
+from gearlash.studies.assessment import Assessment
+from gearlash.studies.beside import THROWS
 from gearlash.studies.grids import Grids
 
 from . import ranges
@@ -55,8 +57,9 @@ def section(contents: Contents) -> Section:
     )
     blocks.append(
         Text.of(
-            f"Bands: from sweeps of {len(found.axis)} speeds upwards and downwards, and from beyond the "
-            f"ends of the motions found ({found.impact_free.starts} starts); {_followed(found.impact_free)} "
+            f"Bands: from sweeps of {len(found.axis)} speeds upwards and downwards, at each of them from the "
+            f"cold start{_thrown(found)}, and from beyond the ends of the motions found "
+            f"({found.impact_free.starts} starts in all); {_followed(found.impact_free)} "
             "That there is no other motion is not claimed."
         )
     )
@@ -67,6 +70,17 @@ def section(contents: Contents) -> Section:
         blocks.append(Text.of(f"The report was stopped early; not computed: {', '.join(contents.missing)}."))
     blocks.append(Text.of(f"Made by gearlash {package_version()}; case {case.hash[:12]}."))
     return Section("basis", "What this rests on", tuple(blocks))
+
+
+def _thrown(found: Assessment) -> str:
+    """With how much the teeth were thrown."""
+    if not found.throws:
+        return ""
+    many = ", ".join(f"{factor:g}" for factor in THROWS)
+    return (
+        f" and from {found.throws} states with teeth thrown together or apart (that start with its relative "
+        f"velocity changed by {many} times what carries the present motion across its backlash)"
+    )
 
 
 def _followed(zones: Zones) -> str:

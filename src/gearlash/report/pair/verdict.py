@@ -203,8 +203,10 @@ def _separating(found: Assessment, words: Words) -> str:
         return f"Not looked for to the end ({found.impact_free.message or found.drive_side.message})."
     bands = found.separating
     reach = words.reach(*(float(found.axis.values[i]) for i in (0, -1)))
+    reach += f", at {len(found.axis)} speeds from the motions beside, the cold start"
+    reach += f" and {found.throws} thrown ones" if found.throws else ""
     if not bands:
-        return f"Nowhere from {reach}, as far as motions were found."
+        return f"In no motion that was found; examined: {reach}."
     met = meetings_within(found.case, bands, words)
     return f"{words.bands(bands)}; examined: {reach}.{met}{_pulling(found)}"
 
