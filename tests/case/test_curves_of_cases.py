@@ -182,6 +182,30 @@ def test_columns_as_instruments_write_them(text: str, rows: tuple[tuple[float, .
     assert parse_columns(text).rows == rows
 
 
+@pytest.mark.parametrize("count", [9, 33, 361])
+@pytest.mark.parametrize("begin", [0.0, 3.3])
+def test_the_angle_that_closes_a_curve_may_be_rounded(count: int, begin: float):
+    """As instruments write it: 20 teeth have cycles of 18°, 23 teeth of 15.652°, to three decimals."""
+    share = np.linspace(0.0, 1.0, count)
+    height = 2.0 + 1.5 * np.cos(2.0 * np.pi * share)
+    rows = [[round(float(begin + 360.0 / 23.0 * x), 3), float(y)] for x, y in zip(share, height, strict=True)]
+    exact = [[float(begin / (360.0 / 23.0) + x), float(y)] for x, y in zip(share, height, strict=True)]
+    curves = '[curves.error]\nunit = "um"\npoints = '
+    known = 'mean_stiffness = "3e8 N/m"'
+    text = physical(f'{curves}{rows}\nangle = "pinion deg"', known).replace("teeth = 20", "teeth = 23")
+    assert "teeth = 23" in text
+    other = physical(f"{curves}{exact}", known).replace("teeth = 20", "teeth = 23")
+    found, plain = (np.array(loads(one).family()[0].system().forcing)[:, 1:] for one in (text, other))
+    size = np.abs(plain).max()
+    assert size > 1e-3
+    assert np.abs(found - plain).max() < 2e-3 * size
+    assert refused(
+        physical(f'{curves}{[*rows[:-1], [begin + 15.9, 1.0]]}\nangle = "pinion deg"', known).replace(
+            "teeth = 20", "teeth = 23"
+        )
+    )
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

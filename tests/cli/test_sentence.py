@@ -100,3 +100,22 @@ def test_a_force_without_contact_is_explained_by_the_rule_of_contact(gearlash: G
     there = ("run", "kahraman-singh", "--set", "omega=0.85")
     assert told in gearlash(*there).out
     assert told not in gearlash(*there, "--set", "contact=no-tension").out
+
+
+def test_in_coast_the_force_on_the_back_side_is_no_pull_and_its_largest_value_is_the_largest(
+    gearlash: Gearlash,
+):
+    """Teeth that press the back side all the time: what drive says, with the other sign."""
+    told = "The contact damping acts in the gap too"
+    said = {}
+    for load in ("0.1", "-0.1"):
+        asked = ("run", "kahraman-singh", "--set", f"load={load}", "--set", "omega=0.4")
+        ran = gearlash(*asked)
+        assert told not in ran.out
+        rows = [row.split() for row in ran.out.splitlines() if "contact force, " in row]
+        said[load] = {" ".join(row[2:-1]): float(row[-1]) for row in rows}
+        assert gearlash(*asked, "--json").answer["numbers"]["share_without_contact"] == 0.0
+    drive, coast = said.values()
+    for name in ("largest (peak)", "least (peak)", "mean"):
+        assert coast[name] == pytest.approx(-drive[name], rel=1e-4)
+    assert abs(coast["largest (peak)"]) > abs(coast["mean"]) > abs(coast["least (peak)"])

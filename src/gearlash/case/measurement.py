@@ -27,6 +27,8 @@ ACCELERATIONS = dict(zip(ACCELERATION_UNITS, (1.0, 1.0, 1.0, 1e-3, 1e-3, STANDAR
 _LEVEL = re.compile(r"dB\W*(?:re\.?|ref\.?|rel\.?|bez\.?)?\W*(?P<reference>\d.*)$", re.IGNORECASE)
 Array = NDArray[np.float64]
 EXAMPLES = {"force": "N", "length": "um", "acceleration": "m/s^2"}
+QUANTITIES = {"force": "mesh_force", "length": "transmission_error", "acceleration": "acceleration_yp"}
+"""One of each kind."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -332,7 +334,7 @@ def _value_factor(case: Case, quantity: str, unit: str, where: str) -> float:
     if quantity == "acceleration":
         plain = unit.strip()
         if plain not in ACCELERATIONS:
-            expected = f"a unit of acceleration: {', '.join(ACCELERATIONS)}"
+            expected = f"a unit of acceleration: {', '.join(ACCELERATIONS)}{_that_of_another(unit)}"
             raise CaseError(where, [Problem(where, repr(unit), expected)])
         size = float(scales.length_m(1.0)) * float(scales.omega_n or 1.0) ** 2
         return size / ACCELERATIONS[plain]
@@ -346,7 +348,20 @@ def _si(unit: str, dimension: Dimension, quantity: str, where: str) -> float:
     try:
         number, found = read(f"1 {plain_unit(unit)}")
     except UnitError as error:
-        raise CaseError(where, [Problem(where, repr(unit), f"{expected} ({error})")]) from None
+        told = _that_of_another(unit) or f" ({error})"
+        raise CaseError(where, [Problem(where, repr(unit), expected + told)]) from None
     if not takes(dimension, found):
-        raise CaseError(where, [Problem(where, repr(unit), expected)])
+        raise CaseError(where, [Problem(where, repr(unit), expected + _that_of_another(unit))])
     return float(in_si(dimension, number, found))
+
+
+def _that_of_another(unit: str) -> str:
+    """Which quantity has this unit; nothing where none has."""
+    kinds = {"force": FORCE, "length": LENGTH}
+    try:
+        found = read(f"1 {plain_unit(unit)}")[1]
+        kind = next((kind for kind, dimension in kinds.items() if takes(dimension, found)), "")
+    except UnitError:
+        kind = ""
+    kind = kind or ("acceleration" if unit.strip() in ACCELERATIONS else "")
+    return f"; {unit.strip()} is a unit of {kind}: --quantity {QUANTITIES[kind]} has it" if kind else ""

@@ -11,10 +11,10 @@ _ALWAYS = (
 )
 
 
-def damping_in_the_gap(rule: ContactRule, least: float, without_contact: float) -> str:
-    """Said of a motion whose ``least`` force is below 0, or that is a share of its time ``without_contact``;
-    nothing where the damping acts in contact only."""
-    shows = least < 0.0 or without_contact > 0.0
+def damping_in_the_gap(rule: ContactRule, least: float, largest: float, without_contact: float) -> str:
+    """Said of a motion whose force is of either sign, or that is a share of its time ``without_contact``;
+    nothing where the damping acts in contact only. A force below 0 all the time presses the back side."""
+    shows = least < 0.0 < largest or without_contact > 0.0
     return _ALWAYS if rule is ContactRule.ALWAYS and shows else ""
 
 

@@ -43,8 +43,8 @@ class ContactEvent:
 class ForceNumbers:
     """Of the contact force over the motion."""
 
-    minimum: Annotated[float, "least value (peak); below 0: the damping pulls"]
-    maximum: Annotated[float, "largest value (peak)"]
+    minimum: Annotated[float, "lowest value (peak); below 0: on the back side, or the damping pulls"]
+    maximum: Annotated[float, "highest value (peak)"]
     peak_to_peak: Annotated[float, "largest minus least value"]
     mean: Annotated[float, "mean over time: the static load"]
     rms: Annotated[float, "root mean square of the whole force"]

@@ -27,6 +27,8 @@ FORCES = {
     "rms": "contact force, rms",
     "alternating_rms": "contact force, rms about the mean",
 }
+TURNED = {"maximum": "minimum", "minimum": "maximum"}
+"""On the back side, where forces are below 0, the largest one is the lowest number."""
 
 
 def run_view(answer: RunAnswer, width: int) -> Iterator[Text]:
@@ -43,6 +45,7 @@ def run_view(answer: RunAnswer, width: int) -> Iterator[Text]:
         said = answer.case.between_teeth and damping_in_the_gap(
             ContactRule(answer.numbers.contact),
             answer.numbers.force.minimum,
+            answer.numbers.force.maximum,
             answer.numbers.share_without_contact,
         )
         if said:
@@ -123,7 +126,9 @@ def _amplitudes(answer: RunAnswer, numbers: MotionNumbers, marks: Marks, width: 
 def _force_rows(
     force: ForceNumbers, newtons: ForceNumbers | None, marks: Marks
 ) -> Iterator[tuple[str, str, str]]:
+    on_the_back = force.maximum < 0.0
     for field, name in FORCES.items():
+        field = TURNED.get(field, field) if on_the_back else field
         physical = marks(quantity(getattr(newtons, field), "N"), "force", "model") if newtons else ""
         yield name, number(getattr(force, field)), physical
 

@@ -173,7 +173,9 @@ def _damping(contents: Contents) -> Iterator[Block]:
     rule = contents.found.case.numbers.contact
     for one in contents.histories:
         signals = one.signals
-        said = damping_in_the_gap(rule, signals.force.least, signals.share_without_contact)
+        said = damping_in_the_gap(
+            rule, signals.force.least, signals.force.most, signals.share_without_contact
+        )
         if said:
             yield Text.of(said)
             return

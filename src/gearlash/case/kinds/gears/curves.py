@@ -55,6 +55,7 @@ KEYS = (
     "over", "harmonics", "state", "torque", "provenance", "reason",
 )  # fmt: skip
 MOST_POINTS = 20_000
+CLOSING = 0.02  # of the least step: how far beside a whole period an angle that closes it may be rounded
 WIDEST = 1.5  # times the largest step between points: from the last one round to the first
 MOST_HARMONICS = 200
 """Of a mesh cycle; a turn of a shaft has as many times its teeth."""
@@ -330,12 +331,22 @@ class CurveReader:
         if np.any(np.diff(phases) < 0.0):
             self.wrong(key, "angles that never go back")
             return {}
+        phases = closed(phases)
         length = float(phases[-1] - phases[0])
         if length > 1.0 + 1e-9 or 1.0 - length > WIDEST * float(np.max(np.diff(phases))) + 1e-9:
-            self.wrong(key, f"points all round one {period} (these go over {length:.6g} of it)")
+            self.wrong(key, f"points all round one {period} (these go over {length:.9g} of it)")
             return {}
         phases, values = begun_at_zero(phases, values)
         return {"physical": physical, "phases": phases.tolist(), "values": values.tolist()}
+
+
+def closed(phases: Any) -> Any:
+    """The same, where the last one is the first again but for the decimals that it was written with."""
+    steps = np.diff(phases)
+    beside = abs(phases[-1] - phases[0] - 1.0)
+    if beside > 0.0 and beside <= CLOSING * float(np.min(steps, where=steps > 0.0, initial=np.inf)):
+        phases = np.concatenate([phases[:-1], [phases[0] + 1.0]])
+    return phases
 
 
 def begun_at_zero(phases: Any, values: Any) -> tuple[Any, Any]:
@@ -344,6 +355,7 @@ def begun_at_zero(phases: Any, values: Any) -> tuple[Any, Any]:
     phases = np.clip(phases - whole, 0.0, None)
     behind = phases > 1.0 + 1e-9
     turned = np.concatenate([phases[behind] - 1.0, np.minimum(phases[~behind], 1.0)])
+    turned = np.maximum.accumulate(turned)  # the last point may be the first again, but for rounding
     return turned, np.concatenate([values[behind], values[~behind]])
 
 
