@@ -12,7 +12,7 @@ from math import asin, cos, hypot, radians, sin, tan
 
 import pytest
 
-from gearlash.case import load, loads
+from gearlash.case import CaseError, load, loads
 
 POUND = 4.4482216152605  # N
 HORSEPOWER = 745.69987  # W
@@ -143,3 +143,41 @@ def test_a_ball_that_does_not_rest_on_both_flanks_has_no_dimension():
 def test_what_a_dimensionless_case_does_not_know_is_not_told():
     paths = {value.path for value in load("kahraman-singh").values()}
     assert not {path for path in paths if path.endswith(("_force", "_diameter_gear", "_per_width"))}
+
+
+@pytest.mark.parametrize(
+    "text", [KHK, KHK.replace("helical-pair", "spur-1dof").replace('helix_angle = "30 deg"', "")]
+)
+def test_what_turns_with_a_gear_counts_with_its_inertia(text: str):
+    """The equivalent mass and the natural frequencies are those of the sum, stated in one number."""
+    text = text.replace('centre_distance = "125 mm"\n', "")
+    own = {v.path: float(v.value) for v in loads(text).values() if v.path.endswith(".inertia")}
+    added = text.replace("[gear]", '[gear]\nadded_inertia = "0.02 kg m^2"')
+    whole = text.replace("[gear]", f'[gear]\ninertia = "{own["gear.inertia"] + 0.02!r} kg m^2"')
+    one, other, bare = told(added), told(whole), told(text)
+    assert one["equivalent_mass"] == pytest.approx(other["equivalent_mass"], rel=1e-12)
+    assert one["equivalent_mass"] > 1.001 * bare["equivalent_mass"]
+    frequency = [found["natural_frequency_1_hz"] for found in (one, other)]
+    assert frequency[0] == pytest.approx(frequency[1], rel=1e-12)
+    reasons = {v.path: v.reason for v in loads(text).values()}
+    assert "of the gear alone" in reasons["pinion.inertia"]
+
+
+def test_what_turns_with_a_gear_is_no_part_of_a_stated_equivalent_mass():
+    text = """
+kind = "spur-1dof"
+[pinion]
+teeth = 20
+added_inertia = "0.001 kg m^2"
+[mesh]
+equivalent_mass = "0.23 kg"
+mean_stiffness = "4e8 N/m"
+damping_ratio = 0.05
+backlash = "100 um"
+[operation]
+pinion_speed = "3600 rpm"
+[dimensionless]
+load = 0.1
+"""
+    with pytest.raises(CaseError, match=r"added_inertia = '0.001 kg m\^2': expected nothing here"):
+        loads(text)

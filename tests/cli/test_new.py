@@ -192,11 +192,37 @@ def test_strokes_between_two_values_and_in_units():
 
 
 def test_questions_are_asked_again_until_the_answer_can_be_read():
-    answers = iter(["25", "25/57", "3", "3mm", "", "15 deg", *[""] * 7, "7", "80um", "4200rpm", "150Nm"])
+    answers = iter(["25", "25/57", "3", "3mm", "", "15 deg", *[""] * 9, "7", "", "80um", "4200rpm", "150Nm"])
     said: list[str] = []
     found = questions.asked(lambda _: next(answers), said.append)
     assert found["teeth"] == "25"  # one for both, too, is an answer
     assert any("length with its unit" in text for text in said)
+
+
+def test_what_the_drawing_says_otherwise_is_asked_for_in_turn():
+    """Pitch in place of a module, W_k and balls of both gears, speed and torque at the gear."""
+    told = {
+        "Teeth of": "25/57", "Normal diametral": "8", "Face width": "40mm", "Span": "34.1mm/63.7mm",
+        "Teeth k": "4/7", "Speed of the gear": "1842rpm", "Torque of the gear": "342Nm",
+    }  # fmt: skip
+    questioned: list[str] = []
+
+    def answer(question: str) -> str:
+        questioned.append(question)
+        return next((text for begin, text in told.items() if question.startswith(begin)), "")
+
+    found = questions.asked(answer, lambda _: None)
+    assert found == {
+        "teeth": "25/57", "diametral_pitch": "8", "face_width": "40mm", "span": "34.1mm/63.7mm",
+        "span_teeth": "4/7", "gear_speed": "1842rpm", "gear_torque": "342Nm",
+    }  # fmt: skip
+    asked_for = " ".join(questioned)
+    assert "Dimension over two balls" in asked_for
+    assert "Diameter D_M" not in asked_for  # no dimension over balls was answered
+    told |= {"Torque of the gear": "", "Power": "66kW", "Dimension over": "83.9mm/", "Span": ""}
+    found = questions.asked(answer, lambda _: None)
+    assert (found["power"], found["over_balls"]) == ("66kW", "83.9mm/")
+    assert "Diameter D_M" in " ".join(questioned)
 
 
 def test_questions_that_end_early_write_nothing():

@@ -175,6 +175,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
         ),
         "drive: 25/57 teeth",
         80e-6,
+        (0.044, 0.04),
     ),
     "zones": lambda: plots.zones((plots.Panel("omega", "impact-free at D = 1", BARS),), units()),
 }

@@ -35,7 +35,14 @@ def write_check(
 
     play = float(case.scales.backlash_m(case.family()[0].defaults["D"]))
     title = f"{case.name}: {pair.pinion.teeth}/{pair.gear.teeth} teeth in the transverse section"
-    save(mesh_drawing(pair, title, play), folder.file("teeth"))
+    save(mesh_drawing(pair, title, play, _widths(case)), folder.file("teeth"))
+
+
+def _widths(case: Case) -> tuple[float, float] | None:
+    """Face widths of both gears, m."""
+    found = {value.path: value.value for value in case.values()}
+    first, second = (found.get(f"{gear}.face_width") for gear in ("pinion", "gear"))
+    return None if first is None or second is None else (1e-3 * float(first), 1e-3 * float(second))
 
 
 def _write_curves(case: Case, stem: Path) -> None:

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 
 from gearlash.case.kinds import kind_named
 from gearlash.case.stated import ValueRefusedError, read_stated
 from gearlash.system import GearlashError
 
-from .words_of_drawing import WORDS, Word, placed
+from .words_of_drawing import EITHER, ONLY_BESIDE, WORDS, Word, placed
 
 HEAD = (
     "A gear pair from its drawing. Type values with their units as they stand there; pinion and gear apart "
-    "by a stroke, 25/57. Enter alone: not known, to be estimated.\n"
+    "by a stroke, 25/57. Enter alone: not known, to be estimated; of module, speed and torque: said "
+    "otherwise, and asked for next.\n"
 )
 
 
@@ -27,9 +29,25 @@ def asked(ask: Callable[[str], str] = input, say: Callable[[str], object] = prin
     say(HEAD)
     found: dict[str, str] = {}
     for word in WORDS:
-        if word.question and (text := _answer(word, ask, say)):
-            found[word.name] = text
+        beside = ONLY_BESIDE.get(word.name)
+        if word.question and (beside is None or beside in found):
+            name, text = _either(word, ask, say)
+            found |= {name: text} if text else {}
     return found
+
+
+def _either(word: Word, ask: Callable[[str], str], say: Callable[[str], object]) -> tuple[str, str]:
+    """Name and text of the word, or of one that stands in for it: those are asked for, one after the other,
+    where the answer is empty; and all again until there is one."""
+    others = [each for each in WORDS if each.name in EITHER.get(word.name, ())]
+    if not others:
+        return word.name, _answer(word, ask, say)
+    while True:
+        for each in (word, *others):
+            text = _answer(replace(each, needed=False), ask, say)
+            if text:
+                return each.name, text
+        say(f"  expected one of them: {', '.join(each.what.rstrip('.') for each in (word, *others))}")
 
 
 def _answer(word: Word, ask: Callable[[str], str], say: Callable[[str], object]) -> str:

@@ -84,15 +84,16 @@ WORDS = (
         "0.3/0.1",
         "Profile shift x_t over m_t, in place of that.",
     ),
-    Word("span", "{gear}.span", "32.83mm/68.9mm", "Span measurement W_k."),
-    Word("span_teeth", "{gear}.span_teeth", "4/8", "Teeth k that W_k is measured over."),
-    Word("over_balls", "{gear}.over_balls", "83.9mm/", "Dimension over two balls M_dK."),
+    Word("span", "{gear}.span", "32.83mm/68.9mm", "Span measurement W_k.", True),
+    Word("span_teeth", "{gear}.span_teeth", "4/8", "Teeth k that W_k is measured over.", True),
+    Word("over_balls", "{gear}.over_balls", "83.9mm/", "Dimension over two balls M_dK.", True),
     Word("over_pins", "{gear}.over_pins", "83.9mm/", "Dimension over two pins M_dR."),
     Word(
         "ball_diameter",
         "{gear}.ball_diameter",
         "5mm",
         "Diameter D_M of balls or pins; 1.75 m_n where none is given.",
+        True,
     ),
     Word(
         "tooth_thickness",
@@ -181,6 +182,12 @@ WORDS = (
         "How much the centre distance is above the nominal one.",
     ),
     Word("mass", "{gear}.mass", "1.5kg/7kg", "Mass."),
+    Word(
+        "added_inertia",
+        "{gear}.added_inertia",
+        "0.002kg*m^2/",
+        "Inertia of what turns rigidly with the gear, such as shaft, rotor or hub, beside its own.",
+    ),
     Word("inertia", "{gear}.inertia", "0.001kg*m^2/0.03kg*m^2", "Moment of inertia."),
     Word("mean_stiffness", "mesh.mean_stiffness", "8e8N/m", "Mean mesh stiffness along the normal."),
     Word("error", "mesh.error", "6um", "Zero-to-peak unloaded transmission error at the mesh frequency."),
@@ -233,6 +240,8 @@ EITHER = {
     "torque": ("gear_torque", "power"),
 }
 """Words that stand in for a needed one."""
+ONLY_BESIDE = {"span_teeth": "span", "ball_diameter": "over_balls"}
+"""Words that are asked for only where another one was answered."""
 
 
 def placed(words: Mapping[str, str]) -> dict[str, str]:

@@ -29,6 +29,7 @@ BEARING_DAMPING = Estimate(0.02, 0.01, 0.05, "practice: 0.01 to 0.05 for rolling
 ERROR_PHASE = Estimate(
     0.5 * pi, -pi, pi, "not known; a quarter of a cycle after the stiffness, so that neither hides the other"
 )
+ALONE = "of the gear alone; what turns rigidly with it is stated as added_inertia"
 USUAL_BORE = 0.6
 """Of the root diameter: of a shaft that is not known."""
 
@@ -162,7 +163,7 @@ def _masses(drawing: Drawing) -> dict[str, Estimate]:
                 ("inertia", body.inertia(material.density)),
             ):
                 found[f"{name}_{what}"] = Estimate(
-                    value, 0.97 * value, 1.03 * value, f"{exact}; {material.source}"
+                    value, 0.97 * value, 1.03 * value, f"{exact}, {ALONE}; {material.source}"
                 )
             continue
         solid = GearBody(mean_tooth_diameter(gear), drawing.pair.face_width)
@@ -173,7 +174,7 @@ def _masses(drawing: Drawing) -> dict[str, Estimate]:
                 values[0],
                 values[1],
                 1.03 * values[0],
-                "no body stated: a solid disc, a bore of 0.6 d in the range",
+                f"no body stated: a solid disc, a bore of 0.6 d in the range; {ALONE}",
             )
     return found
 

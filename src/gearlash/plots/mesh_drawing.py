@@ -21,7 +21,12 @@ A_W = r"$a_{\mathrm{w}}$"
 
 
 @styled
-def mesh_drawing(pair: CylindricalPair, title: str = "", play: float | None = None) -> Figure:
+def mesh_drawing(
+    pair: CylindricalPair,
+    title: str = "",
+    play: float | None = None,
+    widths: tuple[float, float] | None = None,
+) -> Figure:
     """The pair in its transverse section.
 
     Parameters
@@ -33,6 +38,8 @@ def mesh_drawing(pair: CylindricalPair, title: str = "", play: float | None = No
     play : float, optional
         Whole normal backlash, m; that of the teeth where nothing is given. Teeth are drawn thinner by it,
         both gears alike.
+    widths : (float, float), optional
+        Face widths of pinion and gear, m; that of the pair for both where nothing is given.
 
     Returns
     -------
@@ -51,7 +58,7 @@ def mesh_drawing(pair: CylindricalPair, title: str = "", play: float | None = No
     outlines = _in_mesh(pair, play)
     _whole(whole, pair, outlines)
     _teeth(teeth, pair, outlines)
-    _words(words, pair, play)
+    _words(words, pair, play, widths)
     if title:
         made.suptitle(title, x=0.01, ha="left", fontsize=8.0)
     return made
@@ -166,7 +173,7 @@ def _plain(axes: Axes) -> None:
         spine.set_visible(False)
 
 
-def _words(axes: Axes, pair: CylindricalPair, play: float | None) -> None:
+def _words(axes: Axes, pair: CylindricalPair, play: float | None, widths: tuple[float, float] | None) -> None:
     """The dimensions, of pinion and gear."""
     first, second = pair.gears
     rows = [("", "pinion", "gear"), ("$z$", f"{first.teeth}", f"{second.teeth}")]
@@ -184,6 +191,9 @@ def _words(axes: Axes, pair: CylindricalPair, play: float | None) -> None:
     bare = all(gear.thickness_allowance == 0.0 for gear in (first, second))
     title = r"$W_k$ nominal, mm" if bare else r"$W_k$, mm"
     rows.append((title, _span(first), _span(second)))
+    wide, differ = f"{pair.face_width * MM:.5g}", widths is not None and widths[0] != widths[1]
+    if widths is not None and differ:
+        rows.append(("$b$, mm", f"{widths[0] * MM:.5g}", f"{widths[1] * MM:.5g}"))
     rows.append(("", "", ""))
     normal = backlash.of_pair(pair).normal if play is None else play
     for name, value in (
@@ -194,7 +204,7 @@ def _words(axes: Axes, pair: CylindricalPair, play: float | None) -> None:
         ),
         (r"$\alpha_{\mathrm{wt}}$", f"{degrees(pair.working_pressure_angle):.5g}°"),
         (f"{A_W}, mm", f"{pair.centre_distance * MM:.6g}"),
-        ("$b$, mm", f"{pair.face_width * MM:.5g}"),
+        ("$b$ in mesh, mm" if differ else "$b$, mm", wide),
         (
             r"$\varepsilon_\alpha$, $\varepsilon_\beta$",
             f"{pair.transverse_contact_ratio:.3f}, {pair.overlap_ratio:.3f}",

@@ -19,6 +19,12 @@ from .contents import Contents
 
 CURVES = "Stiffness and error as the case states them, and the series that the model takes for each."
 
+GEARS_ALONE = (
+    "Estimated masses and inertias are those of the gears alone. What turns rigidly with a gear is in the "
+    "model only as far as added_inertia states it; motor, load and whatever is behind a coupling or a shaft "
+    "that twists are no part of it, nor are their torsional frequencies."
+)
+
 
 def pictures(contents: Contents) -> list[Picture]:
     """Curves that the case states."""
@@ -50,6 +56,8 @@ def section(contents: Contents) -> Section:
         blocks.append(Table("assumed", caption, head, tuple(rows), widths=(25, 15, 17, 10, 33)))
     else:
         blocks.append(Text.of("Every value of the case is given."))
+    if any(value.path.endswith(".inertia") and value.least is not None for value in case.values()):
+        blocks.append(Text.of(GEARS_ALONE))
     blocks.append(
         Bullets(tuple(Text.of(f"{note.path}: {note.text}") for note in case.notes()))
         if case.notes()

@@ -158,7 +158,7 @@ def inputs_of(case: Case, speeds: tuple[float, ...]) -> Inputs:
         case=case.name,
         pair=pair,
         masses=(stated["pinion.mass"], stated["gear.mass"]),
-        axial_inertias=(stated["pinion.inertia"], stated["gear.inertia"]),
+        axial_inertias=(_turning(stated, "pinion"), _turning(stated, "gear")),
         radii=radii,
         body_widths=(stated["pinion.face_width"], stated["gear.face_width"]),
         bodies=_bodies(drawing, pair, stated),
@@ -230,3 +230,8 @@ def _with_backlash(pair: CylindricalPair, wanted: float) -> CylindricalPair:
 def with_width(inputs: Inputs, width: float) -> Inputs:
     """The same inputs with teeth of another face width; the bodies stay as they are."""
     return replace(inputs, pair=replace(inputs.pair, face_width=width))
+
+
+def _turning(stated: Mapping[str, float], gear: str) -> float:
+    """Inertia of a gear with what turns rigidly with it."""
+    return stated[f"{gear}.inertia"] + stated.get(f"{gear}.added_inertia", 0.0)

@@ -86,7 +86,9 @@ def _derived_inertia(pair: GearPair) -> Iterator[Derived]:
             if gear in discs:
                 inputs = (f"{gear}.mass", f"derived.radius_{gear}", BODY)
                 text = f"rotary inertia of the {gear}"
-                yield Derived(f"derived.inertia_{gear}", inertia, "kg*m^2", "m r²/2", inputs, text)
+                added = pair.entries.get(f"{gear}.added_inertia")
+                own_part = inertia if added is None else inertia - added.number
+                yield Derived(f"derived.inertia_{gear}", own_part, "kg*m^2", "m r²/2", inputs, text)
     bodies = [name for gear in GEARS for name in _rotation_inputs(gear, gear in discs)]
     mass_inputs = (EQUIVALENT_MASS,) if EQUIVALENT_MASS in pair.entries else tuple(bodies)
     assert scales.equivalent_mass is not None  # a physical case has all scales

@@ -121,12 +121,15 @@ def _at_work(line: LineOfAction | None, teeth: CylindricalPair | None, axis: YAx
 
 
 def _inertias(entries: EntriesByKey, geometry: ToothGeometry | None) -> Both | None:
-    """Stated inertias, else solid discs of the stated masses at the pitch radius."""
+    """Stated inertias, else solid discs of the stated masses at the pitch radius; and what turns
+    with them."""
     radii = geometry.pitch_radii if geometry else None
     found = []
     for i, gear in enumerate(GEARS):
         inertia, mass = _get(entries, f"{gear}.inertia"), _get(entries, f"{gear}.mass")
         if inertia is None and mass is not None and radii is not None:
             inertia = solid_disc(mass, radii[i])
+        if inertia is not None:
+            inertia += _get(entries, f"{gear}.added_inertia") or 0.0
         found.append(inertia)
     return (found[0], found[1]) if None not in found else None

@@ -42,6 +42,9 @@ class SpurRules(PairRules):
                 yield key, f"{PROJECTION} = pitch needs {MODULE} and mesh.pressure_angle instead"
         if EQUIVALENT_MASS in entries and all(f"{gear}.inertia" in entries for gear in GEARS):
             yield EQUIVALENT_MASS, "it follows from both inertias and radii"
+        for gear in GEARS:
+            if EQUIVALENT_MASS in entries and f"{gear}.added_inertia" in entries:
+                yield f"{gear}.added_inertia", f"{EQUIVALENT_MASS} is that of all that turns"
 
     def y_axis(self, entries: EntriesByKey) -> YAxis:
         return YAxis.LINE_OF_ACTION
