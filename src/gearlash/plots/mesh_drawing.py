@@ -189,8 +189,9 @@ def _words(axes: Axes, pair: CylindricalPair, play: float | None, widths: tuple[
     working = [f"{d * MM:.5g}" for d in pair.working_diameters]
     rows.append((r"$d_{\mathrm{w}}$, mm", working[0], working[1]))
     bare = all(gear.thickness_allowance == 0.0 for gear in (first, second))
-    title = r"$W_k$ nominal, mm" if bare else r"$W_k$, mm"
-    rows.append((title, _span(first), _span(second)))
+    rows.append((r"$W_k$, mm", _span(first), _span(second)))
+    if bare:
+        rows.append(("", "nominal", "nominal"))
     wide, differ = f"{pair.face_width * MM:.5g}", widths is not None and widths[0] != widths[1]
     if widths is not None and differ:
         rows.append(("$b$, mm", f"{widths[0] * MM:.5g}", f"{widths[1] * MM:.5g}"))
@@ -204,7 +205,7 @@ def _words(axes: Axes, pair: CylindricalPair, play: float | None, widths: tuple[
         ),
         (r"$\alpha_{\mathrm{wt}}$", f"{degrees(pair.working_pressure_angle):.5g}°"),
         (f"{A_W}, mm", f"{pair.centre_distance * MM:.6g}"),
-        ("$b$ in mesh, mm" if differ else "$b$, mm", wide),
+        (r"$b_{\mathrm{w}}$, mm" if differ else "$b$, mm", wide),
         (
             r"$\varepsilon_\alpha$, $\varepsilon_\beta$",
             f"{pair.transverse_contact_ratio:.3f}, {pair.overlap_ratio:.3f}",
