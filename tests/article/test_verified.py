@@ -86,7 +86,7 @@ def named(name: str) -> VerifiedWay:
 def test_the_conclusion_names_the_inputs_with_the_reported_motion():
     """First what the case's dimensionless numbers give, then where teeth do as is reported."""
     said = text_of(kept())
-    assert said.startswith("In short: real teeth do at both speeds as the article reports with ")
+    assert said.startswith("In short: real teeth part and stay in contact as the article reports with ")
     assert "With the dimensionless numbers of the case held" in said.partition("as reported")[0]
     assert "“stiffness”" in said.partition("as reported")[0]
     agree = [way.name for way in conclusion.agreeing(kept())]
@@ -135,7 +135,53 @@ def test_the_conclusion_says_what_settings_do_whether_the_motion_is_the_reported
     said = text_of(replace(kept(), ways=(other, agreeing)))
     assert "“stiffness”: One assumption or setting changed at a time: at " in said
     assert f"at {low:.0f} rpm contact is kept with 0 of 1 (not with two (1-1-0, apart 20 %))" in said
-    assert "The other 2 settings were not run with these inputs." in said
+    assert "The other 2 settings were not run, or not integrated, with these inputs." in said
+
+
+def test_settings_with_both_reported_motions_are_told_of_ways_that_disagree():
+    """Parting once a cycle at the lower speed and contact at the higher one, by the same setting."""
+    way = named("stiffness")
+    low, high = (point.speed for point in way.points)
+    still = tuple(replace(point, label="1-0-0", apart=0.0) for point in way.points)
+    rows = (
+        ("both", low, "1-1-0", 0.1),
+        ("both", high, "kept", 0.0),
+        ("lower alone", low, "1-1-0", 0.1),
+        ("lower alone", high, "none", 0.2),
+        ("other label", low, "2-1-0", 0.1),
+        ("other label", high, "1-0-0", 0.0),
+        ("bearings as stated", low, "1-1-0", 0.1),
+        ("bearings as stated", high, "1-0-0", 0.0),
+    )
+    told = "Of 3 settings beside, each with one change, 1 has both reported motions with “stiffness”: both."
+    found = replace(kept(), ways=(replace(way, points=still, beside=rows),))
+    assert told in text_of(found)
+    assert "both reported motions" not in text_of(
+        replace(found, ways=(replace(found.ways[0], beside=rows[2:]),))
+    )
+    parted = (replace(still[0], label="1-1-0", apart=0.1), still[1])
+    agrees = replace(found, ways=(replace(found.ways[0], points=parted),))
+    assert "both reported motions" not in text_of(agrees)
+
+
+def test_what_was_fixed_last_is_told_of_data_that_were_computed_after_it():
+    found = kept()
+    without = tuple(each for each in found.settings if each["name"] != conclusion.LATEST_SETTING)
+    later = (*without, {**found.settings[0], "name": conclusion.LATEST_SETTING})
+    for settings, count in ((without, 3), (later, 4)):
+        assert len(conclusion.fixed_when(replace(found, settings=settings)).items) == count
+
+
+def test_impacts_and_the_balance_of_energy_are_told_where_they_are_kept():
+    point = replace(named("absolute").points[0], label="none", apart=0.2)
+    bare = replace(point, impacts=None, back_impacts=None)
+    assert not any("impacts" in str(line) for line in section_of._seen(bare))
+    lines = section_of._seen(replace(point, impacts=1.3, back_impacts=0.25))
+    assert "1.3 impacts a mesh cycle, 0.25 on the back side" in lines
+    still = replace(point, label="1-0-0", apart=0.0, impacts=0.0, back_impacts=0.0)
+    assert not any("impacts" in str(line) for line in section_of._seen(still))
+    way = replace(named("absolute"), points=(replace(point, energy_residual=-2e-3),))
+    assert "at most 2.0 × 10⁻³ of what dampers take" in section_of._energy(replace(kept(), ways=(way,)))
 
 
 def test_contact_as_reported_without_its_period_is_said_to_lack_it():

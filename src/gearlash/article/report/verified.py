@@ -8,11 +8,11 @@ from gearlash import plots
 from gearlash.article import Reproduction
 from gearlash.article.verified import REPORTED, Verified, VerifiedPoint, verified
 from gearlash.report.blocks import Block, Bullets, Cell, Figure, Note, Section, Strong, Table, Text
-from gearlash.report.numbers import number
+from gearlash.report.numbers import number, scientific
 from gearlash.report.pictures import Picture
 
 from . import conclusion, settings_beside, teeth, window
-from .seen import RULES, share
+from .seen import RULES, parts, share
 from .teeth import told
 
 STEM = "verified-forces"
@@ -94,7 +94,7 @@ def _table(found: Verified) -> Table:
                 (
                     way.name,
                     [f"{point.speed:.0f} rpm", f"ω {number(point.omega, 4)}"],
-                    _seen(point),
+                    [*_seen(point)],
                     told(point.rigid),
                     *(_lumped(point, rule) for rule in RULES),
                     reported[:-2],
@@ -113,9 +113,13 @@ def _table(found: Verified) -> Table:
     )
 
 
-def _seen(point: VerifiedPoint) -> Cell:
+def _seen(point: VerifiedPoint) -> list[str]:
     forces = f"force {number(point.least, 2)} to {number(point.peak, 3)} of its mean"
-    return [told(point.label), f"apart {share(point.apart)} of the time", forces]
+    label, apart = told(point.label), f"apart {share(point.apart)} of the time"
+    if point.impacts is None or not parts(point.label, point.apart):
+        return [label, apart, forces]
+    back = f", {number(point.back_impacts, 3)} on the back side" if point.back_impacts else ""
+    return [label, apart, f"{number(point.impacts, 3)} impacts a mesh cycle{back}", forces]
 
 
 def _lumped(point: VerifiedPoint, rule: str) -> Cell:
@@ -164,12 +168,24 @@ def _limits(found: Verified) -> Note:
         Text.of(
             "Each motion of the table begins with teeth pressed together: others may coexist. Friction is in "
             "neither model. Labels are those of motions that repeat within 1 % of the range of their force, "
-            f"after at most 8 mesh cycles.{_bearings(found)}{_load(found)} No setting changes the stiffness "
+            f"after at most 8 mesh cycles.{_energy(found)}{_bearings(found)}{_load(found)} No setting lets "
+            "more of the bodies below the teeth give way; docs/verification.md estimates that the stiffness "
             "of "
-            "the mesh; docs/verification.md estimates that it is 10 to 15 % above that of bodies which give "
-            f"way down to their shafts.{missing}"
+            f"the mesh is 10 to 15 % above that of bodies which give way down to their shafts.{missing}"
         ),
         "Limits",
+    )
+
+
+def _energy(found: Verified) -> str:
+    """How nearly the balance of energy closes over what is read, where it is kept."""
+    kept = [p.energy_residual for way in found.ways for p in way.points if p.energy_residual is not None]
+    if not kept:
+        return ""
+    return (
+        f" In the balance of energy of these motions at most {scientific(max(map(abs, kept)))} of what "
+        "dampers "
+        "take is missing."
     )
 
 
