@@ -59,9 +59,8 @@ def in_short(found: Verified) -> str:
     agree = [way.name for way in agreeing(found)]
     held = [way.name for way in found.ways if way.name in HELD]
     said = (
-        f"real teeth part and stay in contact as the article reports with {len(agree)} of {len(found.ways)} ways "
-        "to hold the "
-        "inputs"
+        f"real teeth part and stay in contact as the article reports with {len(agree)} of {len(found.ways)} "
+        "ways to hold the inputs"
     )
     if not held:
         return said
