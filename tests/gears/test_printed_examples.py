@@ -10,6 +10,10 @@
   thickness of teeth.
 - Shifts: scribd.com/document/376176518, here as a drawing with centre distance and one shift.
 - Helical: a question with normal and transverse diametral pitches (wizedu.com/questions/73138).
+- Pins: test_corrected.py of github.com/bfoster59/MOP, with its reference of AGMA. (README.md there has 5.438
+  in for 45 teeth, 8 per inch, which is less than their reference diameter of 5.625 in.)
+- FVA: a helical pair of the FVA-Workbench, as tests/test_iso6336_dynamics.py of 20_code/40_backend in
+  github.com/tkuhn39/semesterthesis has it.
 """
 
 from __future__ import annotations
@@ -21,6 +25,7 @@ import pytest
 from gearlash.case import CaseError, loads
 from gearlash.gears import CylindricalPair, inspection
 from gearlash.gears.cylindrical_pair import shift_sum, tip_shortening
+from gearlash.gears.mesh_stiffness import SOLID, method_b, theoretical_stiffness
 
 MM = 1e-3
 REST = '[operation]\npinion_speed = "1000 rpm"\ntorque = "50 N m"\n'
@@ -183,3 +188,30 @@ def test_a_gear_steel_by_its_designation():
         loads(text.replace("teeth = 20", f'teeth = 20\nmaterial = "{name}"')) for name in ("steel", "20MnCr5")
     )
     assert own.family()[0].defaults == steel.family()[0].defaults
+
+
+def test_odd_helical_teeth_over_pins_in_inches():
+    mesh = 'diametral_pitch = 12\nhelix_angle = "10.5 deg"\nface_width = "1 in"'
+    other = "teeth = 60"
+    thick = drawn("helical-pair", mesh, 'teeth = 127\ntooth_thickness = "0.130900 in"', other).pinion
+    over = inspection.dimension_over_pins(thick, 0.144 * 25.4e-3) / 25.4e-3
+    assert over == pytest.approx(10.967749, abs=2e-6)
+    stated = 'teeth = 127\nover_pins = "10.967749 in"\nball_diameter = "0.144 in"'
+    measured = drawn("helical-pair", mesh, stated, other).pinion
+    assert measured.normal_thickness() / 25.4e-3 == pytest.approx(0.130900, abs=1e-6)
+
+
+def test_helical_pair_of_the_fva_workbench():
+    pair = drawn(
+        "helical-pair",
+        'normal_module = "2 mm"\nhelix_angle = "20 deg"\nface_width = "26 mm"',
+        'teeth = 25\ntip_diameter = "57.209 mm"\ndedendum = 1.3',
+        'teeth = 40\ntip_diameter = "89.134 mm"\ndedendum = 1.3',
+    )
+    assert [one.base_diameter / MM for one in pair.gears] == pytest.approx([49.617, 79.387], abs=6e-4)
+    assert [one.virtual_teeth for one in pair.gears] == pytest.approx([29.669, 47.471], abs=6e-4)
+    assert pair.transverse_contact_ratio == pytest.approx(1.527, abs=6e-4)
+    assert pair.overlap_ratio == pytest.approx(1.4153, abs=6e-5)
+    mesh = method_b(pair, rims=(SOLID, SOLID))
+    assert theoretical_stiffness(pair) / 1e9 == pytest.approx(17.27, abs=6e-3)
+    assert [mesh.single / 1e9, mesh.mean / 1e9] == pytest.approx([12.33, 17.21], abs=6e-3)
