@@ -12,15 +12,13 @@ from gearlash.flow import Trace
 from gearlash.system import evaluate
 from gearlash.system.readout import Readout
 
-from .statistics import top
+from .peaks import CLOSER, Places, largest
 
 Array = NDArray[np.float64]
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
 LOCAL = np.concatenate([[1e-12], (NODES + 1.0) / 2.0, [1.0 - 1e-12]])
 """Local times of a piece; its ends a little inside, as the force may jump between two pieces."""
-AROUND = 3  # readings on either side of the extreme one, between which is read once more
-CLOSER = np.linspace(0.0, 1.0, 61)
 
 
 @dataclass(frozen=True)
@@ -83,8 +81,8 @@ def signals(trace: Trace, readouts: Sequence[Readout] = (), clearance: int = 0) 
     """Figures of a motion.
 
     Means and rms are those of Gauss quadrature on every exact piece, good to rounding; extremes are read
-    once more, closely, around the extreme ones of 12 readings a piece, and a parabola makes them good to
-    about 1e-8 of their span. Impact velocities are exact.
+    once more, closely, around the extreme ones of 12 readings a piece, up to where contact begins or ends,
+    and a parabola makes them good to about 1e-7 of their span. Impact velocities are exact.
 
     Parameters
     ----------
@@ -135,10 +133,11 @@ def signal_of(reading: Callable[[Array], Array], phase: Array, weight: Array, va
     """Figures of one quantity; ``reading`` gives it at any phases, ``values`` are those at ``phase``."""
     mean = float(np.sum(weight * values))
     rms = float(np.sqrt(np.sum(weight * (values - mean) ** 2)))
-    extremes = []
-    for sign in (-1.0, 1.0):
-        at = int(np.argmax(sign * values))
-        start, stop = phase[max(0, at - AROUND)], phase[min(len(phase) - 1, at + AROUND)]
-        closer = sign * reading(start + (stop - start) * CLOSER)
-        extremes.append(sign * max(top(closer), float(sign * values[at])))
-    return Signal(mean, rms, extremes[0], extremes[1])
+    rows = values.reshape(-1, len(LOCAL))
+
+    def closer(first: Places, last: Places) -> Array:
+        at = phase[first] + (phase[last] - phase[first]) * CLOSER
+        return reading(at.ravel()).reshape(at.shape)
+
+    least = -largest(-rows, lambda first, last: -closer(first, last))
+    return Signal(mean, rms, least, largest(rows, closer))

@@ -12,6 +12,7 @@ from gearlash.system import GearlashError, Record
 
 from .extrema import gap_extrema
 from .grazing import motion_of
+from .peaks import top
 from .results import Attractor
 
 FREE = 1  # region of a trace
@@ -130,29 +131,24 @@ def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatist
     weight = (trace.lengths[:, None] * WEIGHTS[None, :] / 2.0).ravel()
     samples = trace.at(_phases(trace, (NODES + 1.0) / 2.0), clearance)
     weight = weight / weight.sum()
-    mean, square = float(weight @ samples.force), float(weight @ samples.force**2)
+    mean = float(weight @ samples.force)
     least, most = _force_extremes(trace, clearance)
-    force = ForceStatistics(
-        least, most, mean, float(np.sqrt(square)),
-        float(np.sqrt(max(square - mean * mean, 0.0))),
-    )  # fmt: skip
+    rms, alternating = (_rms(weight, samples.force - level) for level in (0.0, mean))
+    force = ForceStatistics(least, most, mean, rms, alternating)
     x = samples.displacement
     average = float(weight @ x)
     extremes = gap_extrema(trace, clearance).displacement
     low, high = (extremes.min(), extremes.max()) if len(extremes) else (x.min(), x.max())
     free = float(trace.lengths[trace.regions_of(clearance) == FREE].sum() / trace.lengths.sum())
-    rms = float(np.sqrt(max(float(weight @ (x - average) ** 2), 0.0)))
-    return MotionStatistics(force, rms, float(high - low), float(low), float(high), free)
+    return MotionStatistics(
+        force, _rms(weight, x - average), float(high - low), float(low), float(high), free
+    )
 
 
-def top(values: NDArray[np.float64]) -> float:
-    """The largest of equally spaced values, refined by the parabola through it and its neighbours."""
-    i = int(np.argmax(values))
-    if i in (0, len(values) - 1):
-        return float(values[i])
-    before, best, after = (float(v) for v in values[i - 1 : i + 2])
-    bend, slope = before - 2.0 * best + after, after - before
-    return best - slope * slope / (8.0 * bend) if bend < 0.0 else best
+def _rms(weight: NDArray[np.float64], values: NDArray[np.float64]) -> float:
+    """With weights whose sum is 1. Of what varies, the mean is taken off before: the difference of two mean
+    squares loses half of all digits."""
+    return float(np.sqrt(weight @ values**2))
 
 
 def _force_extremes(trace: Trace, clearance: int) -> tuple[float, float]:
