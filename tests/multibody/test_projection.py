@@ -141,6 +141,24 @@ def test_no_energy_is_lost_or_made(rule: ContactRule):
     assert balance.residual < 1e-4
 
 
+def test_balance_with_places_between_the_states_closes_better():
+    """The same motion with impacts, its powers at the states alone and between them, too."""
+    pair = both(0.942)
+    state = np.zeros(10)
+    state[8] = 1.1
+    motion = simulate(
+        pair.machine,
+        pair.contact,
+        *pair.start(state),
+        step=pair.period / 64,
+        steps=128,
+        solver=Solver.DOPRI5,
+    )
+    alone = energy_balance(pair.machine, motion).residual
+    between = energy_balance(pair.machine, motion, pair.contact).residual
+    assert between < 0.25 * alone
+
+
 def test_governor_holds_the_mean_speed_and_leaves_the_mesh_alone():
     pair = both(1.0)
     held = replace(pair.machine, speed=100.0, governor_time=pair.period)

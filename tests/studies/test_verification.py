@@ -36,7 +36,7 @@ from gearlash.studies.verification.point import machine_of, run_point
 from gearlash.studies.verification.whole import error_phase
 from multibody.standin import standin
 
-SHORT = Setting(steps=64, finer=1, settle=4, read=16)
+SHORT = Setting(steps=64, finer=1, finest=1, settle=4, read=16)
 CASES = Path(__file__).parents[1] / "cases"
 
 
@@ -127,13 +127,13 @@ def test_answer_lists_every_input_and_setting(found: Verification):
 
 @pytest.mark.parametrize(("flexible", "pinion"), [(False, False), (True, False), (True, True)])
 def test_no_energy_is_lost_or_made_between_real_teeth(found: Verification, flexible: bool, pinion: bool):
-    """Involute flanks that part and meet again, at a step of 1/2048 of a mesh cycle."""
+    """Involute flanks that part and meet again, with the steps of a verification."""
     mesh, inputs = found.meshes[0], found.inputs
     contact = mesh.contact(inputs, error=inputs.error, flexible=flexible, flexible_pinion=pinion)
     point = run_point(
         inputs,
         ToothContact(contact.tables),
-        Setting(steps=2048, finer=1, settle=1, read=1, flexible=flexible, flexible_pinion=pinion),
+        Setting(settle=1, read=1, flexible=flexible, flexible_pinion=pinion),
         omega=inputs.speeds[0],
         stiffness=mesh.stiffness,
         torque=0.3 * inputs.torque,
@@ -154,7 +154,7 @@ def test_two_solvers_agree_between_real_teeth_on_a_gear_that_bends(found: Verifi
         run_point(
             found.inputs,
             ToothContact(contact.tables),
-            Setting(steps=192, finer=1, settle=80, read=16, solver=solver),
+            Setting(steps=192, finer=1, finest=1, settle=80, read=16, solver=solver),
             omega=absolute.omegas[0],
             stiffness=mesh.stiffness,
             torque=absolute.torque,

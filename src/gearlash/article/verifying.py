@@ -59,7 +59,7 @@ def check_numbers(case: Case) -> dict[str, float]:
     found = run_point(
         inputs,
         ToothContact(contact.tables),
-        replace(PLANNED, settle=1, read=2),
+        replace(PLANNED, finest=PLANNED.finer, settle=1, read=2),
         omega=0.45,
         stiffness=mesh.stiffness,
         torque=inputs.torque,

@@ -6,11 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import CubicHermiteSpline
 
 from .bodies import Machine
-from .dynamics import Trajectory
+from .dynamics import Contact, Trajectory
 
 Array = NDArray[np.float64]
+PARTS = 4
+"""Of the time from one kept state to the next, at whose ends powers are taken. What the contact takes jumps
+where one more slice begins to carry, so that the states alone are too few."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +46,7 @@ class EnergyBalance:
         return abs(missing) / max(self.bearings + self.contact, abs(self.input))
 
 
-def energy_balance(machine: Machine, motion: Trajectory) -> EnergyBalance:
+def energy_balance(machine: Machine, motion: Trajectory, contact: Contact | None = None) -> EnergyBalance:
     """Work of every part over a motion.
 
     Parameters
@@ -50,6 +54,9 @@ def energy_balance(machine: Machine, motion: Trajectory) -> EnergyBalance:
     machine : Machine
     motion : Trajectory
         Kept at every step or nearly so: powers are integrated between the states that were kept.
+    contact : Contact, optional
+        Of the teeth in this motion: powers are taken at three places more between two states, with the cubic
+        that has their coordinates and rates. Without it they are taken at the states alone.
 
     Returns
     -------
@@ -67,6 +74,8 @@ def energy_balance(machine: Machine, motion: Trajectory) -> EnergyBalance:
     >>> energy_balance(machine, falling).residual < 1e-10
     True
     """
+    if contact is not None:
+        motion = _with_places_between(motion, contact)
     load = motion.v @ machine.constant_load()
     direction, aim = machine.governor()
     along = motion.v @ direction
@@ -80,3 +89,15 @@ def energy_balance(machine: Machine, motion: Trajectory) -> EnergyBalance:
         contact=float(np.trapezoid(motion.recorded[:, 3], t)),
         change=ends[1] - ends[0],
     )
+
+
+def _with_places_between(motion: Trajectory, contact: Contact) -> Trajectory:
+    """The same motion, with the states of Hermite's cubics between those that were kept."""
+    curve = CubicHermiteSpline(motion.t, motion.q, motion.v)
+    ends = np.linspace(motion.t[:-1], motion.t[1:], PARTS, endpoint=False, axis=1).ravel()
+    t = np.append(ends, motion.t[-1])
+    q, v = curve(t), curve(t, 1)
+    recorded = np.empty((len(t), motion.recorded.shape[1]))
+    for i, (at, place, rate) in enumerate(zip(t, q, v, strict=True)):
+        recorded[i] = motion.recorded[i // PARTS] if i % PARTS == 0 else contact.record(at, place, rate)
+    return Trajectory(t, q, v, recorded)

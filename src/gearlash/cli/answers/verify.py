@@ -88,6 +88,7 @@ class PointComputed:
     orders: Annotated[tuple[float, ...], "amplitudes of the force at mesh orders 1/2, 1, 3/2, … 8, N"]
     returns: Annotated[float, "how far the motion misses itself after a period, over the range of its force"]
     energy_residual: Annotated[float, "missing in the balance of energy, over what dampers take"]
+    read_steps: Annotated[int, "of the integrator, a mesh cycle, in the cycles that were read"]
     phase: Annotated[tuple[float, ...], "mesh cycles"]
     force: Annotated[tuple[float, ...], "over these phases, drive side less back side, N"]
     frames: tuple[FrameComputed, ...]
@@ -301,6 +302,7 @@ def _point(point: PointFound) -> PointComputed:
         orders=tuple(map(float, reading.orders)),
         returns=reading.returns,
         energy_residual=point.energy_residual,
+        read_steps=point.read_steps,
         phase=tuple(map(float, reading.phase)),
         force=tuple(map(float, reading.force)),
         frames=tuple(

@@ -15,6 +15,7 @@ from gearlash.multibody import (
     Modes,
     Reading,
     RigidBody,
+    Trajectory,
     energy_balance,
     read_motion,
     simulate,
@@ -22,7 +23,7 @@ from gearlash.multibody import (
 
 from .frames import Frames, frames_of
 from .inputs import Inputs
-from .settings import Setting
+from .settings import CLOSES, Setting
 
 Array = NDArray[np.float64]
 GOVERNED = 20.0
@@ -76,6 +77,8 @@ class PointFound:
     reading : Reading
     energy_residual : float
         Of the energy balance over the cycles read.
+    read_steps : int
+        Of the integrator there, a mesh cycle.
     centre_change : (float, float)
         Least and greatest change of the centre distance at mid face over the cycles read, m.
     frames : Frames
@@ -89,6 +92,7 @@ class PointFound:
     setting: str
     reading: Reading
     energy_residual: float
+    read_steps: int
     centre_change: tuple[float, float]
     frames: Frames
     q: Array
@@ -204,23 +208,36 @@ def run_point(
         every=setting.settle * setting.steps,
         solver=setting.solver,
     )
-    steps = (setting.read + 1) * setting.steps * setting.finer  # one more: whole mesh cycles lie within
-    fine = step / setting.finer
-    motion = simulate(
-        machine, carried, settled.q[-1], settled.v[-1], step=fine, steps=steps, solver=setting.solver
-    )
+    finer, motion, residual = _read(machine, carried, setting, (settled.q[-1], settled.v[-1]), step)
     apart = motion.q[:, 6] - motion.q[:, 0]
     return PointFound(
         omega=omega,
         rpm=speed * 30.0 / pi,
         setting=setting.name,
         reading=read_motion(motion, teeth),
-        energy_residual=energy_balance(machine, motion).residual,
+        energy_residual=residual,
+        read_steps=finer * setting.steps,
         centre_change=(float(apart.min()), float(apart.max())),
         frames=frames_of(motion, machine.teeth),
         q=motion.q[-1],
         v=motion.v[-1],
     )
+
+
+def _read(
+    machine: Machine, contact: Contact, setting: Setting, state: tuple[Array, Array], step: float
+) -> tuple[int, Trajectory, float]:
+    """The cycles that are read, with as many times the steps as it takes for the balance of energy to close,
+    and what is missing in it."""
+    cycles = setting.read + 1  # one more: whole mesh cycles lie within
+    finer = setting.finer
+    while True:
+        fine, steps = step / finer, cycles * setting.steps * finer
+        motion = simulate(machine, contact, *state, step=fine, steps=steps, solver=setting.solver)
+        residual = energy_balance(machine, motion, contact).residual
+        if residual < CLOSES or 2 * finer > setting.finest:
+            return finer, motion, residual
+        finer *= 2
 
 
 def _start(

@@ -7,6 +7,9 @@ from math import pi
 
 from gearlash.multibody import Solver
 
+CLOSES = 1e-4
+"""What may be missing in the balance of energy, over what dampers take."""
+
 
 @dataclass(frozen=True)
 class Setting:
@@ -38,6 +41,8 @@ class Setting:
         Of the integrator, a mesh cycle.
     finer : int
         So many times the steps in the cycles that are read, so that the balance of energy closes there.
+    finest : int
+        Up to so many times: twice as many, again and again, while the balance does not close to `CLOSES`.
     settle, read : int
         Mesh cycles before those that are read, and those.
     solver : Solver
@@ -57,6 +62,7 @@ class Setting:
     flexible_pinion: bool = False
     steps: int = 192
     finer: int = 3
+    finest: int = 12
     settle: int = 80
     read: int = 20
     solver: Solver = Solver.RK44
