@@ -55,7 +55,7 @@ def check_numbers(case: Case) -> dict[str, float]:
     coarse = SectorSettings(Fineness(flank=2, fillet=1, core=1, rim=1, axial=2), teeth=3)
     inputs = inputs_of(case, (1.0,))
     mesh = mesh_of(inputs, inputs.pair.face_width, inputs.torque, coarse)
-    contact = mesh.contact(inputs, error=inputs.error, flexible=True)
+    contact = mesh.contact(inputs, errors=((inputs.error, 0.0),), flexible=True)
     found = run_point(
         inputs,
         ToothContact(contact.tables),

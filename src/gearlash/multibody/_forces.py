@@ -14,7 +14,6 @@ from ._tables import (
     BASE_1,
     BASE_2,
     CENTRES,
-    CORNER_REACH,
     DAMPING_TIME,
     HERTZ,
     HERTZ_DEPTH,
@@ -25,6 +24,7 @@ from ._tables import (
     PATH_END,
     PATH_START,
     PHASES,
+    REACH,
     READ_1,
     TABLES,
     TANGENT,
@@ -167,7 +167,7 @@ def contact_kernel(tables, q, v, out, report, memory, loads):
             pose[i], speed[i] = flip * q[i], flip * v[i]
         n, nearest = gaps(tables, side, sign, pose, place, roll, gap, gradient, weights, slopes, frame)
         report[6 + side] = nearest
-        if nearest < -CORNER_REACH:
+        if nearest < -x[REACH]:
             return _lost(out, report, TOO_DEEP)
         if n == 0:
             continue

@@ -17,14 +17,14 @@ Reals = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 CORNER_REACH = 80e-6
-"""Up to this normal approach, m, tip corners are followed beyond the path of contact."""
+"""Up to this normal approach, m, tip corners are followed where no other one is given."""
 
 # scalars
 BASE_1, BASE_2, CENTRES, ANGLE, TWIST, OBLIQUE, PITCH, ORIGIN_1, ORIGIN_2, REST = range(10)
 TIP_1, TIP_2, FAR_1, FAR_2, CORNER_1, CORNER_2, CURVED_1, CURVED_2, PATH_START, PATH_END = range(10, 20)
 LENGTH, HERTZ, HERTZ_DEPTH, LEAST_LOAD, MOST_LOAD, DAMPING_TIME, RELIEF_START, RELIEF_STEP = range(20, 28)
-TANGENT, LOG_LEAST = range(28, 30)
-SCALARS = 30
+TANGENT, LOG_LEAST, REACH = range(28, 31)
+SCALARS = 31
 
 # counts
 TEETH, PAIRS, FIRST_PAIR, PHASES, MODES = range(5)

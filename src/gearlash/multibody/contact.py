@@ -30,7 +30,7 @@ PHASES = 32
 """Of the compliance in one mesh cycle."""
 WHY = {
     NO_MESH: "the axes are so near to each other, or so far turned, that the teeth have no line of action",
-    TOO_DEEP: f"the flanks are more than {places.CORNER_REACH * 1e6:g} µm in each other",
+    TOO_DEEP: "the flanks are deeper in each other than tip corners are followed",
     NO_FORCES: "the forces between the teeth were not found",
 }
 """Why `contact_forces` has no answer."""
@@ -95,6 +95,7 @@ class MeshContact:
         topography: Topography | None = None,
         modes: RimModes | None = None,
         phases: int = PHASES,
+        reach: float = places.CORNER_REACH,
     ) -> MeshContact:
         """The contact of a pair of gears.
 
@@ -115,6 +116,8 @@ class MeshContact:
             Rigid bodies where nothing is given.
         phases : int
             At how many phases of the mesh cycle the compliance is made.
+        reach : float
+            Up to this normal approach, m, forces are found and tip corners followed.
 
         Returns
         -------
@@ -124,7 +127,7 @@ class MeshContact:
         shape = Topography() if topography is None else topography
         steel = named("steel")
         bodies = (steel, steel) if materials is None else materials
-        tables = contact_tables(flanks, compliance, bodies, slices, damping_time, shape, modes, phases)
+        tables = contact_tables(flanks, compliance, bodies, slices, damping_time, shape, modes, phases, reach)
         return cls(flanks, tables, shape)
 
     def with_(self, damping_time: float | None = None, topography: Topography | None = None) -> MeshContact:

@@ -103,11 +103,13 @@ def contact_tables(
     topography: Topography,
     modes: RimModes | None,
     phases: int,
+    reach: float,
 ) -> ContactTables:
     """All of them; the arguments are those of `MeshContact.of`."""
     pair = flanks.pair
     middles = pair.face_width * ((np.arange(slices) + 0.5) / slices - 0.5)
-    scalars = _scalars(flanks, materials, (compliance[0].depth, compliance[1].depth), slices, damping_time)
+    depths = compliance[0].depth, compliance[1].depth
+    scalars = _scalars(flanks, materials, depths, slices, damping_time, reach)
     first, last = _pairs(scalars, middles)
     moving = RimModes.none(slices) if modes is None else modes
     counts = np.array([pair.pinion.teeth, last - first + 1, first, phases, len(moving.body)], np.int64)
@@ -130,6 +132,7 @@ def _scalars(
     depths: tuple[float, float],
     slices: int,
     damping_time: float,
+    reach: float,
 ) -> Reals:
     pair, x = flanks.pair, np.zeros(places.SCALARS)
     x[places.BASE_1], x[places.BASE_2] = flanks.base_radii
@@ -137,8 +140,8 @@ def _scalars(
     x[places.TWIST], x[places.OBLIQUE], x[places.PITCH] = flanks.twist, cos(flanks.base_helix), flanks.pitch
     x[places.ORIGIN_1], x[places.ORIGIN_2] = flanks.origins
     x[places.TIP_1], x[places.TIP_2] = flanks.tip_rolls
-    x[places.CORNER_1], x[places.CURVED_1], x[places.FAR_1] = flanks.corner_coefficients(0)
-    x[places.CORNER_2], x[places.CURVED_2], x[places.FAR_2] = flanks.corner_coefficients(1)
+    x[places.CORNER_1], x[places.CURVED_1], x[places.FAR_1] = flanks.corner_coefficients(0, reach)
+    x[places.CORNER_2], x[places.CURVED_2], x[places.FAR_2] = flanks.corner_coefficients(1, reach)
     x[places.PATH_START], x[places.PATH_END] = pair.path_of_contact
     x[places.LENGTH] = pair.face_width / slices / cos(flanks.base_helix)
     plane = [(1.0 - one.poisson_ratio**2) / one.youngs_modulus for one in materials]
@@ -152,7 +155,7 @@ def _scalars(
     x[places.MOST_LOAD] = (0.5 * min(depths)) ** 2 / (2.0 * x[places.HERTZ] * curvature)
     x[places.LEAST_LOAD] = min(100.0, 1e-3 * x[places.MOST_LOAD])
     x[places.LOG_LEAST] = log(x[places.LEAST_LOAD])
-    x[places.DAMPING_TIME] = damping_time
+    x[places.DAMPING_TIME], x[places.REACH] = damping_time, reach
     start, end = _window(x)
     x[places.RELIEF_START] = start
     x[places.RELIEF_STEP] = (end - start) / (RELIEF_POINTS - 1)

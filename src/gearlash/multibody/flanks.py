@@ -152,13 +152,13 @@ class Flanks:
         """
         return tip_corner_gap(self.pair, which, beyond)
 
-    def corner_coefficients(self, which: int) -> tuple[float, float, float]:
+    def corner_coefficients(self, which: int, reach: float = CORNER_REACH) -> tuple[float, float, float]:
         """c_0, 1/m, and c_1, 1/m², of the corner's gap e² (c_0 + c_1 e), and how far it is followed, m.
 
-        The gap at the end is `CORNER_REACH`.
+        The gap at the end is about ``reach``, m.
         """
         first = float(self.corner(which, 1e-4)) / 1e-8
-        far = np.sqrt(CORNER_REACH / first)
+        far = np.sqrt(reach / first)
         e = np.linspace(0.05, 1.0, 20) * far
         slope, start = np.polyfit(e, self.corner(which, e) / e**2, 1)
         return float(start), float(slope), float(far)

@@ -130,8 +130,12 @@ class ConfigurationCompared:
     face_width: Annotated[float, "mm"]
     stiffness: Annotated[float, "mean, of these teeth, N/m"]
     torque: Annotated[float, "N m"]
-    error: Annotated[float, "zero to peak, µm"]
-    error_phase: Annotated[float, "rad, in the mesh phase of the multibody model"]
+    error: Annotated[float, "half the peak to peak of the error on the flanks, µm"]
+    error_harmonics: Annotated[
+        tuple[tuple[float, float], ...],
+        "of the error on the flanks, mesh orders 1, 2, …: amplitude, µm, and phase, rad, in the mesh phase "
+        "of the multibody model",
+    ]
     points: tuple[PointComputed, ...]
     beside: Annotated[tuple[PointComputed, ...], "with one setting changed each"]
     breathing: Annotated[
@@ -217,7 +221,7 @@ def _configuration(found: Verification, one: Compared) -> ConfigurationCompared:
         stiffness=held.stiffness,
         torque=held.torque,
         error=held.error * 1e6,
-        error_phase=one.given.error_phase,
+        error_harmonics=tuple((amplitude * 1e6, phase) for amplitude, phase in one.errors),
         points=tuple(map(_point, one.points)),
         beside=tuple(map(_point, one.beside)),
         breathing=_breathing(found, one),

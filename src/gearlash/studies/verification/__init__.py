@@ -3,11 +3,12 @@
 from .alike import Seen, seen_of_label, seen_of_lumped, seen_of_teeth
 from .breathing import Breathing, breathing_of
 from .frames import Frames, frames_of
-from .inputs import Inputs, NotVerifiableError, inputs_of, with_width
+from .inputs import Inputs, inputs_of, with_width
 from .lumped import LumpedInputs, LumpedPoint
 from .mesh import Mesh
 from .plan import DISTANCE_HELD, Configuration, Plan, planned
 from .point import PointFound
+from .refused import NotVerifiableError
 from .settings import Setting, sensitivity
 from .whole import MOTIONS, Compared, Verification, verification
 

@@ -4,26 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from math import cos, pi, sqrt
 
+import numpy as np
+from numpy.typing import NDArray
+
 from gearlash.case import Case
+from gearlash.case.kinds.gears import supports
+from gearlash.case.kinds.gears.keys import GEARS
 from gearlash.case.kinds.gears.kind import GearContent
 from gearlash.case.kinds.gears.teeth import Teeth
-from gearlash.case.units import unit
 from gearlash.gears import CylindricalPair, backlash
 from gearlash.gears.drawing import Drawing
 from gearlash.gears.flank_modification import PairModification
 from gearlash.gears.gear_body import GearBody
 from gearlash.gears.materials import Material, named
-from gearlash.system import GearlashError
+from gearlash.gears.mesh import harmonic_count, series
+from gearlash.system import Fourier
+
+from .refused import gears_of, meshing
 
 ORDERS = (1, 2, 3)
-"""Mesh orders of the stiffness and of the error that go from one model to the other."""
-
-
-class NotVerifiableError(GearlashError):
-    """A case that says too little for a model with real teeth; the text says what is missing."""
+"""Mesh orders of the stiffness, and of the error that the teeth make, that go from one model to the other."""
+SAMPLES = 2880
+"""Of a mesh cycle, where the peaks of an error of several harmonics are looked for."""
 
 
 @dataclass(frozen=True)
@@ -47,15 +51,18 @@ class Inputs:
     modification : PairModification
         Relief and crowning that the case states.
     bearing_y, bearing_z : (float, float) or None
-        As stated, N/m; None where the model has no bearings, and nothing moves but the shafts' rotations.
-    mean_stiffness, mesh_damping, bearing_damping : float
-        k_m of the case, N/m, ξ_m and ξ_b.
+        Of bearings with what is in series, N/m; None where the model has none, and nothing moves but the
+        shafts' rotations.
+    bearing_damping : ((float, float), (float, float))
+        ξ of pinion and of gear, along y and along z.
+    mean_stiffness, mesh_damping : float
+        k_m of the case, N/m, and ξ_m.
     torque : float
         On the pinion, N·m.
     backlash : float
         Normal, m.
-    error, error_phase : float
-        Zero to peak, m, and rad, once a mesh cycle.
+    errors : tuple of (float, float)
+        Amplitude, m, and phase, rad, of the mesh orders 1, 2, …: those that are named and of a curve.
     ripple_phase : float
         Phase in rad of the mesh order of the case's stiffness that is its largest.
     ripple_order : int
@@ -75,13 +82,12 @@ class Inputs:
     modification: PairModification
     bearing_y: tuple[float, float] | None
     bearing_z: tuple[float, float] | None
+    bearing_damping: tuple[tuple[float, float], tuple[float, float]]
     mean_stiffness: float
     mesh_damping: float
-    bearing_damping: float
     torque: float
     backlash: float
-    error: float
-    error_phase: float
+    errors: tuple[tuple[float, float], ...]
     ripple_phase: float
     ripple_order: int
     speeds: tuple[float, ...]
@@ -96,6 +102,16 @@ class Inputs:
         """Mean normal force, N: T/(r_b cos β_b)."""
         pinion = self.pair.pinion
         return self.torque / (0.5 * pinion.base_diameter * cos(pinion.base_helix_angle))
+
+    @property
+    def error(self) -> float:
+        """Half the peak to peak of the error over a mesh cycle, m: the amplitude of a single harmonic."""
+        present = [amplitude for amplitude, _ in self.errors if amplitude]
+        if len(present) < 2:
+            return sum(present)
+        theta = 2.0 * pi * np.arange(SAMPLES) / SAMPLES
+        waves = [a * np.cos(n * theta + phase) for n, (a, phase) in enumerate(self.errors, start=1)]
+        return 0.5 * float(np.ptp(sum(waves)))
 
     def natural_frequency(self, stiffness: float) -> float:
         """√(k/m_e), rad/s."""
@@ -123,7 +139,8 @@ def inputs_of(case: Case, speeds: tuple[float, ...]) -> Inputs:
     Raises
     ------
     NotVerifiableError
-        If the case is no gear pair, or says too little for real teeth.
+        If the case is no gear pair, says too little for real teeth, or has what these cannot have; every
+        problem with its field, value and what is expected.
 
     Examples
     --------
@@ -133,84 +150,124 @@ def inputs_of(case: Case, speeds: tuple[float, ...]) -> Inputs:
     >>> round(inputs.mean_force), round(inputs.rpm(1.0, inputs.mean_stiffness))
     (1842, 3820)
     """
-    content = case.content
-    if not isinstance(content, GearContent):
-        raise NotVerifiableError(f"{case.name} is no pair of gears: there are no teeth to verify with")
-    stated = {v.path: _in_si(v.value, v.unit) for v in case.values() if isinstance(v.value, int | float)}
-    for gear in ("pinion", "gear"):  # stated, or that of the default body
-        if f"derived.inertia_{gear}" in stated:
-            stated[f"{gear}.inertia"] = stated[f"derived.inertia_{gear}"]
-    missing = [path for path in _needed() if path not in stated]
-    if missing:
-        raise NotVerifiableError(
-            f"{case.name} says too little for a model with real teeth; missing: {', '.join(missing)}"
-        )
-    parameters, scales = content.family().complete(), case.scales
-    drawing = content.completed.drawing
-    teeth = Teeth(content.rules, content.completed.entries).pair() if drawing is None else drawing.meshing
-    pair = _with_backlash(teeth, stated["mesh.backlash"])
-    radii = scales.radii
+    content = gears_of(case)
+    entries, numbers, drawing = content.completed.entries, content.numbers, content.completed.drawing
+    scales, values = numbers.scales, content.family().complete()
+    inertias, radii = numbers.body.inertias, scales.radii
+    assert inertias is not None  # `gears_of` saw to it, here and below
     assert radii is not None
-    ripples = {n: parameters.get("ripple" if n == 1 else f"ripple_{n}", 0.0) for n in ORDERS}
-    largest = max(ripples, key=lambda n: abs(ripples[n]))
-    phase = parameters.get("ripple_phase" if largest == 1 else f"ripple_phase_{largest}", 0.0)
+    assert scales.mean_stiffness is not None
+    play = _play(content, values["D"])
+    teeth = Teeth(content.rules, entries).pair() if drawing is None else drawing.meshing
+    pair = meshing(case, _with_backlash(teeth, play))
+    widths = entries["pinion.face_width"].number, entries["gear.face_width"].number
+    masses = _masses(content, inertias, radii)
+    bearing_y, bearing_z = _bearings(content, masses)
+    stiffness, errors = _excitation(content, values)
+    order = max(ORDERS, key=lambda n: abs(stiffness[n - 1]) if n <= len(stiffness) else 0.0)
     return Inputs(
         case=case.name,
         pair=pair,
-        masses=(stated["pinion.mass"], stated["gear.mass"]),
-        axial_inertias=(_turning(stated, "pinion"), _turning(stated, "gear")),
+        masses=masses,
+        axial_inertias=inertias,
         radii=radii,
-        body_widths=(stated["pinion.face_width"], stated["gear.face_width"]),
-        bodies=_bodies(drawing, pair, stated),
+        body_widths=widths,
+        bodies=_bodies(drawing, pair, widths),
         materials=(named("steel"), named("steel")) if drawing is None else drawing.chosen_materials,
         modification=PairModification() if drawing is None else drawing.modification,
-        bearing_y=_of_both(stated, "bearing_stiffness_y"),
-        bearing_z=_of_both(stated, "bearing_stiffness_z"),
-        mean_stiffness=stated["mesh.mean_stiffness"],
-        mesh_damping=parameters["mesh_damping"],
-        bearing_damping=parameters.get("bearing_damping", 0.0),
-        torque=float(scales.torque(parameters["load"])),
-        backlash=stated["mesh.backlash"],
-        error=parameters["error"] * float(scales.backlash_um(1.0)) * 0.5e-6,
-        error_phase=parameters["error_phase"],
-        ripple_phase=phase,
-        ripple_order=largest,
+        bearing_y=bearing_y,
+        bearing_z=bearing_z,
+        bearing_damping=_bearing_damping(values),
+        mean_stiffness=scales.mean_stiffness,
+        mesh_damping=values["mesh_damping"],
+        torque=float(scales.torque(values["load"])),
+        backlash=play,
+        errors=errors,
+        ripple_phase=float(np.angle(stiffness[order - 1])) if order <= len(stiffness) else 0.0,
+        ripple_order=order,
         speeds=speeds,
     )
 
 
-def _bodies(
-    drawing: Drawing | None, pair: CylindricalPair, stated: Mapping[str, float]
-) -> tuple[GearBody, GearBody]:
-    """As stated; a solid disc of the pitch diameter, which has the mass of the case, where nothing is."""
-    known = (None, None) if drawing is None else drawing.bodies
+def _play(content: GearContent, half: float) -> float:
+    """Normal backlash, m: as stated, or at work."""
+    done, scales = content.completed, content.numbers.scales
+    if not done.play_added and not done.entries["D"].dimensionless:
+        return done.entries["D"].number
+    return float(scales.backlash_um(half)) * 1e-6
+
+
+def _masses(
+    content: GearContent, inertias: tuple[float, float], radii: tuple[float, float]
+) -> tuple[float, float]:
+    """As stated; where nothing but rotation moves, that of a disc if nothing is, which plays no part."""
+    entries = content.completed.entries
     first, second = (
-        GearBody(gear.reference_diameter, stated[f"{name}.face_width"]) if body is None else body
-        for name, gear, body in zip(("pinion", "gear"), pair.gears, known, strict=True)
+        entries[f"{gear}.mass"].number if f"{gear}.mass" in entries else 2.0 * inertia / radius**2
+        for gear, inertia, radius in zip(GEARS, inertias, radii, strict=True)
     )
     return first, second
 
 
-def _needed() -> tuple[str, ...]:
-    return (
-        *(
-            f"{gear}.{name}"
-            for gear in ("pinion", "gear")
-            for name in ("teeth", "mass", "face_width", "inertia")
-        ),
-        "mesh.mean_stiffness",
-        "mesh.backlash",
+def _bearings(
+    content: GearContent, masses: tuple[float, float]
+) -> tuple[tuple[float, float], tuple[float, float]] | tuple[None, None]:
+    """Lateral and axial stiffness of what carries pinion and gear: stated, in series, or κ² ω_n² m; None
+    without bearings."""
+    entries, omega_n = content.completed.entries, content.numbers.scales.omega_n
+    if not content.rules.bearings:
+        return None, None
+    assert omega_n is not None  # of every physical case
+
+    def stiffness(gear: str, axis: str) -> float:
+        kappa = entries[f"bearing_frequency_{axis}{gear[0]}"]
+        if kappa.dimensionless:
+            return (kappa.number * omega_n) ** 2 * masses[GEARS.index(gear)]
+        return supports.stiffness(entries, gear, axis)
+
+    lateral, axial = ((stiffness("pinion", axis), stiffness("gear", axis)) for axis in "yz")
+    return lateral, axial
+
+
+def _bearing_damping(values: Mapping[str, float]) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Of each direction alone, or one for all; 0 without bearings."""
+    common = values.get("bearing_damping", 0.0)
+    yp, zp, yg, zg = (values.get(f"bearing_damping_{one}", common) for one in ("yp", "zp", "yg", "zg"))
+    return (yp, zp), (yg, zg)
+
+
+def _excitation(
+    content: GearContent, values: Mapping[str, float]
+) -> tuple[NDArray[np.complex128], tuple[tuple[float, float], ...]]:
+    """Harmonics of the stiffness over its mean; amplitudes (m) and phases of those of the error, without what
+    relief and contact beyond the path of contact make: real teeth have these themselves."""
+    numbers = content.numbers
+    excited = replace(numbers.excitation, runout=None, relief=None)
+    ripple, error = (
+        series(values, stem, mean, harmonic_count(values, stem))
+        for stem, mean in (("ripple", 1.0), ("error", 0.0))
     )
+    stiffness = _harmonics(excited.stiffness_series(values, ripple))
+    assert numbers.scales.length is not None
+    found = numbers.scales.length * _harmonics(excited.error_series(values, error))
+    return stiffness, tuple((float(abs(each)), float(np.angle(each))) for each in found)
 
 
-def _in_si(value: float, written: str) -> float:
-    return unit(written).convert(Fraction(value)) if written else float(value)
+def _harmonics(fourier: Fourier) -> NDArray[np.complex128]:
+    """c_n of Re Σ c_n exp(i n θ), from [mean, c1, s1, …]."""
+    return fourier[1::2] - 1j * fourier[2::2]
 
 
-def _of_both(stated: Mapping[str, float], name: str) -> tuple[float, float] | None:
-    """A number of pinion and gear, None where one of them has none."""
-    found = stated.get(f"pinion.{name}"), stated.get(f"gear.{name}")
-    return None if found[0] is None or found[1] is None else (found[0], found[1])
+def _bodies(
+    drawing: Drawing | None, pair: CylindricalPair, widths: tuple[float, float]
+) -> tuple[GearBody, GearBody]:
+    """As stated; a solid disc of the pitch diameter, which has the mass of the case, where nothing is."""
+    known = (None, None) if drawing is None else drawing.bodies
+    first, second = (
+        GearBody(gear.reference_diameter, width) if body is None else body
+        for width, gear, body in zip(widths, pair.gears, known, strict=True)
+    )
+    return first, second
 
 
 def _with_backlash(pair: CylindricalPair, wanted: float) -> CylindricalPair:
@@ -230,8 +287,3 @@ def _with_backlash(pair: CylindricalPair, wanted: float) -> CylindricalPair:
 def with_width(inputs: Inputs, width: float) -> Inputs:
     """The same inputs with teeth of another face width; the bodies stay as they are."""
     return replace(inputs, pair=replace(inputs.pair, face_width=width))
-
-
-def _turning(stated: Mapping[str, float], gear: str) -> float:
-    """Inertia of a gear with what turns rigidly with it."""
-    return stated[f"{gear}.inertia"] + stated.get(f"{gear}.added_inertia", 0.0)

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.case import Case
+from gearlash.gears.excitation import NOTHING
+from gearlash.gears.mesh import harmonic_name
 from gearlash.jobs import Execution
 from gearlash.orbits import attractor
 from gearlash.results import Axis
@@ -16,11 +20,15 @@ from gearlash.studies.point import point
 from gearlash.studies.sweep import sweeps
 from gearlash.system import ContactRule, Family
 
+from .refused import gears_of
+
 Array = NDArray[np.float64]
 SHOWN, SAMPLES, KEPT = 2, 400, 80
 """Mesh cycles of force that are kept, its samples a cycle, and how many of them about are kept."""
 HIGHEST = 8
 """Order of the mesh frequency up to which amplitudes are kept."""
+_EXCITES = re.compile(r"ripple|error|\w+_runout")
+"""Names of parameters of a family that say how its mesh is excited."""
 
 
 @dataclass(frozen=True)
@@ -35,10 +43,8 @@ class LumpedInputs:
         Of the mesh orders 1, 2, … of the stiffness over its mean, and rad, cosines of the mesh phase.
     torque : float
         N·m.
-    error, error_phase : float
-        m and rad, in the same mesh phase.
-    relief_errors : tuple of complex
-        Beside it, of the mesh orders 1, 2, …, m: what relief that the case does not state makes.
+    errors : tuple of complex
+        Of the mesh orders 1, 2, …, m, in the same mesh phase: on the flanks, and what these make under load.
     bearings : float
         Stiffness of all bearings over that of the case.
     """
@@ -47,16 +53,8 @@ class LumpedInputs:
     ripples: tuple[float, ...]
     ripple_phases: tuple[float, ...]
     torque: float
-    error: float
-    error_phase: float
-    relief_errors: tuple[complex, ...] = ()
+    errors: tuple[complex, ...]
     bearings: float = 1.0
-
-    @property
-    def errors(self) -> tuple[complex, ...]:
-        """All of the error, of the mesh orders 1, 2, …, m."""
-        first, *others = self.relief_errors or (0j,)
-        return (complex(self.error * np.exp(1j * self.error_phase)) + first, *others)
 
 
 @dataclass(frozen=True)
@@ -89,52 +87,60 @@ class LumpedPoint:
     amplitude: Array
 
 
-def lumped_case(case: Case, given: LumpedInputs, rule: ContactRule) -> Case:
-    """The case with what the multibody model gives in place of its own.
+def lumped_family(case: Case, given: LumpedInputs, rule: ContactRule) -> Family:
+    """The case's model with what the multibody model gives in place of its own excitation and load.
 
     Parameters
     ----------
     case : Case
+        Of a pair of gears.
     given : LumpedInputs
     rule : ContactRule
 
     Returns
     -------
-    Case
+    Family
+        In units of the given stiffness: ω is the mesh frequency over √(k/m_e). It has the harmonics given,
+        and no curve, run-out or relief beside them.
     """
-    known = {value.path for value in case.values()}
-    first, *others = given.errors
-    changes: dict[str, object] = {
-        "mesh.mean_stiffness": f"{given.stiffness!r} N/m",
-        "operation.torque": f"{given.torque!r} N*m",
-        "mesh.error": f"{abs(first) * 1e6!r} um",
-        "dimensionless.error_phase": float(np.angle(first)),
-        "model.contact": str(rule),
+    content = gears_of(case)
+    own, softer = content.numbers, content.numbers.scales.mean_stiffness
+    assert softer is not None  # `gears_of` saw to it, here and below
+    assert own.scales.omega_n is not None
+    assert own.scales.length is not None
+    growth = given.stiffness / softer
+    scales = replace(
+        own.scales, mean_stiffness=given.stiffness, omega_n=own.scales.omega_n * float(np.sqrt(growth))
+    )
+    kept = {name: value for name, value in own.parameters.items() if not _EXCITES.match(name)}
+    excited = {
+        **_named("ripple", given.ripples, given.ripple_phases),
+        **_named("error", [abs(e) / own.scales.length for e in given.errors], np.angle(given.errors)),
     }
-    for n in range(1, 9):
-        tail = "" if n == 1 else f"_{n}"
-        if n <= len(given.ripples):
-            changes[f"dimensionless.ripple{tail}"] = given.ripples[n - 1]
-            changes[f"dimensionless.ripple_phase{tail}"] = given.ripple_phases[n - 1]
-        elif f"dimensionless.ripple{tail}" in known:
-            changes[f"dimensionless.ripple{tail}"] = 0.0
-    length = case.scales.length
-    for n, error in enumerate(others, start=2):
-        assert length is not None  # of every case with teeth
-        changes[f"dimensionless.error_{n}"] = abs(error) / length
-        changes[f"dimensionless.error_phase_{n}"] = float(np.angle(error))
-    if given.bearings != 1.0:
-        changes |= _bearings(case, given.bearings)
-    return case.with_overrides(changes)
+    pair = own.pair
+    if pair is not None:
+        stiffer = float(np.sqrt(given.bearings / growth))
+        yp, zp, yg, zg = (stiffer * kappa for kappa in pair.bearing_frequencies)
+        pair = replace(pair, bearing_frequencies=(yp, zp, yg, zg), contact=rule)
+    load = float(scales.load_from_torque(given.torque))
+    changed = replace(
+        own,
+        parameters={**kept, **excited, "load": load},
+        pair=pair,
+        contact=rule,
+        scales=scales,
+        excitation=NOTHING,
+    )
+    return content.rules.family(changed)
 
 
-def _bearings(case: Case, stiffer: float) -> dict[str, object]:
-    """All that the case states of bearings' stiffness, times a factor."""
-    return {
-        value.path: f"{stiffer * float(value.value)!r} {value.unit}"
-        for value in case.values()
-        if "bearing_stiffness_" in value.path and isinstance(value.value, int | float)
-    }
+def _named(stem: str, amplitudes: Sequence[float], phases: Sequence[float] | Array) -> dict[str, float]:
+    """Harmonics by the names of a family."""
+    found = {}
+    for n, (amplitude, phase) in enumerate(zip(amplitudes, phases, strict=True), start=1):
+        found[harmonic_name(stem, n)] = float(amplitude)
+        found[harmonic_name(f"{stem}_phase", n)] = float(phase)
+    return found
 
 
 def stated_points(case: Case, omegas: tuple[float, ...]) -> tuple[LumpedPoint, ...]:
@@ -149,8 +155,7 @@ def stated_points(case: Case, omegas: tuple[float, ...]) -> tuple[LumpedPoint, .
     -------
     tuple of LumpedPoint
     """
-    rule = next(ContactRule(str(v.value)) for v in case.values() if v.path == "model.contact")
-    family, _ = case.family()
+    rule, (family, _) = gears_of(case).numbers.contact, case.family()
     return tuple(_point(family, rule, omega) for omega in omegas)
 
 
@@ -169,7 +174,7 @@ def lumped_points(case: Case, given: LumpedInputs, omegas: tuple[float, ...]) ->
     """
     found = []
     for rule in ContactRule:
-        family, _ = lumped_case(case, given, rule).family()
+        family = lumped_family(case, given, rule)
         found += [_point(family, rule, omega) for omega in omegas]
     return tuple(found)
 
@@ -216,7 +221,8 @@ def lumped_window(
     """
     found = {}
     for rule in ContactRule:
-        chosen = lumped_case(case, given, rule)
-        up, down = sweeps(chosen, Axis("omega", omegas), ("up", "down"), execution=execution)
+        up, down = sweeps(
+            lumped_family(case, given, rule), Axis("omega", omegas), ("up", "down"), execution=execution
+        )
         found[rule] = tuple(tuple(str(p.label or p.status) for p in each.points) for each in (up, down))
     return found

@@ -8,15 +8,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from gearlash.case import Problem
 from gearlash.gears import CylindricalPair
 from gearlash.gears.flank_modification import PairModification
 from gearlash.multibody import Modes
+from gearlash.multibody._tables import CORNER_REACH
 from gearlash.multibody.contact import MeshContact
 from gearlash.multibody.quasi_static import QuasiStatic, quasi_static
 from gearlash.multibody.topography import Relief, Topography
+from gearlash.system import GearlashError
 
 from .bending import Bending, bending_gear, bending_pinion
-from .inputs import ORDERS, Inputs, NotVerifiableError
+from .inputs import ORDERS, Inputs
+from .refused import NotVerifiableError
 
 if TYPE_CHECKING:  # scikit-fem is an extra
     from gearlash.multibody.compliance import FlankCompliance, SectorSettings
@@ -30,8 +34,10 @@ MOST_WIDTHS = 4
 CLOSE_TORQUE = 1e-3
 """Of a torque to the one wanted, relative."""
 MOST_TORQUES = 30
-FINEST = 1e-4
-"""Widths are whole multiples of this, m."""
+DEFLECTIONS = 6.0
+"""Of the mesh under its mean force: how deep flanks may be in each other, if that is more than is usual."""
+FARTHEST = 4.0
+"""From one width that is tried to the next: this factor at most."""
 RIM_DEPTH = 4.0
 """Of the sector below the root circle, over the module, where the body is so deep."""
 OF_BODY = 0.8
@@ -89,13 +95,11 @@ class Mesh:
         return tuple(self.static.ripple(n)[1] for n in ORDERS)
 
     @property
-    def relief_errors(self) -> tuple[complex, ...]:
-        """Harmonics of the error that relief and crowning make beside the stiffness, m: e_n of
-        e = Re Σ e_n exp(i n θ), so that F/k + e, with k of `ripples`, is the static error under load. None
-        where the flanks have none but what the case states, which the lumped model knows by itself.
+    def static_errors(self) -> tuple[complex, ...]:
+        """Harmonics of the error that these flanks make beside the stiffness, m: e_n of e = Re Σ e_n
+        exp(i n θ), so that F/k + e, with k of `ripples`, is the static error under load. Relief and crowning
+        make it, and contact beyond the path of contact.
         """
-        if self.perfect.topography.relief == Relief():
-            return ()
         theta = 2.0 * np.pi * self.static.phase
         waves = sum(
             ripple * np.cos(n * theta + phase)
@@ -109,8 +113,7 @@ class Mesh:
         self,
         inputs: Inputs,
         *,
-        error: float = 0.0,
-        error_phase: float = 0.0,
+        errors: tuple[tuple[float, float], ...] = (),
         damping: float = 1.0,
         flexible: bool = False,
         flexible_pinion: bool = False,
@@ -120,10 +123,8 @@ class Mesh:
         Parameters
         ----------
         inputs : Inputs
-        error : float
-            Zero to peak, once a mesh cycle, m.
-        error_phase : float
-            rad.
+        errors : tuple of (float, float)
+            Of the mesh orders 1, 2, …: amplitude, m, and phase, rad.
         damping : float
             Over what matches ξ_m: the damping time 2 ξ_m/√(k/m_e).
         flexible : bool
@@ -136,7 +137,7 @@ class Mesh:
         MeshContact
         """
         time = 2.0 * damping * inputs.mesh_damping / inputs.natural_frequency(self.stiffness)
-        waves = ((error, error_phase, 1),) if error else ()
+        waves = tuple((each, phase, n) for n, (each, phase) in enumerate(errors, start=1) if each)
         shape = replace(self.perfect.topography, error=waves)
         bending = self.bending(flexible, flexible_pinion)
         contact = self.perfect if bending is None else self.perfect.with_modes(bending.rim)
@@ -188,8 +189,19 @@ def mesh_of(inputs: Inputs, width: float, torque: float, settings: SectorSetting
         materials=inputs.materials,
         slices=SLICES,
         topography=Topography(modification=inputs.modification),
+        reach=max(CORNER_REACH, DEFLECTIONS * inputs.mean_force / inputs.mean_stiffness),
     )
-    return Mesh(pair, contact, inputs, quasi_static(contact, torque, phases=PHASES))
+    return Mesh(pair, contact, inputs, _turned(inputs, contact, torque))
+
+
+def _turned(inputs: Inputs, contact: MeshContact, torque: float) -> QuasiStatic:
+    """A mesh cycle under a torque. Raises `NotVerifiableError` for more than these flanks carry."""
+    try:
+        return quasi_static(contact, torque, phases=PHASES)
+    except GearlashError as error:
+        expected = f"less: {error} at a face width of {1e3 * contact.flanks.pair.face_width:.4g} mm"
+        problem = Problem("operation.torque", f"{torque:.4g} N·m", expected)
+        raise NotVerifiableError(inputs.case, [problem]) from error
 
 
 def _compliances(
@@ -245,7 +257,7 @@ def _with_shape(mesh: Mesh, shape: Topography) -> Mesh:
 
 def _under(mesh: Mesh, torque: float) -> Mesh:
     """The same teeth under a torque, turned slowly through a mesh cycle."""
-    return replace(mesh, static=quasi_static(mesh.perfect, torque, phases=PHASES))
+    return replace(mesh, static=_turned(mesh.inputs, mesh.perfect, torque))
 
 
 def scaled_mesh(inputs: Inputs, full: Mesh) -> Mesh:
@@ -275,10 +287,11 @@ def scaled_mesh(inputs: Inputs, full: Mesh) -> Mesh:
         if abs(wanted / found.static.torque - 1.0) < CLOSE_TORQUE:
             return found
         found = _under(full, wanted)
-    raise NotVerifiableError(
-        f"model.torque: no torque was found under which teeth of {full.width * 1e3:.4g} mm are as stiff, "
-        f"beside {inputs.mean_stiffness:.4g} N/m, as it is beside {inputs.torque:.4g} N m"
+    expected = (
+        f"one beside which a torque exists that makes teeth of {full.width * 1e3:.4g} mm as stiff, over "
+        f"{inputs.mean_stiffness:.4g} N/m, as that torque is over this one"
     )
+    raise NotVerifiableError(inputs.case, [Problem("operation.torque", f"{inputs.torque:.4g} N·m", expected)])
 
 
 def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:
@@ -293,13 +306,38 @@ def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:
     Returns
     -------
     Mesh
+        The nearest that was found, where none is within `CLOSE`.
     """
     wanted, found = inputs.mean_stiffness, full
     slope = found.stiffness / found.width
     for _ in range(MOST_WIDTHS):
-        if abs(found.stiffness / wanted - 1.0) < CLOSE:
+        if is_close(inputs, found):
             break
-        width = found.width + (wanted - found.stiffness) / slope
-        last, found = found, mesh_of(inputs, FINEST * round(width / FINEST), inputs.torque)
+        guess = found.width + (wanted - found.stiffness) / slope
+        width = _rounded(min(max(guess, found.width / FARTHEST), found.width * FARTHEST))
+        if width == found.width:
+            break
+        last, found = found, mesh_of(inputs, width, inputs.torque)
         slope = (last.stiffness - found.stiffness) / (last.width - found.width)
     return found
+
+
+def is_close(inputs: Inputs, mesh: Mesh) -> bool:
+    """Whether a mesh is as stiff as the case says.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    mesh : Mesh
+
+    Returns
+    -------
+    bool
+    """
+    return abs(mesh.stiffness / inputs.mean_stiffness - 1.0) < CLOSE
+
+
+def _rounded(width: float) -> float:
+    """To a power of ten metres that is a hundredth of it or less: finite elements are kept by width."""
+    digits = -int(np.floor(np.log10(CLOSE * 2.0 * width)))
+    return round(width, digits)

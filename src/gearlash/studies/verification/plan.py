@@ -77,7 +77,11 @@ class Configuration:
 
 
 def configurations(
-    inputs: Inputs, matched: tuple[float, float], full: tuple[float, float], scaled: tuple[float, float]
+    inputs: Inputs,
+    matched: tuple[float, float],
+    full: tuple[float, float],
+    scaled: tuple[float, float],
+    close: bool = True,
 ) -> tuple[Configuration, ...]:
     """The three configurations.
 
@@ -87,17 +91,23 @@ def configurations(
     matched, full, scaled : (float, float)
         Face width in m and stiffness in N/m: of the width that has the stiffness of the case; of the width of
         the case under its torque; and of this width under a torque that grows with the stiffness.
+    close : bool
+        Whether the first stiffness is that of the case, or only the nearest that was found.
 
     Returns
     -------
     tuple of Configuration
     """
     grown = scaled[1] / inputs.mean_stiffness
+    width = "the face width whose computed stiffness is that of the case"
+    if not close:
+        off = 100.0 * (matched[1] / inputs.mean_stiffness - 1.0)
+        width = f"the face width whose computed stiffness comes nearest to that of the case ({off:+.2g} %)"
     return (
         Configuration(
             "stiffness",
-            "the face width whose computed stiffness is that of the case: all numbers, dimensionless and "
-            "absolute, are those of the case, but the ripple of the stiffness, which is that of these teeth",
+            f"{width}: all numbers, dimensionless and absolute, are those of the case, but the ripple of the "
+            "stiffness, which is that of these teeth",
             *matched,
             inputs.torque,
             inputs.error,

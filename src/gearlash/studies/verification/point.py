@@ -140,8 +140,7 @@ def machine_of(
         axial = 0.0 if inputs.bearing_z is None else scale * inputs.bearing_z[i]
         tilt = 0.25 * lateral * setting.bearing_span**2
         stiffness = (setting.bearing_x * lateral, lateral, axial, tilt, tilt)
-        ratio = setting.bearing_damping * inputs.bearing_damping
-        bearings.append(Bearings.from_ratio(stiffness, body, ratio))
+        bearings.append(_bearings(stiffness, body, setting.bearing_damping, inputs.bearing_damping[i]))
     return Machine(
         (bodies[0], bodies[1]),
         (bearings[0], bearings[1]),
@@ -151,6 +150,18 @@ def machine_of(
         GOVERNED * period,
         modes,
     )
+
+
+def _bearings(
+    stiffness: tuple[float, float, float, float, float],
+    body: RigidBody,
+    factor: float,
+    ratios: tuple[float, float],
+) -> Bearings:
+    """Of one ratio ξ along the axis, of another one in all other directions."""
+    across, along = (Bearings.from_ratio(stiffness, body, factor * ratio) for ratio in ratios)
+    x, y, _, tilt_x, tilt_y = across.damping
+    return Bearings(stiffness, (x, y, along.damping[2], tilt_x, tilt_y))
 
 
 def run_point(

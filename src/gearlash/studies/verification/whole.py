@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import zip_longest
 from math import pi
 from typing import Any
 
@@ -19,7 +20,7 @@ from gearlash.multibody.tooth_contact import ToothContact
 
 from .inputs import Inputs, inputs_of
 from .lumped import LumpedInputs, LumpedPoint, lumped_points, lumped_window, stated_points
-from .mesh import Mesh, matched_mesh, mesh_of, modified, scaled_mesh, unmodified
+from .mesh import Mesh, is_close, matched_mesh, mesh_of, modified, scaled_mesh, unmodified
 from .plan import Configuration, Plan, configurations, reshaped
 from .point import PointFound, run_point
 from .settings import Setting
@@ -41,6 +42,8 @@ class Compared:
     configuration : Configuration
     given : LumpedInputs
         What the lumped model got.
+    errors : tuple of (float, float)
+        What is on the flanks of real teeth: amplitude, m, and phase, rad, of the mesh orders 1, 2, …
     points : tuple of PointFound
         At the speeds asked for.
     beside : tuple of PointFound
@@ -56,6 +59,7 @@ class Compared:
 
     configuration: Configuration
     given: LumpedInputs
+    errors: tuple[tuple[float, float], ...]
     points: tuple[PointFound, ...]
     beside: tuple[PointFound, ...]
     window_omegas: Array
@@ -140,7 +144,7 @@ def verification(
     MissingExtraError
         Without Exudyn and scikit-fem.
     NotVerifiableError
-        For a case that says too little.
+        For a case that says too little, or has what real teeth cannot have.
     """
     require_extra()
     own = case.family()[0].complete()["omega"]
@@ -153,7 +157,7 @@ def verification(
     full = mesh_of(inputs, inputs.pair.face_width, inputs.torque)
     meshes: tuple[Mesh, ...] = (matched_mesh(inputs, full), full, scaled_mesh(inputs, full))
     matched, wide, scaled = ((mesh.width, mesh.stiffness) for mesh in meshes)
-    held = configurations(inputs, matched, wide, scaled)
+    held = configurations(inputs, matched, wide, scaled, is_close(inputs, meshes[0]))
     others = {
         "modified": None if chosen.relief is None else modified(full, chosen.relief),
         "unmodified": unmodified(full) if chosen.unmodified and inputs.modification.modified else None,
@@ -232,8 +236,7 @@ def _chains(
 def _task(inputs: Inputs, one: Configuration, mesh: Mesh, setting: Setting, omega: float) -> _Task:
     contact = mesh.contact(
         inputs,
-        error=one.error * setting.error,
-        error_phase=error_phase(inputs, mesh) + setting.error_turn,
+        errors=tuple((setting.error * a, phase) for a, phase in errors_of(inputs, mesh, setting.error_turn)),
         damping=setting.contact_damping,
         flexible=setting.flexible,
         flexible_pinion=setting.flexible_pinion,
@@ -244,8 +247,33 @@ def _task(inputs: Inputs, one: Configuration, mesh: Mesh, setting: Setting, omeg
     return _Task(inputs, teeth, setting, omega, one.stiffness, torque, modes, one.bearings)
 
 
-def error_phase(inputs: Inputs, mesh: Mesh) -> float:
-    """Phase of the error on the flanks, as far from the mesh's stiffness as in the case.
+def errors_of(inputs: Inputs, mesh: Mesh, turn: float = 0.0) -> tuple[tuple[float, float], ...]:
+    """The error on the flanks, as far from the mesh's stiffness as in the case.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    mesh : Mesh
+    turn : float
+        Of the mesh cycle, by which it is moved further, rad.
+
+    Returns
+    -------
+    tuple of (float, float)
+        Of the mesh orders 1, 2, …: amplitude, m, and phase, rad; moved with the mesh order of the stiffness
+        that is the largest in the case.
+    """
+    order = inputs.ripple_order
+    moved = (mesh.ripple_phases[order - 1] - inputs.ripple_phase) / order + turn
+    return tuple(
+        (amplitude, (phase + n * moved) % (2.0 * pi))
+        for n, (amplitude, phase) in enumerate(inputs.errors, start=1)
+    )
+
+
+def all_errors(inputs: Inputs, mesh: Mesh) -> tuple[complex, ...]:
+    """What stands for both excitations of real teeth by an error: that on the flanks, and what these make
+    under the torque at which their stiffness was found.
 
     Parameters
     ----------
@@ -254,12 +282,12 @@ def error_phase(inputs: Inputs, mesh: Mesh) -> float:
 
     Returns
     -------
-    float
-        rad; against the mesh order of the stiffness that is the largest in the case.
+    tuple of complex
+        Of the mesh orders 1, 2, …, m.
     """
-    order = inputs.ripple_order
-    moved = mesh.ripple_phases[order - 1] - inputs.ripple_phase
-    return (inputs.error_phase + moved / order) % (2.0 * pi)
+    stated = [amplitude * np.exp(1j * phase) for amplitude, phase in errors_of(inputs, mesh)]
+    made = zip_longest(stated, mesh.static_errors, fillvalue=0j)
+    return tuple(complex(one + other) for one, other in made)
 
 
 def _work(task: _Task, carry: tuple[Array, Array] | None) -> Part:
@@ -290,14 +318,7 @@ def _compared(
 ) -> Compared:
     """Without the lumped model."""
     given = LumpedInputs(
-        one.stiffness,
-        mesh.ripples,
-        mesh.ripple_phases,
-        one.torque,
-        one.error,
-        error_phase(inputs, mesh),
-        mesh.relief_errors,
-        one.bearings,
+        one.stiffness, mesh.ripples, mesh.ripple_phases, one.torque, all_errors(inputs, mesh), one.bearings
     )
     omegas = plan.window_omegas(one)
     alone = [found for key, found in results.items() if key[0] == one.name and len(key) == 3]
@@ -305,6 +326,7 @@ def _compared(
     return Compared(
         configuration=one,
         given=given,
+        errors=errors_of(inputs, mesh),
         points=tuple(p for p in points if p.setting == plan.planned.name),
         beside=tuple(p for p in points if p.setting != plan.planned.name),
         window_omegas=omegas,
