@@ -165,7 +165,13 @@ class Mesh:
         return None if found is None else found.modes
 
 
-def mesh_of(inputs: Inputs, width: float, torque: float, settings: SectorSettings | None = None) -> Mesh:
+def mesh_of(
+    inputs: Inputs,
+    width: float,
+    torque: float,
+    settings: SectorSettings | None = None,
+    slices: int = SLICES,
+) -> Mesh:
     """The mesh of the inputs at a face width.
 
     Parameters
@@ -177,6 +183,8 @@ def mesh_of(inputs: Inputs, width: float, torque: float, settings: SectorSetting
         On the pinion, N·m.
     settings : SectorSettings, optional
         Of the finite elements, as they are in `_compliances` where nothing is given.
+    slices : int
+        Of the face.
 
     Returns
     -------
@@ -187,7 +195,7 @@ def mesh_of(inputs: Inputs, width: float, torque: float, settings: SectorSetting
         pair,
         _compliances(inputs, pair, settings),
         materials=inputs.materials,
-        slices=SLICES,
+        slices=slices,
         topography=Topography(modification=inputs.modification),
         reach=max(CORNER_REACH, DEFLECTIONS * inputs.mean_force / inputs.mean_stiffness),
     )
