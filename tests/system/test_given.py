@@ -311,7 +311,7 @@ def _every_error() -> list[GearlashError]:
     from gearlash.jobs import NoWorkersError, UnfinishedError
     from gearlash.multibody.extra import MissingExtraError
     from gearlash.multibody.solvers import SimulationError
-    from gearlash.studies.verification.inputs import NotVerifiableError
+    from gearlash.studies.verification import NotVerifiableError
 
     return [
         GearlashError("text"),
@@ -323,7 +323,7 @@ def _every_error() -> list[GearlashError]:
         UnfinishedError("a worker died"),
         ValueProblemError(Problem("mesh.backlash", "'0 um'", "more")),
         MissingExtraError("not installed"),
-        NotVerifiableError("no teeth"),
+        NotVerifiableError("case", [Problem("kind", "piecewise-linear", "a pair of gears")]),
         SimulationError("it stopped"),
     ]
 
