@@ -82,3 +82,17 @@ def test_every_and_some_have_two_looks():
     said = [text.get_text() for text in figure.legends[0].get_texts()]
     assert "no impacts in every attractor found" in said
     assert "no impacts in one, not in another" in said
+
+
+def test_a_map_has_bands_narrower_than_its_pixels_over_them():
+    case = gl.load_case("kahraman-singh")
+    done = gl.map_plane(case, gl.Axis.even("omega", 0.5, 0.9, 3), gl.Axis.even("load", 0.1, 0.2, 2))
+    dataset, present, narrow = gl.plane_dataset(case, done), (0.6, 0.15), (0.651, 0.652)
+    figure = plots.plane(dataset, present=present, bands=[narrow])
+    bars = [line for line in figure.axes[0].lines if np.asarray(line.get_xdata()).tolist() == [*narrow]]
+    assert [np.asarray(line.get_ydata()).tolist() for line in bars] == [[0.15, 0.15]]
+    assert bars[0].get_marker() == "|"
+    said = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert "teeth separate, at the present point's height" in said
+    bare = plots.plane(dataset, present=present).legends[0]
+    assert not any("separate" in text.get_text() for text in bare.get_texts())

@@ -36,6 +36,9 @@ CHARACTER = 1.25  # mm of a character of a region's label
 PRESENT: dict[str, Any] = {
     "ls": "none", "marker": "*", "ms": 11.0, "mfc": style.YELLOW, "mec": style.INK, "mew": 0.8,
 }  # fmt: skip
+BAND: dict[str, Any] = {
+    "color": style.VERMILION, "lw": 1.6, "marker": "|", "ms": 8.0, "mew": 1.2, "solid_capstyle": "butt",
+}  # fmt: skip
 Array = NDArray[np.float64]
 
 
@@ -48,6 +51,7 @@ def plane(
     height: float = HEIGHT,
     along: Sequence[Twin | None] = (None, None),
     physical: bool = False,
+    bands: Sequence[tuple[float, float]] = (),
 ) -> Figure:
     """A map of two parameters: a region for every label, named where there is room.
 
@@ -67,6 +71,9 @@ def plane(
         The units that the two parameters were asked for in, whose scales then stand first.
     physical : bool
         Whether such a scale stands alone.
+    bands : sequence of (float, float)
+        Intervals of the first parameter, at the second one's present value, in which teeth separate: drawn
+        over the pixels, however narrow. They need ``present``.
 
     Returns
     -------
@@ -104,6 +111,7 @@ def plane(
     panel.set_title(literal(title) if title else _title(dataset, said, (x, y)), loc="left", fontsize=7.5)
     handles: list[Patch | Line2D] = [_patch(fill) for fill in legend_order(looks)]
     if present is not None:
+        handles += _bands(panel, bands, present[1])
         panel.plot(*([at] for at in present), clip_on=False, zorder=6, **PRESENT)
         handles.append(Line2D([], [], label="present point", **PRESENT))
     alone = [physical and own is not None for own in along]  # such a scale is as it was asked for
@@ -115,6 +123,13 @@ def plane(
         title=f"{key} {ASSUMED}" if marked else key, title_fontsize=6.5,
     )  # fmt: skip
     return made
+
+
+def _bands(panel: Axes, bands: Sequence[tuple[float, float]], height: float) -> list[Patch | Line2D]:
+    """Intervals as bars with upright ends, so that the narrowest is seen, too; returns the legend."""
+    for low, high in bands:
+        panel.plot([low, high], [height, height], zorder=5, **BAND)
+    return [Line2D([], [], label="teeth separate, at the present point's height", **BAND)] if bands else []
 
 
 def fill_plane(panel: Axes, dataset: xr.Dataset, names: tuple[str, str], strength: float) -> list[Patch]:

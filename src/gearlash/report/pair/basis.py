@@ -95,9 +95,10 @@ def _followed(zones: Zones) -> str:
     """Which motions were followed."""
     count = len(zones.branches)
     if not zones.left_out:
+        many = f"{count} branch{'' if count == 1 else 'es'}"
         return (
-            f"every periodic motion was followed along its whole branch ({count} branches), and ends of "
-            "bands are its special points."
+            f"every periodic motion was followed along its whole branch ({many}), and ends of bands "
+            "are its special points."
         )
     return (
         f"periodic motions were followed along {count} branches, those first on which bands depend, and "

@@ -13,8 +13,8 @@ from gearlash.studies import map_plane
 from gearlash.studies.assessment import Assessment, Tell
 from gearlash.studies.grids import Grids
 
-SPAN = 0.2, 2.0
-"""Of the present value: what a map goes over."""
+SPANS = {"load": (0.02, 2.0), "D": (0.2, 2.0)}
+"""Of the present value: what a map goes over; that over torque reaches light load, where teeth rattle."""
 STAGES = {"load": "map over torque", "D": "map over backlash"}
 
 
@@ -30,6 +30,6 @@ def plane_over(
     execution = replace(execution, progress=lambda progress: tell(STAGES[name], progress))
     pixels = Grids.of(found.attractor.propagators).pixels
     x = Axis.even(found.axis.name, float(found.axis.values[0]), float(found.axis.values[-1]), pixels[0])
-    y = Axis.even(name, SPAN[0] * here, SPAN[1] * here, pixels[1])
+    y = Axis.even(name, *(part * here for part in SPANS[name]), pixels[1])
     done = map_plane(found.case, x, y, settings=settings, execution=execution)
     return plane_dataset(found.case, done) if done.complete else None
