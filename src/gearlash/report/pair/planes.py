@@ -30,6 +30,7 @@ def plane_over(
     execution = replace(execution, progress=lambda progress: tell(STAGES[name], progress))
     pixels = Grids.of(found.attractor.propagators).pixels
     x = Axis.even(found.axis.name, float(found.axis.values[0]), float(found.axis.values[-1]), pixels[0])
-    y = Axis.even(name, *(part * here for part in SPANS[name]), pixels[1])
+    low, high = SPANS[name]
+    y = Axis.even(name, low * here, high * here, pixels[1])
     done = map_plane(found.case, x, y, settings=settings, execution=execution)
     return plane_dataset(found.case, done) if done.complete else None

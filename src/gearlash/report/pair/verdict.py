@@ -146,7 +146,8 @@ def _answer(found: Assessment, words: Words) -> tuple[Kind, str, str]:
         label for band in inside for label in band.labels
     ]
     if not hits and not hit and not inside:
-        text = f"At {at} no impacts were found: in every motion found there ({short(label)}) "
+        all_found = ", ".join(dict.fromkeys(short(each) for each in (label, *(o.label for o in others))))
+        text = f"At {at} no impacts were found: in every motion found there ({all_found}) "
         return "good", "no impacts found", f"{text}the teeth stay in contact{_pressed(found)}."
     if (
         not hits
