@@ -194,3 +194,19 @@ def test_texts_near_to_values_never_crash(text):
         read(text)
     except UnitError as error:
         assert str(error)  # noqa: PT017 - either outcome is right; a refusal must say why
+
+
+@pytest.mark.parametrize(
+    ("text", "degrees"),
+    [("15°30'", 15.5), ("15° 30′", 15.5), ("-15°6'36\"", -15.11), ("0°30′", 0.5), ("15 deg 30'", 15.5)],
+)
+def test_degrees_and_minutes_of_a_drawing(text: str, degrees: float):
+    number, unit = read(text)
+    assert unit.dimension == units.ANGLE
+    assert unit.express(unit.convert(number)) == pytest.approx(degrees, rel=1e-14)
+
+
+@pytest.mark.parametrize("text", ["15°60'", "15°30", "15.5°30'", "15°30'\"", "15'30°"])
+def test_what_is_no_angle_in_minutes_is_refused(text: str):
+    with pytest.raises(UnitError):
+        read(text)

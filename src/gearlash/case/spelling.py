@@ -15,6 +15,9 @@ _POWER = re.compile(
 )
 _PER = re.compile(r"/\s*(?=(?:min|s|h)$)")
 _CELSIUS = re.compile(r"℃|°\s*C\b")
+_MINUTES = re.compile(
+    r"""([+-]?)(\d+)\s*deg\s*(\d{1,2}(?:\.\d*)?)\s*['′](?:\s*(\d{1,2}(?:\.\d*)?)\s*["″])?""", re.ASCII
+)
 _HYPHEN = re.compile(r"(?<=[A-Za-z])[-.](?=[A-Za-z])")
 
 
@@ -27,12 +30,21 @@ def plain(text: str) -> str:
 
 def plain_value(text: str) -> str:
     """The same of a number with its unit; a power of ten before the unit as ``e8``."""
-    found = plain(text)
+    found = _in_degrees(plain(text))
     power = _POWER.match(found)
     if power is None or len(power[3]) != len(power[5]):
         return found
     sign, number, _, exponent, _ = power.groups()
     return f"{sign}{number or '1'}e{exponent}{found[power.end() :]}"
+
+
+def _in_degrees(text: str) -> str:
+    """An angle in degrees, minutes and seconds, 15°30′, as decimal degrees; other texts as they are."""
+    match = _MINUTES.fullmatch(text)
+    if match is None or float(match[3]) >= 60.0 or float(match[4] or 0) >= 60.0:
+        return text
+    size = int(match[2]) + float(match[3]) / 60.0 + float(match[4] or 0) / 3600.0
+    return f"{match[1]}{size!r} deg"
 
 
 def plain_unit(text: str) -> str:
