@@ -196,8 +196,16 @@ def _end_and_margin(v: float, inside: bool, here: float) -> tuple[ZoneEnd, Margi
         (
             4.0,
             [zone(1.0, 9.0, kind="drive-side-only")],
-            "4000 rpm lies in a zone free of impacts on the back side for every attractor found: 1000 to "
-            "9000 rpm; no end of it was met within the range",
+            "4000 rpm lies in no zone free of impacts that was found, only in one free of impacts on the "
+            "back side for every attractor found: 1000 to 9000 rpm; no end of it was met within the range; "
+            "no interval was found in which every attractor found is free of impacts",
+        ),
+        (
+            4.0,
+            [zone(1.0, 9.0, kind="drive-side-only"), zone(5.0, 6.0)],
+            "4000 rpm lies in no zone free of impacts that was found, only in one free of impacts on the "
+            "back side for every attractor found: 1000 to 9000 rpm; no end of it was met within the range; "
+            "nearest zone free of impacts for every attractor found: 5000 to 6000 rpm, 1000 rpm above",
         ),
         (
             12.0,
@@ -215,6 +223,14 @@ def _end_and_margin(v: float, inside: bool, here: float) -> tuple[ZoneEnd, Margi
 )
 def test_headlines(here: float, zones: list[ZoneFound], words: str):
     assert headline(RPM, (1.0, 9.0), here, zones) == words
+
+
+def test_a_zone_of_the_kind_that_was_asked_for_comes_alone():
+    words = headline(RPM, (1.0, 9.0), 4.0, [zone(1.0, 9.0, kind="drive-side-only")], ["drive-side-only"])
+    assert words == (
+        "4000 rpm lies in a zone free of impacts on the back side for every attractor found: 1000 to 9000 "
+        "rpm; no end of it was met within the range"
+    )
 
 
 def test_what_has_impacts_at_the_present_value_of_a_zone_is_named():

@@ -85,7 +85,9 @@ def zones_answer(
     idle = idle_study(case, parameters, [axis])
     complete = all(zones.complete for zones in found)
     first = (
-        headline(asked, ends, here, listed) if complete else until_stop(asked, here, listed, done(found[0]))
+        headline(asked, ends, here, listed, [zones.quiet.value for zones in found])
+        if complete
+        else until_stop(asked, here, listed, done(found[0]))
     )
     said = (first, troubles(statuses, first_failure(asked, found[0].sweeps)))
     return ZonesAnswer(

@@ -17,11 +17,22 @@ MOST_ZONES = 4  # further zones that are named
 NO_END = ("end of the range", "not computed beyond")
 
 
-def headline(asked: Asked, ends: tuple[float, float], here: float, zones: Sequence[ZoneFound]) -> str:
-    """``ends`` of the range that was examined and the present value ``here``, all dimensionless."""
+IMPACT_FREE, DRIVE_SIDE_ONLY = QUIET
+
+
+def headline(
+    asked: Asked,
+    ends: tuple[float, float],
+    here: float,
+    zones: Sequence[ZoneFound],
+    kinds: Sequence[str] = tuple(QUIET),
+) -> str:
+    """``ends`` of the range that was examined and the present value ``here``, all dimensionless; ``kinds`` of
+    zones that were looked for."""
     at = asked.text(here)
     holding = [zone for zone in zones if zone.lower.inner(1) <= here <= zone.upper.inner(-1)]
     own = min(holding, key=_rank, default=None)
+    loud = own is not None and own.kind == DRIVE_SIDE_ONLY and IMPACT_FREE in kinds
     if not ends[0] <= here <= ends[1]:
         reach = asked.between(*(f"{asked.value(end):.6g}" for end in ends))
         first = [f"{at} lies outside the range that was examined, {reach}"]
@@ -29,15 +40,17 @@ def headline(asked: Asked, ends: tuple[float, float], here: float, zones: Sequen
         first = [f"{at} lies in no zone that was found"]
     else:
         span = _span(asked, own, here)
-        first = [f"{at} lies in a zone {QUIET[own.kind]} for {WHO[own.every]}: {span}"]
+        where = f"no zone {QUIET[IMPACT_FREE]} that was found, only in one" if loud else "a zone"
+        first = [f"{at} lies in {where} {QUIET[own.kind]} for {WHO[own.every]}: {span}"]
         if not own.every:
             first.append(_loud(own, here))
         first.append(_margins(asked, own, here))
-    kind = own.kind if own is not None else _first_kind(zones)
+    quiet = None if loud else own
+    kind = quiet.kind if quiet is not None else IMPACT_FREE if loud else _first_kind(zones)
     others = [zone for zone in zones if zone is not own and zone.every and zone.kind == kind]
-    if own is not None and own.every and not others:
+    if quiet is not None and quiet.every and not others:
         return "; ".join(first)
-    return "; ".join([*first, _further(asked, others, kind, here, own)])
+    return "; ".join([*first, _further(asked, others, kind, here, quiet)])
 
 
 def _loud(own: ZoneFound, here: float) -> str:
@@ -87,12 +100,12 @@ def until_stop(asked: Asked, here: float, zones: Sequence[ZoneFound], done: Done
 
 def _rank(zone: ZoneFound) -> tuple[bool, bool]:
     """What says most comes first."""
-    return zone.kind != "impact-free", not zone.every
+    return zone.kind != IMPACT_FREE, not zone.every
 
 
 def _first_kind(zones: Sequence[ZoneFound]) -> str:
     kinds = [zone.kind for zone in zones if zone.every]
-    return "impact-free" if "impact-free" in kinds or not kinds else kinds[0]
+    return IMPACT_FREE if IMPACT_FREE in kinds or not kinds else kinds[0]
 
 
 def _span(asked: Asked, zone: ZoneFound, here: float) -> str:

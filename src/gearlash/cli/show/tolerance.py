@@ -14,6 +14,7 @@ from .layout import assumed, facts, headline, note, table
 
 SHOWN = 12  # rows of the probability
 MOST_OPEN = 24  # more of them where it is neither 0 nor 1
+UNKNOWN = 0.5  # error of a share with which nothing of it is known
 NOTHING = 1e-9  # share of the variance of a value that the margin does not depend on
 
 
@@ -85,10 +86,7 @@ def _open(share: float | None) -> bool:
 def _input(one: InputFound) -> list[str]:
     shares = ("-", "-")
     if one.first is not None and one.total is not None:
-        shares = (
-            f"{round(100.0 * one.first)} ± {round(100.0 * (one.first_error or 0.0))} %",
-            f"{round(100.0 * one.total)} ± {round(100.0 * (one.total_error or 0.0))} %",
-        )
+        shares = (_share(one.first, one.first_error), _share(one.total, one.total_error))
     worst = "any" if one.total is not None and one.total < NOTHING else f"{one.worst:.6g}"
     name = f"{one.path} [{pretty(one.unit)}]" if one.unit else one.path
     return [
@@ -99,3 +97,9 @@ def _input(one: InputFound) -> list[str]:
         *shares,
         "stated" if one.reason == "stated" else "estimated",
     ]
+
+
+def _share(share: float, error: float | None) -> str:
+    """A share of the variance, where the samples say more of it than that it lies between none and all."""
+    off = error or 0.0
+    return "not known" if off >= UNKNOWN else f"{round(100.0 * share)} ± {round(100.0 * off)} %"

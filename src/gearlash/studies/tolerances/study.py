@@ -154,7 +154,7 @@ class _Looker:
             here=here[0],
             here_error=here[1],
             present=self.present,
-            worst=min(tried, key=_badness),
+            worst=min(searched or tried, key=_badness),  # the search begins from the worst of the others
             samples=count,
             replicates=sets,
             corners=len(cornered),
