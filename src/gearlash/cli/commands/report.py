@@ -155,7 +155,7 @@ def _measured(
             run = speed_run(found.case, axis, settings=search, execution=execution, tell=tell)
         if run is None or not run.complete:
             missing.append("curves over speed" if run is None else "part of the curves over speed")
-        for name in ("load", "D"):
+        for name in (each for each in STAGES if found.values[each] != 0.0):  # of zero there are no multiples
             if not signalled():
                 done = plane_over(found, name, search, execution, tell)
                 if done is not None:

@@ -21,11 +21,8 @@ STAGES = {"load": "map over torque", "D": "map over backlash"}
 def plane_over(
     found: Assessment, name: str, settings: Settings, execution: Execution, tell: Tell
 ) -> xr.Dataset | None:
-    """The map over speed and a parameter, by short name; None where it was stopped, or the parameter is
-    zero."""
+    """The map over speed and a parameter that is not zero, by short name; None where it was stopped."""
     here = found.values[name]
-    if here == 0.0:
-        return None
     tell(STAGES[name], None)
     execution = replace(execution, progress=lambda progress: tell(STAGES[name], progress))
     pixels = Grids.of(found.attractor.propagators).pixels

@@ -56,9 +56,8 @@ def across(found: Assessment, words: Words) -> Across | None:
     if worst is not None and not worst.margin > 0.0:
         said = f"Holds across the range of each of its {many}, one at a time, but not for all together: "
         text = f"{said}with {_together(worst)} no motion without impacts exists.{ends}"
-        return Across(
-            False, "none without impacts exists for a combination of values within their ranges", text
-        )
+        clause = f"none without impacts exists for a combination of values of its {many} within their ranges"
+        return Across(False, clause, text)
     return Across(
         True,
         f"a motion without impacts exists there across the ranges of its {many}",
