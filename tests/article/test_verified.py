@@ -177,7 +177,7 @@ def test_impacts_and_the_balance_of_energy_are_told_where_they_are_kept():
     bare = replace(point, impacts=None, back_impacts=None)
     assert not any("impacts" in str(line) for line in section_of._seen(bare))
     lines = section_of._seen(replace(point, impacts=1.3, back_impacts=0.25))
-    assert "1.3 impacts a mesh cycle, 0.25 on the back side" in lines
+    assert "impacts a mesh cycle: 1.3, 0.25 on the back side" in lines
     still = replace(point, label="1-0-0", apart=0.0, impacts=0.0, back_impacts=0.0)
     assert not any("impacts" in str(line) for line in section_of._seen(still))
     way = replace(named("absolute"), points=(replace(point, energy_residual=-2e-3),))

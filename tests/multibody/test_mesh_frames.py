@@ -28,7 +28,8 @@ def test_every_frame_shows_its_forces():
     mesh = plain("helical")
     poses = np.array([pose(mesh, 0.05 * k, (1 - k) * 0.5 * mesh.flanks.play) for k in range(3)])
     forces = np.array([[2000.0, 0.0], [0.0, 0.0], [0.0, 1000.0]])
-    figure = mesh_frames(mesh.flanks, poses, forces, ["one", "two", "three"])
+    figure = mesh_frames(mesh.flanks, poses, forces, [-0.001, 1.0 / 3.0, 2.0 / 3.0])
+    assert [axes.get_title("left") for axes in figure.axes] == ["phase 0.00", "phase 0.33", "phase 0.67"]
     drive, free, back = figure.axes
     assert not free.texts
     arrows = [one for axes in (drive, back) for one in axes.texts if isinstance(one, Annotation)]

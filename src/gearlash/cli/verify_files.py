@@ -103,6 +103,5 @@ def _frames(found: Verification, answer: VerifyAnswer) -> Figure:
         key=lambda each: each[1].reading.apart,
     )
     flanks = Flanks(with_width(found.inputs, one.configuration.width).pair)
-    titles = [f"phase {phase:.2f}" for phase in point.frames.phase]
     words = f"{one.configuration.name}, {point.rpm:.0f} rpm"
-    return mesh_frames(flanks, point.frames.poses, point.frames.forces, titles, words)
+    return mesh_frames(flanks, point.frames.poses, point.frames.forces, point.frames.phase.tolist(), words)

@@ -29,7 +29,7 @@ def mesh_frames(
     flanks: Flanks,
     poses: NDArray[np.float64],
     forces: NDArray[np.float64],
-    titles: Sequence[str],
+    phases: Sequence[float],
     motion: str = "",
 ) -> Figure:
     """Frames of a motion in the section at mid face.
@@ -41,8 +41,8 @@ def mesh_frames(
         As of `MeshContact.forces`; from 2 to 8 of them.
     forces : ndarray, shape (n, 2)
         Sum of the normal forces on both sides of the teeth, N.
-    titles : sequence of str
-        What stands above each frame.
+    phases : sequence of float
+        Mesh cycles, which stand above each frame.
     motion : str
         Which motion this is, said below the frames.
 
@@ -55,13 +55,13 @@ def mesh_frames(
     figure = style.figure(style.PAGE, TALL)
     panels = figure.subplots(1, len(poses), squeeze=False)[0]
     times, most = magnified(flanks), float(np.max(forces, initial=0.0))
-    for axes, pose, force, title in zip(panels, poses, forces, titles, strict=True):
+    for axes, pose, force, phase in zip(panels, poses, forces, phases, strict=True):
         _teeth(axes, flanks, pose, times)
         for side in range(2):
             if force[side] > 0.0:
                 _push(axes, flanks, side, float(force[side]) / most)
         _window(axes, flanks)
-        axes.set_title(title, fontsize=7.0)
+        axes.set_title(f"phase {round(phase, 2) + 0.0:.2f}", fontsize=7.0)  # no −0.00
     words = f"{motion}: " if motion else ""
     words += f"play drawn {times} times as wide"
     if most > 0.0:

@@ -75,7 +75,6 @@ def _frames(flanks: Flanks, way: VerifiedWay) -> Drawn:
     frames = np.array(point.frames)
     poses = np.zeros((len(frames), 12))
     poses[:, [5, 11]] = frames[:, 1:3]
-    titles = [f"phase {phase:.2f}" for phase in frames[:, 0]]
     figure = Figure(
         "fig-verified-frames",
         Text.of(
@@ -85,7 +84,7 @@ def _frames(flanks: Flanks, way: VerifiedWay) -> Drawn:
         "Teeth in mesh at times of a mesh cycle, side by side.",
         FRAMES,
     )
-    return [figure], [Picture(FRAMES, mesh_frames, (flanks, poses, frames[:, 3:5], titles))]
+    return [figure], [Picture(FRAMES, mesh_frames, (flanks, poses, frames[:, 3:5], frames[:, 0].tolist()))]
 
 
 def _lines(flanks: Flanks, way: VerifiedWay, kept: VerifiedLines) -> Drawn:

@@ -119,7 +119,7 @@ def _seen(point: VerifiedPoint) -> list[str]:
     if point.impacts is None or not parts(point.label, point.apart):
         return [label, apart, forces]
     back = f", {number(point.back_impacts, 3)} on the back side" if point.back_impacts else ""
-    return [label, apart, f"{number(point.impacts, 3)} impacts a mesh cycle{back}", forces]
+    return [label, apart, f"impacts a mesh cycle: {number(point.impacts, 3)}{back}", forces]
 
 
 def _lumped(point: VerifiedPoint, rule: str) -> Cell:
