@@ -8,7 +8,7 @@
 
 from __future__ import annotations
 
-from math import asin, cos, hypot, radians, sin, tan
+from math import asin, cos, hypot, pi, radians, sin, sqrt, tan
 
 import pytest
 
@@ -106,6 +106,31 @@ def test_dimensions_of_khk():
         assert own == pytest.approx(pair, abs=1e-3), name
     assert found["centre_distance"] == pytest.approx(125.0)
     assert found["working_pressure_angle"] == pytest.approx(23.1126, abs=1e-4)
+
+
+def test_the_transverse_section_of_khk():
+    """Closed forms; the path of contact from tips and base circles."""
+    found, normal, helix = told(KHK), radians(20), radians(30)
+    assert found["transverse_module"] == pytest.approx(3.0 / cos(helix), rel=1e-12)
+    assert tan(radians(found["transverse_pressure_angle"])) == pytest.approx(
+        tan(normal) / cos(helix), rel=1e-12
+    )
+    assert sin(radians(found["base_helix_angle"])) == pytest.approx(sin(helix) * cos(normal), rel=1e-12)
+    assert found["base_pitch"] == pytest.approx(pi * found["base_diameter_pinion"] / 12, rel=1e-12)
+    tips = [
+        sqrt(found[f"tip_diameter_{gear}"] ** 2 - found[f"base_diameter_{gear}"] ** 2) / 2
+        for gear in ("pinion", "gear")
+    ]
+    length = 125.0 * sin(radians(found["working_pressure_angle"]))
+    ends = [max(length - tips[1 - k], 0.0) for k in (0, 1)]
+    assert found["path_of_contact"] <= sum(tips) - length + 1e-9
+    assert found["transverse_contact_ratio"] == pytest.approx(
+        found["path_of_contact"] / found["base_pitch"], rel=1e-9
+    )
+    for gear, roll in zip(("pinion", "gear"), ends, strict=True):
+        active = hypot(found[f"base_diameter_{gear}"], 2.0 * roll)
+        assert found[f"active_root_diameter_{gear}"] >= active - 1e-9
+        assert found[f"root_form_diameter_{gear}"] >= found[f"base_diameter_{gear}"]
 
 
 def test_forces_of_a_shifted_pair_make_the_normal_one():

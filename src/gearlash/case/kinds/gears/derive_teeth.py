@@ -102,6 +102,20 @@ def _of_pair(pair: GearPair, teeth: CylindricalPair) -> Iterator[Derived]:
     )  # fmt: skip
     angle = degrees(teeth.working_pressure_angle)
     yield Derived("derived.working_pressure_angle", angle, "deg", STANDARD, inputs, text)
+    gear, start_end = teeth.pinion, teeth.path_of_contact
+    rows = (
+        ("transverse_module", MM * gear.transverse_module, "mm", "transverse module m_t"),
+        ("transverse_pressure_angle", degrees(gear.transverse_pressure_angle), "deg",
+         "transverse pressure angle α_t"),
+        ("base_helix_angle", degrees(gear.base_helix_angle), "deg", "helix angle β_b at the base cylinder"),
+        ("base_pitch", MM * gear.transverse_base_pitch, "mm", "transverse base pitch p_et"),
+    )  # fmt: skip
+    for leaf, value, unit, text in rows:
+        yield Derived(f"derived.{leaf}", value, unit, STANDARD, _angles(pair), text)
+    length = MM * (start_end[1] - start_end[0])
+    yield Derived(
+        "derived.path_of_contact", length, "mm", STANDARD, inputs, "length of the path of contact g_α"
+    )
 
 
 def _of_gear(pair: GearPair, name: str, at: int, teeth: CylindricalPair) -> Iterator[Derived]:
@@ -115,6 +129,9 @@ def _of_gear(pair: GearPair, name: str, at: int, teeth: CylindricalPair) -> Iter
          "working pitch diameter d_w"),
         ("tip_diameter", gear.tip_diameter, (*own, f"{name}.tip_diameter"), "tip diameter d_a"),
         ("root_diameter", gear.root_diameter, (*thick, f"{name}.root_diameter"), "root diameter d_f"),
+        ("root_form_diameter", gear.root_form_diameter, thick, "root form diameter d_Ff"),
+        ("active_root_diameter", teeth.active_root_diameters[at], (*own, *_centre(pair)),
+         "active root diameter d_Nf"),
         ("tip_clearance", teeth.tip_clearances[at], (*thick, *_centre(pair)),
          "clearance c at the tip"),
         ("tooth_thickness", gear.normal_thickness(), thick, "normal tooth thickness s_n"),
