@@ -147,8 +147,9 @@ def motion_statistics(attractor: Attractor, clearance: int = 0) -> MotionStatist
 
 def _rms(weight: NDArray[np.float64], values: NDArray[np.float64]) -> float:
     """With weights whose sum is 1. Of what varies, the mean is taken off before: the difference of two mean
-    squares loses half of all digits."""
-    return float(np.sqrt(weight @ values**2))
+    squares loses half of all digits. Squares of values over the largest one do not overflow."""
+    largest = float(np.abs(values).max())
+    return largest * float(np.sqrt(weight @ (values / largest) ** 2)) if largest > 0.0 else 0.0
 
 
 def _force_extremes(trace: Trace, clearance: int) -> tuple[float, float]:

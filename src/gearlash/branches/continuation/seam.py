@@ -17,12 +17,12 @@ ASIDE = 1e-4  # mesh cycles: where the velocity is read for the curvature
 def lost_at_seam(orbit: Orbit, clearance: int, phases: list[float]) -> tuple[float, float] | None:
     """X and X″ of an extremum at phase zero that is not among those of these phases; None as a rule."""
     system, length = orbit.propagators.system, float(orbit.period)
-    if any(near_seam(phase, length) for phase in phases):
+    if any(min(phase, length - phase) <= ASIDE for phase in phases):
         return None
-    places = np.array([0.0, length, ASIDE, length - ASIDE])
+    places = np.array([0.0, ASIDE, length - ASIDE])
     states = orbit.trace.at(places).state
-    first, last, after, before = gap_velocity(system, places, states, clearance).tolist()
-    if not (min(first, last) <= 0.0 <= max(first, last) and after * before < 0.0):
+    after, before = gap_velocity(system, places[1:], states[1:], clearance).tolist()
+    if not after * before < 0.0:  # at the seam itself both velocities are rounding, of either sign
         return None
     x = float(gap_displacement(system, places[:1], states[:1], clearance)[0])
     return x, (after - before) / (2.0 * ASIDE * system.period / system.cycles)

@@ -17,7 +17,7 @@ from .corner import at_other_end
 from .locate import Met
 from .motion import CurveOrbit, apart, is_clear
 from .newton import correct, tangent
-from .node import Node, begun_at, node_of, solved, touch_of
+from .node import OPPOSITE, Node, begun_at, node_of, solved, touch_of
 from .plane import Array, Plane
 from .points import CodimTwoKind, CodimTwoPoint, CurveEndKind, CurvePoint
 from .problem import Evaluated, Problem, TouchCondition
@@ -132,9 +132,9 @@ def grazing_node(plane: Plane, place: Array, state: Array, period: int, extremum
 def _with_touch(
     plane: Plane, place: Array, state: Array, period: int, extremum: Extremum
 ) -> tuple[Node, TouchCondition, float]:
-    """The orbit begun half of it before an extremum, and that as a touch."""
+    """The orbit begun about half of it before an extremum, and that as a touch."""
     here = orbit_alone(plane, place, state, period)
-    node = _begun(here, extremum.phase - 0.5 * here.cycles)
+    node = _begun(here, extremum.phase - OPPOSITE * here.cycles)
     window = Window(extremum.clearance, extremum.surface, extremum.boundary, 0.0)
     mine = node.motion.beside(extremum.phase, window)
     if mine is None or apart(mine.phase, extremum.phase, here.cycles) > SAME_EXTREMUM:

@@ -20,6 +20,9 @@ from .touch import carried
 
 MIDDLE = 0.2  # of the orbit: a touch so near to where it is begun or ends is too near
 CONTACT = 0.03  # mesh cycles: the same of a contact
+OPPOSITE = 0.499
+"""Of an orbit: where one begins that touches at 0. At 0.5 a motion that is alike both ways has an extremum,
+which rounding may put before the beginning and behind the end."""
 LEAST_GAIN = 0.1  # of the distance that is far enough: for less it is not begun elsewhere
 
 
@@ -190,8 +193,8 @@ def well_begun(node: Node, phases: list[float]) -> Node:
     if (not phases and not contacts) or room(node.problem.origin) >= 1.0:
         return node
     marks = np.sort(np.array([*phases, *contacts]) % node.here.cycles)
-    between = marks + 0.5 * np.diff(np.append(marks, marks[0] + node.here.cycles))
-    tried = [*between.tolist(), *(phase - 0.5 * node.here.cycles for phase in phases)]
+    between = marks + OPPOSITE * np.diff(np.append(marks, marks[0] + node.here.cycles))
+    tried = [*between.tolist(), *(phase - OPPOSITE * node.here.cycles for phase in phases)]
     best = max(tried, key=room)
     return begun_at(node, best) if room(best) > room(node.problem.origin) + LEAST_GAIN else node
 
