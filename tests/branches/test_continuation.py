@@ -231,3 +231,22 @@ def test_what_does_not_fit_is_refused():
         continue_orbit(family, {"omega": 1.45}, "omega", start, 0.5, 1.2, PLAIN)
     with pytest.raises(GearlashError, match="lengths of steps"):
         ContinuationSettings(first=0.1, longest=0.01)
+
+
+@pytest.mark.parametrize("which", [0, 1])
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_a_branch_begun_at_a_fold_goes_towards_the_greater_end(which: int, side: float):
+    """From orbits a little before the fold and behind it, at which values rise in opposite directions."""
+    whole, family = linear(), one_dof(error=0.05)
+    fold = whole.of_kind(SpecialKind.FOLD)[which]
+    at = fold.point.arclength + side * 2e-5
+    beside = sorted(whole.points, key=lambda point: abs(point.arclength - fold.point.arclength))[:2]
+    left, right = sorted(beside, key=lambda point: point.arclength)
+    along = (right.state - left.state) / (right.arclength - left.arclength)
+    inward = np.sign(0.5 * (left.value + right.value) - fold.value)
+    values = {"omega": fold.value + inward * 1e-10}
+    start = orbit_at(built(family, **values), fold.point.state + (at - fold.point.arclength) * along, 1)
+    assert start is not None
+    again = continue_orbit(family, values, "omega", start, 0.5, 1.6, PLAIN)
+    assert [end.value for end in again.ends] == [0.5, 1.6]
+    assert values_of(again, SpecialKind.FOLD) == pytest.approx(values_of(whole, SpecialKind.FOLD), rel=1e-11)

@@ -27,6 +27,9 @@ from .testfunctions import neutral
 FEW_NEUTRAL = 3  # orbits with a multiplier on the unit circle: so many may lie at special points by chance
 LONGEST_PERIOD = 64  # base periods
 ASIDE = 1e-5  # of scaled unknowns: from a special point to the orbit that a branch begins with
+AT_FOLD = 1e-3
+"""Part of the value in a branch's direction: at a fold rounding would decide which way it rises, so there
+it goes towards the end of the greater value."""
 ON_CIRCLE = 1e-9  # distance of a multiplier from the unit circle at a special point, as it is solved for
 NOT_ASKED = Certificate(Verdict.UNCERTAIN, ("it was not asked for",))
 
@@ -51,7 +54,10 @@ def continue_orbit(
     if ahead.end.kind is EndKind.CLOSED:
         behind = _Way(EndOfBranch(EndKind.CLOSED, start.value))
     else:
-        behind = _Way.taken(Follower(start.turned, settings), listen).turned
+        behind = _Way.taken(Follower(start.turned, settings), listen)
+    if abs(start.direction[-1]) < AT_FOLD and ahead.end.value < behind.end.value:
+        start, ahead, behind = start.turned, behind, ahead
+    behind = behind.turned
     points = (*behind.points, point_of(start, 0.0, settings), *ahead.points)
     return Branch(
         name=name,
