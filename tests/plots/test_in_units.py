@@ -81,7 +81,7 @@ def test_every_and_some_have_two_looks():
     assert looks[True] == (1.0, 1.0, 1.0, 1.0) != looks[False]
     said = [text.get_text() for text in figure.legends[0].get_texts()]
     assert "no impacts in every attractor found" in said
-    assert "no impacts in one, not in another" in said
+    assert "no impacts in at least one attractor found" in said
 
 
 def test_a_map_has_bands_narrower_than_its_pixels_over_them():

@@ -255,6 +255,16 @@ def test_the_worst_combination_is_at_a_limit_and_inside_and_no_single_value_is_w
     assert len(looked) < MOST
 
 
+def test_what_cannot_be_solved_for_is_no_worst_combination():
+    """Beyond 0.9 of x there is no height; z does not matter and ends at its upper limit."""
+    inputs = [gl.ToleranceInput(name, "", 0.0, 1.0, 0.5) for name in "xyz"]
+
+    def heights(rows):
+        return [np.inf if x > 0.9 else x + y for x, y, _ in rows]
+
+    assert worst_from((0.5, 0.5, 0.3), 1.0, inputs, heights) == (0.0, 0.0, 1.0)
+
+
 def test_a_search_that_is_stopped_keeps_what_it_has():
     inputs = [gl.ToleranceInput("x", "", 0.0, 1.0, 0.5)]
     assert worst_from((0.5,), 1.0, inputs, lambda _rows: []) == (0.5,)

@@ -17,14 +17,10 @@ from .stated import Provenance
 GEARS = ("pinion", "gear")
 GRADES = (5, 8)
 """Of ISO 1328-1, between which K_v is told, as a case states none."""
-
-
 COARSEST_WITH_RELIEF = 5
 """Grade up to which the standard counts tip relief: for 6 to 12 its B_k is 1."""
-
 RUNNING_IN_RELIEF = 1e-6 * ((1500 / 97 - 18.45) ** 2 / 18 + 1.5)
 """C_ay, m, of case-hardened gears (σ_Hlim = 1500 N/mm²) whose flanks are not modified."""
-
 LEAST_MODULUS = 40e9
 """Pa, Young's modulus: metals that gears are made of have more, plastics less."""
 
@@ -112,9 +108,9 @@ def materials_of(case: Case) -> tuple[Material, Material]:
 
 
 def relief_of(case: Case, grades: tuple[int, int]) -> float:
-    """C_a, m, of the smaller end of contact: tip relief and the root relief that meets it. Teeth without any
-    have what running in takes, C_ay. From grade 6 relief does not count: 0, with which B_k is 1."""
-    if max(grades) >= COARSEST_WITH_RELIEF + 1:
+    """C_a, m, of the smaller end of contact: tip relief and the root relief that meets it. An end without any
+    has what running in takes, C_ay. From grade 6 relief does not count: 0, with which B_k is 1."""
+    if max(grades) > COARSEST_WITH_RELIEF:
         return 0.0
     found = {value.path: value.value for value in case.values()}
 
@@ -122,7 +118,7 @@ def relief_of(case: Case, grades: tuple[int, int]) -> float:
         return 1e-6 * float(found.get(f"{gear}.{leaf}_relief", 0.0))
 
     ends = stated("pinion", "tip") + stated("gear", "root"), stated("gear", "tip") + stated("pinion", "root")
-    return min(ends) if any(ends) else RUNNING_IN_RELIEF
+    return min(end or RUNNING_IN_RELIEF for end in ends)
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,8 @@ _POWER = re.compile(
 _PER = re.compile(r"/\s*(?=(?:min|s|h)$)")
 _CELSIUS = re.compile(r"℃|°\s*C\b")
 _MINUTES = re.compile(
-    r"""([+-]?)(\d+)\s*deg\s*(\d{1,2}(?:\.\d*)?)\s*['′](?:\s*(\d{1,2}(?:\.\d*)?)\s*["″])?""", re.ASCII
+    r"""([+-]?)(\d+)\s*deg\s*(\d{1,2}(?:\.\d*)?)\s*['′](?:\s*(\d{1,2}(?:\.\d*)?)\s*(?:["″]|''|′′))?""",
+    re.ASCII,
 )
 _HYPHEN = re.compile(r"(?<=[A-Za-z])[-.](?=[A-Za-z])")
 

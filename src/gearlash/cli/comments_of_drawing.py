@@ -127,7 +127,8 @@ def _fitting(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, str]]:
     error = values.get("mesh.error")
     if error is not None and float(error.value) != 0.0:
         yield "mesh.loaded_error", f"{float(error.value):.2g} um"
-    yield "mesh.loaded_error_torque", f"{torque:.5g} N*m"
+    if torque != 0.0:
+        yield "mesh.loaded_error_torque", f"{torque:.5g} N*m"
     for end, factor in (("least", 0.5), ("greatest", 1.5)):
         yield f"operation.{end}_speed", f"{factor * speed:.4g} rpm"
         yield f"operation.{end}_gear_speed", f"{factor * speed / teeth.ratio:.4g} rpm"

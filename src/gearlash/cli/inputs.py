@@ -166,6 +166,11 @@ def _example(case: Case, text: str, count: str = "") -> str:
         return ""
     value, unit = float(found[0][0]), found[0][1]
     low, high = (f"{float(f'{factor * value:.3g}'):g}" for factor in (0.5, 1.5))
+    try:
+        for end in (low, high):
+            case.resolve(name, f"{end}{unit}")
+    except GearlashError:
+        return ""  # nothing that can be varied so: told once the form is right
     return f"{name}={low}:{high}{unit}{count}"
 
 

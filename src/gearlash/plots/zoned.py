@@ -197,7 +197,7 @@ def _shade(axes: Axes, bands: Sequence[_Band]) -> None:
 
 
 def _look(band: _Band) -> dict[str, Any]:
-    """Filled where every attractor found is quiet; hatched on white where one is and another is not."""
+    """Filled where every attractor found is quiet; hatched on white where at least one is."""
     return {"facecolor": FILLS[band.quiet]} if band.every else {"facecolor": "white", "hatch": SOME}
 
 
@@ -210,7 +210,7 @@ def _shaded(bands: Sequence[_Band]) -> list[_Band]:
 def _key(bands: Sequence[_Band]) -> Iterator[Patch]:
     for band in _shaded(bands):
         words = QUIET_WORDS[band.quiet]
-        label = f"{words} in every attractor found" if band.every else f"{words} in one, not in another"
+        label = f"{words} in {'every' if band.every else 'at least one'} attractor found"
         yield Patch(**_look(band), edgecolor=style.INK, linewidth=0.4, label=label)
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import accumulate
+from math import isclose
 from typing import TypeAlias
 
 from gearlash.results.tolerance import ToleranceInput
@@ -73,7 +74,7 @@ def _at_upper_limits(
 
 def _below(one: float, other: float) -> bool:
     """By more than rounding."""
-    return other - one > ROUNDING * max(abs(one), abs(other))
+    return one < other and not isclose(one, other, rel_tol=ROUNDING)
 
 
 def _places(at: float, one: ToleranceInput, step: float) -> list[float]:

@@ -110,7 +110,7 @@ def _derived_inertia(pair: GearPair) -> Iterator[Derived]:
 
 def _rotation_inputs(gear: str, disc: bool) -> tuple[str, ...]:
     inertia = f"derived.inertia_{gear}" if disc else f"{gear}.inertia"
-    return f"derived.radius_{gear}", f"{gear}.base_radius", inertia
+    return f"derived.radius_{gear}", f"{gear}.base_radius", inertia, f"{gear}.added_inertia"
 
 
 def _counterparts(pair: GearPair) -> Iterator[Derived]:

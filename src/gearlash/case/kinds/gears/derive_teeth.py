@@ -3,7 +3,7 @@ shafts, and the mesh stiffness in the unit of ISO 6336."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from math import cos, degrees, tan
 
 from gearlash.gears import CylindricalGear, CylindricalPair, inspection
@@ -140,16 +140,16 @@ def _of_gear(pair: GearPair, name: str, at: int, teeth: CylindricalPair) -> Iter
     for leaf, value, inputs, text in rows:
         described = f"{text} of the {name}"
         yield Derived(f"derived.{leaf}_{name}", MM * value, "mm", STANDARD, inputs, described)
-    yield from _measures(name, gear, thick, measured_teeth(pair, name, gear), ball_of(pair, name, gear))
+    yield from _measures(name, gear, thick, _measured_teeth(pair, name, gear), _ball_of(pair, name, gear))
 
 
-def measured_teeth(pair: GearPair, name: str, gear: CylindricalGear) -> int:
+def _measured_teeth(pair: GearPair, name: str, gear: CylindricalGear) -> int:
     """Teeth k that W_k is measured over: as stated, or the usual ones."""
     stated = pair.entries.get(f"{name}.span_teeth")
     return inspection.span_teeth(gear) if stated is None else int(stated.number)
 
 
-def ball_of(pair: GearPair, name: str, gear: CylindricalGear) -> float:
+def _ball_of(pair: GearPair, name: str, gear: CylindricalGear) -> float:
     """Diameter of balls or pins, m: as stated, or 1.75 m_n."""
     stated = pair.entries.get(f"{name}.ball_diameter")
     return 1.75 * gear.normal_module if stated is None else stated.number
@@ -163,7 +163,7 @@ def _measures(
     yield Derived(f"derived.span_{name}", MM * span, "mm", how, inputs, f"span measurement W_k of the {name}")
     text = f"number of teeth k that W_k is over of the {name}"
     yield Derived(f"derived.span_teeth_{name}", float(k), "", "as stated, or DIN 3960", inputs, text)
-    over = over_balls(gear, ball, inspection.dimension_over_balls)
+    over = _over_balls(gear, ball)
     if over is not None:
         text = f"dimension over two balls M_dK of the {name}"
         yield Derived(f"derived.over_balls_{name}", MM * over, "mm", how, inputs, text)
@@ -171,13 +171,11 @@ def _measures(
         yield Derived(f"derived.ball_diameter_{name}", MM * ball, "mm", "as stated, or 1.75 m_n", (), text)
 
 
-def over_balls(
-    gear: CylindricalGear, ball: float, measure: Callable[[CylindricalGear, float], float]
-) -> float | None:
-    """A dimension over balls or pins, m; None where such a ball does not rest on both flanks: it falls
-    through, or touches above the tip."""
+def _over_balls(gear: CylindricalGear, ball: float) -> float | None:
+    """The dimension over two balls, m; None where such a ball does not rest on both flanks: it falls through,
+    or touches above the tip."""
     try:
-        found = measure(gear, ball)
+        found = inspection.dimension_over_balls(gear, ball)
         touched = inspection.ball_contact_diameter(gear, ball)
     except GearlashError:
         return None
