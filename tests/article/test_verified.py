@@ -125,16 +125,13 @@ def test_the_conclusion_says_what_settings_do_whether_the_motion_is_the_reported
     )
     agreeing = replace(way, points=points, beside=rows)
     said = text_of(replace(kept(), ways=(agreeing,)))
-    assert (
-        f"at {low:.0f} rpm teeth part with 2 of 3, and the label is 1-1-0 with 1 (with one; not with " in said
-    )
-    assert "two (1-0-0), three (not periodic, apart 40 %))" in said
-    assert f"at {high:.0f} rpm contact is kept with 1 of 2 (with one; not with two (not periodic, " in said
+    assert f"at {low:.0f} rpm teeth part with 2 of 3, and the label is 1-1-0 with 1 (with one);" in said
+    assert f"at {high:.0f} rpm contact is kept with 1 of 2 (not with two (not periodic, apart 30 %))" in said
     still = tuple(replace(point, label="1-0-0", apart=0.0) for point in points)
     other = replace(way, name="stiffness", points=still, beside=(("two", low, "1-1-0", 0.2),))
     said = text_of(replace(kept(), ways=(other, agreeing)))
     assert "“stiffness”: One assumption or setting changed at a time: at " in said
-    assert f"at {low:.0f} rpm contact is kept with 0 of 1 (not with two (1-1-0, apart 20 %))" in said
+    assert f"at {low:.0f} rpm contact is kept with 0 of 1" in said
     assert "The other 2 settings were not run, or not integrated, with these inputs." in said
 
 
@@ -164,18 +161,8 @@ def test_settings_with_both_reported_motions_are_told_of_ways_that_disagree():
     assert "both reported motions" not in text_of(agrees)
 
 
-def test_what_was_fixed_last_is_told_of_data_that_were_computed_after_it():
-    found = kept()
-    without = tuple(each for each in found.settings if each["name"] != conclusion.LATEST_SETTING)
-    later = (*without, {**found.settings[0], "name": conclusion.LATEST_SETTING})
-    for settings, count in ((without, 3), (later, 4)):
-        assert len(conclusion.fixed_when(replace(found, settings=settings)).items) == count
-
-
 def test_impacts_and_the_balance_of_energy_are_told_where_they_are_kept():
     point = replace(named("absolute").points[0], label="none", apart=0.2)
-    bare = replace(point, impacts=None, back_impacts=None)
-    assert not any("impacts" in str(line) for line in section_of._seen(bare))
     lines = section_of._seen(replace(point, impacts=1.3, back_impacts=0.25))
     assert "impacts a mesh cycle: 1.3, 0.25 on the back side" in lines
     still = replace(point, label="1-0-0", apart=0.0, impacts=0.0, back_impacts=0.0)
@@ -219,7 +206,7 @@ def test_the_ripple_is_blamed_only_where_the_lumped_model_changes_with_it():
         replace(way, points=tuple(replace(p, label="1-0-0", apart=0.0, lumped=quiet) for p in way.points))
         for way in held
     )
-    blamed = "the ripple alone, put into the lumped model, is enough"
+    blamed = "these, put into the lumped model, are enough"
     found = replace(kept(), ways=still)
     assert f"So at ω 0.9 {blamed}" in text_of(found, "1-1-0", "1-0-0")
     assert blamed not in text_of(found, "1-0-0", "1-0-0")
@@ -264,13 +251,6 @@ def test_the_summary_tells_with_how_many_inputs_both_reported_motions_were_found
     agree, ways = conclusion.agreeing(kept()), kept().ways
     said = words(summary._real(kept()))
     assert f"with {len(agree)} of {len(ways)} ways to hold the inputs" in said
-
-
-def test_stiffness_that_was_found_under_less_load_is_told():
-    light, heavy = named("absolute"), named("dimensionless")
-    for stiffness, told in ((light.stiffness, True), (1.05 * light.stiffness, False)):
-        ways = (replace(heavy, stiffness=stiffness), light)
-        assert ("held only nearly" in section_of._load(replace(kept(), ways=ways))) == told
 
 
 def test_agreement_of_both_models_is_counted_for_parting_and_for_labels():

@@ -198,7 +198,14 @@ def test_texts_near_to_values_never_crash(text):
 
 @pytest.mark.parametrize(
     ("text", "degrees"),
-    [("15°30'", 15.5), ("15° 30′", 15.5), ("-15°6'36\"", -15.11), ("0°30′", 0.5), ("15 deg 30'", 15.5)],
+    [
+        ("15°30'", 15.5),
+        ("15° 30′", 15.5),
+        ("-15°6'36\"", -15.11),
+        ("0°30′", 0.5),
+        ("15 deg 30'", 15.5),
+        ("-15°6'36''", -15.11),
+    ],
 )
 def test_degrees_and_minutes_of_a_drawing(text: str, degrees: float):
     number, unit = read(text)

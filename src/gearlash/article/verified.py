@@ -34,9 +34,9 @@ class VerifiedPoint:
         P-Q-R with a gear that bends, and with a rigid one.
     apart, least, peak : float
         Share of time without contact; least and greatest force over the mean one.
-    impacts, back_impacts : float or None
-        Beginnings of contact a mesh cycle, of the drive side and of the back side; None in data without them.
-    energy_residual : float or None
+    impacts, back_impacts : float
+        Beginnings of contact a mesh cycle, of the drive side and of the back side.
+    energy_residual : float
         What is missing in the balance of energy, over what dampers take.
     lumped, lumped_apart, lumped_peak : dict
         Label of the lumped model at the same inputs by contact rule; share of time without contact, None
@@ -69,9 +69,9 @@ class VerifiedPoint:
     lumped_orders: tuple[float, ...]
     lumped_amplitudes: tuple[float, ...]
     frames: tuple[tuple[float, ...], ...]
-    impacts: float | None = None
-    back_impacts: float | None = None
-    energy_residual: float | None = None
+    impacts: float
+    back_impacts: float
+    energy_residual: float
 
 
 @dataclass(frozen=True)

@@ -102,10 +102,13 @@ class Integration:
         """Steps of one length. The damping of the teeth jumps where a slice begins to carry; a step that ends
         at the jump may have no state that its Newton iteration could find, and is taken in parts instead."""
         while self.kept.count < steps:
+            begun = self.kept.count
             try:
                 self._run(self.kept.count, steps - self.kept.count, self.kept.before_step)
             except SimulationError:
-                if self.solver is not Solver.GENERALIZED_ALPHA or not self.kept.count:
+                if (
+                    self.solver is not Solver.GENERALIZED_ALPHA or self.kept.count == begun
+                ):  # before its first step
                     raise
                 self._in_parts(self.kept.count - 1)
 

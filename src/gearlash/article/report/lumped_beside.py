@@ -13,8 +13,8 @@ DISTANCE_HELD = "centre distance held"
 
 
 def blocks(found: Verified, done: Reproduction) -> list[Block]:
-    """Agreement in parting and labels, where both stay in contact, where both part, and what the ripple "
-    "does."""
+    """Agreement in parting and labels, where both stay in contact, where both part, and what the ripple
+    does."""
     said = _counts(found) + _in_contact(found) + _apart(found)
     ripple = _ripple(found, done)
     return [Text.of(said), *([Text.of(ripple)] if ripple else [])]
@@ -96,8 +96,8 @@ def _held(way: VerifiedWay, point: VerifiedPoint) -> str:
 
 
 def _ripple(found: Verified, done: Reproduction) -> str:
-    """Where only the ripple is not that of the case: whether the lumped model, too, does otherwise with "
-    "it."""
+    """Where only the ripple is not that of the case: whether the lumped model, too, does otherwise with
+    it."""
     ways = [way for way in found.ways if way.name in HELD]
     own = next((effect for effect in done.rules if effect.stated), None)
     if not ways or own is None:
@@ -107,8 +107,8 @@ def _ripple(found: Verified, done: Reproduction) -> str:
     case = " and ".join(f"{each.label} at ω {number(each.value, 4)}" for each in own.speeds)
     said = (
         f"The lumped model of the case itself has {case}. Where its dimensionless numbers are held and it "
-        "gets "
-        f"the ripple of these teeth in place of its own, it parts or stays as they do at {like} of {count} "
+        "gets the ripple of these teeth, and the small error that they make under load, in place of its own "
+        f"ripple, it parts or stays as they do at {like} of {count} "
         "points under every rule."
     )
     turned = [
@@ -121,6 +121,6 @@ def _ripple(found: Verified, done: Reproduction) -> str:
     if not turned or like != count:
         return said
     return (
-        f"{said} So at {' and '.join(turned)} the ripple alone, put into the lumped model, is enough to take "
+        f"{said} So at {' and '.join(turned)} these, put into the lumped model, are enough to take "
         "away the answer of the case. What bodies in space do with the ripple of the case was not examined."
     )

@@ -116,7 +116,7 @@ def _table(found: Verified) -> Table:
 def _seen(point: VerifiedPoint) -> list[str]:
     forces = f"force {number(point.least, 2)} to {number(point.peak, 3)} of its mean"
     label, apart = told(point.label), f"apart {share(point.apart)} of the time"
-    if point.impacts is None or not parts(point.label, point.apart):
+    if not parts(point.label, point.apart):
         return [label, apart, forces]
     back = f", {number(point.back_impacts, 3)} on the back side" if point.back_impacts else ""
     return [label, apart, f"impacts a mesh cycle: {number(point.impacts, 3)}{back}", forces]
@@ -168,7 +168,7 @@ def _limits(found: Verified) -> Note:
         Text.of(
             "Each motion of the table begins with teeth pressed together: others may coexist. Friction is in "
             "neither model. Labels are those of motions that repeat within 1 % of the range of their force, "
-            f"after at most 8 mesh cycles.{_energy(found)}{_bearings(found)}{_load(found)} No setting lets "
+            f"after at most 8 mesh cycles.{_energy(found)}{_bearings(found)} No setting lets "
             "more of the bodies below the teeth give way; docs/verification.md estimates that the stiffness "
             "of "
             f"the mesh is 10 to 15 % above that of bodies which give way down to their shafts.{missing}"
@@ -178,14 +178,11 @@ def _limits(found: Verified) -> Note:
 
 
 def _energy(found: Verified) -> str:
-    """How nearly the balance of energy closes over what is read, where it is kept."""
-    kept = [p.energy_residual for way in found.ways for p in way.points if p.energy_residual is not None]
-    if not kept:
-        return ""
+    """How nearly the balance of energy closes over what is read."""
+    missing = max(abs(p.energy_residual) for way in found.ways for p in way.points)
     return (
-        f" In the balance of energy of these motions at most {scientific(max(map(abs, kept)))} of what "
-        "dampers "
-        "take is missing."
+        f" In the balance of energy of these motions at most {scientific(missing)} of what dampers take is "
+        "missing."
     )
 
 
@@ -201,18 +198,3 @@ def _bearings(found: Verified) -> str:
     return (
         f" Stiffness of the bearings over that of the mesh, beside the same in the case: {', '.join(softer)}."
     )
-
-
-def _load(found: Verified) -> str:
-    """Ways of more torque that take the stiffness which the same teeth have under less."""
-    said = []
-    for way in found.ways:
-        less = (o for o in found.ways if o.stiffness == way.stiffness and o.torque < 0.99 * way.torque)
-        light = next(less, None)
-        if light is not None:
-            said.append(
-                f" With “{way.name}” stiffness and ripple are those under {number(light.torque, 3)} N·m, for "
-                f"its {number(way.torque, 3)} N·m as well. Teeth are stiffer under more load "
-                "(docs/verification.md says by how much), so these numbers are held only nearly."
-            )
-    return "".join(said)

@@ -6,14 +6,11 @@ import re
 
 from gearlash.article.verified import REPORTED_WINDOW, Verified, VerifiedWay
 from gearlash.report.blocks import Block, Cell, Table, Text
-from gearlash.studies.verification.plan import WINDOW
 
 from .seen import HELD, RULES, parts, share
 
 RUN = re.compile(r"(\d+) to (\d+) rpm")
 DIRECTIONS = ("rising", "falling")
-STEP = (WINDOW[1] - WINDOW[0]) / (WINDOW[2] - 1)
-"""Of the grid, over the higher speed."""
 
 
 def blocks(found: Verified) -> list[Block]:
@@ -26,6 +23,7 @@ def blocks(found: Verified) -> list[Block]:
 
 def _table(found: Verified, ways: list[VerifiedWay]) -> Table:
     rows: list[tuple[Cell, ...]] = []
+    grid, step, higher = ways[0].window["speed"], step_of(ways[0]), ways[0].points[-1].speed
     for way in ways:
         reported = reported_ends(found, way)
         last = "—" if reported is None else f"{reported[0]:.0f} to {reported[1]:.0f} rpm"
@@ -35,8 +33,9 @@ def _table(found: Verified, ways: list[VerifiedWay]) -> Table:
         "table-verified-window",
         "Speeds of the grid at which teeth stay in contact, each begun from the motion at its neighbour; of "
         "the lumped model those with a periodic motion. The grid has steps of "
-        f"{share(STEP)} of the higher speed, from {WINDOW[0]:.2f} to {WINDOW[1]:.2f} of it: an end lies "
-        "within a step beyond what is named, and what begins or ends with the grid may go on beyond. The "
+        f"{share(step / higher)} of the higher speed, from {grid[0] / higher:.2f} to "
+        f"{grid[-1] / higher:.2f} of it: an end lies within a step beyond what is named, and what begins or "
+        "ends with the grid may go on beyond. The "
         f"last column is the article’s window of its lumped model, ω {REPORTED_WINDOW[0]} to "
         f"{REPORTED_WINDOW[1]}, at the speeds that these inputs give it.",
         ("inputs", "speed", "real teeth", *(f"lumped, {rule}" for rule in RULES), "reported"),
@@ -48,6 +47,12 @@ def _table(found: Verified, ways: list[VerifiedWay]) -> Table:
 def _both(way: VerifiedWay) -> list[tuple[str, str, dict[str, str]]]:
     """Direction, real teeth, and the lumped model by rule."""
     return [(DIRECTIONS[0], way.up, way.lumped_up), (DIRECTIONS[1], way.down, way.lumped_down)]
+
+
+def step_of(way: VerifiedWay) -> float:
+    """Of its grid of speeds, rpm."""
+    speeds = way.window["speed"]
+    return (speeds[-1] - speeds[0]) / (len(speeds) - 1)
 
 
 def runs(told: str) -> list[tuple[float, float]]:
@@ -89,7 +94,7 @@ def _end_met(found: Verified, way: VerifiedWay, told: str, end: int) -> bool:
     reported, intervals = reported_ends(found, way), runs(told)
     if reported is None or not intervals:
         return False
-    step = STEP * way.points[-1].speed
+    step = step_of(way)
     seen = intervals[0][0] if end == 0 else intervals[-1][1]
     beyond = seen - step if end == 0 else seen + step
     return min(seen, beyond) - 0.5 <= reported[end] <= max(seen, beyond) + 0.5
@@ -97,14 +102,13 @@ def _end_met(found: Verified, way: VerifiedWay, told: str, end: int) -> bool:
 
 def _differing(ways: list[VerifiedWay]) -> str:
     """At how many points of the grid one model parts and the other does not."""
-    count = len(ways) * len(DIRECTIONS) * WINDOW[2]
+    count = len(DIRECTIONS) * sum(len(way.window["speed"]) for way in ways)
     counts = [
         str(sum(len(speeds) for way in ways for speeds in way.apart_differs.get(rule, []))) for rule in RULES
     ]
     return (
         f" One model parts and the other does not at {', '.join(counts)} of {count} points of the grid (in "
-        "that "
-        "order of rules; all inputs, both directions)."
+        "that order of rules; all inputs, both directions)."
     )
 
 
@@ -138,6 +142,6 @@ def beside_points(way: VerifiedWay) -> str:
         ends = [end for each in intervals for run in each for end in run]
         near = min(ends, key=lambda end: abs(end - point.speed))
         said.append(f" The nearest speed of the grid in contact is {near:.0f} rpm: {point.speed:.0f} rpm is ")
-        steps = abs(near - point.speed) / (STEP * way.points[-1].speed)
+        steps = abs(near - point.speed) / step_of(way)
         said.append("beside the edge." if steps < 1.5 else f"{steps:.0f} steps of the grid from the edge.")
     return "".join(said)
