@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -223,6 +226,24 @@ def test_the_matched_width_has_the_stiffness_of_the_case(
     stated = {**widths, "mesh.mean_stiffness": f"{wanted} N/m"}
     found = matched_mesh(inputs_of(loads(SPUR, stated), (1.0,)), full)
     assert found.stiffness == pytest.approx(wanted, rel=5e-3)
+
+
+@pytest.mark.parametrize("share", [0.05, 0.2, 0.3, 0.9])
+def test_the_width_is_found_of_teeth_that_bear_on_a_part_of_their_face(share: float, monkeypatch):
+    """Stiffness that saturates with the width, as that of crowned flanks: k ∝ 1 − exp(−w/10 mm)."""
+    inputs, tried = inputs_of(loads(SPUR), (1.0,)), []
+
+    def at(_inputs: object, width: float, _torque: float) -> Any:
+        tried.append(width)
+        return SimpleNamespace(width=width, stiffness=1e9 * (1.0 - np.exp(-width / 10e-3)))
+
+    monkeypatch.setattr("gearlash.studies.verification.mesh.mesh_of", at)
+    full = at(inputs, 65e-3, 1.0)
+    wanted = replace(inputs, mean_stiffness=share * full.stiffness)
+    assert matched_mesh(wanted, full).stiffness == pytest.approx(wanted.mean_stiffness, rel=5e-3)
+    beyond = replace(inputs, mean_stiffness=1.2e9)  # no width is so stiff
+    assert matched_mesh(beyond, full).width == max(tried)
+    assert max(tried) <= 16.0 * full.width
 
 
 def _soft(pair, widths, materials=None):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -30,7 +31,9 @@ PHASES = 32
 """Of a mesh cycle, at which the stiffness is computed."""
 CLOSE = 5e-3
 """Of a stiffness to the one wanted, relative."""
-MOST_WIDTHS = 4
+MOST_WIDTHS = 10
+WIDEST = 16.0
+"""Of a width that is tried, over that of the case."""
 CLOSE_TORQUE = 1e-3
 """Of a torque to the one wanted, relative."""
 MOST_TORQUES = 30
@@ -202,13 +205,14 @@ def mesh_of(
     return Mesh(pair, contact, inputs, _turned(inputs, contact, torque))
 
 
-def _turned(inputs: Inputs, contact: MeshContact, torque: float) -> QuasiStatic:
-    """A mesh cycle under a torque. Raises `NotVerifiableError` for more than these flanks carry."""
+def _turned(inputs: Inputs, contact: MeshContact, torque: float, why: str = "") -> QuasiStatic:
+    """A mesh cycle under a torque. For more than flanks carry raises `NotVerifiableError`, of the torque
+    that the case states."""
     try:
         return quasi_static(contact, torque, phases=PHASES)
     except GearlashError as error:
-        expected = f"less: {error} at a face width of {1e3 * contact.flanks.pair.face_width:.4g} mm"
-        problem = Problem("operation.torque", f"{torque:.4g} N·m", expected)
+        expected = f"less: {why}{error} at a face width of {1e3 * contact.flanks.pair.face_width:.4g} mm"
+        problem = Problem("operation.torque", f"{inputs.torque:.4g} N·m", expected)
         raise NotVerifiableError(inputs.case, [problem]) from error
 
 
@@ -263,9 +267,9 @@ def _with_shape(mesh: Mesh, shape: Topography) -> Mesh:
     return _under(replace(mesh, perfect=mesh.perfect.with_(topography=shape)), mesh.static.torque)
 
 
-def _under(mesh: Mesh, torque: float) -> Mesh:
-    """The same teeth under a torque, turned slowly through a mesh cycle."""
-    return replace(mesh, static=_turned(mesh.inputs, mesh.perfect, torque))
+def _under(mesh: Mesh, torque: float, why: str = "") -> Mesh:
+    """The same teeth under a torque, turned slowly through a mesh cycle; ``why`` it is that torque."""
+    return replace(mesh, static=_turned(mesh.inputs, mesh.perfect, torque, why))
 
 
 def scaled_mesh(inputs: Inputs, full: Mesh) -> Mesh:
@@ -294,7 +298,7 @@ def scaled_mesh(inputs: Inputs, full: Mesh) -> Mesh:
         wanted = inputs.torque * found.stiffness / inputs.mean_stiffness
         if abs(wanted / found.static.torque - 1.0) < CLOSE_TORQUE:
             return found
-        found = _under(full, wanted)
+        found = _under(full, wanted, f"dimensionless numbers are held at {wanted:.4g} N·m, and ")
     expected = (
         f"one beside which a torque exists that makes teeth of {full.width * 1e3:.4g} mm as stiff, over "
         f"{inputs.mean_stiffness:.4g} N/m, as that torque is over this one"
@@ -314,20 +318,35 @@ def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:
     Returns
     -------
     Mesh
-        The nearest that was found, where none is within `CLOSE`.
+        The nearest of those tried, where none is within `CLOSE`.
     """
-    wanted, found = inputs.mean_stiffness, full
-    slope = found.stiffness / found.width
-    for _ in range(MOST_WIDTHS):
-        if is_close(inputs, found):
+    tried = [full]
+    while len(tried) <= MOST_WIDTHS and not is_close(inputs, tried[-1]):
+        width = _next_width(inputs, tried)
+        if width is None:
             break
-        guess = found.width + (wanted - found.stiffness) / slope
-        width = _rounded(min(max(guess, found.width / FARTHEST), found.width * FARTHEST))
-        if width == found.width:
-            break
-        last, found = found, mesh_of(inputs, width, inputs.torque)
-        slope = (last.stiffness - found.stiffness) / (last.width - found.width)
-    return found
+        tried.append(mesh_of(inputs, width, inputs.torque))
+    return min(tried, key=lambda mesh: abs(mesh.stiffness - inputs.mean_stiffness))
+
+
+def _next_width(inputs: Inputs, tried: Sequence[Mesh]) -> float | None:
+    """By the line through the last two, from the first through none of both: between the widths that are known
+    to be too soft and too stiff, and not too far at once. None where no other width is left to try."""
+    wanted, last = inputs.mean_stiffness, tried[-1]
+    before = (tried[-2].width, tried[-2].stiffness) if len(tried) > 1 else (0.0, 0.0)
+    slope = (last.stiffness - before[1]) / (last.width - before[0])
+    guess = last.width + (wanted - last.stiffness) / slope if slope > 0.0 else last.width
+    soft = max((mesh.width for mesh in tried if mesh.stiffness < wanted), default=None)
+    stiff = min((mesh.width for mesh in tried if mesh.stiffness > wanted), default=None)
+    if soft is not None and stiff is not None:
+        guess = guess if soft < guess < stiff else 0.5 * (soft + stiff)
+    elif stiff is not None:
+        guess = stiff / FARTHEST if not 0.0 < guess < stiff else max(guess, stiff / FARTHEST)
+    elif soft is not None:
+        guess = soft * FARTHEST if not guess > soft else min(guess, soft * FARTHEST)
+    width = _rounded(guess)
+    known = any(width == mesh.width for mesh in tried)
+    return None if known or width > WIDEST * tried[0].width else width
 
 
 def is_close(inputs: Inputs, mesh: Mesh) -> bool:

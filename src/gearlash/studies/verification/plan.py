@@ -102,7 +102,10 @@ def configurations(
     width = "the face width whose computed stiffness is that of the case"
     if not close:
         off = 100.0 * (matched[1] / inputs.mean_stiffness - 1.0)
-        width = f"the face width whose computed stiffness comes nearest to that of the case ({off:+.2g} %)"
+        width = (
+            "the face width, of those tried, whose computed stiffness comes nearest to that of the case "
+            f"({off:+.2g} %)"
+        )
     return (
         Configuration(
             "stiffness",
