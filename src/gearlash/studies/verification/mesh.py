@@ -330,8 +330,8 @@ def matched_mesh(inputs: Inputs, full: Mesh) -> Mesh:
 
 
 def _next_width(inputs: Inputs, tried: Sequence[Mesh]) -> float | None:
-    """By the line through the last two, from the first through none of both: between the widths that are known
-    to be too soft and too stiff, and not too far at once. None where no other width is left to try."""
+    """By the line through the last two, or the origin and the first; between those that are too soft and too
+    stiff, and not too far from the last. None where no other width is left to try."""
     wanted, last = inputs.mean_stiffness, tried[-1]
     before = (tried[-2].width, tried[-2].stiffness) if len(tried) > 1 else (0.0, 0.0)
     slope = (last.stiffness - before[1]) / (last.width - before[0])
@@ -341,9 +341,9 @@ def _next_width(inputs: Inputs, tried: Sequence[Mesh]) -> float | None:
     if soft is not None and stiff is not None:
         guess = guess if soft < guess < stiff else 0.5 * (soft + stiff)
     elif stiff is not None:
-        guess = stiff / FARTHEST if not 0.0 < guess < stiff else max(guess, stiff / FARTHEST)
+        guess = max(guess if guess < stiff else 0.0, stiff / FARTHEST)
     elif soft is not None:
-        guess = soft * FARTHEST if not guess > soft else min(guess, soft * FARTHEST)
+        guess = min(guess if guess > soft else np.inf, soft * FARTHEST)
     width = _rounded(guess)
     known = any(width == mesh.width for mesh in tried)
     return None if known or width > WIDEST * tried[0].width else width
