@@ -198,8 +198,8 @@ def test_motions_that_coexist_are_both_told():
 
 
 def test_the_ripple_is_blamed_only_where_the_lumped_model_changes_with_it():
-    """The lumped model at held numbers stays in contact at both speeds; what the case itself does is "
-    "varied."""
+    """The lumped model at held numbers stays in contact at both speeds; what the case itself does is
+    varied."""
     held = tuple(named(name) for name in ("stiffness", "dimensionless"))
     quiet = dict.fromkeys(("always", "in-contact", "no-tension"), "1-0-0")
     still = tuple(

@@ -167,8 +167,8 @@ def _edge(end: End, scan: Scan | None) -> Cell:
 
 
 def _inside(zone: ReportedZone, quantities: Quantities) -> list[Block]:
-    """What coexists in the widest reading, how far from the boundary its middle is, and what may be "
-    "missed."""
+    """What coexists in the widest reading, how far from the boundary its middle is, and what may be
+    missed."""
     some, name = zone.reading(SOME), symbol(zone.parameter)
     said: list[Inline] = []
     if some.coexisting:
