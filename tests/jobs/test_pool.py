@@ -8,7 +8,7 @@ import subprocess
 import sys
 import threading
 import time
-from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +16,7 @@ import pytest
 
 import gearlash as gl
 from gearlash.jobs import Chain, Execution, NoWorkersError, Pool, open_executor, run
+from gearlash.jobs.pool import WorkerDiedError
 from jobs.tasks import (
     broken_beginning,
     deadly_beginning,
@@ -132,6 +133,47 @@ def test_a_task_that_hears_nothing_is_given_up():
         outcome = run(deaf, chains, Execution(executor, progress=lambda p: cancel.set(), cancel=cancel))
         assert outcome.results == {"deaf": (), "quick": (2,)}
         assert run(running_sum, [chain("after", (1,))], Execution(executor)).complete
+
+
+HASTY = """
+import time
+from gearlash.jobs import Chain, Execution, Pool, run
+from jobs.tasks import deaf
+
+class Hasty(Pool):
+    def submit(self, fn, /, *args, **kwargs):
+        future = super().submit(fn, *args, **kwargs)
+        if fn is pow:
+            return future
+        time.sleep(0.3)
+        raise KeyboardInterrupt
+
+with Hasty(1) as executor:
+    executor.submit(pow, 2, 2).result()
+    outcome = run(deaf, [Chain("a", ((1,),), (1,))], Execution(executor))
+print(outcome)
+"""
+
+
+def test_a_stop_that_comes_while_a_task_is_handed_over_ends_it_too():
+    """When the task was taken, and its future is not yet known to who waits for it."""
+    assert python("-c", HASTY, timeout=60.0).stdout == "Outcome(results={'a': ()}, reason='interrupted')\n"
+
+
+def test_what_is_given_up_while_a_worker_takes_it_is_not_begun(monkeypatch: pytest.MonkeyPatch):
+    begin = Future.set_running_or_notify_cancel
+    with Pool(1) as executor:
+        assert executor.submit(pow, 2, 2).result() == 4
+
+        def given_up(future):
+            executor.abandon()
+            return begin(future)
+
+        monkeypatch.setattr(Future, "set_running_or_notify_cancel", given_up)
+        with pytest.raises(WorkerDiedError, match="given up"):
+            executor.submit(pow, 2, 3).result(timeout=20.0)
+        monkeypatch.undo()
+        assert executor.submit(pow, 2, 4).result() == 16
 
 
 PARENT = """

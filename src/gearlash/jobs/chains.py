@@ -115,6 +115,7 @@ class _Round:
     began: float = field(default_factory=time.perf_counter)
     told: float = 0.0
     flying: dict[Future[Any], tuple[int, int]] = field(default_factory=dict)
+    handing_over: bool = False
 
     def __post_init__(self) -> None:
         self.parts: list[dict[int, tuple[Any, ...]]] = [{} for _ in self.chains]
@@ -146,7 +147,9 @@ class _Round:
         """Begins a task. Where this process does the work it is done at once, and a signal may end it."""
         arguments = (_timed, self.work, self.chains[index].tasks[step], carry)
         if not self.inline:
+            self.handing_over = True  # and it stays so if Ctrl-C comes before we know the task by its future
             self.flying[self.taken(*arguments)] = (index, step)
+            self.handing_over = False
             return
         try:
             with interruptible():
@@ -192,12 +195,13 @@ class _Round:
         self.progress(Progress(done, total, now - self.began, remaining(self.loads, self.workers)))
 
     def end(self, reason: str) -> None:
-        """Cancels what has not begun, asks the tasks at work to stop, and keeps what they return."""
+        """Cancels what has not begun, asks the tasks at work to stop, and keeps what they return. A task that
+        was being handed over may be at work though nobody waits for it: it is given up."""
         left = [future for future in self.flying if not future.cancel()]
         if isinstance(self.executor, Pool):
-            if left:
+            if left or self.handing_over:
                 self.executor.stop()
-            if reason and wait(left, TASK_PATIENCE).not_done:
+            if reason and (wait(left, TASK_PATIENCE).not_done or self.handing_over):
                 self.executor.abandon()
         self.progress = None
         for future in left:

@@ -63,11 +63,12 @@ class Pool(Executor):
         self._beginning = pickle.dumps(
             Beginning(main_module(), pickle.dumps((prepare or _nothing, arguments, {})))
         )
-        self._tasks: queue.SimpleQueue[tuple[Future[Any], bytes] | None] = queue.SimpleQueue()
+        self._tasks: queue.SimpleQueue[tuple[Future[Any], bytes, int] | None] = queue.SimpleQueue()
         self._lock = threading.RLock()
         self._members: list[_Member] = []
         self._unfinished = 0
         self._stopping = self._closed = self._hurried = False
+        self._given_up = 0  # how often work was abandoned
         self._failure: NoWorkersError | None = None
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
@@ -80,7 +81,7 @@ class Pool(Executor):
             if self._failure is not None:
                 raise self._failure
             self._unfinished += 1
-            self._tasks.put((future, content))
+            self._tasks.put((future, content, self._given_up))
             if self._unfinished > len(self._members):
                 self._start_one()
         return future
@@ -94,8 +95,12 @@ class Pool(Executor):
         self._tell(False)
 
     def abandon(self) -> None:
-        """Ends the workers that are at a task: their futures have `WorkerDiedError`."""
+        """Ends the workers that are at a task: their futures have `WorkerDiedError`. What waits is cancelled,
+        and what a worker is just about to begin is not begun."""
         with self._lock:
+            self._given_up += 1
+            if not self._closed:
+                self._drain(None)
             for member in self._members:
                 member.kill_at_work()
 
@@ -204,12 +209,18 @@ class _Member(threading.Thread):
             )
         self.begun = True
 
-    def do(self, future: Future[Any], content: bytes) -> None:
-        """One task. Raises `WorkerDiedError` if the process ends in it."""
+    def do(self, future: Future[Any], content: bytes, given_up: int) -> None:
+        """One task, unless work was ``given_up`` since it was submitted. Raises `WorkerDiedError` if the
+        process ends in it.
+        """
         if not future.set_running_or_notify_cancel():
             self.finished()
             return
         self.at_work = True
+        if given_up != self.pool._given_up:  # looked at after `at_work` is set: one of the two is always seen
+            self.finished()
+            future.set_exception(WorkerDiedError("the work was given up"))
+            return
         try:
             self.tell(self.pool._stopping)
             kind, answer = self.asked(frames.TASK, content)
