@@ -171,6 +171,22 @@ def test_bands_fill_what_zones_leave(window: tuple[Assessment, SpeedRun]):
     assert back_bands(found.drive_side, -1.0) == ()
 
 
+def test_bands_name_motions_that_live_between_the_speeds_that_were_swept(
+    window: tuple[Assessment, SpeedRun],
+):
+    """What a coarse axis steps over is named all the same, as it was followed there. A fine axis sees it."""
+    found, _ = window
+    low, high = (float(found.axis.values[i]) for i in (0, -1))
+    coarse = gl.zones(found.case, Axis.even("omega", low, high, 4))
+    assert "1-1-0" not in {str(point.label) for sweep in coarse.sweeps for point in sweep.points}
+    fine = gl.sweep(found.case, Axis.even("omega", low, high, 31), direction="up")
+    for band in bands(coarse):
+        labels = {p.label for p in fine.points if band.contains(p.value) and not p.impact_free}
+        periodic = {label for label in labels if isinstance(label, gl.Signature)}
+        assert periodic <= set(band.labels)
+    assert "1-1-0" in map(str, bands(coarse)[0].labels)
+
+
 def test_speeds_of_bearing_modes_are_among_those_measured():
     case = gl.load_case("article")
     modes = case.numbers.pair.bearing_frequencies
@@ -355,6 +371,11 @@ def test_a_motion_that_only_a_throw_leads_to_counts():
     *usual, _, _, _ = found.impact_free.sweeps
     assert found.throws == 3
     assert {str(point.label) for sweep in usual for point in sweep.points} == {"1-0-0"}
+    assert [sweep.way for sweep in found.impact_free.sweeps[3:]] == ["thrown +4", "thrown -4", "thrown +16"]
+    ways = {way for zone in found.impact_free.wider for one in zone.motions if not one.quiet
+            for way in one.directions}  # fmt: skip
+    assert ways  # neither sweep nor the cold start leads to it
+    assert all(way.startswith("thrown") for way in ways), ways
     family = case.family()[0]
     values = {"omega": float(axis.values[1])}
     oracle = gl.attractor(family.system(values), _beside(found, "1-1-1"))

@@ -38,6 +38,9 @@ class Sweep(Record):
         Why it is not complete.
     fixed : mapping of str to float
         Other parameters that were set, over those of the model.
+    start : str
+        What its points start from, where that has a name of its own: a report has "thrown +4" for the cold
+        start with teeth thrown together or apart.
 
     Examples
     --------
@@ -57,6 +60,7 @@ class Sweep(Record):
     complete: bool = True
     message: str = ""
     fixed: Mapping[str, float] = field(default_factory=dict)
+    start: str = ""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "direction", given.choice(Direction, "direction", self.direction))
@@ -64,6 +68,11 @@ class Sweep(Record):
         points = given.instances("points of a sweep", self.points, Point, "a tuple of Point")
         if len(points) != len(self.axis):
             raise GearlashError(f"a sweep of {len(self.axis)} values has {len(points)} points")
+
+    @property
+    def way(self) -> str:
+        """How its motions were found: the name of its start, or its direction."""
+        return self.start or str(self.direction)
 
     @property
     def computed(self) -> int:

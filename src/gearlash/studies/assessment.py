@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +20,7 @@ from gearlash.system import GearlashError, Label
 from gearlash.system.readout import Readout
 
 from .bands import Band, back_bands, bands
-from .beside import motions_beside, thrown
+from .beside import THROWS, motions_beside, thrown
 from .measured import readouts_of, traceable
 from .point import summary
 from .ranges import AcrossRanges, across_ranges
@@ -94,12 +95,12 @@ class Assessment:
         over = self.ranges is None or self.ranges.complete
         return self.impact_free.complete and self.drive_side.complete and over
 
-    @property
+    @cached_property
     def separating(self) -> tuple[Band, ...]:
         """Bands of speed in which teeth of a motion that was found separate."""
         return bands(self.impact_free)
 
-    @property
+    @cached_property
     def back_side(self) -> tuple[Band, ...]:
         """Bands of speed in which a motion that was found meets the back side."""
         system = self.attractor.propagators.system
@@ -153,11 +154,14 @@ def assess(
     ways = sweeps(case, axis, WAYS, settings=settings, execution=telling(execution, say, "speeds"))
     states = thrown(found, cold)
     runs = [
-        sweeps(
-            case, axis, ("cold",), start=state, settings=settings,
-            execution=telling(execution, say, "speeds, thrown starts"),
-        )[0]
-        for state in states
+        replace(
+            sweeps(
+                case, axis, ("cold",), start=state, settings=settings,
+                execution=telling(execution, say, "speeds, thrown starts"),
+            )[0],
+            start=f"thrown {factor:+g}",
+        )
+        for factor, state in zip(THROWS, states, strict=False)  # no states where nothing settled
     ]  # fmt: skip
     own = dict(zip(family.states, map(float, cold), strict=True))
     beside = motions_beside(found, own, cold, more=_next_to([*ways, *runs], values[SPEED]), settings=settings)

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import groupby
+from math import inf
 
+from gearlash.results import Point
 from gearlash.system import Label, Signature, label_text
 
-from .zone import Zone, Zones
-from .zone_end import RANGE, SEEN, ZoneEnd
+from .arcs import Arc, arcs_of
+from .intervals import union
+from .zone import MEETING, Zone, Zones
+from .zone_end import RANGE, SEEN, Interval, ZoneEnd
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +27,7 @@ class Band:
     every : bool
         Whether no motion that was found in it is quiet; otherwise a quiet one was found beside it.
     labels : tuple of Signature or MotionKind
-        Of the motions that are not quiet, as sweeps and ends show them; none where nothing was seen.
+        Of the motions found in it that are not quiet: seen by a sweep, or followed into it.
     """
 
     lower: ZoneEnd
@@ -36,8 +42,9 @@ class Band:
 
 def bands(found: Zones) -> tuple[Band, ...]:
     """The bands between zones in which every motion found is quiet, in ascending order."""
+    loud = _loud(found)
     return tuple(
-        Band(low, high, every, _labels(found, low, high))
+        Band(low, high, every, _labels(found, loud, low, high))
         for low, high in _between(found)
         for every, low, high in _cut(found, low, high)
     )
@@ -48,24 +55,69 @@ def back_bands(found: Zones, boundary: float) -> tuple[Band, ...]:
 
     ``found`` are zones free of impacts there. What has no period is in none of them, whatever it meets: such
     motion counts at the values of the axis at which it was seen to reach the boundary, and the band ends
-    there.
+    there. So does periodic motion whose branch was not followed.
     """
-    met = []
-    for band in bands(found):
-        points = [
-            point
-            for sweep in found.sweeps
-            for point in sweep.points
-            if band.contains(point.value) and not found.quiet.holds(point) and point.minimum <= boundary
-        ]
-        periodic = all(isinstance(label, Signature) for label in band.labels)
-        if periodic and band.labels:
-            met.append(band)
-        elif points:
-            low, high = (pick(point.value for point in points) for pick in (min, max))
-            labels = tuple(dict.fromkeys(point.label for point in points if point.label is not None))
-            met.append(Band(ZoneEnd(low, SEEN), ZoneEnd(high, SEEN), band.every, labels))
-    return tuple(met)
+    loud = _loud(found)
+    return tuple(
+        Band(one.lower, one.upper, band.every, _labels(found, loud, one.lower, one.upper, boundary))
+        for band in bands(found)
+        for one in union([_followed_in(band, loud), _seen_in(found, band, loud, boundary)])
+    )
+
+
+def _followed_in(band: Band, loud: Sequence[Interval]) -> Iterator[Interval]:
+    """The parts of a band in which periodic motion lives that was followed."""
+    for one in loud:
+        if isinstance(_label_of(one), Signature) and _overlap(one, band.lower, band.upper):
+            lower = one.lower if one.lower.value > band.lower.value else band.lower
+            upper = one.upper if one.upper.value < band.upper.value else band.upper
+            yield Interval(lower, upper)
+
+
+def _seen_in(found: Zones, band: Band, loud: Sequence[Interval], boundary: float) -> Iterator[Interval]:
+    """The values of the axis in a band, neighbour by neighbour, at which a sweep saw motion that reaches the
+    boundary and was not followed."""
+    for sweep in found.sweeps:
+
+        def reaches(point: Point) -> bool:
+            known = any(_label_of(one) == point.label and one.contains(point.value) for one in loud)
+            reached = not found.quiet.holds(point) and point.minimum <= boundary
+            return band.contains(point.value) and reached and not known
+
+        for there, group in groupby(sweep.points, reaches):
+            if there:
+                values = [point.value for point in group]
+                low, high = (ZoneEnd(value, SEEN, direction=sweep.way) for value in (values[0], values[-1]))
+                yield Interval(low, high)
+
+
+def _loud(found: Zones) -> list[Interval]:
+    """Where motions that were found and are not quiet live, under one label each: stable arcs of branches,
+    and motions beside quiet ones that have none."""
+    arcs = [
+        arc
+        for number, branch in enumerate(found.branches)
+        for arc in arcs_of(branch, number)
+        if arc.stable and not found.quiet.holds_signature(arc.label)
+    ]
+    beside = [
+        motion.stable
+        for zone in found.wider
+        for motion in zone.motions
+        if motion.branch is None and motion.stable is not None and not motion.quiet
+    ]
+    return [*arcs, *beside]
+
+
+def _label_of(one: Interval) -> Label | None:
+    """Of the motion that lives there."""
+    return one.label if isinstance(one, Arc) else one.lower.inside
+
+
+def _overlap(one: Interval, low: ZoneEnd, high: ZoneEnd) -> bool:
+    """Whether both have more than an end in common."""
+    first, last = max(one.lower.value, low.value), min(one.upper.value, high.value)
+    return last - first > MEETING * max(abs(first), abs(last))
 
 
 def _between(found: Zones) -> list[tuple[ZoneEnd, ZoneEnd]]:
@@ -98,15 +150,23 @@ def _cut(found: Zones, low: ZoneEnd, high: ZoneEnd) -> list[tuple[bool, ZoneEnd,
     return parts
 
 
-def _labels(found: Zones, low: ZoneEnd, high: ZoneEnd) -> tuple[Label, ...]:
-    labels: dict[Label, None] = {}
-    for sweep in found.sweeps:
-        for point in sweep.points:
-            inside = low.value <= point.value <= high.value
-            if inside and point.label is not None and not found.quiet.holds(point):
-                labels[point.label] = None
+def _labels(
+    found: Zones, loud: Sequence[Interval], low: ZoneEnd, high: ZoneEnd, least: float = inf
+) -> tuple[Label, ...]:
+    """Of motions that live in a band, whether sweeps saw them in it or they were followed into it. Those
+    without a period count where they were seen, with a displacement of ``least`` or less."""
+    labels = {label for one in loud if _overlap(one, low, high) and (label := _label_of(one))}
+    labels |= {
+        point.label
+        for sweep in found.sweeps
+        for point in sweep.points
+        if low.value <= point.value <= high.value
+        and point.label is not None
+        and not found.quiet.holds(point)
+        and not point.minimum > least
+    }
     if not labels:  # narrower than a step of the axis
-        labels = {end.outside: None for end in (low, high) if end.outside is not None}
+        labels = {end.outside for end in (low, high) if end.outside is not None}
     return tuple(sorted(labels, key=lambda label: (len(label_text(label)), label_text(label))))
 
 

@@ -139,7 +139,7 @@ class Found:
     def ways(self, arc: Arc) -> tuple[str, ...]:
         """How the motion of an arc was found."""
         found = self.followed.ways.get(id(arc), set())
-        sweeps = dict.fromkeys(way for sweep in self.sweeps if (way := str(sweep.direction)) in found)
+        sweeps = dict.fromkeys(way for sweep in self.sweeps if (way := sweep.way) in found)
         return tuple(sweeps or sorted(found)) or (FOLLOWED,)
 
     def same(self, one: Interval, other: Interval) -> bool:
@@ -212,6 +212,5 @@ class Found:
             known = stretch.label is not None and not stretch.missing
             if known and max(stretch.lower, one.lower.value) <= min(stretch.upper, one.upper.value):
                 holds = all(quiet.holds(point) for point in stretch.points)
-                way = str(stretch.sweep.direction)
                 assert stretch.label is not None
-                yield ZoneMotion(stretch.label, (way,), stretch.lower, stretch.upper, holds)
+                yield ZoneMotion(stretch.label, (stretch.sweep.way,), stretch.lower, stretch.upper, holds)

@@ -107,10 +107,12 @@ class KnownArcs:
 
 @dataclass(frozen=True, eq=False)
 class Halve:
-    """A task: between a ``periodic`` point of a sweep and its neighbour, which is none."""
+    """A task: between a ``periodic`` point of a sweep and its neighbour, which is none; ``way``: what the
+    sweep is called."""
 
     question: Question
     direction: Direction
+    way: str
     start: NDArray[np.float64] | None
     periodic: Point
     other: Point
@@ -166,18 +168,19 @@ class Onsets:
                 continue
             outside, own = stretch.beside(side)
             assert outside is not None
-            known, start = KnownArcs.of(self.followed), self.starts.get(id(stretch.sweep), self.start)
-            tasks[key] = Halve(self.followed.question, stretch.sweep.direction, start, outside, own, known)
+            sweep, known = stretch.sweep, KnownArcs.of(self.followed)
+            start = self.starts.get(id(sweep), self.start)
+            tasks[key] = Halve(self.followed.question, sweep.direction, sweep.way, start, outside, own, known)
         done = self.followed.done(halve, [Chain(key, (task,), (1,)) for key, task in tasks.items()])
         for key, task in tasks.items():
             periodic, other = done.get(key, (task.periodic, task.other))
-            self.known[key] = halved(periodic, other, str(task.direction))
+            self.known[key] = halved(periodic, other, task.way)
         return [self.known[_key(stretch, side)] for stretch, side in wanted]
 
     def solved(self, stretch: Stretch, side: int) -> ZoneEnd | None:
         """Where the range ends first, or the motion beside it in its sweep; None where it must be halved."""
         outside, own = stretch.beside(side)
-        way, label = str(stretch.sweep.direction), stretch.label
+        way, label = stretch.sweep.way, stretch.label
         if stretch.missing:
             value = own.value if outside is None or not stretch.stopped else outside.value
             kind = RANGE if outside is None else UNKNOWN
@@ -235,6 +238,6 @@ def halved(periodic: Point, other: Point, direction: str) -> ZoneEnd:
         half,
         inside=other.label,
         outside=periodic.label,
-        direction=str(direction),
+        direction=direction,
         reason=reason,
     )

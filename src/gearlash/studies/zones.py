@@ -141,7 +141,7 @@ def branches_found(
     reason = next((sweep.message for sweep in ways if not sweep.complete), "")
     changes = Changes(()) if work is None else Changes.of(ways, ways[0].axis)
     followed = Followed(question, execution, reason=reason, work=Work(work), changes=changes)
-    followed.add((str(sweep.direction), point) for sweep in ways for point in sweep.points)
+    followed.add((sweep.way, point) for sweep in ways for point in sweep.points)
     followed.switch()
     starts = sum(point.computed for sweep in ways for point in sweep.points)
     for _ in range(PASSES):
