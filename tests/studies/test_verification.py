@@ -319,3 +319,26 @@ def test_label_counts_beginnings_of_contact_in_a_period(period: int, impacts: in
     reading = read_motion(motion, 28)
     assert reading.label == gl.Signature(period, impacts, 0)
     assert reading.apart == pytest.approx(0.1 * impacts / period, abs=0.01)
+
+
+@pytest.mark.parametrize("steps", [128, 192.7, 576.3])
+def test_a_jump_between_two_states_does_not_hide_that_the_motion_comes_back(steps: float):
+    """Damping makes the force jump where a slice begins to carry: states fall before it and behind it."""
+    t = np.arange(0.0, 20.5, 1.0 / steps)
+    q = np.zeros((len(t), 12))
+    q[:, 5] = 2.0 * np.pi * t / 28
+    force = 2.0 + np.cos(2.0 * np.pi * t) + 0.05 * ((t % 1.0) >= 0.371)
+    reading = read_motion(Trajectory(t, q, np.zeros_like(q), np.outer(force, [1.0, 0, 0, 0, 0])), 28)
+    assert str(reading.label) == "1-0-0"
+    assert reading.returns < 0.005 + 1.0 / steps
+    assert reading.mean == pytest.approx(2.0 + 0.05 * (1.0 - 0.371), rel=2e-4)
+
+
+def test_a_motion_that_misses_itself_by_more_than_a_hundredth_has_no_label():
+    t = np.linspace(0.0, 20.5, 20 * 192 + 97)
+    q = np.zeros((len(t), 12))
+    q[:, 5] = 2.0 * np.pi * t / 28
+    force = 2.0 + (1.0 + 0.2 * np.sin(np.sqrt(5.0) * np.pi * t)) * np.cos(2.0 * np.pi * t)
+    reading = read_motion(Trajectory(t, q, np.zeros_like(q), np.outer(force, [1.0, 0, 0, 0, 0])), 28)
+    assert reading.label is None
+    assert reading.returns > 0.01

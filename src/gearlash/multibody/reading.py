@@ -19,7 +19,7 @@ from .dynamics import Trajectory
 
 Array = NDArray[np.float64]
 SAMPLES = 64
-"""Readings a mesh cycle that two cycles are compared by."""
+"""Parts of a mesh cycle whose mean forces two cycles are compared by."""
 
 
 @dataclass(frozen=True)
@@ -80,8 +80,9 @@ def read_motion(
     longest : int
         Longest period that is looked for, mesh cycles.
     tolerance : float
-        A motion has come back where its force is within this share of the force's range, at all times of the
-        cycles compared.
+        A motion has come back where its force is within this share of the force's range, in the mean of every
+        1/64 of the mesh cycles compared: the force itself jumps where one more slice begins to carry, and
+        would be read once before and once after a jump at the same phase.
     shown : int
         Mesh cycles of force that are kept.
 
@@ -109,7 +110,8 @@ def read_motion(
     drive = np.interp(grid, phase, motion.drive_force)
     back = np.interp(grid, phase, motion.back_force)
     force = drive - back
-    period, returns = _period(force.reshape(cycles, SAMPLES), longest, tolerance)
+    means = _means(phase, motion.drive_force - motion.back_force, first, cycles)
+    period, returns = _period(means, longest, tolerance)
     within = (phase >= first) & (phase < last)
     begun = [_beginnings(side[within]) for side in (motion.drive_force, motion.back_force)]
     label = None
@@ -127,7 +129,7 @@ def read_motion(
         drive_impacts=begun[0],
         back_impacts=begun[1],
         least=float(motion.drive_force[within].min()),
-        mean=float(force.mean()),
+        mean=float(means.mean()),
         most=float(motion.drive_force[within].max()),
         most_back=float(motion.back_force[within].max()),
         orders=_half_orders(force, cycles),
@@ -135,6 +137,13 @@ def read_motion(
         force=force[-shown * SAMPLES :],
         speed=float((motion.q[-1, SPIN] - motion.q[0, SPIN]) / (motion.t[-1] - motion.t[0])),
     )
+
+
+def _means(phase: Array, force: Array, first: int, cycles: int) -> Array:
+    """Mean force over each part of each mesh cycle, shape (cycles, SAMPLES)."""
+    passed = np.append(0.0, np.cumsum(0.5 * (force[1:] + force[:-1]) * np.diff(phase)))
+    ends = first + np.arange(cycles * SAMPLES + 1) / SAMPLES
+    return np.diff(np.interp(ends, phase, passed)).reshape(cycles, SAMPLES) * SAMPLES
 
 
 def _half_orders(force: Array, cycles: int) -> Array:
