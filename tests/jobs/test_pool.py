@@ -160,6 +160,37 @@ def test_a_stop_that_comes_while_a_task_is_handed_over_ends_it_too():
     assert python("-c", HASTY, timeout=60.0).stdout == "Outcome(results={'a': ()}, reason='interrupted')\n"
 
 
+WITHIN_A_LOCK = """
+import signal, sys, threading
+from gearlash.jobs import Chain, Execution, open_executor, run
+from jobs.tasks import deaf
+
+enter, left = threading.Condition.__enter__, [-1]
+
+def entered(condition):
+    taken = enter(condition)
+    if threading.get_ident() == threading.main_thread().ident and left[0] >= 0:
+        left[0] -= 1
+        if left[0] < 0:
+            signal.raise_signal(signal.SIGINT)
+    return taken
+
+with open_executor(2) as executor:
+    run(deaf, [Chain(i, ((2,),), (1,)) for i in range(4)], Execution(executor))
+    threading.Condition.__enter__ = entered
+    threading.Timer(0.5, left.__setitem__, (0, int(sys.argv[1]))).start()
+    print(run(deaf, [Chain(i, ((1,),), (1,)) for i in range(2)], Execution(executor)).reason)
+"""
+
+
+@POSIX
+@pytest.mark.parametrize("lock", range(4))
+def test_ctrl_c_in_the_middle_of_a_wait_for_threads_leaves_no_lock_taken(lock: int):
+    """Python's `wait` takes a lock for each future, and that of an event, ever again."""
+    ran = python("-c", WITHIN_A_LOCK, str(lock))
+    assert ran.stdout == "interrupted\n", ran.stderr
+
+
 def test_what_is_given_up_while_a_worker_takes_it_is_not_begun(monkeypatch: pytest.MonkeyPatch):
     begin = Future.set_running_or_notify_cancel
     with Pool(1) as executor:

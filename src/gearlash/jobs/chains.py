@@ -11,6 +11,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Hashable, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
+from contextlib import nullcontext
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
@@ -18,7 +19,7 @@ from .execution import Execution
 from .executors import Inline, available_cores
 from .pool import NoWorkersError, Pool
 from .progress import Load, Progress, ProgressCallback, remaining
-from .stop import Cancel, Interrupted, interruptible, may_be_interrupted, stopping
+from .stop import NEVER, Cancel, Interrupted, held_back, interruptible, may_be_interrupted, stopping
 from .travel import GUARD
 
 Carry: TypeAlias = Any
@@ -86,16 +87,19 @@ def run(
         executor.resume()
     round_ = _Round(work, chains, executor, execution.progress)
     reason, none = DEFECT, NoWorkersError(f"{DIED} before anything was computed; {NEEDS_NONE}")
-    try:
-        reason = round_.go(execution.cancel)
-    except KeyboardInterrupt:
-        reason = INTERRUPTED
-    except BrokenExecutor:
-        reason = DIED
-    except NoWorkersError as error:
-        reason, none = DIED, error
-    finally:
-        round_.end(reason)
+    with nullcontext(NEVER) if round_.inline else held_back() as pressed:
+        try:
+            reason = round_.go(NEVER if execution.cancel is None else execution.cancel, pressed)
+        except KeyboardInterrupt:
+            reason = INTERRUPTED
+        except BrokenExecutor:
+            reason = DIED
+        except NoWorkersError as error:
+            reason, none = DIED, error
+        finally:
+            round_.end(reason)
+        if pressed.is_set():
+            reason = INTERRUPTED
     if reason == INTERRUPTED and within:
         raise KeyboardInterrupt
     results = round_.results()
@@ -126,13 +130,13 @@ class _Round:
         order = sorted(range(len(self.chains)), key=lambda i: (-len(self.chains[i].tasks), i))
         self.ready = [(i, 0, self.chains[i].first) for i in reversed(order) if self.chains[i].tasks]
 
-    def go(self, cancel: Cancel | None) -> str:
+    def go(self, cancel: Cancel, pressed: Cancel) -> str:
         """Until all is done, or the reason why not."""
         ahead = 1 if self.inline else self.workers + 1
         while self.ready or self.flying:
-            if cancel is not None and cancel.is_set():
+            if cancel.is_set():
                 return CANCELLED
-            if stopping():
+            if stopping() or pressed.is_set():
                 return INTERRUPTED
             while self.ready and len(self.flying) < ahead:
                 self.submit(*self.ready.pop())

@@ -3,13 +3,17 @@
 There are two ways, one after the other: a flag that tasks look at between two points (`stopping`), and
 KeyboardInterrupt for a point that takes long. A handler of signals raises KeyboardInterrupt only while a task
 runs that can be ended anywhere (`interruptible`). A task that has results by then passes them on with the
-exception (`handing_on`).
+exception (`handing_on`). Nor may it end a wait for other threads, which would leave their locks taken
+(`held_back`).
 """
 
 from __future__ import annotations
 
+import signal
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from types import FrameType
 from typing import Any, Protocol
 
 
@@ -84,3 +88,35 @@ def handing_on(part: Callable[[], Any]) -> Iterator[None]:
         yield
     except KeyboardInterrupt:
         raise Interrupted(part()) from None
+
+
+class _Pressed:
+    """Whether Ctrl-C came. A second one is Python's own again."""
+
+    def __init__(self) -> None:
+        self.once = False
+
+    def is_set(self) -> bool:
+        return self.once
+
+    def note(self, number: int, frame: FrameType | None) -> None:
+        if self.once:
+            signal.default_int_handler(number, frame)
+        self.once = True
+
+
+@contextmanager
+def held_back() -> Iterator[Cancel]:
+    """Around a wait for other threads, where nobody else answers Ctrl-C: it sets what this yields, and raises
+    nothing. A KeyboardInterrupt in the middle of Python's own locks leaves them taken, and the threads that
+    need them would wait for ever."""
+    main = threading.current_thread() is threading.main_thread()
+    if not main or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+        yield NEVER
+        return
+    pressed = _Pressed()
+    signal.signal(signal.SIGINT, pressed.note)
+    try:
+        yield pressed
+    finally:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
