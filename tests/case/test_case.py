@@ -459,7 +459,7 @@ import sys
 from gearlash.case import Case, load, loads
 text = load("article", {"torque": "90 N m"}).to_json()
 assert "pint" not in sys.modules
-load("article", {"backlash": "0.004 inch"})
+load("article", {"backlash": "2e-6 fathom"})
 assert "pint" in sys.modules
 """
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -67,7 +67,7 @@ def test_both_ways_to_one_quantity_are_one():
         ("pinion_speed", "70 Hz", "write rev/s, rad/s or rpm"),
         ("load", "500 N", 'or operation.torque="450 N·m"'),
         ("dimensionless.error", "6um", 'or mesh.error="5 um"'),
-        ("mean_stiffness", "3,4e8 N/m", "a decimal point is written"),
+        ("mean_stiffness", "3,400 N/um", "write 3.400 or 3400"),
         ("mesh_damping", "5 um", "without unit"),
     ],
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
 
@@ -10,6 +11,14 @@ from .units import DIMENSION_NAMES, Dimension, unit
 _LEAST = 1e-15
 LARGEST_VALUE = 1e9
 """Bound of dimensionless numbers without a bound of their own."""
+
+
+class ValueRefusedError(ValueError):
+    """A value that cannot be used; says what is expected and the nearest valid name if there is one."""
+
+    def __init__(self, expected: str, nearest: str | None = None):
+        self.expected, self.nearest = expected, nearest
+        super().__init__(expected)
 
 
 @dataclass(frozen=True)
@@ -41,6 +50,9 @@ class Quantity:
         The quantity; the same for all places that name it. Empty: the path.
     below : str
         What is told beside the range of a value below it.
+    reader : callable, optional
+        From a text as drawings have it there to one that is a number with its unit. Raises
+        `ValueRefusedError`.
     """
 
     path: str
@@ -55,6 +67,7 @@ class Quantity:
     bare: bool = False
     key: str = ""
     below: str = ""
+    reader: Callable[[str], str] | None = None
 
     def accepts(self, value: float) -> bool:
         """Is the value (SI) in range?"""
@@ -93,6 +106,8 @@ class Choice:
     description: str
     also: tuple[str, ...] = ()
     """Names that are taken, too, and told only in the description."""
+    reader: Callable[[str], str] | None = None
+    """From another text to the name that is kept. Raises `ValueRefusedError`."""
 
     def takes(self, name: str) -> bool:
         """Is it one of the names?"""

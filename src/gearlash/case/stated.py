@@ -14,9 +14,12 @@ import numpy as np
 
 from .errors import shown
 from .quantity import Choice, Quantity
+from .quantity import ValueRefusedError as ValueRefusedError
 from .texts import refused
-from .units import FREQUENCY, NUMBER, SPEED, UnitError, in_si, read, takes
+from .unit_hints import instead, meant, usual_units
+from .units import FREQUENCY, LENGTH, NUMBER, SPEED, UnitError, in_si, read, takes
 from .words import nearest_name
+from .written_numbers import NumberError
 
 
 class Provenance(StrEnum):
@@ -40,14 +43,6 @@ class Stated:
     text: str
     provenance: Provenance = Provenance.GIVEN
     reason: str = ""
-
-
-class ValueRefusedError(ValueError):
-    """A value that cannot be used; says what is expected and the nearest valid name if there is one."""
-
-    def __init__(self, expected: str, nearest: str | None = None):
-        self.expected, self.nearest = expected, nearest
-        super().__init__(expected)
 
 
 RANGE = "here stands one value; two ends go to gearlash tolerance with --limits, or to a sweep with --over"
@@ -96,6 +91,8 @@ def _read(raw: object, place: Quantity | Choice) -> float | str:
 def _choice(raw: object, place: Choice) -> str:
     if isinstance(raw, str) and place.takes(raw):
         return str(raw)
+    if isinstance(raw, str) and place.reader is not None and len(raw) <= LONGEST:
+        return place.reader(raw)
     raise ValueRefusedError(
         f"one of {', '.join(place.choices)}", _nearest(raw, (*place.choices, *place.also))
     )
@@ -143,18 +140,32 @@ def _from_number(raw: float, place: Quantity) -> float:
 
 
 def _from_text(raw: str, place: Quantity) -> float:
+    text = raw if place.reader is None else place.reader(raw)
+    if place.dimension == LENGTH:
+        text = text.strip().removeprefix("Ø").removeprefix("ø").removeprefix("⌀")
     try:
-        number, unit = read(raw)
+        number, unit = read(text, place.dimension)
     except UnitError as error:
+        if isinstance(error, NumberError):
+            raise ValueRefusedError(f"{place.expected} ({error})") from None
         why = f"{error}; {RANGE}" if _TWO_VALUES.search(raw) else str(error)
-        raise ValueRefusedError(f"{place.expected} ({why})") from None
+        raise _refused(text, place, f" ({why})") from None
     if takes(place.dimension, unit):
         return _in_si(number, in_si(place.dimension, number, unit))
     if place.bare and unit.dimension == NUMBER and unit.ratio == 1:
         return _in_si(number, float(number))
-    turns = " (1/s and Hz may mean turns or radians: write rev/s, rad/s or rpm)"
-    unclear = place.dimension == SPEED and unit.dimension in (FREQUENCY, NUMBER)
-    raise ValueRefusedError(place.expected + (turns if unclear else ""))
+    if place.dimension == SPEED and unit.dimension == FREQUENCY:
+        turns = " (1/s and Hz may mean turns or radians: write rev/s, rad/s or rpm)"
+        raise ValueRefusedError(place.expected + turns)
+    other = instead(unit.dimension, place)
+    raise _refused(text, place, f" ({other})" if other else "")
+
+
+def _refused(text: str, place: Quantity, why: str) -> ValueRefusedError:
+    """With what was probably meant, else with the units that there are."""
+    near, units = meant(text, place), usual_units(place)
+    others = f"; units are {units}" if units and near is None and not why.startswith(" (that is") else ""
+    return ValueRefusedError(f"{place.expected}{why}{others}", near)
 
 
 def _in_si(number: Fraction, value: float) -> float:

@@ -11,122 +11,44 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 from functools import cache
-from math import inf, isfinite, pi
-from typing import Any, NamedTuple
+from math import isfinite
+from typing import Any
 
 from .spelling import plain_unit, plain_value
+from .unit_words import ANGLE as ANGLE
+from .unit_words import DENSITY as DENSITY
+from .unit_words import DIMENSION_NAMES as DIMENSION_NAMES
+from .unit_words import FORCE as FORCE
+from .unit_words import FREQUENCY as FREQUENCY
+from .unit_words import INERTIA as INERTIA
+from .unit_words import LENGTH as LENGTH
+from .unit_words import MASS as MASS
+from .unit_words import NUMBER as NUMBER
+from .unit_words import OTHER_WORDS, UNIT_WORDS, Dimension, Unit
+from .unit_words import PITCH as PITCH
+from .unit_words import POWER as POWER
+from .unit_words import PRESSURE as PRESSURE
+from .unit_words import SPEED as SPEED
+from .unit_words import STIFFNESS as STIFFNESS
+from .unit_words import TEMPERATURE as TEMPERATURE
+from .unit_words import TORQUE as TORQUE
+from .written_numbers import UnitError as UnitError
 
-
-class Dimension(NamedTuple):
-    """Exponents of length, mass, time, angle and temperature."""
-
-    length: int = 0
-    mass: int = 0
-    time: int = 0
-    angle: int = 0
-    temperature: int = 0
-
-
-NUMBER = Dimension()
-LENGTH = Dimension(length=1)
-MASS = Dimension(mass=1)
-ANGLE = Dimension(angle=1)
-FREQUENCY = Dimension(time=-1)
-SPEED = Dimension(time=-1, angle=1)
-FORCE = Dimension(1, 1, -2)
-TORQUE = Dimension(2, 1, -2)
-POWER = Dimension(2, 1, -3)
-STIFFNESS = Dimension(0, 1, -2)
-INERTIA = Dimension(2, 1)
-TEMPERATURE = Dimension(temperature=1)
-"""Read off a thermometer: in °C everywhere, as a drawing counts from 20 °C."""
-
-DIMENSION_NAMES = {
-    NUMBER: "a number without unit",
-    LENGTH: "a length",
-    MASS: "a mass",
-    ANGLE: "an angle",
-    FREQUENCY: "a frequency in cycles per second",
-    SPEED: "a rotational speed",
-    FORCE: "a force",
-    TORQUE: "a torque",
-    POWER: "a power",
-    STIFFNESS: "a stiffness",
-    INERTIA: "a moment of inertia",
-    TEMPERATURE: "a temperature in °C",
-}
-
-
-class Unit(NamedTuple):
-    """SI value of one unit: ``ratio`` · π^``pi_power``."""
-
-    ratio: Fraction
-    pi_power: int
-    dimension: Dimension
-
-    def convert(self, number: Fraction) -> float:
-        """This many units in SI, correctly rounded but for the power of π; infinite when too large."""
-        try:
-            return float(number * self.ratio) * pi**self.pi_power
-        except OverflowError:
-            return inf
-
-    def express(self, value: float) -> float:
-        """A value in SI as a number of these units."""
-        return float(Fraction(value) / self.ratio) / pi**self.pi_power
-
-
-def _unit(ratio: str | int, dimension: Dimension, pi_power: int = 0) -> Unit:
-    return Unit(Fraction(ratio), pi_power, dimension)
-
-
-UNIT_WORDS: dict[str, Unit] = {
-    "%": _unit("1/100", NUMBER),
-    "m": _unit(1, LENGTH),
-    "cm": _unit("1/100", LENGTH),
-    "mm": _unit("1/1000", LENGTH),
-    "um": _unit("1e-6", LENGTH),
-    "micron": _unit("1e-6", LENGTH),
-    "nm": _unit("1e-9", LENGTH),
-    "kg": _unit(1, MASS),
-    "g": _unit("1/1000", MASS),
-    "t": _unit(1000, MASS),
-    "s": _unit(1, Dimension(time=1)),
-    "ms": _unit("1/1000", Dimension(time=1)),
-    "min": _unit(60, Dimension(time=1)),
-    "rad": _unit(1, ANGLE),
-    "mrad": _unit("1/1000", ANGLE),
-    "deg": _unit("1/180", ANGLE, pi_power=1),
-    "rev": _unit(2, ANGLE, pi_power=1),
-    "U": _unit(2, ANGLE, pi_power=1),
-    "r": _unit(2, ANGLE, pi_power=1),
-    "rpm": _unit("1/30", SPEED, pi_power=1),
-    "Hz": _unit(1, FREQUENCY),
-    "kHz": _unit(1000, FREQUENCY),
-    "N": _unit(1, FORCE),
-    "kN": _unit(1000, FORCE),
-    "MN": _unit(1_000_000, FORCE),
-    "mN": _unit("1/1000", FORCE),
-    "W": _unit(1, POWER),
-    "kW": _unit(1000, POWER),
-    "MW": _unit(1_000_000, POWER),
-    "degC": _unit(1, TEMPERATURE),
-}
-"""Unit words that need no library; a test holds every one against pint."""
-
-PER_MINUTE = _unit("1/60", FREQUENCY)
+PER_MINUTE = Unit(Fraction(1, 60), 0, FREQUENCY)
 _NUMBER = re.compile(r"([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.ASCII | re.DOTALL)
 _TERM = re.compile(r"([A-Za-z]+|%)(?:\^?(-?\d))?", re.ASCII)
-_JOINED = re.compile(r"\b(kN|MN|mN|N)(m|mm|cm)\b|\b(kg)(m)(?=\^?2\b)")
+_JOINED = re.compile(
+    r"\b(kN|MN|mN|cN|daN|N|kgf|kp)(m|mm|cm)\b"  # Nm
+    r"|\b(kg)(mm|cm|m)(?=\^?2\b)"  # kgm²
+    r"|\b(lbf|lb|ozf|oz)(in|ft)\b|\b(in|ft)(lbfs?|lbs?|ozf?)\b"  # lbft, inlb
+)
+_WEIGHED = re.compile(r"\b(lbs?|oz|pounds?)\b", re.IGNORECASE)
 _NO_NUMBER = "nan", "inf", "infinity"
 
 
-class UnitError(ValueError):
-    """The text is no physical value; its message says what is wrong with it."""
-
-
-def read(text: str) -> tuple[Fraction, Unit]:
-    """Number and unit of a text such as ``3.2e8 N/m``; no unit at all is `NUMBER`. Raises `UnitError`."""
+def read(text: str, dimension: Dimension = NUMBER) -> tuple[Fraction, Unit]:
+    """Number and unit of a text such as ``3.2e8 N/m``; no unit at all is `NUMBER`. Where a dimension is told,
+    ``lb ft`` is the weight of a pound. Raises `UnitError`."""
     stripped = plain_value(text)
     if not stripped:
         raise UnitError("nothing stands there")
@@ -137,15 +59,18 @@ def read(text: str) -> tuple[Fraction, Unit]:
             "it is not a finite number" if first in _NO_NUMBER else "it does not start with a number"
         )
     if match[2].startswith(","):
-        raise UnitError("a decimal point is written '.', and thousands are not set apart")
+        raise UnitError("there are several commas, and no digits between them in threes")
     if re.match(r"\*?\s*10\b", match[2]):
         raise UnitError("a power of ten is written 3.4e8 or 3.4*10^8")
-    return _number(match[1]), unit(match[2])
+    return _number(match[1]), unit_for(dimension, match[2])
 
 
 def behind_number(text: str) -> str:
     """What stands behind the number of a text: its unit."""
-    match = _NUMBER.fullmatch(plain_value(text))
+    try:
+        match = _NUMBER.fullmatch(plain_value(text))
+    except UnitError:
+        return ""
     return match[2] if match else ""
 
 
@@ -161,7 +86,7 @@ def in_unit_of(other: str, text: str) -> str:
 def unit(text: str) -> Unit:
     """The unit of a text such as ``N·m`` or ``kg m^2``. Raises `UnitError` naming the part that is no
     unit."""
-    words = _JOINED.sub(lambda m: f"{m[1] or m[3]}*{m[2] or m[4]}", plain_unit(text))
+    words = _parted(text)
     result = Unit(Fraction(1), 0, NUMBER)
     if not words:
         return result
@@ -199,6 +124,24 @@ def takes(dimension: Dimension, found: Unit) -> bool:
     return found.dimension == dimension or (dimension == SPEED and found == PER_MINUTE)
 
 
+def _parted(text: str) -> str:
+    """Words of a unit apart: ``N*m`` of Nm."""
+    return _JOINED.sub(lambda m: "*".join(filter(None, m.groups())), plain_unit(text))
+
+
+def unit_for(dimension: Dimension, text: str) -> Unit:
+    """The unit of a text where a quantity of this dimension is to stand: pounds and ounces are masses or,
+    where only that fits, their weights, as in lb ft. Raises `UnitError`."""
+    found = unit(text)
+    if takes(dimension, found):
+        return found
+    words = _parted(text)
+    weights = _WEIGHED.sub(lambda m: "ozf" if m[0].lower() == "oz" else "lbf", words)
+    if weights != words and takes(dimension, weighed := unit(weights)):
+        return weighed
+    return found
+
+
 def in_si(dimension: Dimension, number: Fraction, found: Unit) -> float:
     """A number of such units in SI."""
     return (UNIT_WORDS["rpm"] if dimension == SPEED and found == PER_MINUTE else found).convert(number)
@@ -214,12 +157,12 @@ def _number(text: str) -> Fraction:
 
 
 def _word(word: str) -> Unit:
+    word = OTHER_WORDS.get(word, word)
     if word in UNIT_WORDS:
         return UNIT_WORDS[word]
     found = ask_pint(word)
     if found is None:
-        same = [known for known in UNIT_WORDS if known.lower() == word.lower()]
-        raise UnitError(f"{word!r} is no unit" + (f" ({same[0]!r} is)" if same else ""))
+        raise UnitError(f"{word!r} is no unit")
     return found
 
 

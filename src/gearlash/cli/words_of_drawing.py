@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 GEARS = ("pinion", "gear")
+_HALVES = re.compile(r"(\d[\s-])(\d{1,2})/(2|4|8|16|32|64)(?!\d)")
 _OF_BEARINGS = re.compile(r"\.(bearing|shaft|housing)_stiffness_")
 
 
@@ -260,9 +261,10 @@ def placed(words: Mapping[str, str]) -> dict[str, str]:
 
 
 def _parts(word: Word, text: str) -> list[str]:
-    """At the stroke between two values: of quantities not that of a unit (N/m)."""
+    """At the stroke between two values: of quantities not that of a unit (N/m) or of 1 1/2."""
     stroke = r"/" if word.name == "material" else r"/(?=\s*[-+.\d]|\s*$)|^\s*/"
-    return [part.strip() for part in re.split(stroke, text, maxsplit=1)]
+    whole = _HALVES.sub("\\1\\2\u2044\\3", text)
+    return [part.strip().replace("\u2044", "/") for part in re.split(stroke, whole, maxsplit=1)]
 
 
 def is_helical(texts: Mapping[str, str]) -> bool:

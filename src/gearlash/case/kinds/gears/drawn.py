@@ -10,7 +10,7 @@ from gearlash.gears import basic_rack, gear_fits
 from gearlash.gears.materials import MATERIALS, STEELS
 from gearlash.gears.mesh import harmonic_name
 
-from . import relief
+from . import relief, written
 from .keys import GEARS
 from .shared import HIGHEST_HARMONIC, RIGHT_ANGLE, number, positive
 
@@ -110,7 +110,13 @@ def of_gear(gear: str) -> Iterator[Quantity]:
     yield positive(f"{gear}.rim_diameter", LENGTH, "mm", "140 mm", what, 50)
     yield positive(f"{gear}.web_width", LENGTH, "mm", "15 mm", f"width of the web of the {gear}", 5)
     yield number(
-        f"{gear}.quality", "7", f"flank tolerance class of the {gear}, ISO 1328-1", 1, 12, integer=True
+        f"{gear}.quality",
+        "7",
+        f"flank tolerance class of the {gear}, ISO 1328-1",
+        1,
+        12,
+        integer=True,
+        reader=written.tolerance_class,
     )
     yield from relief.of_gear(gear)
 
@@ -122,8 +128,10 @@ def of_mesh() -> Iterator[Quantity]:
     yield number(SHIFT_SUM, "0.4", "sum of the profile shifts x_1 + x_2", -6.0, 6.0)
     yield positive(TRANSVERSE_MODULE, LENGTH, "mm", "4.2 mm", "transverse module m_t", 0.2)
     yield positive(TRANSVERSE_ANGLE, ANGLE, "deg", "21 deg", "transverse pressure angle α_t", RIGHT_ANGLE)
-    yield number(PITCH, "8", "normal diametral pitch P_n, teeth per inch", 0.1, 500.0)
-    yield number(TRANSVERSE_PITCH, "7.7", "transverse diametral pitch P_t, teeth per inch", 0.1, 500.0)
+    read = written.diametral_pitch
+    yield number(PITCH, "8", "normal diametral pitch P_n, teeth per inch", 0.1, 500.0, reader=read)
+    what = "transverse diametral pitch P_t, teeth per inch"
+    yield number(TRANSVERSE_PITCH, "7.7", what, 0.1, 500.0, reader=read)
     what = "tolerance grade of the centre distance: the 7 of js7"
     yield number("mesh.distance_grade", "7", what, 5, 11, integer=True)
     yield Quantity(PLAY, LENGTH, "um", "100 um", "whole backlash j_wt on the working circle", 0.0, 0.02)
@@ -146,7 +154,7 @@ def options() -> Iterator[Choice]:
     for gear in GEARS:
         what = f"material of the {gear}; a gear steel by its designation, too"
         yield Choice(f"{gear}.material", tuple(MATERIALS), "steel", what, STEELS)
-        yield Choice(f"{gear}.fit", FITS, "25cd", f"fit of the {gear}'s teeth, DIN 3967")
+        yield Choice(f"{gear}.fit", FITS, "25cd", f"fit of the {gear}'s teeth, DIN 3967", (), written.fit)
     yield Choice(RACK, tuple(RACKS), "ISO53-A", "standard basic rack that cuts both gears")
     what = "tips that nobody states: full, or shortened so that the rack's clearance is kept"
     yield Choice(TIPS, ("full", SHORTENED), "full", what)

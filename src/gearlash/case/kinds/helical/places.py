@@ -8,6 +8,7 @@ from gearlash.case.kinds.gears import drawn, loaded, play, shared, supports
 from gearlash.case.kinds.gears.keys import GEARS, PROJECTION
 from gearlash.case.kinds.gears.places import Places
 from gearlash.case.kinds.gears.shared import RIGHT_ANGLE, number, positive, ratio
+from gearlash.case.kinds.gears.written import handed_angle
 from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.units import ANGLE, STIFFNESS
 from gearlash.gears import Projection, YAxis
@@ -29,8 +30,16 @@ def _quantities() -> Iterator[Quantity]:
             yield ratio(f"{gear}.bearing_damping_{axis}", f"{way} bearing damping ratio ξ of the {gear}")
             yield from supports.of_gear(gear, axis)
     yield from shared.of_teeth(MODULE, OTHER_MODULE)
-    what = "helix angle β at the pitch cylinder"
-    yield Quantity("mesh.helix_angle", ANGLE, "deg", "18 deg", what, -RIGHT_ANGLE, RIGHT_ANGLE)
+    yield Quantity(
+        "mesh.helix_angle",
+        ANGLE,
+        "deg",
+        "18 deg",
+        "helix angle β at the pitch cylinder",
+        -RIGHT_ANGLE,
+        RIGHT_ANGLE,
+        reader=handed_angle,
+    )
     yield ratio("bearings.damping_ratio", "damping ratio ξ of all four bearing directions")
     yield from shared.of_mesh()
     yield from drawn.of_mesh()

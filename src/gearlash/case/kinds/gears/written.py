@@ -1,0 +1,111 @@
+"""What drawings write beside a number: a standard beside a class, a hand beside an angle, DP beside a pitch.
+
+A reader makes of such a text the number of the place. A class of another standard is refused with the class
+that is mostly taken for it: whoever knows the sheet decides.
+"""
+
+from __future__ import annotations
+
+import re
+
+from gearlash.case.quantity import ValueRefusedError
+from gearlash.gears import gear_fits
+
+CLASS = "a flank tolerance class of ISO 1328-1, a whole number from 1 to 12, such as 7"
+_YEAR = r"(?:\s*[:-]?\s*(?:19|20)\d\d)?"
+_STANDARDS = {
+    "ISO": rf"(?:agma\s*)?(?:din\s*)?(?:en\s*)?iso\b\s*(?:1328)?(?:-1)?(?:-?b14)?{_YEAR}"
+    rf"|gb(?:/t)?\s*(?:10095)?(?:[.-]1)?{_YEAR}|jis\b\s*(?:b\s*1702)?(?:-1)?{_YEAR}\s*n\s*(?=\d)",
+    "JIS": rf"jis\b\s*(?:b\s*1702)?{_YEAR}",
+    "DIN": rf"\bdin\s*(?:396\d|58405)?{_YEAR}",
+    "Q": r"(?:agma\s*)?(?:2000)?(?:-a88)?[\s-]*\bq\s*(?=\d)",
+    "A": r"(?:agma\s*)?(?:2015)?(?:-1)?(?:-a01)?[\s-]*\ba\s*(?=\d)",
+    "AGMA": r"agma\s*(?:2000|390)?(?:[.-]\w+)?",
+}
+"""What is written, in small letters: ISO 1328-1 and what is the same, and standards of other limits."""
+_FOUND = {name: re.compile(text) for name, text in _STANDARDS.items()}
+_DIGITS = re.compile(r"(?<![\d.,])\d{1,2}(?![\d.,])", re.ASCII)
+_FIT = re.compile(
+    r"(?P<letters>[a-h]{1,2})\s*(?P<number>2[1-9]|30)|(?P<first>2[1-9]|30)\s*(?P<behind>[a-h]{1,2})"
+)
+_HAND = re.compile(
+    r"\b(r|l|rh|lh|right|left|rechts|links)(?:[\s-]?hand(?:ed)?)?$|^(rh?|lh?|right|left)\b", re.IGNORECASE
+)
+_PITCH = re.compile(
+    r"(?:d\.?p\.?|p_?(?:nd|[nd])?)?\s*=?\s*(\d[\d.,]*)\s*"
+    r"(?:d\.?p\.?|(?:teeth\s*)?(?:/|per)\s*in(?:ch)?|1/in|in\^?-1|in⁻¹)?",
+    re.IGNORECASE,
+)
+
+
+def tolerance_class(text: str) -> str:
+    """The number of a class of ISO 1328-1, or of a standard that is the same one. Raises
+    `ValueRefusedError`."""
+    small = text.strip().casefold()
+    standard = next((name for name, pattern in _FOUND.items() if pattern.search(small)), "")
+    rest = _FOUND[standard].sub(" ", small) if standard else small
+    fit = _FIT.search(rest)
+    rest = _FIT.sub(" ", rest)
+    found = [int(number) for number in _DIGITS.findall(rest)]
+    if not found or re.search(r"\d[.,]\d|[+*]|^-|\d{3}|\de", rest):
+        return text
+    if len(found) > 1:
+        raise ValueRefusedError(f"{CLASS}; here stand several, of which one holds", str(max(found)))
+    if standard in _TAKEN_FOR:
+        why, taken = _TAKEN_FOR[standard]
+        raise ValueRefusedError(f"{CLASS}; {why}", str(taken(found[0])))
+    if re.sub(r"\b(?:class|grade|klasse|quality|qualität|accuracy|no|nr|n)\b|[\d\s.,:()-]", "", rest):
+        raise ValueRefusedError(f"{CLASS}, without other words", str(found[0]))
+    if fit is not None:
+        raise ValueRefusedError(f"{CLASS}; the fit beside it stands at fit", str(found[0]))
+    return str(found[0])
+
+
+def _whole(number: int) -> int:
+    return min(max(number, 1), 12)
+
+
+_OF_AGMA = (
+    "Q numbers of AGMA 2000 grow as gears get finer, have other limits, and are mostly taken for 17 - Q"
+)
+_TAKEN_FOR = {
+    "DIN": ("classes of DIN 3961 have limits of their own under the same numbers", _whole),
+    "JIS": (
+        "grades of JIS B 1702 of 1976 have limits of their own, and are mostly taken for those 4 above",
+        lambda number: _whole(number + 4),
+    ),
+    "A": ("grades A of AGMA 2015 have limits of their own under the same numbers", _whole),
+    "Q": (_OF_AGMA, lambda number: _whole(17 - number)),
+    "AGMA": (_OF_AGMA, lambda number: _whole(17 - number)),
+}
+"""Standards with limits of their own: why, and the class that is mostly taken for it."""
+
+
+def handed_angle(text: str) -> str:
+    """An angle with the hand of the pinion's helix beside it, left-hand as below 0."""
+    plain = text.strip()
+    found = _HAND.search(plain)
+    if found is None:
+        return text
+    angle = (plain[: found.start()] + plain[found.end() :]).strip(" ,;:()")
+    left = (found[1] or found[2]).casefold().startswith("l")
+    return f"-{angle.lstrip('+')}" if left and not angle.startswith(("-", "−")) else angle
+
+
+def diametral_pitch(text: str) -> str:
+    """The number of ``8 DP``, ``8/in`` or ``P8``."""
+    found = _PITCH.fullmatch(text.strip())
+    return text if found is None else found[1]
+
+
+def fit(text: str) -> str:
+    """A fit of DIN 3967 as ``25cd``, of ``cd25`` or ``DIN 3967 - 25 cd``. Raises `ValueRefusedError`."""
+    found = _FIT.search(re.sub(r"din\s*3967", " ", text.strip().casefold()))
+    if found is not None:
+        letters, number = found["letters"] or found["behind"], found["number"] or found["first"]
+        if letters in gear_fits.ALLOWANCE_SERIES:
+            return f"{number}{letters}"
+    series = ", ".join(gear_fits.ALLOWANCE_SERIES)
+    raise ValueRefusedError(
+        f"a fit of DIN 3967: tolerance series 21 to 30 and allowance series {series}, such as 25cd"
+    )

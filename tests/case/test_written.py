@@ -1,0 +1,135 @@
+"""What drawings write beside numbers: standards beside classes, hands, pitches, fits; and what is refused."""
+
+import pytest
+
+from gearlash.case.kinds import kind_named
+from gearlash.case.stated import ValueRefusedError, read_stated
+
+PLACES = kind_named("helical-pair").places
+CLASS, HELIX, BORE = PLACES["pinion.quality"], PLACES["mesh.helix_angle"], PLACES["pinion.bore"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["7", "ISO 7", "7 (ISO 1328)", "ISO 1328-1:2013 class 7", "DIN ISO 1328-1 7", "JIS N7", "JIS B 1702-1 N7",
+     "GB/T 10095 7", "Klasse 7", "7 ISO 1328-1"],
+)  # fmt: skip
+def test_a_class_beside_its_standard(text: str):
+    assert read_stated(text, CLASS).value == 7.0
+
+
+@pytest.mark.parametrize(
+    ("text", "nearest", "told"),
+    [
+        ("DIN 7", "7", "DIN 3961"),
+        ("8 DIN 3962", "8", "DIN 3961"),
+        ("DIN 6 e 25", "6", "DIN 3961"),
+        ("DIN 58405 8", "8", "DIN 3961"),
+        ("AGMA Q10", "7", "grow as gears get finer"),
+        ("AGMA 2000-A88 Q11", "6", "grow as gears get finer"),
+        ("AGMA 12", "5", "grow as gears get finer"),
+        ("AGMA 2015-A8", "8", "AGMA 2015"),
+        ("JIS 4", "8", "JIS B 1702 of 1976"),
+        ("6-7", "7", "several"),
+        ("7-6-6 GM", "7", "several"),
+        ("7 cd 25", "7", "fit"),
+        ("6 HK", "6", "without other words"),
+        ("IT7", "7", "without other words"),
+    ],
+)
+def test_a_class_of_another_standard_is_refused_with_the_one_mostly_taken_for_it(
+    text: str, nearest: str, told: str
+):
+    with pytest.raises(ValueRefusedError) as refused:
+        read_stated(text, CLASS)
+    assert refused.value.nearest == nearest
+    assert told in refused.value.expected
+    assert read_stated(nearest, CLASS).value == float(nearest)
+
+
+@pytest.mark.parametrize("text", ["7.5", "13", "0", "-7", "766", "7e1", "seven", "٧", "7 * 2", "ISO 7.5"])
+def test_what_is_no_class(text: str):
+    with pytest.raises(ValueRefusedError):
+        read_stated(text, CLASS)
+
+
+@pytest.mark.parametrize(
+    ("text", "degrees"),
+    [("15° RH", 15.0), ("15° LH", -15.0), ("LH 15°30'", -15.5), ("15 deg left hand", -15.0),
+     ("15° rechts", 15.0), ("-15 deg L", -15.0), ("15,5° links", -15.5), ("15°", 15.0)],
+)  # fmt: skip
+def test_a_left_hand_helix_is_below_0(text: str, degrees: float):
+    assert read_stated(text, HELIX).value == pytest.approx(degrees * 3.141592653589793 / 180.0, rel=1e-14)
+
+
+@pytest.mark.parametrize("text", ["8", "8/in", "8 DP", "DP 8", "P8", "Pnd 8", "8 per inch", "8 in^-1", "8,0"])
+def test_a_diametral_pitch_with_its_letters(text: str):
+    assert read_stated(text, PLACES["mesh.diametral_pitch"]).value == 8.0
+
+
+@pytest.mark.parametrize("text", ["25cd", "25 cd", "cd25", "DIN 3967 - cd 25", "CD 25"])
+def test_a_fit_in_either_order(text: str):
+    assert read_stated(text, PLACES["pinion.fit"]).value == "25cd"
+
+
+@pytest.mark.parametrize("text", ["25k", "20cd", "31cd", "H7"])
+def test_what_is_no_fit(text: str):
+    with pytest.raises(ValueRefusedError, match="DIN 3967"):
+        read_stated(text, PLACES["pinion.fit"])
+
+
+def test_a_diameter_with_its_sign():
+    assert read_stated("ø30 mm", BORE).value == 0.03
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "nearest"),
+    [
+        ("pinion.bore", "30", "30 mm"),
+        ("pinion.bore", "Ø30", "30 mm"),
+        ("pinion.bore", "30 H7", "30 mm"),
+        ("pinion.bore", "30 H7 mm", "30 mm"),
+        ("pinion.bore", "dia 30 mm", "30 mm"),
+        ("mesh.centre_distance", "128 ±0.02 mm", "128 mm"),
+        ("mesh.centre_distance", "128 +0.02/-0.01 mm", "128 mm"),
+        ("mesh.centre_distance", "128 mm (5.04 in)", "128 mm"),
+        ("mesh.normal_module", "m3", "3 mm"),
+        ("mesh.backlash", "0.08-0.12 mm", None),
+        ("mesh.backlash", "80..120 um", None),
+        ("mesh.backlash", "80 um 90 um", None),
+        ("mesh.pressure_angle", "20", "20 deg"),
+        ("operation.torque", "150 NM", "150 N m"),
+        ("operation.torque", "150 nm", "150 N m"),
+        ("operation.torque", "15 kgm", "15 kgf m"),
+        ("operation.pinion_speed", "4200", "4200 rpm"),
+        ("operation.pinion_speed", "4200 r.p.m.", "4200 rpm"),
+        ("operation.pinion_speed", "4200 rev per min", "4200 rev/min"),
+        ("operation.pinion_speed", "4200 u/min", "4200 U/min"),
+        ("operation.power", "20 kw", "20 kW"),
+        ("operation.power", "20 metric hp", "20 PS"),
+        ("operation.power", "20 hp(M)", "20 PS"),
+        ("pinion.temperature", "140 °F", "60 degC"),
+        ("pinion.temperature", "333.15 K", "60 degC"),
+    ],
+)
+def test_the_value_that_was_probably_meant(path: str, text: str, nearest: str | None):
+    with pytest.raises(ValueRefusedError) as refused:
+        read_stated(text, PLACES[path])
+    assert refused.value.nearest == nearest
+    if nearest is not None:
+        read_stated(nearest, PLACES[path])
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "told"),
+    [
+        ("mesh.normal_module", "8 DP", "stands at diametral_pitch"),
+        ("mesh.mean_stiffness", "20 N/(mm·µm)", "its product with b"),
+        ("operation.torque", "20 kW", "that is a power"),
+        ("mesh.backlash", "80 parsecish", "units are mm, µm"),
+    ],
+)
+def test_a_unit_of_another_quantity_is_named(path: str, text: str, told: str):
+    with pytest.raises(ValueRefusedError) as refused:
+        read_stated(text, PLACES[path])
+    assert told in refused.value.expected
