@@ -3,6 +3,8 @@ nothing."""
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 import gearlash as gl
@@ -40,6 +42,26 @@ def test_where_a_branch_was_cut_short_nothing_is_told(unlimited):
     assert little.left_out > 0
     for low, high, kind in ends(little):
         assert kind != "fold" or (low, high, kind) in ends(unlimited)
+
+
+def test_what_was_cut_is_not_followed_twice(monkeypatch: pytest.MonkeyPatch):
+    """Beyond the end of a branch that was cut short another one goes on, and stops where they meet: with
+    the zone that one branch makes. Here each may have eleven orbits a way."""
+    monkeypatch.setattr("gearlash.studies.work.FEWEST", 5)
+    monkeypatch.setattr("gearlash.studies.work.BRANCH", 28)
+    case, axis = gl.load_case("kahraman-singh"), Axis.even("omega", 0.1, 0.7, 13)
+    ways = gl.sweeps(case, axis, ("up",))
+    whole, cut = (
+        zones_of_kinds(case, axis, [Quiet.IMPACT_FREE], known=ways, work=work)[0] for work in (None, 3_000)
+    )
+    assert len(whole.branches) < len(cut.branches)
+    assert cut.left_out == 0
+    assert [(z.lower.value, z.upper.value) for z in cut.zones] == [
+        (z.lower.value, z.upper.value) for z in whole.zones
+    ]
+    quiet = [branch for branch in cut.branches if str(branch.points[0].signature) == "1-0-0"]
+    reaches = sorted((min(branch.parameter), max(branch.parameter)) for branch in quiet)
+    assert all(one[1] == pytest.approx(next_[0], rel=1e-12) for one, next_ in pairwise(reaches))
 
 
 def test_without_work_all_that_was_seen_is_left_out():

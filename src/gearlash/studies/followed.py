@@ -6,7 +6,7 @@ symmetry, and from just beyond the ends of its stable arcs, where motion goes on
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,8 @@ from gearlash import flow
 from gearlash.branches.continuation import (
     Branch,
     ContinuationSettings,
+    EndKind,
+    EndOfBranch,
     SpecialKind,
     SpecialPoint,
     continue_orbit,
@@ -52,6 +54,7 @@ SWITCHED = (SpecialKind.DOUBLING, SpecialKind.JOINS, SpecialKind.BRANCH_POINT, S
 DOUBLED, BROKEN, SINGLE = "doubling", "symmetry breaking", "orbit of half its period"
 BEYOND_END = "beyond an end"
 STOPPED = "stopped"
+GOES_ON = "goes on as a branch that was followed before"
 LEFT_OUT = "not followed along its branch, as the work that was allowed for is spent"
 
 
@@ -85,12 +88,50 @@ class Seed:
 
 
 @dataclass(frozen=True, eq=False)
+class Cut:
+    """Where a branch was followed no farther as it has as many orbits as were allowed: its last orbit, and
+    whether it would go on upwards."""
+
+    value: float
+    strobes: Array
+    up: bool
+
+    def is_end_of(self, branch: Branch, upper: bool) -> bool:
+        """Whether a branch that comes from beyond it ends in the same orbit; ``upper``: at its last end."""
+        strobes = branch.points[-1 if upper else 0].strobes
+        size = max(float(np.abs(strobes).max()), 1e-3)
+        return strobes.shape == self.strobes.shape and _distance(strobes, self.strobes[0]) <= SAME * size
+
+
+@dataclass(frozen=True, eq=False)
 class Follow:
-    """A task: the branch of a seed, of at most so many orbits each way."""
+    """A task: the branch of a seed, of at most so many orbits each way, and no farther than to where another
+    one was cut: between ``above`` the nearest such place below it and ``below`` the nearest one above it."""
 
     question: Question
     seed: Seed
     most_points: int = MANY
+    above: Cut | None = None
+    below: Cut | None = None
+
+    @property
+    def lower(self) -> float:
+        return self.question.lower if self.above is None else self.above.value
+
+    @property
+    def upper(self) -> float:
+        return self.question.upper if self.below is None else self.below.value
+
+    def joined(self, branch: Branch) -> Branch | None:
+        """The branch, whose ends at a cut say that another one goes on there. None where one of them is no
+        orbit of that other branch."""
+        ends = []
+        for i, end in enumerate(branch.ends):
+            cut = {EndKind.LOWER: self.above, EndKind.UPPER: self.below}.get(end.kind)
+            if cut is not None and not cut.is_end_of(branch, i > 0):
+                return None
+            ends.append(end if cut is None else EndOfBranch(EndKind.ARRIVED, end.value, GOES_ON))
+        return replace(branch, lower=self.question.lower, upper=self.question.upper, ends=tuple(ends))
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,13 +158,17 @@ def follow_branch(task: Follow, carry: object) -> Part:
     family = q.source.family()
     steps = ContinuationSettings(longest=LONGEST, most_points=task.most_points, certify=False)
     try:
-        props = flow.propagators(family.system(q.values(family, seed.value)))
-        orbit = orbit_at(props, seed.state, seed.periods)
+        values = q.values(family, seed.value)
+        orbit = orbit_at(flow.propagators(family.system(values)), seed.state, seed.periods)
         if orbit is None:
             return Part(("its orbit was not found again",))
-        found = continue_orbit(
-            family, q.values(family, seed.value), q.name, orbit, q.lower, q.upper, steps, None, stopping
-        )
+
+        def between(low: float, high: float) -> Branch:
+            return continue_orbit(family, values, q.name, orbit, low, high, steps, None, stopping)
+
+        found = between(task.lower, task.upper)
+        if not stopping() and (task.above or task.below):
+            found = task.joined(found) or between(q.lower, q.upper)
     except (GearlashError, np.linalg.LinAlgError) as error:
         return Part((str(error),))
     return Part(()) if stopping() else Part((found,))
@@ -226,7 +271,7 @@ class Followed:
 
     def followed(self, seeds: Sequence[Seed]) -> list[str]:
         """Follows the branches of seeds; why it could not, of each, or empty."""
-        tasks = [Follow(self.question, seed, self.work.orbits_each_way(seed.periods)) for seed in seeds]
+        tasks = [self.follow(seed) for seed in seeds]
         chains = [Chain(i, (task,), (1,)) for i, task in enumerate(tasks)]
         done, failures = self.done(follow_branch, chains), []
         for i in range(len(seeds)):
@@ -235,6 +280,21 @@ class Followed:
             if not isinstance(found, str):
                 self.take(found)
         return failures
+
+    def follow(self, seed: Seed) -> Follow:
+        """The task that follows a seed: to where branches were cut that may be its own."""
+        cuts = [cut for branch in self.branches for cut in _cuts(branch)]
+        near = MEET * self.question.width
+        cuts = [cut for cut in cuts if len(cut.strobes) == seed.periods]
+        above = [cut for cut in cuts if cut.up and cut.value < seed.value - near]
+        below = [cut for cut in cuts if not cut.up and cut.value > seed.value + near]
+        return Follow(
+            self.question,
+            seed,
+            self.work.orbits_each_way(seed.periods),
+            max(above, key=lambda cut: cut.value, default=None),
+            min(below, key=lambda cut: cut.value, default=None),
+        )
 
     def take(self, branch: Branch) -> None:
         self.work.followed(branch)
@@ -382,6 +442,15 @@ class Followed:
         outcome = run(work, chains, self.execution)
         self.reason = outcome.reason
         return {name: found[0] for name, found in outcome.results.items() if found}
+
+
+def _cuts(branch: Branch) -> Iterator[Cut]:
+    """The ends of a branch at which as many orbits were had as were allowed."""
+    for end, point, ahead in zip(
+        branch.ends, (branch.points[0], branch.points[-1]), (-1.0, 1.0), strict=True
+    ):
+        if end.kind is EndKind.POINTS:
+            yield Cut(point.value, point.strobes, ahead * point.turn > 0.0)
 
 
 def _settled(point: Point) -> bool:

@@ -6,10 +6,14 @@ import numpy as np
 import xarray as xr
 
 from gearlash import plots
+from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Figure, Section, Text
 from gearlash.report.pictures import Picture
+from gearlash.results import NO_LABEL
+from gearlash.system import Label, Signature, read_label
 
 from .contents import Contents
+from .words import Words
 
 HEIGHT = 60.0
 """Of a map, mm: two of them fit a page."""
@@ -17,9 +21,13 @@ WORDS = {"load": "torque", "D": "backlash"}
 
 
 def section(contents: Contents) -> tuple[Section, list[Picture]]:
-    """A figure for every map there is."""
-    found, blocks, pictures = contents.found, [_intro()], []
+    """A figure for every map there is; a sentence for one that has a single motion throughout."""
+    found, pictures, blocks = contents.found, [], [_intro()]
     for name, dataset in contents.maps.items():
+        only = _only(dataset)
+        if only is not None:
+            blocks.append(Text.of(_in_words(contents, dataset, name, only)))
+            continue
         stem, words = f"map-{WORDS[name]}", f"speed and {WORDS[name]}"
         present = found.here, found.values[name]
         units = plots.Units.of(found.case)
@@ -53,22 +61,46 @@ def _pixel(contents: Contents, dataset: xr.Dataset, name: str) -> str:
     """How wide and high pixels are: what is narrower need not be seen."""
     units = contents.units
     steps = [float(np.diff(dataset[each].values).max()) for each in ("omega", name)]
-    if name == "load":
-        other = units.torque.text(steps[1], 3)
-    else:
-        other = units.length.text(steps[1] * (1.0 + contents.found.values["back_gap"]), 3)
+    wide, high = units.speed.text(steps[0], 3), _size(contents, name, steps[1], 3)
     plain = "" if units.speed.name else " of the axes"
+    return f"A pixel is {wide} wide and {high} high{plain}: what is narrower may lie between pixels unseen."
+
+
+def _size(contents: Contents, name: str, value: float, digits: int) -> str:
+    """A torque, or a backlash, in the unit of the case."""
+    units = contents.units
+    if name == "load":
+        return units.torque.text(value, digits)
+    return units.length.text(value * (1.0 + contents.found.values["back_gap"]), digits)
+
+
+def _only(dataset: xr.Dataset) -> Label | None:
+    """The label of all motions of a map; None where there are several, or some have none."""
+    codes = np.unique(dataset["label"].values)
+    if len(codes) > 1 or codes[0] == NO_LABEL:
+        return None
+    return read_label(str(dataset["label_name"].values[codes[0]]))
+
+
+def _in_words(contents: Contents, dataset: xr.Dataset, name: str, label: Label) -> str:
+    """A map that has one motion throughout."""
+    low, high = (_size(contents, name, float(dataset[name].values[i]), 4) for i in (0, -1))
+    words = Words(contents.units, contents.found.here)
+    speeds = words.reach(*(float(dataset["omega"].values[i]) for i in (0, -1)))
+    quiet = isinstance(label, Signature) and label.impacts == 0
+    counts = dataset.sizes["omega"], dataset.sizes[name]
     return (
-        f"A pixel is {units.speed.text(steps[0], 3)} wide and {other} high{plain}: what is narrower may lie "
-        "between pixels unseen."
+        f"Speed and {WORDS[name]}, {_fixed(contents, name)}: at {counts[0]} speeds, {speeds}, and "
+        f"{counts[1]} values of {WORDS[name]}, {low} to {high}, the motion is {short(label)}: teeth "
+        f"{'stay in contact' if quiet else 'separate'}. There is nothing else to draw."
     )
 
 
 def _intro() -> Block:
     return Text.of(
         "P-Q: in P mesh cycles the drive side is hit Q times; P-Q-R: and the back side R times. Every "
-        "pixel is one motion, from the cold start: what coexists with it, and what lies between pixels, is "
-        "not seen here."
+        "motion is the one from the cold start: what coexists with it, and what lies between the values that "
+        "were tried, is not seen here."
     )
 
 

@@ -34,6 +34,7 @@ def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
         Picture("speed-forces", over_speed, (axis, _forces(run, units)), {"title": title}),
         Picture("speed-errors", over_speed, (axis, _errors(run, units)), {"title": title}),
     ]
+    errors = f"{_ERROR_WORDS}{_HIT_WORDS if _parting(run) else _NEVER_APART}"
     step = units.speed.factor * float(np.diff(run.axis.values).max())
     unit = f" {units.speed.name}" if units.speed.name else " in omega"
     how = (
@@ -42,7 +43,7 @@ def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
         "is not periodic of 200 mesh cycles. Ends of bands were solved for, and do not depend on this step."
     )
     blocks = [*_factor(contents), *_bearing_table(run, units, words)]
-    blocks += [_figure("speed-forces", _FORCE_WORDS), _figure("speed-errors", _ERROR_WORDS), Text.of(how)]
+    blocks += [_figure("speed-forces", _FORCE_WORDS), _figure("speed-errors", errors), Text.of(how)]
     blocks += _resonance_table(found.case, units)
     return Section("speed", "Over speed", tuple(blocks)), pictures
 
@@ -54,8 +55,11 @@ _FORCE_WORDS = (
 )
 _ERROR_WORDS = (
     "Dynamic transmission error DTE: rotation of both gears along the line of action, to which bearings that "
-    "give way and unloaded errors add; share of time without contact; and the highest velocity at "
-    "which teeth meet again."
+    "give way and unloaded errors add"
+)
+_HIT_WORDS = "; share of time without contact; and the highest velocity at which teeth meet again."
+_NEVER_APART = (
+    ". In no motion of these sweeps do teeth part: no time without contact and no impact is to be shown."
 )
 
 
@@ -127,15 +131,24 @@ def _forces(run: SpeedRun, units: PairUnits) -> list[Stack]:
 
 def _errors(run: SpeedRun, units: PairUnits) -> list[Stack]:
     error = [("peak to peak", "transmission_error.peak_to_peak"), ("rms", "transmission_error.rms")]
+    stacks = [Stack(_unit_label("DTE", units.length), _curves(run, error, units.length))]
+    if not _parting(run):
+        return stacks
     share = Unit(100.0, "%", "percent")
     velocity = [("drive side", "impact_velocity")]
     if np.nanmax([one.back_velocity for _, one in run.measured()], initial=0.0) > 0.0:
         velocity.append(("back side", "back_velocity"))
     return [
-        Stack(_unit_label("DTE", units.length), _curves(run, error, units.length)),
+        *stacks,
         Stack("no contact  [%]", _curves(run, [("share of time", "share_without_contact")], share)),
         Stack(_unit_label("impact", units.velocity), _curves(run, velocity, units.velocity)),
     ]
+
+
+def _parting(run: SpeedRun) -> bool:
+    """Whether teeth part in any of its motions, or meet again."""
+    figures = ("share_without_contact", "impact_velocity", "back_velocity")
+    return any(getattr(one, name) > 0.0 for _, one in run.measured() for name in figures)
 
 
 def _unit_label(words: str, unit: Unit) -> str:
