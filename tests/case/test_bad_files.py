@@ -254,3 +254,18 @@ def test_bundled_files_hold_only_what_the_schema_names(name):
         if isinstance(content, dict) and table != "source":
             (model,) = (d for d in definitions.values() if d["title"] == f"{raw['kind']} {table}")
             assert set(content) <= set(model["properties"])
+
+
+@pytest.mark.parametrize("typed", ["hoist", "hoits.toml", "Hoist.TOML"])
+def test_a_file_that_is_not_there_has_a_neighbour(tmp_path, monkeypatch, typed: str):
+    """By its name without its ending, or one that looks like it; a bundled case else; none out of nothing."""
+    (tmp_path / "hoist.toml").write_text(HELICAL)
+    monkeypatch.chdir(tmp_path)
+    for name in (typed, str(tmp_path / typed)):
+        with pytest.raises(CaseError) as caught:
+            load(name)
+        assert caught.value.problems[0].nearest == "hoist.toml"
+    for name, nearest in (("artcle", "article"), ("nowhere/hoist", None), ("..", None)):
+        with pytest.raises(CaseError) as caught:
+            load(name)
+        assert caught.value.problems[0].nearest == nearest

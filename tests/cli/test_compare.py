@@ -105,6 +105,7 @@ def test_lines_and_rms_agree_with_samples(case: gl.Case):
         ("n [rpm];x [dB]\n1000;2\n2000;4", (), "what the levels refer to"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--value", "y"), "the name or number of a column"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--quantity", "mesh_forc"), "did you mean 'mesh_force'"),
+        ("n [rpm];x [g]\n1000;2\n2000;4", ("--quantity", "acceleration_y"), "did you mean 'acceleration_yp'"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--figure", "p2p"), "peak-to-peak"),
         ("n [rpm];x [um]\n1000;a\n2000;4", (), "its line 2 has no number in column 'x'"),
     ],

@@ -246,3 +246,9 @@ def test_the_value_found_is_told_in_the_unit_that_was_asked_for(gearlash: Gearla
         assert point["margin"] == point["value"] - answer["near"]
         assert point["margin_asked"] == pytest.approx(answer["asked"]["factor"] * point["margin"], rel=1e-9)
     assert "found along this motion" in answer["sentence"]
+
+
+def test_the_parameter_is_named_alone(gearlash: Gearlash):
+    ran = gearlash("graze", "article", "--over", "pinion_speed=3600:4000rpm")
+    assert ran.code == 2
+    assert "the name of a parameter alone, such as pinion_speed" in " ".join(ran.complaint.split())

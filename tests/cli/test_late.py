@@ -46,6 +46,17 @@ def test_what_takes_long_is_shown_until_it_ends(shown: list, monkeypatch: pytest
     assert end == "gone"
 
 
+def test_nothing_is_foretold_of_steps_that_grow(
+    shown: list, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    monkeypatch.setattr(late, "PATIENCE", -1.0)
+    monkeypatch.setattr(late, "LONG", -1.0)
+    for steady, said in ((False, False), (True, True)):
+        with late.late_bar("walk", steady=steady) as tell:
+            tell(1, 1000)
+        assert ("about" in capsys.readouterr().err) == said
+
+
 def test_a_search_tells_how_far_it_is():
     from gearlash.case import load
 

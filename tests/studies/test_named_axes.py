@@ -77,7 +77,23 @@ def test_what_does_not_fit_is_refused_in_words(axis: gl.Axis, fixed: dict[str, A
         gl.sweep(CASE, axis, values=fixed)
 
 
+def test_values_may_be_texts_with_one_unit():
+    axis = gl.Axis("pinion_speed", ["3600 rpm", "3800", "4200 rpm"])  # pyright: ignore[reportArgumentType]
+    assert (axis.values.tolist(), axis.unit) == ([3600.0, 3800.0, 4200.0], "rpm")
+    for values, unit, said in (
+        (["3600 rpm", "70 rps"], "", "rpm and rps: expected one unit"),
+        (["3600 rpm"], "Hz", "Hz and rpm: expected one unit"),
+        (["slow", "3600 rpm"], "", "number with its unit"),
+        (["3600 rpm", 3700], "", "numbers of shape"),
+        (["3800 rpm", "3600 rpm"], "", "ascend"),
+    ):
+        with pytest.raises(gl.GearlashError, match=said):
+            gl.Axis("pinion_speed", values, unit)  # pyright: ignore[reportArgumentType]
+
+
 def test_a_family_has_no_units():
+    with pytest.raises(gl.UnknownNameError, match=r"case\.resolve"):
+        CASE.family()[0].system({"pinion_speed": 4000.0})
     with pytest.raises(gl.GearlashError, match="no units"):
         gl.sweep(CASE.family()[0], gl.Axis.even("omega", "1000 rpm", "2000 rpm", 2))
     with pytest.raises(gl.GearlashError, match="one unit for both"):

@@ -29,6 +29,10 @@ Array = NDArray[np.float64]
 EXAMPLES = {"force": "N", "length": "um", "acceleration": "m/s^2"}
 QUANTITIES = {"force": "mesh_force", "length": "transmission_error", "acceleration": "acceleration_yp"}
 """One of each kind."""
+OF_TEETH = ("transmission_error", "mesh_force", "gap")
+OF_BEARINGS = tuple(
+    f"{what}_{at}" for what in ("bearing_force", "acceleration") for at in ("yp", "zp", "yg", "zg")
+)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -107,6 +111,8 @@ def measurement(
     ------
     CaseError
         For units that do not fit.
+    UnknownNameError
+        For a quantity that this pair does not have.
     GearlashError
         For arrays that do not go together.
 
@@ -118,10 +124,8 @@ def measurement(
     [0.3, 0.5]
     """
     given.instance("case", case, Case, "a case, as from gearlash.load_case")
-    quantity, speed_unit, unit = (
-        given.a_text(name, value)
-        for name, value in (("quantity", quantity), ("speed_unit", speed_unit), ("unit", unit))
-    )
+    speed_unit, unit = given.a_text("speed_unit", speed_unit), given.a_text("unit", unit)
+    quantity = _known(case, quantity)
     omega, rows = given.row("speeds", speeds), given.row("values", values)
     if len(omega) != len(rows):
         raise GearlashError(f"{len(omega)} speeds and {len(rows)} values: expected as many of both")
@@ -189,6 +193,8 @@ def load_measurement(
     ------
     CaseError
         For a file that cannot be read, columns that are not there, and units that do not fit.
+    UnknownNameError
+        For a quantity that this pair does not have.
 
     Examples
     --------
@@ -203,7 +209,7 @@ def load_measurement(
     (('n', 'DTE'), 'um', 2)
     """
     given.instance("case", case, Case, "a case, as from gearlash.load_case")
-    name, kind = str(path), kind_of(given.a_text("quantity", quantity))
+    name, kind = str(path), kind_of(_known(case, quantity))
     try:
         found = read_columns(given.path("data", path))
         if len(found.names) < 2:
@@ -227,6 +233,12 @@ def load_measurement(
     where = "--unit" if unit else f"column {names[1]}"
     told = _measurement(case, omega, values, quantity, *units, reference, where)
     return replace(told, columns=names, left_out=len(found.cells) - len(kept))
+
+
+def _known(case: Case, quantity: str) -> str:
+    """A quantity that can be measured on this pair."""
+    has_bearings = case.between_teeth and case.numbers.pair is not None
+    return given.known("quantity", quantity, OF_TEETH + OF_BEARINGS * has_bearings)
 
 
 def kind_of(quantity: str) -> str:

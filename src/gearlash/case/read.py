@@ -6,6 +6,7 @@ import re
 import tomllib
 from collections.abc import Mapping
 from importlib import resources
+from itertools import islice
 from os import PathLike
 from pathlib import Path
 
@@ -20,6 +21,8 @@ MOST_PARTS = 30
 """Of a name with dots. (Python's reader of TOML keeps every beginning of it: 100,000 parts take 40 GB.)"""
 MOST_NAMES, MOST_ITEMS, DEEPEST = 5_000, 50_000, 12
 """Names in all tables of a file, items in all its arrays, tables and arrays inside each other."""
+MOST_FILES = 200
+"""Of a folder, that a name is held against."""
 _LONG_KEY = re.compile(
     r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){""" + f"{MOST_PARTS}}}", re.ASCII
 )
@@ -113,8 +116,18 @@ def _file(label: str, path: Path) -> bytes:
     except UnreadableError as error:
         names = ", ".join(bundled())
         expected = f"a case file that can be read ({error}) or one of the bundled cases: {names}"
-        near = nearest_name(label, bundled())
+        near = _beside(path) or nearest_name(label, bundled())
         raise CaseError(label, [Problem("file", None, expected, near)]) from None
+
+
+def _beside(path: Path) -> str | None:
+    """Name of the file in that folder that was probably meant: the same with its ending, else the nearest."""
+    try:
+        files = sorted(each.name for each in islice(path.parent.glob("*.toml"), MOST_FILES))
+    except OSError:  # no folder, or one that cannot be read
+        return None
+    whole = f"{path.name}.toml"
+    return whole if whole in files else nearest_name(path.name, files)
 
 
 def _decoded(label: str, data: bytes) -> str:

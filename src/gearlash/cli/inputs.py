@@ -210,6 +210,9 @@ def read_near(
     case: Case, name: str, value: str | None, settings: Iterable[str] | None
 ) -> tuple[str, dict[str, float]]:
     """Short name of a parameter named by path or short name, and its value if one is given."""
+    if "=" in name:
+        expected = "the name of a parameter alone, such as pinion_speed (--near has the value to begin at)"
+        raise CaseError("--over", [Problem("--over", repr(name), expected)])
     if value is None:
         return _short_name(case, name), {}
     short, number = case.resolve(name, value)

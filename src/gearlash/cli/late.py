@@ -13,9 +13,9 @@ PATIENCE, LONG = 1.0, 5.0  # seconds
 
 
 @contextmanager
-def late_bar(title: str) -> Iterator[Callable[[int, int], None]]:
+def late_bar(title: str, steady: bool = True) -> Iterator[Callable[[int, int], None]]:
     """A callback for what is done, out of how much. Where no bar can be shown, one line says how long it
-    takes, if that is long."""
+    takes, if that is long; of what is not ``steady``, as steps that grow on the way, nothing is foretold."""
     began, shown = monotonic(), []
     with ExitStack() as stack:
 
@@ -32,7 +32,7 @@ def late_bar(title: str) -> Iterator[Callable[[int, int], None]]:
             if not shown:
                 shown.append(stack.enter_context(stage_bar()))
                 seconds = (monotonic() - began) * total / max(done, 1)
-                if not errors().is_terminal and seconds > LONG:
+                if steady and not errors().is_terminal and seconds > LONG:
                     announce(f"{title}: about {seconds_as_text(seconds)}")
             shown[0](title, Progress(done, total, monotonic() - began, None))
 

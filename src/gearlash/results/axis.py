@@ -23,7 +23,7 @@ class Axis(Record):
         Short name of a parameter (``omega``, ``D``, ``load`` …), or, for a case, any other name of the
         quantity (``pinion_speed``, ``mesh.backlash`` …).
     values : array_like of shape (m,)
-        Without ``unit`` dimensionless, else in it.
+        Without ``unit`` dimensionless, else in it. Or texts as in a case file: ``["900 rpm", "950 rpm"]``.
     unit : str, optional
         What a case file would have behind the number: ``rpm``, ``um``, ``N m`` …
 
@@ -48,14 +48,15 @@ class Axis(Record):
 
     def __post_init__(self) -> None:
         name = given.word("name of an axis", self.name)
-        values = given.row(f"axis {name}: values", self.values)
+        values, unit = _plain(name, self.values, given.a_text(f"axis {name}: unit", self.unit).strip())
+        values = given.row(f"axis {name}: values", values)
         if not len(values):
             raise GearlashError(f"axis {name}: expected at least one value")
         if not (np.diff(values) > 0.0).all():
             raise GearlashError(f"axis {self.name}: values must ascend, each once")
         object.__setattr__(self, "name", name)
         object.__setattr__(self, "values", given.kept(values))
-        object.__setattr__(self, "unit", given.a_text(f"axis {name}: unit", self.unit).strip())
+        object.__setattr__(self, "unit", unit)
 
     @classmethod
     def even(cls, name: str, lower: float | str, upper: float | str, count: int) -> Axis:
@@ -99,12 +100,34 @@ class Axis(Record):
         return len(self.values)
 
 
+def _plain(name: str, values: object, unit: str) -> tuple[object, str]:
+    """Values that are texts as numbers, and the unit that all of them have; other values as they are."""
+    if (
+        not isinstance(values, list | tuple)
+        or not all(isinstance(each, str) for each in values)
+        or not values
+    ):
+        return values, unit
+    said = f"axis {shown(name)}"
+    read_ones = [_number_of(said, "value", each) for each in values]
+    units = {behind for _, behind in read_ones if behind} | ({unit} if unit else set())
+    if len(units) > 1:
+        raise GearlashError(f"{said}: values in {' and '.join(sorted(units))}: expected one unit for all")
+    return [number for number, _ in read_ones], next(iter(units), "")
+
+
+def _number_of(said: str, what: str, text: str) -> tuple[float, str]:
+    try:
+        return float(read(text)[0]), behind_number(text)
+    except UnitError as error:
+        raise GearlashError(
+            f"{said}: {what} {shown(text)}: expected a number with its unit ({error})"
+        ) from None
+
+
 def _end(said: str, end: float | str) -> tuple[float, str]:
     """Number and unit of one end."""
     if not isinstance(end, str):
         expected = f"{said}: end (of Axis.even(name, lower, upper, count))"
         return given.number(expected, end), ""
-    try:
-        return float(read(end)[0]), behind_number(end)
-    except UnitError as error:
-        raise GearlashError(f"{said}: end {shown(end)}: expected a number with its unit ({error})") from None
+    return _number_of(said, "end", end)

@@ -14,7 +14,7 @@ from . import given
 from .piecewise import System
 from .record import Record
 from .short_text import cut
-from .status import BuildError, GearlashError
+from .status import BuildError, GearlashError, UnknownNameError
 
 LONGEST_VALUES = 300  # characters of parameter values in an error text
 
@@ -143,7 +143,7 @@ class Family(Record):
         found = self.defaults
         by_name = {p.name: p for p in self.parameters}
         for name, value in given.mapping("parameter values", values).items():
-            parameter = by_name[given.known("parameter", name, by_name)]
+            parameter = by_name[_known(name, by_name)]
             found[name] = given.number(name, value, parameter.lower, parameter.upper)
         return found
 
@@ -201,6 +201,16 @@ class Family(Record):
         """
         found = _called("cold_start", self.cold_start, self.complete(values))
         return given.numbers("the start", found, (len(self.states),))
+
+
+def _known(name: object, valid: Mapping[str, Parameter]) -> str:
+    """The name of a parameter. One that a case file may have, with a unit, is told where to turn to."""
+    if isinstance(name, str) and name in valid:
+        return name
+    instead = (
+        "; a name of a case file, with its unit, is for the case: case.resolve(name, value) has both here"
+    )
+    raise UnknownNameError("parameter", name, valid, instead)
 
 
 def _called(name: str, function: Callable[[Mapping[str, float]], Any], values: dict[str, float]) -> Any:

@@ -28,13 +28,13 @@ def _made(kind: type[GearlashError], args: tuple[Any, ...], attributes: dict[str
 
 
 class UnknownNameError(GearlashError):
-    """A name that does not exist here; the text offers the nearest that does."""
+    """A name that does not exist here; the text offers the nearest that does, and may say what to do."""
 
-    def __init__(self, what: str, name: object, valid: Iterable[str]):
+    def __init__(self, what: str, name: object, valid: Iterable[str], instead: str = ""):
         self.name, self.valid = name if isinstance(name, str) else shown(name), sorted(valid)
         near = nearest(name, self.valid)
         hint = f"; did you mean {near!r}?" if near else ""
-        super().__init__(f"unknown {what} {shown(name)}{hint} (valid: {', '.join(self.valid)})")
+        super().__init__(f"unknown {what} {shown(name)}{hint} (valid: {', '.join(self.valid)}){instead}")
 
 
 class BuildError(GearlashError):

@@ -114,7 +114,7 @@ def _followed(
     if not first.periodic:
         return first, []
     others = {each: value for each, value in parameters.items() if each != over}
-    with late_bar("following the motion") as tell:
+    with late_bar("following the motion", steady=False) as tell:
         return first, [
             first_grazing(family, over, first, way, values=others, settings=search, tell=tell)
             for way in ("down", "up")
