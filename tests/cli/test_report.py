@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import json
+import os
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -13,13 +18,17 @@ import xarray as xr
 import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
+from cli.signalled import MARK, still_running
 from gearlash.cli.answers.report import FILES
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 from gearlash.report.pair import file_names
+from gearlash.results.beside import Beside
+from gearlash.studies.beside import motions_beside
 from report.reading import Reading
 
 DRIVE = Path(__file__).resolve().parents[1] / "cases" / "drive.toml"
+COMMAND = [sys.executable, "-c", "from gearlash.cli import main; main()"]
 NARROW = ("--over", "pinion_speed=3700:4300rpm:13", "--workers", "1")
 
 
@@ -111,3 +120,65 @@ def test_what_no_report_is_made_of(arguments: tuple[str, ...], said: str, gearla
     assert ran.code == 2
     assert said in ran.complaint
     assert not (tmp_path / "none").exists()
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="processes are looked for in /proc")
+@pytest.mark.parametrize("again", [False, True])
+def test_stopped_after_its_verdict_it_keeps_that_and_leaves_nothing_running(tmp_path: Path, again: bool):
+    """One Ctrl-C: the page is made of what is there, and says what is missing. Two: it ends at once."""
+    out, mark = tmp_path / "out", f"{os.getpid()}-report-{again}"
+    speeds = "pinion_speed=3700:4300rpm:201"
+    process = subprocess.Popen(
+        [*COMMAND, "report", str(DRIVE), "--over", speeds, "--workers", "2", "--out", str(out)],
+        env={**os.environ, MARK: mark}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, text=True, start_new_session=True,
+    )  # fmt: skip
+    assert process.stdout is not None
+    assert process.stdout.readline().startswith("At 4200 rpm and 150 N·m no impacts were found")
+    process.send_signal(signal.SIGINT)
+    if again:
+        time.sleep(0.6)
+        process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=120)
+    assert process.returncode == 130
+    assert "Traceback" not in errors
+    assert still_running(mark) == []
+    if again:
+        assert not (out / "report.html").exists()
+        return
+    answer = json.loads((out / "verdict.json").read_text(encoding="utf-8"))
+    assert (answer["status"], answer["verdict"]) == ("incomplete", "good")
+    assert "the map over torque" in answer["missing"]
+    page = Reading((out / "report.html").read_text(encoding="utf-8"))
+    assert page.problems == []
+    said = " ".join(" ".join(page.words).split())
+    assert f"The report was stopped early; not computed: {', '.join(answer['missing'])}." in said
+
+
+@pytest.mark.skipif(os.name == "nt", reason="sends a signal to this process")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_stopped_before_its_verdict_it_tells_no_band(
+    number: signal.Signals, gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    """What was not looked for to the end is no band in which teeth separate, in words or as a picture."""
+
+    def stopped(*given: object, **named: object) -> Beside | None:
+        os.kill(os.getpid(), number)
+        return motions_beside(*given, **named)  # type: ignore[arg-type]
+
+    monkeypatch.setattr("gearlash.studies.assessment.motions_beside", stopped)
+    ran = gearlash("report", str(DRIVE), *NARROW, "--out", str(tmp_path / "out"), "--json")
+    answer = ran.answer
+    assert ran.code == 128 + number
+    assert (answer["status"], answer["verdict"]) == ("incomplete", "doubt")
+    assert answer["sentence"] == (
+        "At 4200 rpm and 150 N·m teeth stay in contact in the motion from the cold start (1-0); the search "
+        "for other motions was stopped (interrupted)."
+    )
+    assert answer["separating"] == answer["back_side"] == []
+    lines = {line["title"]: line["text"] for line in answer["lines"]}
+    for title in ("Teeth separate", "Back side", "Margin"):
+        assert lines[title].startswith("Not looked for to the end")
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "not computed: curves over speed, the map over torque, the map over backlash" in page

@@ -245,7 +245,7 @@ def test_a_verdict_must_hold_across_the_ranges_of_estimates(window: tuple[Assess
     assert "30 % of the static one (60 % as estimated)" in line
     kind, first, line = said(_ranges(0.6, harmless, harmful, together=-0.3))
     assert kind == "doubt"
-    assert first.endswith("none without impacts exists if mesh.error is above 11.2 µm.")
+    assert first.endswith("no motion without impacts exists if mesh.error is above 11.2 µm.")
     assert "mesh.error is above 11.2 µm (its range: 0 to 16.3 µm)" in line
     assert "holds across the ranges of the other 1 estimate, one at a time" in line
     kind, first, line = said(_ranges(0.6, harmless, Varied(error, (), 16.3, 0.4), together=-0.1))
@@ -382,7 +382,7 @@ def test_a_motion_that_only_a_throw_leads_to_counts():
     assert str(oracle.label) == "1-1-1"
     said = {line.title: line.text for line in verdict(found).lines}
     assert "1-1-1" in said["Teeth separate"]
-    assert "the cold start and 3 thrown ones" in said["Teeth separate"]
+    assert "the cold start and from 3 starts with teeth thrown" in said["Teeth separate"]
     assert said["Back side"].startswith("It is met at")
     assert verdict(found).kind == "doubt"
 

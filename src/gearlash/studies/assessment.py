@@ -92,17 +92,23 @@ class Assessment:
     @property
     def complete(self) -> bool:
         """Whether all was computed."""
-        over = self.ranges is None or self.ranges.complete
-        return self.impact_free.complete and self.drive_side.complete and over
+        return self.searched and (self.ranges is None or self.ranges.complete)
+
+    @property
+    def searched(self) -> bool:
+        """Whether bands of speed were looked for to the end; what was stopped tells none."""
+        return self.impact_free.complete and self.drive_side.complete
 
     @cached_property
     def separating(self) -> tuple[Band, ...]:
         """Bands of speed in which teeth of a motion that was found separate."""
-        return bands(self.impact_free)
+        return bands(self.impact_free) if self.searched else ()
 
     @cached_property
     def back_side(self) -> tuple[Band, ...]:
         """Bands of speed in which a motion that was found meets the back side."""
+        if not self.searched:
+            return ()
         system = self.attractor.propagators.system
         return back_bands(self.drive_side, -system.clearances[0].gap_minus)
 

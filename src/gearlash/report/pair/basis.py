@@ -53,7 +53,7 @@ def section(contents: Contents) -> Section:
             "Values that the case does not give: every number of this report rests on them. Ranges are "
             "those of the estimates."
         )
-        blocks.append(Table("assumed", caption, head, tuple(rows), widths=(25, 15, 17, 10, 33)))
+        blocks.append(Table("assumed", caption, head, tuple(rows), widths=(23, 14, 17, 9, 37)))
     else:
         blocks.append(Text.of("Every value of the case is given."))
     if any(value.path.endswith(".inertia") and value.least is not None for value in case.values()):

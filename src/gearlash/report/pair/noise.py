@@ -150,6 +150,8 @@ def backlash_matters(found: Assessment, run: SpeedRun, units: PairUnits) -> str:
         return ""
     opened = clearance.gap_plus - min(one.gap.least for _, one in rows)
     reached = any(one.gap.least <= -clearance.gap_minus for _, one in rows)
+    if not (reached or found.searched):
+        return ""
     if reached or found.back_side:
         return (
             "The backlash matters: some motions found over these speeds reach the back side, and what they "

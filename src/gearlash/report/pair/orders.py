@@ -89,4 +89,4 @@ def meetings_within(case: Case, bands: Sequence[Band], words: Words) -> str:
         for one in first[:NAMED]
     ]
     more = len(first) - len(said)
-    return f" There {', '.join(said)}" + (f", and {more} more do" if more else "") + "."
+    return f" There {', '.join(said)}" + (f", and {more} more of them" if more else "") + "."

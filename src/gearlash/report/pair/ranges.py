@@ -15,7 +15,7 @@ from gearlash.results.zone_words import percent
 from gearlash.studies.assessment import Assessment
 from gearlash.studies.ranges import AcrossRanges, Corner, Varied
 from gearlash.studies.tolerances.bands import outside
-from gearlash.system import Signature
+from gearlash.system import ContactRule, Signature
 
 from .words import Words
 
@@ -51,28 +51,31 @@ def across(found: Assessment, words: Words) -> Across | None:
         text = f"Does not hold if {named}: there no motion without impacts exists, all else as estimated. "
         text += f"It holds across the ranges of the other {estimates(rest)}, one at a time." if rest else ""
         clause = listed([_broken(one).partition(" (")[0] for one in ranges.broken])
-        return Across(False, f"none without impacts exists if {clause}", f"{text}{ends}")
+        return Across(False, f"no motion without impacts exists if {clause}", f"{text}{ends}")
     worst = ranges.together
     if worst is not None and not worst.margin > 0.0:
         said = f"Holds across the range of each of its {many}, one at a time, but not for all together: "
         text = f"{said}with {_together(worst)} no motion without impacts exists.{ends}"
-        clause = f"none without impacts exists for a combination of values of its {many} within their ranges"
+        clause = (
+            f"no motion without impacts exists for a combination of values of its {many} within their ranges"
+        )
         return Across(False, clause, text)
     return Across(
         True,
         f"a motion without impacts exists there across the ranges of its {many}",
-        _holding(ranges, many) + ends,
+        _holding(ranges, many, measure(found)) + ends,
     )
 
 
-def _holding(ranges: AcrossRanges, many: str) -> str:
+def _holding(ranges: AcrossRanges, many: str, measure: str) -> str:
     worst = ranges.together
     if worst is None:
         return f"Holds across the ranges of its {many}: none takes from what presses the teeth together."
     text = (
         f"Holds across the ranges of its {many}, one at a time and in the worst combination found: a motion "
-        f"without impacts exists there, whose least compression is {_percent(worst.margin)} of the static "
-        f"one ({_percent(ranges.margin)} as estimated). Most is taken by "
+        f"without impacts exists there, in which the {measure} at the teeth is at least "
+        f"{_percent(worst.margin)} of the static one ({_percent(ranges.margin)} as estimated). Most is taken "
+        "by "
     )
     text += " and ".join(settings(one.values) for one in ranges.single[:2]) + "."
     if worst.cold is not None and not (isinstance(worst.cold, Signature) and worst.cold.impacts == 0):
@@ -84,11 +87,17 @@ def _where_it_would_hold(ranges: AcrossRanges, many: str) -> tuple[str, str]:
     """Of a pair whose teeth separate as estimated."""
     some = [one for one in ranges.varied if one.broken and _quiet(one)]
     if not some:
-        text = f"Over the whole range of each of its {many}, one at a time, no motion without impacts exists."
-        return f"no other value within the ranges of its {many} changes that by itself", text
+        text = f"No motion without impacts was found over the range of any of its {many}, one at a time."
+        return f"within the ranges of its {many}, one at a time, no motion without impacts was found", text
     named = listed([_quiet(one) for one in some])
     text = f"All else as estimated, a motion without impacts exists if {named}."
-    return f"within the ranges of its {many} that changes if {named}", text
+    return f"within the ranges of its {many} a motion without impacts exists if {named}", text
+
+
+def measure(found: Assessment) -> str:
+    """What ends contact where it comes to nothing: how far teeth are pressed in, or the force on them."""
+    contact = found.attractor.propagators.system.clearances[0].contact
+    return "mesh force" if contact is ContactRule.NO_TENSION else "deflection"
 
 
 def listed(said: Sequence[str]) -> str:
@@ -190,6 +199,7 @@ def table(found: Assessment) -> Iterator[Block]:
     if ranges is None or not ranges.varied:
         return
     rows: list[tuple[Cell, ...]] = []
+    of_teeth = measure(found)
     for one in sorted(ranges.varied, key=lambda each: (isnan(each.margin), each.margin)):
         unit = f" {pretty(one.input.unit)}".rstrip()
         low, high = number(one.input.lower, 3), number(one.input.upper, 3)
@@ -201,10 +211,11 @@ def table(found: Assessment) -> Iterator[Block]:
     caption = (
         "Estimates, each over its range at the present speed and torque, all else as estimated "
         f"({_percent(ranges.margin)}): the value at which teeth are pressed together least in the motion of "
-        "a mesh held closed, that compression over the static one (below 0 they would have to pull, and part "
-        "instead), and where they stay in contact. Other motions were not looked for."
+        f"a mesh held closed, the least {of_teeth} at the teeth there over the static one (below 0 they "
+        "would have to pull, and part instead), and where they stay in contact. Other motions were not "
+        "looked for."
     )
-    head = ("estimate", "range", "worst at", "least compression", "in contact")
+    head = ("estimate", "range", "worst at", f"least {of_teeth}", "in contact")
     yield Table("ranges", caption, head, tuple(rows), widths=(25, 22, 14, 16, 23))
     worst = ranges.together
     if worst is not None and len(worst.values) > 1:

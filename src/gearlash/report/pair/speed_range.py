@@ -46,7 +46,7 @@ def speed_range(found: Assessment, words: Words) -> OverSpeed | None:
     reach = words.reach(low, high)
     first, last = (float(found.axis.values[i]) for i in (0, -1))
     bands = [b for b in found.separating if b.upper.value > low and b.lower.value < high]
-    if not found.complete:
+    if not found.searched:
         return _not_free(f"Not looked for to the end in {reach}.")
     if bands:
         return _not_free(f"Not at every speed from {reach}: teeth separate at {words.bands(bands)}.")
@@ -56,10 +56,10 @@ def speed_range(found: Assessment, words: Words) -> OverSpeed | None:
     free = f"From {reach} no motion was found in which teeth separate"
     if found.ranges is None or not found.ranges.speeds:
         return OverSpeed(True, True, f"{free}.", f"{free}.")
-    looked = f"speeds {100.0 * (STEP - 1.0):.0f} % apart, closer where compression is least"
+    looked = f"speeds {100.0 * (STEP - 1.0):.0f} % apart, closer where teeth are pressed together least"
     parting = found.ranges.parting
     if not parting:
-        return OverSpeed(True, True, f"{free}.", f"{free}. {_nor(found)} ({looked}).")
+        return OverSpeed(True, True, f"{free}.", f"{free}. {_nor(found, looked)}")
     short = f"{free}, as estimated; with an estimate elsewhere in its range they do."
     shown = parting[: NAMED if len(parting) > NAMED + 1 else None]
     more = len(parting) - len(shown)
@@ -72,12 +72,12 @@ def _not_free(text: str) -> OverSpeed:
     return OverSpeed(False, False, text, text)
 
 
-def _nor(found: Assessment) -> str:
+def _nor(found: Assessment, looked: str) -> str:
     assert found.ranges is not None
     many = estimates(len(found.ranges.varied))
     return (
-        f"A motion without impacts exists there with each of its {many} at both ends of its range, one at a "
-        "time, and in the worst combination found at the present speed"
+        f"At {looked}, a motion without impacts exists with each of its {many} at both ends of its range, "
+        "one at a time, and in the worst combination found at the present speed."
     )
 
 

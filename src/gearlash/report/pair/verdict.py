@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Literal, TypeAlias
 
-from gearlash.case import Case
+from gearlash.case import Case, Value
 from gearlash.case.edges import at_most
 from gearlash.orbits import Neutral, Unresolved
 from gearlash.plots.regimes import short
@@ -16,7 +16,7 @@ from gearlash.results.beside import Beside
 from gearlash.results.pair_units import PairUnits, stated_at_gear
 from gearlash.studies.assessment import Assessment
 from gearlash.studies.bands import zone_with
-from gearlash.system import ContactRule, Signature, Status
+from gearlash.system import ContactRule, Label, Signature, Status
 
 from .orders import meetings_within
 from .ranges import across
@@ -95,6 +95,7 @@ def verdict(found: Assessment) -> Verdict:
         Line("Margin", _margin(found, words)),
         Line("What coexists", _coexisting(found)),
         *_left_out(found),
+        *_names(found),
         *_forces(found, units),
         Line("What this rests on", rests(found)),
     )
@@ -141,6 +142,8 @@ def _answer(found: Assessment, words: Words) -> tuple[Kind, str, str]:
         seen = "separate" if hits else "stay in contact"
         text = f"At {at} teeth {seen} in the motion from the cold start ({short(label)}); that speed lies "
         return "doubt", "not examined", text + f"outside the range examined, {words.reach(low, high)}."
+    if not found.searched:
+        return _stopped(at, hits, label, found)
     inside = [band for band in found.separating if band.contains(found.here) and own is None]
     hit = [other.label for other in others if other.impacts] + [
         label for band in inside for label in band.labels
@@ -163,6 +166,17 @@ def _answer(found: Assessment, words: Words) -> tuple[Kind, str, str]:
         f"At {at} teeth separate ({short(label)}): without contact {gone}"
         + (", and the back side is hit." if found.signals.back_velocity > 0.0 else ".")
     )  # fmt: skip
+
+
+def _stopped(at: str, hits: bool, label: Label, found: Assessment) -> tuple[Kind, str, str]:
+    """The answer of a search that was stopped: what is known is the motion from the cold start."""
+    does = "separate" if hits else "stay in contact"
+    text = f"At {at} teeth {does} in the motion from the cold start ({short(label)}); the search for other "
+    return "doubt", "stopped early", f"{text}motions was stopped ({_why_stopped(found)})."
+
+
+def _why_stopped(found: Assessment) -> str:
+    return found.impact_free.message or found.drive_side.message
 
 
 def _force_apart(found: Assessment, hits: bool, words: Words) -> str:
@@ -200,12 +214,13 @@ def _pulling(found: Assessment) -> str:
 
 
 def _separating(found: Assessment, words: Words) -> str:
-    if not found.complete:
-        return f"Not looked for to the end ({found.impact_free.message or found.drive_side.message})."
+    if not found.searched:
+        return f"Not looked for to the end ({_why_stopped(found)})."
     bands = found.separating
     reach = words.reach(*(float(found.axis.values[i]) for i in (0, -1)))
-    reach += f", at {len(found.axis)} speeds from the motions beside, the cold start"
-    reach += f" and {found.throws} thrown ones" if found.throws else ""
+    reach += f", at {len(found.axis)} speeds, each from the motions at its neighbours"
+    reach += ", from the cold start" if found.throws else " and from the cold start"
+    reach += f" and from {found.throws} starts with teeth thrown together or apart" if found.throws else ""
     if not bands:
         return f"In no motion that was found; examined: {reach}."
     met = meetings_within(found.case, bands, words)
@@ -213,7 +228,7 @@ def _separating(found: Assessment, words: Words) -> str:
 
 
 def _back(found: Assessment, words: Words) -> str:
-    if not found.complete:
+    if not found.searched:
         return "Not looked for to the end."
     bands = found.back_side
     if not bands:
@@ -222,7 +237,7 @@ def _back(found: Assessment, words: Words) -> str:
 
 
 def _margin(found: Assessment, words: Words) -> str:
-    if not found.complete:
+    if not found.searched:
         return "Not looked for to the end."
     here = found.here
     zone = found.impact_free.at(here)
@@ -264,6 +279,16 @@ def _coexisting(found: Assessment) -> str:
     return f"{text}."
 
 
+def _names(found: Assessment) -> list[Line]:
+    """How motions are called in these lines."""
+    if found.signals is None:
+        return []
+    text = "2-1: in 2 mesh cycles the drive side is hit once, and all repeats; 1-0: it is never hit. A third "
+    return [
+        Line("Names of motions", f"{text}number counts hits of the back side. Aperiodic: it never repeats.")
+    ]
+
+
 def _left_out(found: Assessment) -> list[Line]:
     """What was not looked for, as the work of a verdict has a limit."""
     zones = found.impact_free
@@ -289,10 +314,12 @@ def _forces(found: Assessment, units: PairUnits) -> list[Line]:
     if found.signals is None:
         return []
     s, static = found.signals, found.values["load"] / found.values["rotation_factor"]
-    text = (
-        f"Mesh force from {units.force.text(s.force.least)} to {units.force.text(s.force.most)}, "
-        f"{s.force.least / static:.3g} to {s.force.most / static:.3g} times the static one"
-    )
+    least, most = (units.force.text(each) for each in (s.force.least, s.force.most))
+    times = f"{s.force.least / static:.3g} to {s.force.most / static:.3g} times the static one"
+    if least == most:
+        text = f"Mesh force {most} all the time, to the digits shown: the static one"
+    else:
+        text = f"Mesh force from {least} to {most}, {times}"
     bearings = [
         (one, sig) for one, sig in zip(found.readouts, s.read, strict=True) if one.quantity == "force"
     ]
@@ -304,6 +331,11 @@ def _forces(found: Assessment, units: PairUnits) -> list[Line]:
     return [Line("Forces there", f"{text}.")]
 
 
+def _named(value: Value) -> str:
+    """A value in words, with its place in the file."""
+    return f"{value.description} ({value.path})" if value.description else value.path
+
+
 def rests(found: Assessment) -> str:
     """What was assumed, by name: first what takes most of the margin, then other estimates."""
     known = [value for value in found.case.values() if value.provenance == "assumed"]
@@ -311,11 +343,10 @@ def rests(found: Assessment) -> str:
         return "No value of the case is marked as assumed. " + NO_APPROVAL
     taken = {one.input.path: one.margin for one in found.ranges.varied} if found.ranges else {}
     known.sort(key=lambda value: (value.least is None, taken.get(value.path, inf)))
-    assumed = [value.path for value in known]
     ranged = sum(value.least is not None for value in known)
-    many = f"{len(assumed)} assumed value{'s' if len(assumed) > 1 else ''}"
+    many = f"{len(known)} assumed value{'s' if len(known) > 1 else ''}"
     many += f", {ranged} of them with a range" if ranged else ""
-    shown = ", ".join(assumed[:MOST_NAMED])
-    if len(assumed) > MOST_NAMED:
-        shown += f" and {len(assumed) - MOST_NAMED} more, which the report and gearlash check list"
+    shown = "; ".join(map(_named, known[:MOST_NAMED]))
+    if len(known) > MOST_NAMED:
+        shown += f"; and {len(known) - MOST_NAMED} more, which the report and gearlash check list"
     return f"{many}: {shown}. {NO_APPROVAL}"

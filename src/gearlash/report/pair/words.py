@@ -11,7 +11,7 @@ from gearlash.plots.regimes import short
 from gearlash.results.pair_units import PairUnits
 from gearlash.results.zone_words import event, percent
 from gearlash.studies.bands import Band
-from gearlash.studies.zone_end import Margin, ZoneEnd
+from gearlash.studies.zone_end import RANGE, Margin, ZoneEnd
 from gearlash.system import Label
 
 MOST_LABELS = 4
@@ -31,6 +31,8 @@ class Words:
     def edge(self, end: ZoneEnd, inwards: int) -> str:
         """The end of an interval, rounded into it; the number alone."""
         factor = self.units.speed.factor
+        if end.kind == RANGE:  # as it was asked for
+            return f"{factor * end.value:.5g}"
         return shown_edge(factor * end.value, inwards, factor * self.here)
 
     def between(self, low: str, high: str) -> str:
@@ -45,7 +47,8 @@ class Words:
 
     def span(self, lower: ZoneEnd, upper: ZoneEnd) -> str:
         """An interval of speed."""
-        return self.between(self.edge(lower, 0), self.edge(upper, 0))
+        low, high = self.edge(lower, 0), self.edge(upper, 0)
+        return self._named(low) if low == high else self.between(low, high)
 
     def bands(self, found: Sequence[Band]) -> str:
         """Bands in ascending order; neighbours that touch are one, with what is said of their parts."""
