@@ -131,7 +131,9 @@ class Case(Record):
         """
         content, problems = self.content.override(given.mapping("overrides", overrides))
         content = checked(Draft(content, problems), self.name)
-        return replace(self, entries=content.entries, structure=content.structure)
+        found = replace(self, entries=content.entries, structure=content.structure)
+        vars(found)["content"] = content  # with what is estimated in it, which was made for the check
+        return found
 
     def resolve(self, name: str, value: str | float) -> tuple[str, float]:
         """The parameter of the family that a name and a value mean.

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from math import isfinite
 from typing import Any
 
@@ -46,6 +46,7 @@ _WEIGHED = re.compile(r"\b(lbs?|oz|pounds?)\b", re.IGNORECASE)
 _NO_NUMBER = "nan", "inf", "infinity"
 
 
+@lru_cache(maxsize=64)
 def read(text: str, dimension: Dimension = NUMBER) -> tuple[Fraction, Unit]:
     """Number and unit of a text such as ``3.2e8 N/m``; no unit at all is `NUMBER`. Where a dimension is told,
     ``lb ft`` is the weight of a pound. Raises `UnitError`."""
@@ -83,6 +84,7 @@ def in_unit_of(other: str, text: str) -> str:
     return text + behind_number(other)
 
 
+@lru_cache(maxsize=256)
 def unit(text: str) -> Unit:
     """The unit of a text such as ``N·m`` or ``kg m^2``. Raises `UnitError` naming the part that is no
     unit."""

@@ -73,15 +73,22 @@ def units_of(system: System) -> Array:
     """(units, 3) int: kind, clearance or state, Fourier slot of every unit input of any region."""
     count = len(system.clearances)
     closed = [_dampings(system, (side,) * count) for side in (FREE, PLUS, MINUS)]  # any forcing is in one
-    rows = sum(np.abs(_forcing(system, dampings)) for dampings in dict.fromkeys(closed))
-    forced = [(FORCED, int(row), int(slot)) for row, slot in np.argwhere(rows != 0.0)]
-    edges = [(EDGE, c, 0) for c in range(count)]
+    forcings = [_forcing(system, dampings) for dampings in dict.fromkeys(closed)]
+    forced = np.logical_or.reduce([one != 0.0 for one in forcings]).nonzero()
+    edges = np.arange(count), np.zeros(count)
     shifted = [
-        (OFFSET, c, int(slot))
-        for c, clearance in enumerate(system.clearances)
-        for slot in np.flatnonzero(clearance.offset)
+        (np.full(len(slots), c), slots)
+        for c, slots in enumerate(clearance.offset.nonzero()[0] for clearance in system.clearances)
     ]
-    return np.array([*edges, *forced, *shifted], dtype=np.int64)
+    parts = (EDGE, edges), (FORCED, forced), *((OFFSET, each) for each in shifted)
+    return np.concatenate([_of_kind(kind, *each) for kind, each in parts])
+
+
+def _of_kind(kind: int, index: Array, slot: Array) -> Array:
+    """Rows of `units_of`."""
+    found = np.empty((len(index), 3), dtype=np.int64)
+    found[:, 0], found[:, 1], found[:, 2] = kind, index, slot
+    return found
 
 
 @lru_cache(maxsize=CACHED_ANSWERS)

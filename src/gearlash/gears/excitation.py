@@ -125,6 +125,8 @@ NOTHING = Excitation()
 def spread(series: Fourier, times: int) -> Fourier:
     """The same curve as a series of an angle that is ``times`` as slow."""
     count = harmonics(series)
+    if times == 1:
+        return series.copy()
     found = np.zeros(2 * count * times + 1)
     found[0] = series[0]
     orders = times * np.arange(1, count + 1)

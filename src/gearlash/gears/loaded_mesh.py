@@ -25,7 +25,7 @@ separate meet again at the smallest gap and not at e.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import ceil, cos, pi
 
 import numpy as np
@@ -174,9 +174,8 @@ class ContactLines:
         GearlashError
             Where at some phase no piece touches.
         """
-        order = np.argsort(np.where(self.stiffness > 0.0, self.gaps, np.inf), axis=1, kind="stable")
-        k = factor * np.take_along_axis(self.stiffness, order, axis=1)
-        g = np.where(k > 0.0, np.take_along_axis(self.gaps, order, axis=1), 0.0)
+        own, g = self._by_gap
+        k = factor * own
         stiff, weighted = np.cumsum(k, axis=1), np.cumsum(k * g, axis=1)
         if not (stiff[:, -1] > 0.0).all():
             raise GearlashError("teeth that mesh all round the cycle: at some of it no pair touches")
@@ -189,6 +188,14 @@ class ContactLines:
         stiffness = bearing / (1.0 + shared * bearing)
         ratio = float(np.mean(last + 1)) * self.share
         return LoadedMesh(force, self.phases, self.total_contact_ratio, stiffness, deflection, ratio)
+
+    @cached_property
+    def _by_gap(self) -> tuple[Reals, Reals]:
+        """Stiffness and gap of the pieces of each phase in the order in which they begin to bear; those
+        beyond the path of contact come last."""
+        order = np.argsort(np.where(self.stiffness > 0.0, self.gaps, np.inf), axis=1, kind="stable")
+        k = np.take_along_axis(self.stiffness, order, axis=1)
+        return k, np.where(k > 0.0, np.take_along_axis(self.gaps, order, axis=1), 0.0)
 
     def under_with_mean(self, force: float, mean: float) -> LoadedMesh:
         """The mesh under a load whose mean stiffness, as far as it bears, is known.

@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import mesh_stiffness
+from .cylindrical_pair import CylindricalPair
 from .drawing import USUAL_LINE_LOAD, Drawing, Estimate
 from .loaded_mesh import ContactLines, LoadedMesh, contact_lines
+from .materials import Material
 from .mesh_cycle import ripple_ranges
 from .pair_shape import PairShape
 from .tooth_pair import calculated_mesh
@@ -43,10 +45,13 @@ def _solid_mesh(drawing: Drawing) -> mesh_stiffness.MeshStiffness:
     return mesh_stiffness.method_b(drawing.meshing, drawing.chosen_materials, drawing.rims, drawing.line_load)
 
 
-@lru_cache(maxsize=8)  # mean, variation and error of one torque ask for the same ones
 def _lines(drawing: Drawing, shape: PairShape | None = None) -> ContactLines:
     load = drawing.line_load or USUAL_LINE_LOAD
-    return contact_lines(drawing.meshing, drawing.modification, load, drawing.chosen_materials, shape)
+    return _kept_lines(drawing.meshing, drawing.modification, load, drawing.chosen_materials, shape)
+
+
+_kept_lines = lru_cache(maxsize=8)(contact_lines)
+"""Mean, variation and error of one torque ask for the same ones, whatever mean stiffness is stated."""
 
 
 @lru_cache(maxsize=32)
@@ -124,8 +129,15 @@ def ripples(drawing: Drawing, count: int) -> dict[str, Estimate]:
 
 def _shapes(drawing: Drawing, count: int) -> NDArray[np.complex128]:
     """Harmonics of unmodified flanks without load, and of the published shapes."""
-    pair, load = drawing.meshing, drawing.line_load or USUAL_LINE_LOAD
-    unloaded = calculated_mesh(pair, count, load, drawing.chosen_materials).harmonics
+    load = drawing.line_load or USUAL_LINE_LOAD
+    return _unloaded_shapes(drawing.meshing, count, load, drawing.chosen_materials)
+
+
+@lru_cache(maxsize=8)  # the same whatever mean stiffness is stated
+def _unloaded_shapes(
+    pair: CylindricalPair, count: int, load: float, materials: tuple[Material, Material]
+) -> NDArray[np.complex128]:
+    unloaded = calculated_mesh(pair, count, load, materials).harmonics
     return np.vstack([unloaded, ripple_ranges(pair, count).astype(np.complex128)])
 
 

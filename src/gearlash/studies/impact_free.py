@@ -22,6 +22,7 @@ from gearlash.orbits.contact_force import force_extrema
 from gearlash.orbits.sign_change import SignChange, first_sign_change
 from gearlash.results.impact_free import Ending, ImpactFree
 from gearlash.system import ContactRule, Family, GearlashError, Parameter, System, given, plain_values
+from gearlash.system.record import changed
 
 from .model import Model, Source
 
@@ -212,11 +213,11 @@ def _closed(system: System, side: int) -> System:
     clearance = system.clearances[0]
     gap = clearance.gap_plus if side > 0 else -clearance.gap_minus
     stiffness = clearance.stiffness_plus if side > 0 else clearance.stiffness_minus
-    closed = replace(
+    closed = changed(
         clearance, gap_plus=gap, gap_minus=-gap, stiffness_plus=stiffness, stiffness_minus=stiffness,
         damping=clearance.dampings[0 if side > 0 else 1], damping_minus=None, contact=ContactRule.ALWAYS,
     )  # fmt: skip
-    return replace(system, clearances=(closed,))
+    return changed(system, clearances=(closed,))
 
 
 def ending(change: SignChange) -> Ending:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from math import inf
 from typing import Any
 
@@ -140,12 +141,16 @@ class Family(Record):
         GearlashError
             For a name that is no parameter, and for a value out of its range.
         """
-        found = self.defaults
-        by_name = {p.name: p for p in self.parameters}
+        found, by_name = self.defaults, self._by_name
         for name, value in given.mapping("parameter values", values).items():
-            parameter = by_name[_known(name, by_name)]
-            found[name] = given.number(name, value, parameter.lower, parameter.upper)
+            parameter = by_name.get(name) or by_name[_known(name, by_name)]
+            if value is not parameter.default:  # that one was looked at when the family was made
+                found[name] = given.number(name, value, parameter.lower, parameter.upper)
         return found
+
+    @cached_property
+    def _by_name(self) -> dict[str, Parameter]:
+        return {p.name: p for p in self.parameters}
 
     def system(self, values: Mapping[str, float] | None = None) -> System:
         """The member of the family with these values.

@@ -79,20 +79,29 @@ def whole(name: str, value: Any, least: int = 1, most: int = LARGEST_COUNT) -> i
 
 def numbers(name: str, value: Any, shape: tuple[int | str, ...]) -> Array:
     """A fresh array of finite numbers of this shape; a word stands for any length."""
-    expected = f"({', '.join(map(str, shape))}{',' if len(shape) == 1 else ''})"
     if type(value) is np.ndarray and value.dtype == np.float64:
         found = value.copy(order="C")
     else:
-        found = _converted(name, value, expected)
-    fits = found.ndim == len(shape) and all(
-        isinstance(there, str) or here == there for here, there in zip(found.shape, shape, strict=True)
-    )
-    if not fits:
-        raise GearlashError(f"{name} has shape {found.shape}, expected {expected}")
+        found = _converted(name, value, _shape_text(shape))
+    if not _has_shape(found, shape):
+        raise GearlashError(f"{name} has shape {found.shape}, expected {_shape_text(shape)}")
     finite = all(map(isfinite, found.ravel().tolist())) if found.size <= FEW else np.isfinite(found).all()
     if not finite:
         raise GearlashError(f"{name} holds NaN or infinity")
     return found
+
+
+def _has_shape(found: Array, shape: tuple[int | str, ...]) -> bool:
+    if found.ndim != len(shape):
+        return False
+    for here, there in zip(found.shape, shape, strict=True):  # no generator: systems are made by thousands
+        if here != there and not isinstance(there, str):
+            return False
+    return True
+
+
+def _shape_text(shape: tuple[int | str, ...]) -> str:
+    return f"({', '.join(map(str, shape))}{',' if len(shape) == 1 else ''})"
 
 
 def reals(name: str, value: Any) -> Array:
@@ -110,7 +119,8 @@ def reals(name: str, value: Any) -> Array:
 
 def row(name: str, value: Any) -> Array:
     """Numbers (m,); one alone is a row of one."""
-    return numbers(name, [value] if isinstance(_real(value), float) else value, ("m",))
+    several = type(value) is np.ndarray and value.ndim > 0
+    return numbers(name, value if several or not isinstance(_real(value), float) else [value], ("m",))
 
 
 def series(name: str, value: Any) -> Array:

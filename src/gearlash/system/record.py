@@ -6,12 +6,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import fields
 from html import escape
 from types import MappingProxyType
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar
 
 from .annotated import hold
 from .short_text import brief, cut
 
 LONGEST_REPR = 380  # characters of a repr
+Kept = TypeVar("Kept", bound="Record")
 
 
 class Record:
@@ -42,6 +43,15 @@ class Record:
 
 def _made(kind: type[Record], values: Mapping[str, Any]) -> Record:
     return kind(**values)
+
+
+def changed(record: Kept, **values: Any) -> Kept:
+    """A copy with other values that were held to their annotations in another record: where many copies are
+    made, nothing is looked at twice."""
+    found = object.__new__(type(record))
+    for name in _names(record):
+        object.__setattr__(found, name, values[name] if name in values else getattr(record, name))
+    return found
 
 
 def _names(record: Record) -> list[str]:

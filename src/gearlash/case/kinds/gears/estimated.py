@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import isfinite
 
 from gearlash.case.entries import Entry
@@ -44,7 +44,7 @@ class Completed:
     refused: tuple[Problem, ...] = ()
     play_added: float = 0.0
 
-    @property
+    @cached_property
     def follows_torque(self) -> bool:
         """Is anything estimated, or made by modified flanks, that depends on the torque?"""
         if self.drawing is not None and self.drawing.modification.modified:

@@ -92,6 +92,11 @@ class GearPair:
         return reconstructed(self.curves, self.entries, self.scales, self.completed.drawing)
 
     def family(self) -> Family:
+        """Its family of systems, made once."""
+        return self._family
+
+    @cached_property
+    def _family(self) -> Family:
         """With estimates made again where a member of the family is not at the torque of the case, and where
         what they rest on varies."""
         own = self.rules.family(self.numbers)
