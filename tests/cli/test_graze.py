@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
 from gearlash.branches import locate_grazing
 from gearlash.case import load
+from gearlash.cli.answers.graze import JUMPS, graze_answer
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
+from gearlash.cli.show.graze import graze_view
 from gearlash.orbits import Orbit, attractor, grazing_checks
 
 SCHEMA = answer_schema(answer_kind("graze"))
@@ -252,3 +257,30 @@ def test_the_parameter_is_named_alone(gearlash: Gearlash):
     ran = gearlash("graze", "article", "--over", "pinion_speed=3600:4000rpm")
     assert ran.code == 2
     assert "the name of a parameter alone, such as pinion_speed" in " ".join(ran.complaint.split())
+
+
+def test_a_boundary_that_is_jumped_over_is_said_to_be():
+    """Where numbers of a system jump, H may change its sign without being 0. Here the load jumps by 1e-6 at
+    the touch, in the middle between both signs."""
+    case = load("kahraman-singh")
+    family, _ = case.family()
+    start = gl.point(family, {"load": 0.05}, name="load")
+    path, touch = gl.first_grazing(family, "load", start, "down")
+    assert touch is not None
+    edge = touch.value - 5e-7
+
+    def build(p: Mapping[str, float]) -> gl.System:
+        return family.build({**p, "load": p["load"] + (1e-6 if p["load"] > edge else 0.0)})
+
+    for model, note in ((family, ""), (replace(family, build=build), JUMPS)):
+        path, touch = gl.first_grazing(model, "load", start, "down")
+        assert touch is not None
+        parameters = family.complete({"load": 0.05})
+        answer = graze_answer(case, model, parameters, "load", "load", "", start, (path,), [touch])
+        (found,) = answer.points
+        assert (found.note, found.conditions[0].holds) == (note, not note)
+        assert abs(found.conditions[0].value) == pytest.approx(
+            5e-7 if note else 0.0, abs=1e-8 if note else 1e-12
+        )
+        shown = " ".join(str(line) for line in graze_view(answer, 100))
+        assert ("does not hold to 1e-09" in shown) == bool(note)

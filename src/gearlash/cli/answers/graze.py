@@ -22,6 +22,10 @@ if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.results import Point
 
 HOLDS = 1e-9  # tolerance of the conditions, in units of D_c
+JUMPS = (
+    "H changes its sign within the error of this value, but is 0 on no orbit that was found: it jumps there. "
+    "What is estimated anew for each value (stiffness under the torque) changes in small steps"
+)
 
 
 @dataclass(frozen=True)
@@ -63,6 +67,7 @@ class TouchFound:
     to_doubling: Annotated[float, "least |λ + 1|"]
     to_fold: Annotated[float, "least |λ - 1|"]
     residual: Annotated[float, "of all equations"]
+    note: Annotated[str, "what keeps the first condition from holding"] = ""
 
 
 @dataclass(frozen=True)
@@ -142,6 +147,7 @@ def _touch(case: Case, family: Family, point: SpecialPoint, near: float, asked: 
     touch, system = point.touch, family.system(point.values)
     rising = point.point.turn >= 0.0
     stable = (True, point.unstable_after == 0)[:: 1 if rising else -1]
+    conditions = _conditions(system, point)
     return TouchFound(
         value=point.value,
         error=point.error,
@@ -161,12 +167,13 @@ def _touch(case: Case, family: Family, point: SpecialPoint, near: float, asked: 
         phase=touch.phase,
         a0=touch.a0,
         state=dict(zip(family.states, map(float, point.state_at_touch(system)), strict=True)),
-        conditions=_conditions(system, point),
+        conditions=conditions,
         multipliers=multiplier_rows(point.multipliers),
         largest_exponent=point.exponent(system),
         to_doubling=point.to_doubling,
         to_fold=point.to_fold,
         residual=point.residual,
+        note="" if conditions[0].holds else JUMPS,
     )
 
 

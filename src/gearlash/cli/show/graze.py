@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from gearlash.case.units import pretty
-from gearlash.cli.answers.graze import GrazeAnswer, TouchFound
+from gearlash.cli.answers.graze import HOLDS, GrazeAnswer, TouchFound
 from gearlash.results.contact_words import sided
 
 from .layout import assumed, facts, headline, note, table
@@ -60,9 +60,11 @@ def _facts(answer: GrazeAnswer, touch: TouchFound, marks: Marks) -> Iterator[tup
     yield "distances", f"least |λ + 1| {number(touch.to_doubling)}, least |λ − 1| {number(touch.to_fold)}"
     yield "exponent", f"{number(touch.largest_exponent)} per unit of τ (the largest)"
     for i, c in enumerate(touch.conditions):
-        verdict = "holds" if c.holds else "does not hold"
+        verdict = "holds" if c.holds else f"does not hold to {HOLDS:.0e}"
         yield "" if i else "conditions", f"{i + 1}  {c.condition}: {number(c.value, 3)}, {verdict}"
     yield "accuracy", f"error of the value about {touch.error:.0e}, residual {touch.residual:.0e}"
+    if touch.note:
+        yield "to note", touch.note
 
 
 def _margin(answer: GrazeAnswer, touch: TouchFound) -> str:
