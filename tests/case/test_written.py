@@ -133,3 +133,11 @@ def test_a_unit_of_another_quantity_is_named(path: str, text: str, told: str):
     with pytest.raises(ValueRefusedError) as refused:
         read_stated(text, PLACES[path])
     assert told in refused.value.expected
+
+
+def test_a_material_that_is_not_known_is_answered_with_how_to_state_it():
+    with pytest.raises(ValueRefusedError) as refused:
+        read_stated("aluminium bronze", PLACES["gear.material"])
+    assert refused.value.nearest == "tin-bronze"
+    assert "youngs_modulus, poisson_ratio and density" in refused.value.expected
+    assert read_stated("EN-GJL-250", PLACES["mesh.housing_material"]).value == "EN-GJL-250"

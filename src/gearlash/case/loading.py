@@ -45,7 +45,7 @@ def load(path_or_name: str | Path, overrides: Mapping[str, object] | None = None
     Traceback (most recent call last):
         ...
     gearlash.case.errors.CaseError: wind-turbine: 1 problem
-      backlash = '100': expected a length with its unit, such as "100 um"
+      backlash = '100': expected a length with its unit, such as "100 um"; did you mean '100 um'?
     """
     label, text, folder = source_text(path_or_name)
     return from_tables(with_files(label, parse(label, text), folder), overrides, label)

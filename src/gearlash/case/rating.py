@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 
 from gearlash.gears import CylindricalGear, CylindricalPair, equivalent_mass, mesh_stiffness
 from gearlash.gears.basic_rack import ISO53_A, BasicRack
 from gearlash.gears.drawing import COARSEST, GRADE_SPREAD
 from gearlash.gears.dynamic_factor import DynamicFactor, EffectiveErrors, dynamic_factor
-from gearlash.gears.materials import Material, named
+from gearlash.gears.materials import Material, named, with_own
 from gearlash.system import GearlashError
 
 from .case import Case
 from .stated import Provenance
+from .units import unit
 
 GEARS = ("pinion", "gear")
 GRADES = (5, 8)
@@ -102,9 +104,18 @@ def _told(grades: tuple[int, int]) -> str:
 
 def materials_of(case: Case) -> tuple[Material, Material]:
     """Of pinion and gear; steel where the case states none."""
-    found = {value.path: value.value for value in case.values()}
-    first, second = (named(str(found.get(f"{gear}.material", "steel"))) for gear in ("pinion", "gear"))
-    return first, second
+    found = {value.path: value for value in case.values()}
+
+    def own(gear: str, leaf: str) -> float | None:
+        value = found.get(f"{gear}.{leaf}")
+        return None if value is None else unit(value.unit).convert(Fraction(float(value.value)))
+
+    def chosen(gear: str) -> Material:
+        stated = found.get(f"{gear}.material")
+        listed = named("steel" if stated is None else str(stated.value))
+        return with_own(listed, *(own(gear, leaf) for leaf in ("youngs_modulus", "poisson_ratio", "density")))
+
+    return chosen("pinion"), chosen("gear")
 
 
 def relief_of(case: Case, grades: tuple[int, int]) -> float:

@@ -8,6 +8,7 @@ from math import cos, degrees, pi, sqrt
 
 from gearlash.case import Case
 from gearlash.case.kinds import Choice, Quantity
+from gearlash.case.rating import materials_of
 from gearlash.gears import CylindricalGear, CylindricalPair, gear_fits, inspection
 
 from .words_of_drawing import GEARS
@@ -65,6 +66,10 @@ def _in_other_words(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, s
         yield f"{gear}.dedendum", f"{one.rack.dedendum:.6g}"
         yield f"{gear}.root_radius", f"{one.rack.root_radius:.6g}"
         yield f"{gear}.transverse_profile_shift", f"{one.profile_shift * cos(one.helix_angle):.6g}"
+    for gear, one in zip(GEARS, materials_of(case), strict=True):
+        yield f"{gear}.youngs_modulus", f"{1e-9 * one.youngs_modulus:.6g} GPa"
+        yield f"{gear}.poisson_ratio", f"{one.poisson_ratio:.6g}"
+        yield f"{gear}.density", f"{one.density:.6g} kg/m^3"
     first = teeth.pinion
     yield "mesh.transverse_module", f"{1e3 * first.transverse_module:.7g} mm"
     yield "mesh.transverse_pressure_angle", f"{degrees(first.transverse_pressure_angle):.7g} deg"

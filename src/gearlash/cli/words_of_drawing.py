@@ -134,6 +134,11 @@ WORDS = (
     Word(
         "material", "{gear}.material", "steel/POM", "Material by its name; steel where none is given.", True
     ),
+    Word(
+        "youngs_modulus", "{gear}.youngs_modulus", "/110GPa", "Young's modulus E, in place of its material's."
+    ),
+    Word("poisson_ratio", "{gear}.poisson_ratio", "/0.35", "Poisson's ratio ν, likewise."),
+    Word("density", "{gear}.density", "/8800kg/m^3", "Density ρ, likewise."),
     Word("quality", "{gear}.quality", "7", "Flank tolerance class of ISO 1328-1.", True),
     Word(
         "tip_relief",

@@ -7,15 +7,19 @@ range is wide and a data sheet is better.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi, sqrt
 from types import MappingProxyType
+from typing import Any
 
 from gearlash.system import GearlashError
+
+from .material_names import listed_name, nearest_material
 
 _ISO = "E, ν: ISO 6336-2, elasticity factors; rest: handbook values; ranges: estimates"
 _STEEL = "E, ν: ISO 6336-2, elasticity factors; density: ISO 6336-1; rest: handbook values; ranges: estimates"
 _HANDBOOK = "handbook values; ranges: estimates"
+_BRASS = "CuZn38Pb2 to CuZn39Pb3, EN 12164: data sheets; ν: handbook; ranges: estimates"
 _PLASTIC = (
     "E, density: Encyclopedia of Physical Science and Technology, 3rd ed., Plastics Engineering; expansion: "
     "R. J. Crawford, Plastics Engineering; ν: handbook; ranges, dry to moist and cold to warm: estimates"
@@ -90,6 +94,7 @@ MATERIALS: Mapping[str, Material] = MappingProxyType(
             _material("nodular-cast-iron", (173, 165, 180), 0.3, 7100, (12.0, 10.5, 13.0), _ISO),
             _material("grey-cast-iron", (118, 100, 130), 0.3, 7200, (10.5, 9.0, 12.0), _ISO),
             _material("tin-bronze", (103, 95, 115), 0.3, 8800, (18.0, 17.0, 19.0), _ISO),
+            _material("brass", (100, 95, 110), 0.34, 8450, (20.5, 19.0, 21.5), _BRASS),
             _material("aluminium", (70, 68, 75), 0.33, 2700, (23.0, 20.0, 24.0), _HANDBOOK),
             _material("POM", (2.9, 1.8, 3.4), 0.35, 1410, (95, 80, 120), _PLASTIC),
             _material("PA66", (3.0, 0.9, 3.4), 0.4, 1140, (90, 70, 120), _PLASTIC),
@@ -101,21 +106,13 @@ MATERIALS: Mapping[str, Material] = MappingProxyType(
 """By name."""
 
 
-STEELS = (
-    *("16MnCr5", "20MnCr5", "18CrNiMo7-6", "17CrNiMo6", "17NiCrMo6-4", "14NiCrMo13-4", "15CrNi6", "20CrMnTi"),
-    *("20NiCrMo2-2", "SCM415", "SCM420", "SCM440", "SCr420", "8620", "9310", "4140", "4340", "1045"),
-    *("31CrMoV9", "34CrNiMo6", "42CrMo4", "C45", "C45E", "S45C", "E335", "S355"),
-)
-"""Designations that drawings have for gear steels: all of them have the modulus of steel."""
-
-
 def named(name: str) -> Material:
     """A material of the list.
 
     Parameters
     ----------
     name : str
-        A key of `MATERIALS` or one of `STEELS`, in any case.
+        A key of `MATERIALS`, another word for it, or a designation whose modulus is in its range.
 
     Returns
     -------
@@ -132,13 +129,66 @@ def named(name: str) -> Material:
     >>> materials.named("pom").density
     1410.0
     """
-    plain = name.strip().casefold()
-    for key, material in MATERIALS.items():
-        if key.casefold() == plain:
-            return material
-    if plain in (steel.casefold() for steel in STEELS):
-        return MATERIALS["steel"]
-    raise GearlashError(f"no material {name!r}; the list has {', '.join(MATERIALS)}")
+    key = listed_name(name, tuple(MATERIALS))
+    if key is None:
+        raise GearlashError(f"no material {name!r}; the list has {', '.join(MATERIALS)}")
+    return MATERIALS[key]
+
+
+def nearest_name(name: str) -> str | None:
+    """The name of the list that is next to one it does not have.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    str or None
+
+    Examples
+    --------
+    >>> from gearlash.gears import materials
+    >>> materials.nearest_name("X5CrNi18-10")
+    'steel'
+    """
+    return nearest_material(name, tuple(MATERIALS))
+
+
+def with_own(
+    material: Material,
+    youngs_modulus: float | None = None,
+    poisson_ratio: float | None = None,
+    density: float | None = None,
+) -> Material:
+    """A material with values of a data sheet in place of those of the list.
+
+    Parameters
+    ----------
+    material : Material
+    youngs_modulus, poisson_ratio, density : float, optional
+        In SI units. A stated modulus is its whole range.
+
+    Returns
+    -------
+    Material
+
+    Examples
+    --------
+    >>> from gearlash.gears import materials
+    >>> own = materials.with_own(materials.named("steel"), youngs_modulus=195e9)
+    >>> own.youngs_range, own.density
+    ((195000000000.0, 195000000000.0), 7830.0)
+    """
+    own = {"youngs_modulus": youngs_modulus, "poisson_ratio": poisson_ratio, "density": density}
+    stated: dict[str, Any] = {name: value for name, value in own.items() if value is not None}
+    if not stated:
+        return material
+    if youngs_modulus is not None:
+        stated["youngs_range"] = (youngs_modulus, youngs_modulus)
+    names = {"youngs_modulus": "E", "poisson_ratio": "ν", "density": "density"}
+    told = ", ".join(names[name] for name in own if own[name] is not None)
+    return replace(material, source=f"{told}: stated; {material.source}", **stated)
 
 
 def elasticity_factor(first: Material, second: Material) -> float:

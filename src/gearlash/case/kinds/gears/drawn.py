@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from gearlash.case.quantity import Choice, Quantity
-from gearlash.case.units import ANGLE, LENGTH, POWER, SPEED, TORQUE
+from gearlash.case.units import ANGLE, DENSITY, LENGTH, POWER, PRESSURE, SPEED, TORQUE
 from gearlash.gears import basic_rack, gear_fits
-from gearlash.gears.materials import MATERIALS, STEELS
+from gearlash.gears.materials import MATERIALS
 from gearlash.gears.mesh import harmonic_name
 
 from . import relief, written
@@ -109,6 +109,12 @@ def of_gear(gear: str) -> Iterator[Quantity]:
     what = f"inner diameter of the rim of the {gear}"
     yield positive(f"{gear}.rim_diameter", LENGTH, "mm", "140 mm", what, 50)
     yield positive(f"{gear}.web_width", LENGTH, "mm", "15 mm", f"width of the web of the {gear}", 5)
+    what = f"Young's modulus E of the {gear}, in place of that of its material"
+    yield positive(f"{gear}.youngs_modulus", PRESSURE, "GPa", "206 GPa", what, 1e13)
+    what = f"Poisson's ratio ν of the {gear}, likewise"
+    yield number(f"{gear}.poisson_ratio", "0.3", what, 0.0, 0.499)
+    what = f"density ρ of the {gear}, likewise"
+    yield positive(f"{gear}.density", DENSITY, "kg/m^3", "7830 kg/m^3", what, 1e5)
     yield number(
         f"{gear}.quality",
         "7",
@@ -152,8 +158,8 @@ def of_operation() -> Iterator[Quantity]:
 def options() -> Iterator[Choice]:
     """Named options; each is the default where a drawing does not say."""
     for gear in GEARS:
-        what = f"material of the {gear}; a gear steel by its designation, too"
-        yield Choice(f"{gear}.material", tuple(MATERIALS), "steel", what, STEELS)
+        what = f"material of the {gear}; by its designation, too"
+        yield Choice(f"{gear}.material", tuple(MATERIALS), "steel", what, reader=written.material)
         yield Choice(f"{gear}.fit", FITS, "25cd", f"fit of the {gear}'s teeth, DIN 3967", (), written.fit)
     yield Choice(RACK, tuple(RACKS), "ISO53-A", "standard basic rack that cuts both gears")
     what = "tips that nobody states: full, or shortened so that the rack's clearance is kept"

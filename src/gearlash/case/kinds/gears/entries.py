@@ -11,7 +11,7 @@ from gearlash.case.stated import Stated, ValueRefusedError, read_stated
 from gearlash.case.units import ANGLE, NUMBER, Unit, UnitError, read, takes
 from gearlash.case.words import nearest_name
 
-from .drawn import contradicted, rivals
+from .drawn import GEOMETRY, contradicted, rivals
 from .keys import REFERENCE
 from .places import Places
 from .supports import no_bearings
@@ -46,12 +46,18 @@ def entries_of(places: Places, path: str, stated: Stated) -> list[Entry]:
 
 def freeze_reference(entries: Entries, completed: Mapping[str, Entry]) -> Entries:
     """With D_c settled: the stated one, else half the backlash of the file, which may be an estimate in
-    ``completed``. Overrides come after this."""
+    ``completed``, or of a drawing without backlash a hundredth of its module. Overrides come after this."""
     gap = completed.get("D")
-    if REFERENCE in entries or gap is None or gap.dimensionless or gap.number == 0.0:
+    if REFERENCE in entries or gap is None or gap.dimensionless:
         return entries
     half = gap.number / 2.0
     reason = "half the backlash of the case file" + ("" if "D" in entries else ", as estimated")
+    if half == 0.0:
+        module = completed.get("mesh.normal_module", completed.get("mesh.module"))
+        if module is None or GEOMETRY.isdisjoint(entries):
+            return entries
+        half = module.number / 100.0
+        reason = "a hundredth of the module, as there is no backlash to take half of"
     entry = Entry(REFERENCE, REFERENCE, half, f"{half!r} m", gap.provenance, reason)
     return {**entries, REFERENCE: entry}
 

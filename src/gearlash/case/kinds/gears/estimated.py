@@ -12,10 +12,11 @@ from gearlash.case.errors import Problem
 from gearlash.case.stated import Provenance
 from gearlash.gears import CylindricalPair
 from gearlash.gears.backlash import Backlash
+from gearlash.gears.cylindrical_pair import shift_sum
 from gearlash.gears.drawing import COARSEST, GRADE_SPREAD, USUAL_GRADE, Drawing, Estimate
 from gearlash.gears.estimates import estimates
 from gearlash.gears.gear_body import GearBody, mean_tooth_diameter
-from gearlash.gears.materials import named
+from gearlash.gears.materials import named, with_own
 from gearlash.gears.mesh_stiffness import SOLID, Rim
 from gearlash.system import GearlashError
 
@@ -229,7 +230,13 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
     open_ = [each is None or not each.text for each in quality]
     fits = [str(entries[f"{g}.fit"].value) if f"{g}.fit" in entries else None for g in GEARS]
     chosen = [fits[0] or fits[1], fits[1] or fits[0]]
-    materials = [named(rules.places.chosen(entries, f"{gear}.material")) for gear in GEARS]
+    materials = [
+        with_own(
+            named(rules.places.chosen(entries, f"{gear}.material")),
+            *(stated(f"{gear}.{leaf}") for leaf in ("youngs_modulus", "poisson_ratio", "density")),
+        )
+        for gear in GEARS
+    ]
     bodies, rims = zip(*(_body(entries, gear, i, pair) for i, gear in enumerate(GEARS)), strict=True)
     load = entries.get("load")
     return Drawing(
@@ -356,7 +363,10 @@ def _refused(entries: EntriesByKey, stated: EntriesByKey, pair: CylindricalPair)
         shown = repr(stated[path].text) if path in stated else None
         more = ""
         if path == drawn.CENTRE:
+            total, room = sum(one.profile_shift for one in pair.gears), shift_sum(pair)
             more = f", of which they need {1e3 * pair.tight_centre_distance:.6g} mm and more"
+            if total > room:
+                more += f"; or shifts that sum to {room:.4g} and less, where these have {total:.4g}"
         yield Problem(
             path,
             shown,

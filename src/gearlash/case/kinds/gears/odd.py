@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from gearlash.case.note import Note
 from gearlash.gears import backlash
+from gearlash.gears.cylindrical_pair import shift_sum
 from gearlash.gears.drawing import Drawing
 
-from .drawn import MEASURES, PLAY, SPEED_RANGE
+from .drawn import CENTRE, MEASURES, PLAY, SPEED_RANGE
 from .keys import GEARS
 from .rules import EntriesByKey
 
@@ -16,6 +18,8 @@ MOST_PLAY = 0.15
 """Of the normal module: more backlash than that is that of no usual fit."""
 MOST_WIDTH = 3.0
 """Of the reference diameter of the pinion."""
+ROUNDED = 1e-3
+"""Of the normal module: so much overlap a rounded shift may leave."""
 DIFFERENT = 0.1
 """Relative, of two backlashes that should be one."""
 
@@ -29,6 +33,8 @@ def odd(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterat
         As the case states them, and with what follows.
     drawing : Drawing
     """
+    yield from _materials(stated, drawing)
+    yield from _overlap(stated, entries, drawing)
     yield from _measured(stated, entries, drawing)
     yield from _play(stated, entries, drawing)
     yield from _widths(stated, drawing)
@@ -37,6 +43,45 @@ def odd(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterat
 
 def _play_of(stated: EntriesByKey) -> str | None:
     return next((key for key in ("D", PLAY) if key in stated and not stated[key].dimensionless), None)
+
+
+def _materials(stated: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
+    """A designation that the list has under another name, steels apart, which all have one modulus."""
+    for gear, one in zip(GEARS, drawing.chosen_materials, strict=True):
+        entry = stated.get(f"{gear}.material")
+        if entry is not None and one.name not in ("steel", str(entry.value)):
+            yield Note(
+                entry.path,
+                f"{entry.value} is taken for {one.name}: E {1e-9 * one.youngs_modulus:g} GPa, ν "
+                f"{one.poisson_ratio:g}, {one.density:g} kg/m³; youngs_modulus, poisson_ratio and density "
+                "may be stated beside it",
+            )
+
+
+def _overlap(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
+    """Shifts whose teeth are too thick for the stated centre distance before anything is taken off them."""
+    words = ("profile_shift", "transverse_profile_shift")
+    shifts = [stated[f"{g}.{word}"] for g in GEARS for word in words if f"{g}.{word}" in stated]
+    if len(shifts) < len(GEARS) or CENTRE not in stated:
+        return
+    bare = replace(
+        drawing.pair,
+        pinion=replace(drawing.pair.pinion, thickness_allowance=0.0),
+        gear=replace(drawing.pair.gear, thickness_allowance=0.0),
+    )
+    left, total = backlash.of_pair(bare).normal, sum(one.profile_shift for one in bare.gears)
+    if left >= -ROUNDED * bare.pinion.normal_module:
+        return
+    own = entries["D"].number if "D" in entries and not entries["D"].dimensionless else None
+    told = "" if own is None else f", and {1e6 * own:.4g} µm of backlash need {1e6 * (own - left):.4g} µm"
+    same = shifts[0].text == shifts[1].text  # one text that stands for both
+    one = f"; a shift of one gear alone is written {shifts[0].text}/" if same else ""
+    yield Note(
+        shifts[0].path,
+        f"teeth overlap by {-1e6 * left:.4g} µm along the normal before anything is taken off them: the "
+        f"shifts sum to {total:.4g}, and a centre distance of {1e3 * bare.centre_distance:.6g} mm has room "
+        f"for {shift_sum(bare):.4g}. Allowances of the tooth thickness must take that off{told}{one}",
+    )
 
 
 def _measured(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterator[Note]:

@@ -15,6 +15,7 @@ from gearlash.gears.materials import MATERIALS, named
 from .keys import GEARS
 from .places import Places
 from .rules import EntriesByKey
+from .written import material
 
 OF_DRAWINGS = 20.0
 """°C."""
@@ -42,7 +43,9 @@ def of_mesh() -> Iterator[Quantity]:
 
 def options() -> Iterator[Choice]:
     """Named options."""
-    yield Choice(HOUSING_MATERIAL, tuple(MATERIALS), "grey-cast-iron", "material of the housing")
+    yield Choice(
+        HOUSING_MATERIAL, tuple(MATERIALS), "grey-cast-iron", "material of the housing", (), material
+    )
 
 
 def _temperature(path: str, what: str) -> Quantity:

@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 
 from gearlash.case.quantity import ValueRefusedError
-from gearlash.gears import gear_fits
+from gearlash.gears import gear_fits, materials
+from gearlash.system import GearlashError
 
 CLASS = "a flank tolerance class of ISO 1328-1, a whole number from 1 to 12, such as 7"
 _YEAR = r"(?:\s*[:-]?\s*(?:19|20)\d\d)?"
@@ -109,3 +110,16 @@ def fit(text: str) -> str:
     raise ValueRefusedError(
         f"a fit of DIN 3967: tolerance series 21 to 30 and allowance series {series}, such as 25cd"
     )
+
+
+def material(text: str) -> str:
+    """A material as the drawing names it, where that has a modulus. Raises `ValueRefusedError`."""
+    try:
+        materials.named(text)
+    except GearlashError:
+        expected = (
+            f"a material of the list ({', '.join(materials.MATERIALS)}) or a designation with the modulus of "
+            "one; for another one the nearest of these, beside it youngs_modulus, poisson_ratio and density"
+        )
+        raise ValueRefusedError(expected, materials.nearest_name(text)) from None
+    return text.strip()

@@ -1,0 +1,78 @@
+"""What a drawing leaves of play: none at all, and shifts that are too large for the centre distance."""
+
+import pytest
+
+from gearlash.case import CaseError, loads
+from gearlash.gears import materials
+
+TEXT = """
+kind = "spur-1dof"
+[pinion]
+teeth = 23
+face_width = "30 mm"
+[gear]
+teeth = 43
+quality = 7
+face_width = "30 mm"
+[mesh]
+module = "3 mm"
+[operation]
+pinion_speed = "3000 rpm"
+torque = "100 N m"
+"""
+
+
+def _loads(mesh: str = "", pinion: str = "", gear: str = ""):
+    text = TEXT.replace("[mesh]", f"[mesh]\n{mesh}")
+    text = text.replace("[pinion]", f"[pinion]\n{pinion}").replace("[gear]", f"[gear]\n{gear}")
+    return loads(text)
+
+
+def test_no_backlash_is_measured_in_hundredths_of_the_module():
+    case = _loads('backlash = "0 um"')
+    assert case.family()[0].defaults["D"] == 0.0
+    unit = next(v for v in case.values() if v.path == "model.reference_length")
+    assert (unit.value, unit.unit) == (30.0, "um")
+    assert "hundredth of the module" in unit.reason
+    other = loads(TEXT.replace("[mesh]", '[model]\nreference_length = "50 um"\n[mesh]\nbacklash = "0 um"'))
+    ours, theirs = case.scales, other.scales  # in SI both are one case
+    assert ours.torque(case.family()[0].defaults["load"]) == pytest.approx(
+        theirs.torque(other.family()[0].defaults["load"])
+    )
+
+
+def test_shifts_that_leave_play_only_by_allowances_are_told_with_those_that_fit():
+    case = _loads('centre_distance = "100 mm"', 'profile_shift = "0.215"', 'profile_shift = "0.215"')
+    (note,) = [n for n in case.notes() if "overlap" in n.text]
+    assert note.path == "pinion.profile_shift"
+    # 23 + 43 teeth, inv α_wt − inv α at cos α_wt = 99 cos 20° / 100, over 2 tan 20° / 66
+    assert "room for 0.3456" in note.text
+    assert "a shift of one gear alone is written 0.215/" in note.text
+    fitting = _loads('centre_distance = "100 mm"', "profile_shift = 0.1728", "profile_shift = 0.1728")
+    assert not [n for n in fitting.notes() if "overlap" in n.text]
+    without = _loads("", "profile_shift = 0.215", "profile_shift = 0.215")  # the distance follows
+    assert not [n for n in without.notes() if "overlap" in n.text]
+
+
+def test_shifts_that_leave_no_play_are_refused_with_those_that_do():
+    with pytest.raises(CaseError) as refused:
+        _loads('centre_distance = "100 mm"', "profile_shift = 0.25", "profile_shift = 0.25")
+    (problem,) = refused.value.problems
+    assert problem.path == "mesh.centre_distance"
+    assert "shifts that sum to 0.3456 and less, where these have 0.5" in problem.expected
+
+
+def test_a_designation_is_told_with_what_it_is_taken_for_and_own_values_are_used():
+    case = _loads(
+        "", 'material = "GGG40"', 'material = "CuSn12"\nyoungs_modulus = "110 GPa"\ndensity = "8.9 g/cm^3"'
+    )
+    told = {n.path: n.text for n in case.notes()}
+    assert "GGG40 is taken for nodular-cast-iron: E 173 GPa" in told["pinion.material"]
+    drawing = case.numbers.body
+    assert drawing is not None
+    values = {v.path: float(v.value) for v in case.values() if not isinstance(v.value, str)}
+    other = _loads("", 'material = "GGG40"', 'material = "CuSn12"')
+    listed = {v.path: float(v.value) for v in other.values() if not isinstance(v.value, str)}
+    ratio = 8900.0 / materials.named("tin-bronze").density
+    assert values["gear.mass"] == pytest.approx(listed["gear.mass"] * ratio)
+    assert values["mesh.mean_stiffness"] > listed["mesh.mean_stiffness"]

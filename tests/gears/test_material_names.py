@@ -1,0 +1,81 @@
+"""Materials as drawings call them. Moduli are those of the standards and data sheets named beside them."""
+
+import pytest
+
+from gearlash.gears import materials
+from gearlash.system import GearlashError
+
+
+@pytest.mark.parametrize(
+    ("key", "names"),
+    [
+        ("steel", (
+            "Stahl", "42CrMo4", "42 CrMo 4", "42CrMo4+QT", "42CrMo4V", "18CrNiMo7-6", "C45", "Ck45", "C45E",
+            "16MnCr5", "1.7225", "1.6587", "1.0503", "AISI 4140", "SAE 8620H", "4340", "SCM440H", "S45C",
+            "SNCM220", "SCr420", "20CrMnTi", "40Cr", "817M40", "E335", "S355J2", "31CrMoV9", "17NiCrMo6-4",
+            "case-hardened steel", "20NiCrMo2-2", "9310", "1045",
+        )),
+        ("cast-steel", ("cast steel", "GS-45", "Stahlguss")),
+        ("nodular-cast-iron", (
+            "nodular iron", "ductile iron", "EN-GJS-400-15", "EN-GJS-700-2", "GGG-40", "GGG70", "FCD450",
+        )),
+        ("grey-cast-iron", ("grey cast iron", "gray iron", "EN-GJL-250", "EN-GJL-300", "GG25", "FC250")),
+        ("tin-bronze", ("phosphor bronze", "CuSn12", "CuSn12Ni2-C", "CC483K", "G-CuSn12")),
+        ("brass", ("Messing", "CuZn39Pb3", "CW614N")),
+        ("aluminium", ("aluminum", "EN AW-6082", "6061-T6", "7075")),
+        ("POM", ("Delrin", "acetal", "POM-C", "pom")),
+        ("PA66", ("PA 66", "Nylon 66")),
+        ("PA66-GF30", ("PA66 GF30",)),
+    ],
+)  # fmt: skip
+def test_names_of_drawings(key: str, names: tuple[str, ...]):
+    for name in names:
+        assert materials.named(name).name == key, name
+
+
+@pytest.mark.parametrize(
+    ("name", "nearest"),
+    [
+        ("cast iron", "grey-cast-iron"),
+        ("bronze", "tin-bronze"),
+        ("aluminium bronze", "tin-bronze"),
+        ("nylon", "PA66"),
+        ("PA12", "PA66"),
+        ("X5CrNi18-10", "steel"),  # austenitic: 200 GPa and below
+        ("S30400", None),  # the same in UNS
+        ("304", "steel"),
+        ("1.4301", "steel"),
+        ("EN-GJL-150", "grey-cast-iron"),  # 78 to 103 GPa by EN 1561, below the range of the list
+        ("ADI", "nodular-cast-iron"),
+        ("stel", "steel"),
+        ("unobtainium", None),
+        ("25", None),
+        ("", None),
+    ],
+)
+def test_what_has_another_modulus_or_several_is_refused_with_what_is_near(name: str, nearest: str | None):
+    with pytest.raises(GearlashError, match="the list has"):
+        materials.named(name)
+    assert materials.nearest_name(name) == nearest
+
+
+MODULI = {  # GPa: sn-castiron.nl by EN 1563 (GJS), EN 1561 annex A (GJL), data sheet of CW608N
+    "EN-GJS-400-18": (170, 170),
+    "EN-GJS-700-2": (175, 175),
+    "EN-GJL-250": (103, 118),
+    "CW608N": (102, 102),
+}
+
+
+@pytest.mark.parametrize("name", MODULI)
+def test_the_modulus_of_a_designation_lies_in_the_range_of_its_entry(name: str):
+    least, greatest = materials.named(name).youngs_range
+    assert least <= 1e9 * MODULI[name][0] <= 1e9 * MODULI[name][1] <= greatest
+
+
+def test_values_of_a_data_sheet_take_the_place_of_those_of_the_list():
+    own = materials.with_own(materials.named("tin-bronze"), 110e9, 0.34, 7600.0)
+    assert (own.youngs_modulus, own.poisson_ratio, own.density) == (110e9, 0.34, 7600.0)
+    assert own.youngs_range == (110e9, 110e9)
+    assert own.source.startswith("E, ν, density: stated")
+    assert materials.with_own(materials.named("steel")) is materials.named("steel")
