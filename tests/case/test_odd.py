@@ -32,6 +32,18 @@ def test_it_is_told(values: dict[str, str], path: str, said: str):
     assert said in told[0]
 
 
+def test_a_rotor_without_its_mass_is_told():
+    """Of a pair on bearings only, and not where the mass is stated or the rotor is lighter than the gear."""
+    rotor, told = (
+        {"pinion.added_inertia": "0.8 kg*m^2"},
+        "the mass on its bearings is that of the pinion alone",
+    )
+    light, massive = {"pinion.added_inertia": "1e-5 kg*m^2"}, rotor | {"pinion.mass": "60 kg"}
+    for values, expected in ((rotor, True), (light, False), (massive, False)):
+        notes = [n.text for n in gl.load_case(DRAWING, values).notes() if n.path == "pinion.added_inertia"]
+        assert [told in text for text in notes] == [True] * expected
+
+
 def test_teeth_that_leave_the_stated_play_are_not():
     thin = {f"{gear}.thickness_allowance": "-42.6 um" for gear in ("pinion", "gear")}
     case = gl.load_case(DRAWING, thin)

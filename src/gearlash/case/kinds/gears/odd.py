@@ -22,6 +22,8 @@ ROUNDED = 1e-3
 """Of the normal module: so much overlap a rounded shift may leave."""
 DIFFERENT = 0.1
 """Relative, of two backlashes that should be one."""
+MOST_ADDED = 1.0
+"""Of a gear's own inertia: where more turns with it, its mass is not that of the gear alone either."""
 
 
 def odd(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
@@ -39,6 +41,7 @@ def odd(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterat
     yield from _play(stated, entries, drawing)
     yield from _widths(stated, drawing)
     yield from _speeds(stated, entries)
+    yield from _added(stated, entries)
 
 
 def _play_of(stated: EntriesByKey) -> str | None:
@@ -134,3 +137,19 @@ def _speeds(stated: EntriesByKey, entries: EntriesByKey) -> Iterator[Note]:
     if below or above:
         path = SPEED_RANGE[0] if below else SPEED_RANGE[1]
         yield Note(path, "the pinion's speed lies outside of the range of speed that is stated")
+
+
+def _added(stated: EntriesByKey, entries: EntriesByKey) -> Iterator[Note]:
+    """What turns with a gear and is heavier than it, beside bearings that carry the gear alone."""
+    for gear in GEARS:
+        added, own = stated.get(f"{gear}.added_inertia"), entries.get(f"{gear}.inertia")
+        if added is None or own is None or added.number <= MOST_ADDED * own.number:
+            continue
+        if f"bearing_frequency_y{gear[0]}" in entries and f"{gear}.mass" not in stated:
+            mass = entries[f"{gear}.mass"].number
+            yield Note(
+                added.path,
+                f"{added.number / own.number:.3g} times the inertia of the {gear} itself turns with it, but "
+                f"the mass on its bearings is that of the {gear} alone, {mass:.3g} kg: state as mass all "
+                "that moves with it on these bearings, as without it their natural frequencies come out too high",
+            )
