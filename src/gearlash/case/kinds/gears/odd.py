@@ -151,5 +151,5 @@ def _added(stated: EntriesByKey, entries: EntriesByKey) -> Iterator[Note]:
                 added.path,
                 f"{added.number / own.number:.3g} times the inertia of the {gear} itself turns with it, but "
                 f"the mass on its bearings is that of the {gear} alone, {mass:.3g} kg: state as mass all "
-                "that moves with it on these bearings, as without it their natural frequencies come out too high",
+                "that moves with it on these bearings; without it their natural frequencies are too high",
             )
