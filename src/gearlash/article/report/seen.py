@@ -2,24 +2,45 @@
 
 from __future__ import annotations
 
-from .teeth import told
-
+NOT_COMPUTED = "—"
+NONE, KEPT = "none", "kept"
+"""Labels of motions that do not come back within 8 mesh cycles: with teeth apart, and always in contact."""
+NOT_REPEATING = "not repeating"
 RULES = ("always", "in-contact", "no-tension")
 HELD = ("stiffness", "dimensionless")
 """The ways in which all dimensionless numbers but the ripple of the stiffness are those of the case."""
+MODIFIED = "modified"
+"""The way with flanks that are relieved and crowned."""
+
+
+def told(label: str) -> str:
+    """A label in words."""
+    words = {
+        NONE: "parts, not repeating within 1 %",
+        KEPT: "in contact, not repeating within 1 %",
+        "": NOT_COMPUTED,
+    }
+    return words.get(label, label)
+
+
+def has_label(label: str) -> bool:
+    """Whether it is P-Q-R, as of a motion that repeats."""
+    return label.count("-") == 2
 
 
 def parts(label: str, apart: float | None) -> bool:
     """Whether teeth part: by the label, or of a motion without one whether they were seen apart. An aperiodic
     motion of the lumped model parts, as one without contact events would be periodic."""
-    if label.count("-") == 2:
+    if has_label(label):
         return not label.endswith("-0-0")
     return label == "aperiodic" or bool(apart)
 
 
 def motion(label: str, apart: float) -> str:
-    """A label in words, with the share of time apart where teeth part."""
-    return f"{told(label)}, apart {share(apart)}" if parts(label, apart) else told(label)
+    """A label, or that there is none, with the share of time apart where teeth part."""
+    if parts(label, apart):
+        return f"{label if has_label(label) else NOT_REPEATING}, apart {share(apart)}"
+    return label if has_label(label) else f"contact, {NOT_REPEATING}"
 
 
 def share(part: float) -> str:

@@ -4,28 +4,27 @@ from __future__ import annotations
 
 from gearlash.article.verified import Verified, VerifiedWay
 from gearlash.report.blocks import Block, Cell, Table
+from gearlash.studies.verification.plan import AT_WINDOW
+from gearlash.studies.verification.settings import PLANNED
 
-from .seen import motion
-from .teeth import NOT_COMPUTED
-
-PLANNED, WINDOW = "as planned", "window"
+from .seen import NOT_COMPUTED, motion
 
 
 def blocks(found: Verified) -> list[Block]:
     """The table; nothing where no setting beside was computed."""
     if not any(way.beside for way in found.ways):
         return []
-    names = [PLANNED, *dict.fromkeys(row[0] for way in found.ways for row in way.beside)]
-    names += [name for each in found.settings if (name := each["name"]) not in (*names, WINDOW)]
+    names = [PLANNED.name, *dict.fromkeys(row[0] for way in found.ways for row in way.beside)]
+    names += [name for each in found.settings if (name := each["name"]) not in (*names, AT_WINDOW.name)]
     ways = found.ways
     rows = tuple((name, *(_cell(way, name) for way in ways)) for name in names)
     return [
         Table(
             "table-verified-settings",
             "Every setting of the plan: the motion of real teeth at the lower speed, above, and at the "
-            "higher "
-            "one, with one thing changed. “×” and “/” are factors of what the plan has; "
-            f"{NOT_COMPUTED} was not run with these inputs, or could not be integrated.{_plan(found)}",
+            "higher one, with one thing changed. “Not repeating”: not within 1 %. “×” and “/” are factors of "
+            f"what the plan has; {NOT_COMPUTED} was not run with these inputs, or could not be integrated."
+            f"{_plan(found)}",
             ("setting", *(way.name for way in ways)),
             rows,
             widths=(20, *(80 // len(ways) for _ in ways)),
@@ -37,7 +36,7 @@ def _cell(way: VerifiedWay, name: str) -> Cell:
     """Motions at the speeds of a way, one below the other."""
     said: list[str] = []
     for point in way.points:
-        if name == PLANNED:
+        if name == PLANNED.name:
             said.append(motion(point.label, point.apart))
             continue
         row = next((r for r in way.beside if r[0] == name and round(r[1]) == round(point.speed)), None)
@@ -48,10 +47,9 @@ def _cell(way: VerifiedWay, name: str) -> Cell:
 def _plan(found: Verified) -> str:
     """Steps and cycles of the plan, and those of the window."""
     said = [
-        f" {words}: {each['solver']}, {each['steps']} steps a mesh cycle{_finer(each)}, {each['settle']} "
-        "mesh "
-        f"cycles to settle and {each['read']} that are read."
-        for name, words in ((PLANNED, "The plan"), (WINDOW, "The window"))
+        f" {words}: {each['solver']}, {each['steps']} steps a mesh cycle{_finer(each)}, "
+        f"{each['settle']} mesh cycles to settle and {each['read']} that are read."
+        for name, words in ((PLANNED.name, "The plan"), (AT_WINDOW.name, "The window"))
         for each in found.settings
         if each["name"] == name
     ]

@@ -121,8 +121,7 @@ def _real(found: Verified) -> Text:
     """The article's own check of its model, repeated."""
     return Text.of(
         "The article checks its model by a multibody simulation at two speeds: teeth part once a mesh cycle "
-        "at "
-        "the lower one and never at the higher one. Repeated here with other means, "
+        "at the lower one and never at the higher one. Repeated here with other means, "
         f"{conclusion.in_short(found)} (",
         Ref("table-verified"),
         ").",

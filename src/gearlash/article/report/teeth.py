@@ -16,9 +16,9 @@ from gearlash.report.numbers import fixed, minus, number
 from gearlash.report.pictures import Picture
 from gearlash.studies.verification import inputs_of, with_width
 
+from .seen import NOT_COMPUTED, has_label, told
+
 LINES, FRAMES, ORDERS = "verified-lines", "verified-frames", "verified-orders"
-NONE, KEPT, NOT_COMPUTED = "none", "kept", "—"
-"""Labels of motions that do not come back within 8 mesh cycles: with teeth apart, and always in contact."""
 
 Drawn = tuple[list[Block], list[Picture]]
 
@@ -148,10 +148,4 @@ def _when_held(held: str, label: str) -> str:
     """Two motions with one label are the same in that; two without one need not be."""
     if held != label:
         return told(held)
-    return "the same" if label.count("-") == 2 else f"{told(held)}, either"
-
-
-def told(label: str) -> str:
-    """A label in words."""
-    words = {NONE: "not periodic", KEPT: "in contact, not repeating within 1 %", "": NOT_COMPUTED}
-    return words.get(label, label)
+    return "the same" if has_label(label) else f"{told(held)}, either"

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 
-from gearlash.article.verified import REPORTED_WINDOW, Verified, VerifiedWay
+from gearlash.article.claims import load
+from gearlash.article.verified import Verified, VerifiedPoint, VerifiedWay
 from gearlash.report.blocks import Block, Cell, Table, Text
 
-from .seen import HELD, RULES, parts, share
+from .seen import HELD, NOT_COMPUTED, RULES, parts, share
+from .words import joined
 
 RUN = re.compile(r"(\d+) to (\d+) rpm")
 DIRECTIONS = ("rising", "falling")
+ZONE = "frequency-zone"
+"""The claim of the window without impacts of the article's lumped model."""
 
 
 def blocks(found: Verified) -> list[Block]:
@@ -26,18 +31,19 @@ def _table(found: Verified, ways: list[VerifiedWay]) -> Table:
     grid, step, higher = ways[0].window["speed"], step_of(ways[0]), ways[0].points[-1].speed
     for way in ways:
         reported = reported_ends(found, way)
-        last = "—" if reported is None else f"{reported[0]:.0f} to {reported[1]:.0f} rpm"
+        last = NOT_COMPUTED if reported is None else f"{reported[0]:.0f} to {reported[1]:.0f} rpm"
         for direction, real, lumped in _both(way):
             rows.append((way.name, direction, real, *(lumped[rule] for rule in RULES), last))
+    ends, case = reported_window(), [f"“{way.name}”" for way in ways if way.name not in HELD]
+    speeds = f"; with {joined(case)} that is at the rpm of the case" if case else ""
     return Table(
         "table-verified-window",
         "Speeds of the grid at which teeth stay in contact, each begun from the motion at its neighbour; of "
         "the lumped model those with a periodic motion. The grid has steps of "
         f"{share(step / higher)} of the higher speed, from {grid[0] / higher:.2f} to "
         f"{grid[-1] / higher:.2f} of it: an end lies within a step beyond what is named, and what begins or "
-        "ends with the grid may go on beyond. The "
-        f"last column is the article’s window of its lumped model, ω {REPORTED_WINDOW[0]} to "
-        f"{REPORTED_WINDOW[1]}, at the speeds that these inputs give it.",
+        "ends with the grid may go on beyond. The last column is the article’s window of its lumped model, "
+        f"ω {ends[0]} to {ends[1]}, at the speed that these inputs give it{speeds}.",
         ("inputs", "speed", "real teeth", *(f"lumped, {rule}" for rule in RULES), "reported"),
         tuple(rows),
         widths=(13, 9, 16, 16, 16, 16, 14),
@@ -60,13 +66,21 @@ def runs(told: str) -> list[tuple[float, float]]:
     return [(float(low), float(high)) for low, high in RUN.findall(told)]
 
 
+@cache
+def reported_window() -> tuple[float, float]:
+    """ω between which the article reports that its lumped model has no impacts."""
+    ends = next(claim.interval for claim in load() if claim.id == ZONE)
+    assert ends is not None  # of every zone
+    return ends
+
+
 def reported_ends(found: Verified, way: VerifiedWay) -> tuple[float, float] | None:
     """The article's window in rpm at the inputs of a way; None without the way that has the ω of the case."""
     case = next((each for each in found.ways if each.name == HELD[0]), None)
     if case is None:
         return None
-    scale = way.points[-1].speed / case.points[-1].omega
-    return REPORTED_WINDOW[0] * scale, REPORTED_WINDOW[1] * scale
+    scale, (low, high) = way.points[-1].speed / case.points[-1].omega, reported_window()
+    return low * scale, high * scale
 
 
 def _met(found: Verified, ways: list[VerifiedWay]) -> str:
@@ -115,8 +129,8 @@ def _differing(ways: list[VerifiedWay]) -> str:
 def coexisting(way: VerifiedWay) -> str:
     """Speeds at which teeth begun pressed together part, and begun from a neighbour stay in contact."""
     said = [
-        f" At {point.speed:.0f} rpm teeth begun pressed together part; begun from the motion at the "
-        f"neighbouring speed, {direction}, they stay in contact: both motions exist there."
+        f" Begun from the motion at the neighbouring speed, {direction}, teeth stay in contact at "
+        f"{point.speed:.0f} rpm: both motions exist there."
         for point in way.points
         for direction, told, _ in _both(way)
         if parts(point.label, point.apart) and _within(told, point.speed)
@@ -126,6 +140,35 @@ def coexisting(way: VerifiedWay) -> str:
 
 def _within(told: str, speed: float) -> bool:
     return any(low - 0.5 <= speed <= high + 0.5 for low, high in runs(told))
+
+
+def from_neighbours(way: VerifiedWay, point: VerifiedPoint, label: str) -> str:
+    """From which neighbours a label was found at a speed of the grid, in words."""
+    at = _index(way, point.speed)
+    if at is None:
+        return ""
+    began = [
+        direction
+        for direction, labels in zip(DIRECTIONS, (way.window["up"], way.window["down"]), strict=True)
+        if labels[at] == label
+    ]
+    if len(began) == len(DIRECTIONS):
+        return "from both neighbours on the grid"
+    return f"from its neighbour on the grid ({began[0]})" if began else ""
+
+
+def lumped_from_neighbours(way: VerifiedWay, point: VerifiedPoint, rule: str, steps: int = 0) -> set[str]:
+    """Labels of the lumped model on the grid, so many steps from a speed; empty where the grid has none."""
+    at = _index(way, point.speed)
+    if at is None or not 0 <= at + steps < len(way.window["speed"]):
+        return set()
+    return {way.window[which][rule][at + steps] for which in ("lumped_up", "lumped_down")}
+
+
+def _index(way: VerifiedWay, speed: float) -> int | None:
+    """Of a speed in the grid."""
+    near = (i for i, each in enumerate(way.window.get("speed", ())) if abs(each - speed) <= 0.5)
+    return next(near, None)
 
 
 def beside_points(way: VerifiedWay) -> str:

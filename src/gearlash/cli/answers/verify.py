@@ -22,7 +22,8 @@ KEPT, NONE = "kept", "none"
 
 def in_words(label: str) -> str:
     """A label as sentences, tables and figures say it."""
-    return {KEPT: "in contact, not repeating within 1 %", NONE: "not periodic"}.get(label, label)
+    words = {KEPT: "in contact, not repeating within 1 %", NONE: "parts, not repeating within 1 %"}
+    return words.get(label, label)
 
 
 @dataclass(frozen=True)
