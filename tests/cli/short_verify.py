@@ -15,7 +15,7 @@ from gearlash.multibody.compliance import SectorSettings
 from gearlash.multibody.tooth_section import Fineness
 
 COARSE = SectorSettings(Fineness(flank=2, fillet=1, core=1, rim=1, axial=2), teeth=3)
-SHORT = study.Setting(steps=64, finer=1, finest=1, settle=2, read=16)
+SHORT = study.Setting(steps=64, finer=1, finest=1, settle=2, read=16, longest=1)
 HELD = replace(SHORT, name=study.DISTANCE_HELD.name, held=study.DISTANCE_HELD.held)
 compliances, plan = fem.pair_compliances, study.planned
 

@@ -14,7 +14,19 @@ from gearlash.case.kinds.gears.kind import GearContent
 from gearlash.cli.answers.verify import VerifyAnswer, verify_answer
 from gearlash.cli.show.verify import spans, verify_view
 from gearlash.gears import backlash
-from gearlash.multibody import MeshContact, Modes, Relief, Solver, Topography, Trajectory, read_motion
+from gearlash.multibody import (
+    Bearings,
+    Machine,
+    MeshContact,
+    Modes,
+    Relief,
+    RigidBody,
+    Solver,
+    Topography,
+    Trajectory,
+    natural_frequencies,
+    read_motion,
+)
 from gearlash.multibody import _tables as places
 from gearlash.multibody.quasi_static import quasi_static
 from gearlash.multibody.tooth_contact import ToothContact
@@ -31,11 +43,11 @@ from gearlash.studies.verification import (
 )
 from gearlash.studies.verification.lumped import lumped_family
 from gearlash.studies.verification.mesh import modified
-from gearlash.studies.verification.point import machine_of, run_point
+from gearlash.studies.verification.point import _to_fade, fastest, machine_of, run_point
 from gearlash.studies.verification.whole import all_errors, errors_of
 from multibody.standin import standin
 
-SHORT = Setting(steps=64, finer=1, finest=1, settle=4, read=16)
+SHORT = Setting(steps=64, finer=1, finest=1, settle=4, read=16, longest=1)
 CASES = Path(__file__).parents[1] / "cases"
 
 
@@ -342,3 +354,62 @@ def test_a_motion_that_misses_itself_by_more_than_a_hundredth_has_no_label():
     reading = read_motion(Trajectory(t, q, np.zeros_like(q), np.outer(force, [1.0, 0, 0, 0, 0])), 28)
     assert reading.label is None
     assert reading.returns > 0.01
+
+
+def test_a_light_gear_in_stiff_bearings_is_integrated_with_steps_as_short_as_it_takes(found: Verification):
+    """Tilting turns by 3 rad in 1/64 of this mesh cycle: Runge-Kutta of order 4 is stable up to 2.8."""
+    mesh, inputs = found.meshes[0], found.inputs
+    setting = replace(SHORT, flexible=False, settle=1, read=1)
+    assert inputs.bearing_y is not None
+    across = inputs.masses[0] * (3.0 * inputs.radii[0] ** 2 + inputs.body_widths[0] ** 2) / 12.0
+    period = 2.0 * np.pi / (inputs.speeds[0] * inputs.natural_frequency(mesh.stiffness))
+    stiff = replace(setting, bearing_span=2.0 * 3.0 * 64.0 / period * np.sqrt(across / inputs.bearing_y[0]))
+    soft, hard = (
+        run_point(
+            inputs,
+            ToothContact(mesh.contact(inputs).tables),
+            each,
+            omega=inputs.speeds[0],
+            stiffness=mesh.stiffness,
+            torque=inputs.torque,
+        )
+        for each in (setting, stiff)
+    )
+    assert soft.read_steps == 64
+    assert hard.read_steps in (128, 192)
+    assert hard.energy_residual < 1e-2
+    assert hard.reading.mean == pytest.approx(inputs.mean_force, rel=0.1)
+
+
+def test_no_vibration_is_faster_than_the_bound_that_sets_the_steps(found: Verification):
+    """Beside the frequencies of the matrices that Exudyn makes, with the contact made linear."""
+    mesh, inputs = found.meshes[1], found.inputs
+    machine = machine_of(inputs, SHORT, inputs.torque, 100.0, 1e-3, mesh.gear.modes)
+    contact = ToothContact(mesh.contact(inputs, flexible=True).tables)
+    pressed = np.zeros(machine.size)
+    turn = inputs.mean_force / mesh.stiffness + 0.5 * inputs.backlash
+    pressed[5] = turn / (inputs.torque / inputs.mean_force)
+    squares = natural_frequencies(machine, contact, pressed)
+    assert squares[-1] <= fastest(inputs, machine, mesh.stiffness) < 2.0 * squares[-1]
+
+
+def test_motions_that_cannot_be_integrated_are_told_and_not_asked_for_again(found: Verification):
+    lost = "absolute, as planned, 4000 rpm: the multibody model left all bounds at 1 s"
+    answer = verify_answer(gl.load_case("article"), replace(found, failures=(lost,)))
+    assert (answer.status, answer.message) == ("partly-failed", lost)
+    assert "--speed" in answer.advice
+    none = replace(found, failures=(lost,), compared=tuple(replace(one, points=()) for one in found.compared))
+    assert verify_answer(gl.load_case("article"), none).status == "failed"
+
+
+@pytest.mark.parametrize(
+    ("ratio", "longest", "more"),
+    [(0.005, 12, 175), (0.02, 12, 0), (0.0005, 12, 880), (0.0, 12, 880), (0.005, 1, 0)],
+)
+def test_a_body_that_rings_long_is_given_the_time_to_fade(ratio: float, longest: int, more: int):
+    """A mode of 500 Hz fades by 2π ξ f T = 0.0157 nepers in a mesh cycle of 1 ms, at ξ = 0.005."""
+    disc = RigidBody.solid_disc(6.0, 0.06, 0.07)
+    bearings = Bearings.from_ratio((8e8, 8e8, 6.8e8, 1e6, 1e6), disc, 0.04)
+    modes = Modes((2.0 * np.pi * 500.0,), ratio)
+    machine = Machine((disc, disc), (bearings, bearings), (28, 28), 100.0, modes=modes)
+    assert _to_fade(machine, Setting(settle=80, longest=longest), 1e-3) == pytest.approx(more, abs=1)

@@ -228,7 +228,9 @@ class _Kept:
         t = self.start + count * self.step
         q, v = mbs.systemData.GetODE2Coordinates(), mbs.systemData.GetODE2Coordinates_t()
         if not np.all(np.isfinite(v)):
-            raise SimulationError(f"the multibody model left all bounds at {t:.6g} s; take a smaller step")
+            raise SimulationError(
+                f"the multibody model left all bounds at {t:.6g} s with a step of {self.step:.3g} s"
+            )
         self.rows.append((t, q, v, self.contact.record(t, q, v)))
 
     def motion(self) -> Trajectory:

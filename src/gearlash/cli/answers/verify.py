@@ -9,13 +9,15 @@ import numpy as np
 
 from gearlash.case import Case
 
-from .outcome import INCOMPLETE, OK, RESUME
+from .outcome import FAILED, INCOMPLETE, OK, PARTLY_FAILED, RESUME
 from .parts import CaseUsed, case_used
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.studies.verification import Compared, LumpedPoint, Mesh, PointFound, Setting, Verification
 
 
+OTHERWISE = "motions that are here stand as they are; compare at another speed (--speed)"
+"""What to do where a motion could not be integrated."""
 KEPT, NONE = "kept", "none"
 """Labels of a motion that has not come back: always in contact, and any other."""
 
@@ -89,6 +91,7 @@ class PointComputed:
     orders: Annotated[tuple[float, ...], "amplitudes of the force at mesh orders 1/2, 1, 3/2, … 8, N"]
     returns: Annotated[float, "how far the motion misses itself after a period, over the range of its force"]
     energy_residual: Annotated[float, "missing in the balance of energy, over what dampers take"]
+    settled: Annotated[int, "mesh cycles before those that were read"]
     read_steps: Annotated[int, "of the integrator, a mesh cycle, in the cycles that were read"]
     phase: Annotated[tuple[float, ...], "mesh cycles"]
     force: Annotated[tuple[float, ...], "over these phases, drive side less back side, N"]
@@ -151,7 +154,11 @@ class VerifyAnswer:
     """The lumped model beside bodies in space with real teeth (gearlash verify)."""
 
     sentence: str
-    status: Annotated[str, "ok, or incomplete where the work was stopped or a point could not be integrated"]
+    status: Annotated[
+        str,
+        "ok; incomplete if it was stopped; partly-failed if a motion could not be integrated, failed if none "
+        "as planned could",
+    ]
     message: str
     advice: str
     case: CaseUsed
@@ -165,14 +172,13 @@ class VerifyAnswer:
 
 def verify_answer(case: Case, found: Verification) -> VerifyAnswer:
     """The record of a verification."""
-    complete = not found.reason and not found.failures
     said = [*found.failures, *([f"stopped: {found.reason}"] if found.reason else [])]
     configurations = tuple(_configuration(found, one) for one in found.compared)
     return VerifyAnswer(
         sentence=_sentence(found),
-        status=OK if complete else INCOMPLETE,
+        status=_status(found),
         message="; ".join(said),
-        advice="" if complete else RESUME,
+        advice=_advice(found),
         case=case_used(case),
         inputs=_inputs(found),
         settings=tuple(one.told() for one in _settings(found)),
@@ -180,6 +186,22 @@ def verify_answer(case: Case, found: Verification) -> VerifyAnswer:
         stated=tuple(map(_lumped, found.stated)),
         configurations=configurations,
     )
+
+
+def _status(found: Verification) -> str:
+    """Of all motions of real teeth."""
+    if found.reason:
+        return INCOMPLETE
+    if not found.failures:
+        return OK
+    return PARTLY_FAILED if any(one.points for one in found.compared) else FAILED
+
+
+def _advice(found: Verification) -> str:
+    """What to do where motions are missing; the same motions fail in a second call."""
+    if found.reason:
+        return RESUME
+    return OTHERWISE if found.failures else ""
 
 
 def _settings(found: Verification) -> list[Setting]:
@@ -307,6 +329,7 @@ def _point(point: PointFound) -> PointComputed:
         orders=tuple(map(float, reading.orders)),
         returns=reading.returns,
         energy_residual=point.energy_residual,
+        settled=point.settled,
         read_steps=point.read_steps,
         phase=tuple(map(float, reading.phase)),
         force=tuple(map(float, reading.force)),

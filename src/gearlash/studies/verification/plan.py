@@ -20,7 +20,7 @@ STATED = replace(PLANNED, name="bearings as stated", bearings_as_stated=True)
 """Of inputs that are held so that bearings grow with the mesh."""
 DISTANCE_HELD = replace(PLANNED, name="centre distance held", held="centre distance")
 """Beside the planned setting it tells what the breathing of the centre distance does."""
-AT_WINDOW = Setting("window", steps=128, finer=1, finest=1, settle=30, read=16)
+AT_WINDOW = Setting("window", steps=128, finer=1, finest=1, settle=30, read=16, longest=1)
 """Every speed begins from the motion of its neighbour, so that less has to settle."""
 
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import cos, pi
+from dataclasses import dataclass, replace
+from math import ceil, cos, pi, sin, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import eigh
 
 from gearlash.multibody import (
     Bearings,
@@ -28,6 +29,10 @@ from .settings import CLOSES, Setting
 Array = NDArray[np.float64]
 GOVERNED = 20.0
 """Mesh cycles in which the governor takes a deviation of the mean speed away."""
+TURN = 1.5
+"""By how much the fastest vibration may turn in a step, rad: Runge-Kutta of order 4 is stable up to 2.8."""
+FADED = 4.0
+"""Nepers by which the slowest vibration of the supports has faded in a motion that is said not to repeat."""
 AXES = {
     "": (),
     "centre distance": (0, 6),
@@ -79,6 +84,8 @@ class PointFound:
         Of the energy balance over the cycles read.
     read_steps : int
         Of the integrator there, a mesh cycle.
+    settled : int
+        Mesh cycles before those that were read.
     centre_change : (float, float)
         Least and greatest change of the centre distance at mid face over the cycles read, m.
     frames : Frames
@@ -93,6 +100,7 @@ class PointFound:
     reading: Reading
     energy_residual: float
     read_steps: int
+    settled: int
     centre_change: tuple[float, float]
     frames: Frames
     q: Array
@@ -208,18 +216,15 @@ def run_point(
     held = AXES["lumped" if inputs.bearing_y is None else setting.held]
     carried = Held(contact, held) if held else contact
     q, v = _start(inputs, machine, stiffness, torque, start)
+    setting = _fine_enough(setting, period * fastest(inputs, machine, stiffness))
     step = period / setting.steps
-    settled = simulate(
-        machine,
-        carried,
-        q,
-        v,
-        step=step,
-        steps=setting.settle * setting.steps,
-        every=setting.settle * setting.steps,
-        solver=setting.solver,
-    )
-    finer, motion, residual = _read(machine, carried, setting, (settled.q[-1], settled.v[-1]), step)
+    cycles, found = setting.settle, _settled_and_read(machine, carried, setting, (q, v), step)
+    more = _to_fade(machine, setting, period)
+    if more and read_motion(found[1], teeth).label is None:  # it may ring, and come back later
+        cycles += setting.read + 1 + more
+        state = found[1].q[-1], found[1].v[-1]
+        found = _settled_and_read(machine, carried, replace(setting, settle=more), state, step)
+    finer, motion, residual = found
     apart = motion.q[:, 6] - motion.q[:, 0]
     return PointFound(
         omega=omega,
@@ -228,11 +233,80 @@ def run_point(
         reading=read_motion(motion, teeth),
         energy_residual=residual,
         read_steps=finer * setting.steps,
+        settled=cycles,
         centre_change=(float(apart.min()), float(apart.max())),
         frames=frames_of(motion, machine.teeth),
         q=motion.q[-1],
         v=motion.v[-1],
     )
+
+
+def fastest(inputs: Inputs, machine: Machine, stiffness: float) -> float:
+    """At most so fast do bodies vibrate in their bearings, in their modes and on the teeth, rad/s.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    machine : Machine
+    stiffness : float
+        Of the teeth, N/m.
+
+    Returns
+    -------
+    float
+        Root of the sum of the largest squares of the supports and of the teeth, each alone.
+    """
+    supports = float(eigh(machine.stiffness(), machine.inertia(), eigvals_only=True)[-1])
+    lean = sin(inputs.pair.pinion.base_helix_angle)
+    moved = 0.0
+    for body, gear in zip(machine.bodies, inputs.pair.gears, strict=True):
+        radius = 0.5 * gear.base_diameter
+        across = radius * lean + 0.5 * inputs.pair.face_width
+        moved += 1.0 / body.mass + radius**2 / body.axial_inertia + across**2 / body.transverse_inertia
+    return sqrt(max(supports, 0.0) + stiffness * moved)
+
+
+def _fine_enough(setting: Setting, turns: float) -> Setting:
+    """With several times the steps, where the fastest vibration, which turns by so many rad in a mesh cycle,
+    would make the integration unstable; the cycles that are read have about the steps that they had."""
+    times = ceil(turns / (TURN * setting.steps))
+    if times < 2:
+        return setting
+    finer = ceil(setting.finer / times)
+    return replace(
+        setting,
+        steps=times * setting.steps,
+        finer=finer,
+        finest=max(finer, setting.finest // times),
+    )
+
+
+def _to_fade(machine: Machine, setting: Setting, period: float) -> int:
+    """Mesh cycles more than those of the setting in which the slowest vibration of bodies in their bearings
+    and modes fades; the teeth, which damp it further, are left out."""
+    inverse, size = np.linalg.inv(machine.inertia()), machine.size
+    rates = np.block(
+        [
+            [np.zeros((size, size)), np.eye(size)],
+            [-inverse @ machine.stiffness(), -inverse @ machine.damping()],
+        ]
+    )
+    found = np.linalg.eigvals(rates)
+    fading = -found.real[np.abs(found) > 1e-9 * np.abs(found).max()]  # the shafts turn freely
+    slowest = float(fading.min(initial=np.inf))
+    most = setting.longest * setting.settle
+    if not slowest > FADED / (most * period):
+        return most - setting.settle
+    return max(0, ceil(FADED / (slowest * period)) - setting.settle)
+
+
+def _settled_and_read(
+    machine: Machine, contact: Contact, setting: Setting, state: tuple[Array, Array], step: float
+) -> tuple[int, Trajectory, float]:
+    """The cycles that are read, after those in which the motion settles."""
+    steps = setting.settle * setting.steps
+    settled = simulate(machine, contact, *state, step=step, steps=steps, every=steps, solver=setting.solver)
+    return _read(machine, contact, setting, (settled.q[-1], settled.v[-1]), step)
 
 
 def _read(

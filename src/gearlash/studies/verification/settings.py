@@ -45,6 +45,9 @@ class Setting:
         Up to so many times: twice as many, again and again, while the balance does not close to `CLOSES`.
     settle, read : int
         Mesh cycles before those that are read, and those.
+    longest : int
+        Up to so many times ``settle`` cycles, where a motion does not come back and the slowest vibration of
+        bodies in their bearings and modes has not faded.
     solver : Solver
     """
 
@@ -65,6 +68,7 @@ class Setting:
     finest: int = 12
     settle: int = 80
     read: int = 20
+    longest: int = 12
     solver: Solver = Solver.RK44
 
     def told(self) -> dict[str, str]:

@@ -100,8 +100,9 @@ class Verification:
 
 @dataclass(frozen=True)
 class _Task:
-    """One point for a worker."""
+    """One point for a worker; the way in which its inputs are held."""
 
+    way: str
     inputs: Inputs
     contact: ToothContact
     setting: Setting
@@ -175,12 +176,7 @@ def verification(
     if not reason:
         tell("lumped model", None)
         stated, compared, reason = _beside(case, inputs, compared)
-    failures = tuple(
-        f"{name}: {each}"
-        for name, found in outcome.results.items()
-        for each in found
-        if isinstance(each, str)
-    )
+    failures = tuple(each for found in outcome.results.values() for each in found if isinstance(each, str))
     return Verification(inputs, chosen, meshes, stated, compared, failures, reason)
 
 
@@ -244,7 +240,7 @@ def _task(inputs: Inputs, one: Configuration, mesh: Mesh, setting: Setting, omeg
     modes = mesh.modes(setting.flexible, setting.flexible_pinion)
     teeth = ToothContact(contact.tables)
     torque = one.torque * setting.torque
-    return _Task(inputs, teeth, setting, omega, one.stiffness, torque, modes, one.bearings)
+    return _Task(one.name, inputs, teeth, setting, omega, one.stiffness, torque, modes, one.bearings)
 
 
 def errors_of(inputs: Inputs, mesh: Mesh, turn: float = 0.0) -> tuple[tuple[float, float], ...]:
@@ -305,7 +301,8 @@ def _work(task: _Task, carry: tuple[Array, Array] | None) -> Part:
             stiffer=task.stiffer,
         )
     except SimulationError as error:
-        return Part((str(error),), None)
+        speed = task.inputs.rpm(task.omega, task.stiffness)
+        return Part((f"{task.way}, {task.setting.name}, {speed:.4g} rpm: {error}",), None)
     return Part((found,), (found.q, found.v))
 
 
