@@ -236,7 +236,12 @@ def test_workers_end_with_the_process_that_started_them(ending: str, work: str):
     assert workers
     time.sleep(0.2)
     process.send_signal(getattr(signal, ending))
-    assert process.communicate(timeout=20.0) == ("", None)
+    try:
+        assert process.communicate(timeout=20.0) == ("", None)
+    finally:  # no other test is to meet what this one left
+        process.kill()
+        process.stdout.close()
+        process.wait()
     until = time.monotonic() + 10.0
     while any(map(alive, workers)) and time.monotonic() < until:
         time.sleep(0.02)
