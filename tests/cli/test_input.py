@@ -211,3 +211,29 @@ def test_an_interval_in_a_wrong_form_is_shown_one_of_the_quantity_that_was_named
     (problem,) = refused.value.problems
     assert f"such as {example}" in problem.expected
     assert len(read_over(case, example.partition(" ")[0]).values) in (500, 900)
+
+
+@pytest.mark.parametrize(
+    ("typed", "instead"),
+    [
+        (("run", "article", "--set", "pinion_speed", "3600rpm"), "--set pinion_speed=3600rpm"),
+        (("run", "article", "--set", "pinion_speed=3600", "rpm"), "--set 'pinion_speed=3600 rpm'"),
+        (("run", "article", "--set", "D", "=", "0.7", "--json"), "--set D=0.7"),
+        (("graze", "article", "--near", "3600", "rpm"), "--near '3600 rpm'"),
+        (("new", "x.toml", "--torque", "150", "N", "m", "--speed", "900rpm"), "--torque '150 N m'"),
+    ],
+)
+def test_words_left_over_are_given_back_to_their_option(
+    gearlash: Gearlash, typed: tuple[str, ...], instead: str
+):
+    ran = gearlash(*typed)
+    assert ran.code == 2
+    assert f"takes one word: {instead}" in " ".join(ran.err.split())
+
+
+@pytest.mark.parametrize("typed", [("run", "article", "more"), ("run", "--json", "article", "more")])
+def test_other_words_left_over_are_refused_alone(gearlash: Gearlash, typed: tuple[str, ...]):
+    ran = gearlash(*typed)
+    assert ran.code == 2
+    assert "unexpected extra argument(s) (more)" in " ".join(ran.err.split())
+    assert "one word" not in ran.err

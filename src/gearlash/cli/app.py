@@ -23,6 +23,7 @@ from .commands.sweep import sweep
 from .commands.tolerance import tolerance
 from .commands.verify import verify
 from .commands.zones import zones
+from .one_word import Command
 
 LONGEST_ARGUMENT, MOST_ARGUMENTS = 4096, 1000  # characters: as much as a path may have
 
@@ -90,4 +91,4 @@ for command in (
     reproduce,
     schema,
 ):
-    app.command()(command)
+    app.command(cls=Command)(command)
