@@ -24,6 +24,23 @@ def test_gears_are_drawn_where_the_larger_play_has_them():
     assert pressed == pytest.approx(drawn_turns(flanks, pose(mesh, 0.2, 0.5 * flanks.play), times))
 
 
+def test_a_push_of_next_to_nothing_has_no_arrow():
+    """And a small one has a small head, so that it does not look like a large one."""
+    mesh = plain("helical")
+    poses = np.array([pose(mesh, 0.05 * k, 0.5 * mesh.flanks.play) for k in range(3)])
+    figure = mesh_frames(
+        mesh.flanks, poses, np.array([[4000.0, 0.0], [39.0, 0.0], [200.0, 0.0]]), [0.0, 0.3, 0.6]
+    )
+    large, none, small = figure.axes
+    assert not none.texts
+    heads = []
+    for axes in (large, small):
+        (arrow,) = (one for one in axes.texts if isinstance(one, Annotation))
+        assert arrow.arrow_patch is not None
+        heads.append(arrow.arrow_patch.get_mutation_scale())
+    assert heads[1] == pytest.approx(0.2 * heads[0])
+
+
 def test_every_frame_shows_its_forces():
     mesh = plain("helical")
     poses = np.array([pose(mesh, 0.05 * k, (1 - k) * 0.5 * mesh.flanks.play) for k in range(3)])

@@ -21,6 +21,10 @@ def test_the_map_and_the_lines_show_the_loads():
     assert image is not None
     assert image.shape == (160, len(mesh.tables.slices))
     assert image.max() == pytest.approx(line_loads.max(), rel=0.02)
+    figure.canvas.draw()
+    for axes in (left, right):  # both axes have numbers, and the scale of the map stands below it
+        assert any(one.get_visible() and one.get_text() for one in axes.get_yticklabels())
+    assert figure.axes[2].get_position().y1 < left.get_position().y0
     hairs = [one for one in right.collections if isinstance(one, LineCollection)]
     lengths = np.concatenate([np.ptp(np.array(one.get_segments())[:, :, 1], axis=1) for one in hairs])
     shown = line_loads[int(line_loads.max(axis=(1, 2)).argmax())]

@@ -21,6 +21,9 @@ Reals = NDArray[np.float64]
 TALL = 50.0  # mm
 PITCHES = 1.15  # shown above and below the pitch point
 SHOWN_PLAY = 0.12  # of the pitch, about: how wide the play is drawn
+LEAST_ARROW = 0.01  # of the longest: shorter ones are not drawn
+HEAD = 0.25  # of the longest arrow: shorter arrows have a smaller head
+HEAD_SIZE = 10.0  # points
 MM = 1e3
 
 
@@ -50,7 +53,7 @@ def mesh_frames(
     -------
     matplotlib.figure.Figure
         The pinion left, the gear right; play and approach are drawn so many times larger as it says, and
-        arrows, long as the forces, show the push on the gear.
+        arrows, long as the forces, show the push on the gear; none where it is below 1 % of the longest.
     """
     figure = style.figure(style.PAGE, TALL)
     panels = figure.subplots(1, len(poses), squeeze=False)[0]
@@ -58,7 +61,7 @@ def mesh_frames(
     for axes, pose, force, phase in zip(panels, poses, forces, phases, strict=True):
         _teeth(axes, flanks, pose, times)
         for side in range(2):
-            if force[side] > 0.0:
+            if force[side] > LEAST_ARROW * most:
                 _push(axes, flanks, side, float(force[side]) / most)
         _window(axes, flanks)
         axes.set_title(f"phase {round(phase, 2) + 0.0:.2f}", fontsize=7.0)  # no −0.00
@@ -125,7 +128,14 @@ def _push(axes: Axes, flanks: Flanks, side: int, part: float) -> None:
         "",
         (pitch + along[0], along[1]),
         (pitch, 0.0),
-        arrowprops={"arrowstyle": "-|>", "color": style.VERMILION, "lw": 1.2, "shrinkA": 0, "shrinkB": 0},
+        arrowprops={
+            "arrowstyle": "-|>",
+            "mutation_scale": HEAD_SIZE * min(1.0, part / HEAD),
+            "color": style.VERMILION,
+            "lw": 1.2,
+            "shrinkA": 0,
+            "shrinkB": 0,
+        },
         zorder=5,
     )
 

@@ -67,12 +67,13 @@ def tooth_contact(found: ToothLoads) -> Figure:
     """
     figure = style.figure(style.PAGE, HIGH)
     left, right = figure.subplots(1, 2, sharex=True, sharey=True)
+    right.tick_params(labelleft=True)
     line_loads = found.loads / _length(found) * 1e-3
     image = _greatest(found, line_loads)
     heights, z = _diameters(found, image[0]) * 1e3, found.slices * 1e3
     shown = left.pcolormesh(z, heights, image[1], cmap="Greys", vmin=0.0, shading="nearest", rasterized=True)
-    bar = figure.colorbar(shown, ax=left, pad=0.02)
-    bar.ax.set_title(UNIT, loc="center", fontsize=7.5)
+    bar = figure.colorbar(shown, ax=left, location="bottom", aspect=40, pad=0.03)
+    bar.set_label(f"greatest load, {UNIT}")
     bar.outline.set_linewidth(0.6)  # pyright: ignore[reportCallIssue, reportAttributeAccessIssue]
     left.set_title("(a)  greatest load along the line in a cycle")
     at, most = int(line_loads.max(axis=(1, 2)).argmax()), float(line_loads.max())

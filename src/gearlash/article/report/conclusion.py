@@ -43,7 +43,7 @@ def blocks(found: Verified, done: Reproduction) -> list[Block]:
         *lumped_beside.blocks(found, done),
         _harmonics(found),
         Text.of("The run was not strictly blind:"),
-        when_fixed(),
+        when_fixed(found),
     ]
 
 

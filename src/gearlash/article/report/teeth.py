@@ -79,7 +79,8 @@ def _frames(flanks: Flanks, way: VerifiedWay) -> Drawn:
         "fig-verified-frames",
         Text.of(
             f"One mesh cycle at {point.speed:.0f} rpm with the inputs “{way.name}”: the teeth at mid face, "
-            "pinion left and gear right. Arrows are the push on the gear; without one no tooth carries."
+            "pinion left and gear right. Arrows are the push on the gear; without one no tooth carries, "
+            "or less than 1 % of the longest."
         ),
         "Teeth in mesh at times of a mesh cycle, side by side.",
         FRAMES,

@@ -41,7 +41,7 @@ class Frames:
 
 
 def frames_of(motion: Trajectory, teeth: tuple[int, int]) -> Frames:
-    """Frames at even distances of phase.
+    """Frames at even distances of phase, one of them in the middle of the longest time apart.
 
     Parameters
     ----------
@@ -56,7 +56,19 @@ def frames_of(motion: Trajectory, teeth: tuple[int, int]) -> Frames:
     """
     phase = motion.q[:, 5] * teeth[0] / (2.0 * np.pi)
     first = np.floor(phase[-1] + 1e-9) - 1.0
-    at = [int(np.abs(phase - first - k / FRAMES).argmin()) for k in range(FRAMES)]
+    cycle = np.flatnonzero((phase >= first) & (phase < first + 1.0))
+    begins = _apart(phase[cycle] - first, motion.recorded[cycle, :2].max(axis=1) <= 0.0) % (1.0 / FRAMES)
+    at = [int(np.abs(phase - first - begins - k / FRAMES).argmin()) for k in range(FRAMES)]
     pitches = 2.0 * np.pi * first / np.array(teeth) * np.array([1.0, -1.0])
     turns = motion.q[np.ix_(at, [5, 11])] - pitches
     return Frames(phase[at] - first, turns, motion.recorded[at, :2])
+
+
+def _apart(phase: Array, free: NDArray[np.bool_]) -> float:
+    """Phase in the middle of the longest time in which no tooth carries; 0 without such a time."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], free, [False]])))
+    if not len(edges):
+        return 0.0
+    begins, ends = edges[::2], edges[1::2] - 1
+    longest = int((ends - begins).argmax())
+    return 0.5 * float(phase[begins[longest]] + phase[ends[longest]])
