@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -26,6 +27,7 @@ from gearlash.report.pair import file_names
 from gearlash.results.beside import Beside
 from gearlash.studies.beside import motions_beside
 from report.reading import Reading
+from tools.look import size
 
 DRIVE = Path(__file__).resolve().parents[1] / "cases" / "drive.toml"
 COMMAND = [sys.executable, "-c", "from gearlash.cli import main; main()"]
@@ -94,6 +96,29 @@ def _files(folder: Path, answer: dict) -> None:
     )
     numbers = json.loads((folder / "report.json").read_text(encoding="utf-8"))
     assert numbers["verdict"]["kind"] == answer["verdict"]
+
+
+def test_where_teeth_never_part_there_is_no_empty_picture(gearlash: Gearlash, tmp_path: Path):
+    """Neither panels of what never happens nor a map of one colour: a sentence each, and no file."""
+    narrow = ("--over", "pinion_speed=4200:4300rpm:4", "--workers", "1")
+    ran = gearlash("report", str(DRIVE), *narrow, "--out", str(tmp_path), "--json")
+    assert ran.answer["separating"] == []
+    figures = {path.stem for path in (tmp_path / "figures").iterdir()}
+    assert "map-backlash" not in figures
+    page = Reading((tmp_path / "report.html").read_text(encoding="utf-8"))
+    assert page.problems == []
+    said = " ".join(" ".join(page.words).split())
+    assert "In no motion of these sweeps do teeth part" in said
+    (told,) = re.findall(
+        r"at \d+ speeds, 4200 to 4300 rpm, and 3 values of backlash, .*? to .*?, (.*?)[.] ", said
+    )
+    assert told == "the motion is 1-0: teeth stay in contact"
+    drawn = (tmp_path / "figures" / "speed-errors.svg").read_text(encoding="utf-8")
+    parted = tmp_path / "parted"
+    gearlash("report", str(DRIVE), *NARROW, "--out", str(parted))
+    tall = (parted / "figures" / "speed-errors.svg").read_text(encoding="utf-8")
+    assert size(drawn)[1] < size(tall)[1]
+    assert "DTE" in said
 
 
 def test_a_pair_without_units_is_told_in_its_own_numbers(gearlash: Gearlash, tmp_path: Path):

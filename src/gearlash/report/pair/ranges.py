@@ -186,7 +186,7 @@ def _typed(text: str) -> str:
 
 
 def _percent(share: float) -> str:
-    return f"{100.0 * share:.3g} %"
+    return f"{number(100.0 * share, 3)} %"
 
 
 def estimates(count: int) -> str:
