@@ -186,6 +186,14 @@ def test_strokes_between_two_values_and_in_units():
     assert placed({"profile_shift": "0.3/-0.1"})["gear.profile_shift"] == "-0.1"
     assert placed({"bore": "/50mm"}) == {"gear.bore": "50mm"}
     assert placed({"bore": "30mm/"}) == {"pinion.bore": "30mm"}
+    both = {"pinion.face_width": "34 mm", "gear.face_width": "32mm"}
+    assert placed({"face_width": "34/32mm"}) == both  # one unit behind both
+    assert placed({"bore": "28mm/45"})["gear.bore"] == "45 mm"
+    assert placed({"face_width": '1 1/2"/1.25"'}) == {
+        "pinion.face_width": '1 1/2"',
+        "gear.face_width": '1.25"',
+    }
+    assert placed({"teeth": "20/30/80"}) == {"pinion.teeth": "20", "gear.teeth": "30/80"}
     assert placed({"inertia": "0.001kg*m^2/0.03kg*m^2"})["pinion.inertia"] == "0.001kg*m^2"
     assert is_helical({"mesh.helix_angle": "15°"})
     assert not is_helical({"mesh.helix_angle": "0 deg"})
@@ -223,6 +231,54 @@ def test_what_the_drawing_says_otherwise_is_asked_for_in_turn():
     found = questions.asked(answer, lambda _: None)
     assert (found["power"], found["over_balls"]) == ("66kW", "83.9mm/")
     assert "Diameter D_M" in " ".join(questioned)
+
+
+def test_a_power_where_a_torque_is_asked_for_is_taken_as_one_and_told():
+    told = {"Teeth of": "25/57", "Normal module": "3mm", "Speed of the pinion": "4200rpm", "Torque": "7,5 kW"}
+    said: list[str] = []
+
+    def answer(question: str) -> str:
+        return next((text for begin, text in told.items() if question.startswith(begin)), "")
+
+    found = questions.asked(answer, said.append)
+    assert found["power"] == "7,5 kW"
+    assert "torque" not in found
+    assert any("taken as: Power" in text for text in said)
+
+
+def test_questions_that_are_interrupted_say_that_nothing_was_written():
+    def stopped(_: str) -> str:
+        raise KeyboardInterrupt
+
+    said: list[str] = []
+    with pytest.raises(KeyboardInterrupt):
+        questions.asked(stopped, said.append)
+    assert "nothing was written" in said[-1]
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        (("--type", "bevel"), "change along the face"),
+        (("--type", "ring gear"), "a ring gear"),
+        (("--type", "worm"), "slide along their teeth"),
+        (("--type", "planetary"), "one carrier"),
+        (("--type", "herringbone"), "half of torque"),
+        (("--type", "square"), "expected spur or helical"),
+        (("--shaft-angle", "90°"), "parallel shafts"),
+        (("--teeth", "23/-57"), "internal gear"),
+        (("--centre-distance", "-123mm"), "internal gear"),
+        (("--speed", "-3000rpm"), "no sense of rotation"),
+    ],
+)
+def test_gears_that_no_model_here_takes_are_refused_in_words(
+    options: tuple[str, str], told: str, gearlash: Gearlash
+):
+    ran = gearlash("new", "pair.toml", *HELICAL, *options)
+    assert ran.code == 2
+    assert told in " ".join(ran.err.split())
+    assert not Path("pair.toml").exists()
+    assert gearlash("new", "pair.toml", *HELICAL, "--type", "Helical", "--shaft-angle", "0°").code == 0
 
 
 def test_questions_that_end_early_write_nothing():

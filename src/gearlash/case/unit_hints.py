@@ -58,6 +58,8 @@ def instead(found: Dimension, place: Quantity) -> str:
     """What a unit of another dimension says; empty where there are no words for it."""
     if found == PITCH and "module" in place.path:
         return "that is a diametral pitch, which stands at diametral_pitch"
+    if found == POWER and place.path == "operation.torque":
+        return "that is a power, which stands at operation.power"
     if found == PRESSURE and place.dimension == STIFFNESS:
         return "that is a stiffness over the face width: its product with b stands here"
     return f"that is {DIMENSION_NAMES[found]}" if found in DIMENSION_NAMES and found != NUMBER else ""

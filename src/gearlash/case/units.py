@@ -77,11 +77,13 @@ def behind_number(text: str) -> str:
 
 def in_unit_of(other: str, text: str) -> str:
     """A value as typed; a number alone gets the unit of the other one, as ``60`` in ``60:120um``."""
+    behind = behind_number(other)
     try:
-        float(text)
-    except ValueError:
+        bare = not behind_number(text) and read(text)[1].dimension == NUMBER
+        unit(behind)
+    except UnitError:
         return text
-    return text + behind_number(other)
+    return f"{text} {behind}".rstrip() if bare else text
 
 
 @lru_cache(maxsize=256)

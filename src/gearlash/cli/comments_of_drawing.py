@@ -135,8 +135,8 @@ def _fitting(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, str]]:
     if torque != 0.0:
         yield "mesh.loaded_error_torque", f"{torque:.5g} N*m"
     for end, factor in (("least", 0.5), ("greatest", 1.5)):
-        yield f"operation.{end}_speed", f"{factor * speed:.4g} rpm"
-        yield f"operation.{end}_gear_speed", f"{factor * speed / teeth.ratio:.4g} rpm"
+        yield f"operation.{end}_speed", f"{float(f'{factor * speed:.4g}'):.9g} rpm"
+        yield f"operation.{end}_gear_speed", f"{float(f'{factor * speed / teeth.ratio:.4g}'):.9g} rpm"
 
 
 def _rim(one: CylindricalGear, hole: float) -> float:

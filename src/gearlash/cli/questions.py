@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from gearlash.case.kinds import kind_named
@@ -13,9 +13,9 @@ from gearlash.system import GearlashError
 from .words_of_drawing import EITHER, ONLY_BESIDE, WORDS, Word, placed
 
 HEAD = (
-    "A gear pair from its drawing. Type values with their units as they stand there; pinion and gear apart "
-    "by a stroke, 25/57. Enter alone: not known, to be estimated; of module, speed and torque: said "
-    "otherwise, and asked for next.\n"
+    "A pair of external spur or helical gears from its drawing. Type values with their units as they stand "
+    "there; pinion and gear apart by a stroke, 25/57. Enter alone: not known, to be estimated; of module, "
+    "speed and torque: said otherwise, and asked for next.\n"
 )
 
 
@@ -42,24 +42,39 @@ def _either(word: Word, ask: Callable[[str], str], say: Callable[[str], object])
     others = [each for each in WORDS if each.name in EITHER.get(word.name, ())]
     if not others:
         return word.name, _answer(word, ask, say)
+    words = word, *others
     while True:
-        for each in (word, *others):
-            text = _answer(replace(each, needed=False), ask, say)
+        for each in words:
+            text = _answer(replace(each, needed=False), ask, say, words)
             if text:
-                return each.name, text
-        say(f"  expected one of them: {', '.join(each.what.rstrip('.') for each in (word, *others))}")
+                taken = _meant(each, words, text)
+                if taken is not each:
+                    say(f"  taken as: {taken.what}")
+                return taken.name, text
+        say(f"  expected one of them: {', '.join(each.what.rstrip('.') for each in words)}")
 
 
-def _answer(word: Word, ask: Callable[[str], str], say: Callable[[str], object]) -> str:
-    """One answer that can be read; asked again until then."""
+def _meant(word: Word, words: Iterable[Word], text: str) -> Word:
+    """The word whose answer this is: of those that stand in for each other, the only one that can read it."""
+    able = [each for each in words if _wrong(each, text) is None]
+    return word if word in able or len(able) != 1 else able[0]
+
+
+def _answer(
+    word: Word, ask: Callable[[str], str], say: Callable[[str], object], instead: Iterable[Word] = ()
+) -> str:
+    """One answer that can be read, as this word or as one ``instead`` of it; asked again until then."""
     while True:
         try:
             text = ask(f"{word.what.rstrip('.')}, such as {word.example}: ").strip()
         except EOFError:
             raise GearlashError("the answers ended; nothing was written") from None
+        except KeyboardInterrupt:
+            say("\nnothing was written")
+            raise
         if not text and not word.needed:
             return ""
-        wrong = _wrong(word, text)
+        wrong = _wrong(_meant(word, instead, text), text)
         if wrong is None:
             return text
         say(f"  expected {wrong}")

@@ -253,6 +253,8 @@ ONLY_BESIDE = {"span_teeth": "span", "ball_diameter": "over_balls"}
 def placed(words: Mapping[str, str]) -> dict[str, str]:
     """Texts by path. One text stands for both gears; ``25/57`` are those of pinion and gear, one of which may
     be missing."""
+    from gearlash.case.units import in_unit_of  # late: help needs none of it
+
     found: dict[str, str] = {}
     for word in WORDS:
         text = words.get(word.name)
@@ -261,6 +263,11 @@ def placed(words: Mapping[str, str]) -> dict[str, str]:
         parts = _parts(word, text) if len(word.paths) == 2 else [text.strip()]
         if len(parts) == 1:
             parts *= len(word.paths)
+        elif word.name != "material":  # 34/32mm: one unit that stands for both
+            parts = [
+                in_unit_of(other, part) if part else part
+                for part, other in zip(parts, parts[::-1], strict=True)
+            ]
         found |= {path: part for path, part in zip(word.paths, parts, strict=True) if part}
     return found
 

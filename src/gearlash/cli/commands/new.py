@@ -24,6 +24,13 @@ def _new(
     description: Annotated[
         str | None, typer.Option(metavar="TEXT", help="A line about the pair, kept in the file.")
     ] = None,
+    gears: Annotated[
+        str | None,
+        typer.Option("--type", metavar="TYPE", help="Spur or helical; other gears are refused in words."),
+    ] = None,
+    shaft_angle: Annotated[
+        str | None, typer.Option(metavar="0deg", help="Angle between the shafts; only 0 is taken.")
+    ] = None,
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replaces a file that is there already.")
     ] = False,
@@ -32,21 +39,26 @@ def _new(
 ) -> ExitCode:
     """What does the drawing say? Writes a case file from it, which all other commands take.
 
-    From options, or from answers to questions where none is given and somebody is at the terminal, else a
-    template: its values are those of an example, and comments, so that nothing is computed before they are
-    put right and their # is taken away. Values of pinion and gear stand apart by a stroke (25/57), one
-    stands for both, and /50mm is that of the gear alone. What a drawing leaves open (stiffness and how it
-    varies, error, masses, bearings, damping, backlash) is estimated whenever the file is read, with range and
-    source.
+    For external spur and helical gears. From options, or from answers to questions where none is given and
+    somebody is at the terminal, else a template: its values are those of an example, and comments, so that
+    nothing is computed before they are put right and their # is taken away. Values of pinion and gear stand
+    apart by a stroke (25/57), one stands for both, and /50mm is that of the gear alone. What a drawing leaves
+    open (stiffness and how it varies, error, masses, bearings, damping, backlash) is estimated whenever the
+    file is read, with range and source.
     """
     from gearlash.cli.answers.new import new_answer
     from gearlash.cli.comments_of_drawing import comments_of
     from gearlash.cli.drawing_file import TEMPLATE, file_text
     from gearlash.cli.frame import show_answer
     from gearlash.cli.new_file import checked_place, loaded, write
+    from gearlash.cli.other_gears import check_shafts, check_type
     from gearlash.cli.questions import asked, at_a_terminal
     from gearlash.cli.words_of_drawing import placed
 
+    if gears is not None:
+        check_type(gears)
+    if shaft_angle is not None:
+        check_shafts(shaft_angle)
     checked_place(file, overwrite)
     stated = {name: text for name, text in words.items() if text is not None}
     if not stated and at_a_terminal() and not as_json:

@@ -28,7 +28,7 @@ def new_view(answer: NewAnswer, width: int) -> Iterator[Text]:
     title = "Estimated from the example, with ranges" if answer.example else "Estimated, with ranges"
     yield from remarks(title, open_rows(answer.estimated, Marks({})), width)
     file = shlex.quote(answer.file)
-    low, high = (f"{factor * answer.speed_rpm:.4g}" for factor in (0.5, 1.5))
+    low, high = (f"{float(f'{factor * answer.speed_rpm:.4g}'):.9g}" for factor in (0.5, 1.5))
     rows = [
         ("edit", "take the # from what the drawing says, put your own values in place of others"),
         ("all of it", f"gearlash check {file}"),

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from gearlash.case.quantity import Choice, Quantity
-from gearlash.case.units import ANGLE, DENSITY, LENGTH, POWER, PRESSURE, SPEED, TORQUE
+from gearlash.case.units import ANGLE, DENSITY, LENGTH, POWER, PRESSURE, TORQUE
 from gearlash.gears import basic_rack, gear_fits
 from gearlash.gears.materials import MATERIALS
 from gearlash.gears.mesh import harmonic_name
 
 from . import relief, written
 from .keys import GEARS
-from .shared import HIGHEST_HARMONIC, RIGHT_ANGLE, number, positive
+from .shared import HIGHEST_HARMONIC, NO_RING, RIGHT_ANGLE, number, positive, speed
 
 RACKS = {
     "ISO53-A": basic_rack.ISO53_A,
@@ -130,7 +130,8 @@ def of_gear(gear: str) -> Iterator[Quantity]:
 def of_mesh() -> Iterator[Quantity]:
     """What the table [mesh] may hold."""
     yield positive(WIDTH, LENGTH, "mm", "40 mm", "face width b of both gears", 5)
-    yield positive(CENTRE, LENGTH, "mm", "125 mm", "centre distance a_w", 50)
+    ring = f"below 0 it is that of an internal gear, {NO_RING}"
+    yield Quantity(CENTRE, LENGTH, "mm", "125 mm", "centre distance a_w", 0.0, 50, above=True, below=ring)
     yield number(SHIFT_SUM, "0.4", "sum of the profile shifts x_1 + x_2", -6.0, 6.0)
     yield positive(TRANSVERSE_MODULE, LENGTH, "mm", "4.2 mm", "transverse module m_t", 0.2)
     yield positive(TRANSVERSE_ANGLE, ANGLE, "deg", "21 deg", "transverse pressure angle α_t", RIGHT_ANGLE)
@@ -145,14 +146,14 @@ def of_mesh() -> Iterator[Quantity]:
 
 def of_operation() -> Iterator[Quantity]:
     """What the table [operation] may hold."""
-    yield positive(GEAR_SPEED, SPEED, "rpm", "1200 rpm", "speed of the gear", 1e6)
+    yield speed(GEAR_SPEED, "1200 rpm", "speed of the gear")
     what = "mean torque of the gear; negative loads the back side"
     yield Quantity(GEAR_TORQUE, TORQUE, "N*m", "900 N·m", what, -1e9, 1e9)
     what = "power at the stated speed; the torque that follows is kept where the speed varies"
     yield Quantity(POWERED, POWER, "kW", "45 kW", what, -1e12, 1e12)
     for who, paths in (("pinion", SPEED_RANGE), ("gear", GEAR_RANGE)):
         for path, name, example in zip(paths, ("least", "greatest"), ("1500 rpm", "4500 rpm"), strict=True):
-            yield positive(path, SPEED, "rpm", example, f"{name} speed that the {who} is to run at", 1e6)
+            yield speed(path, example, f"{name} speed that the {who} is to run at")
 
 
 def options() -> Iterator[Choice]:

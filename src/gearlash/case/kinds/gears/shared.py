@@ -59,9 +59,12 @@ def harmonic_names() -> Iterator[str]:
         yield from (f"{stem}_{order}" for order in range(2, HIGHEST_HARMONIC + 1))
 
 
+NO_RING = 'of which there is no model here; kind = "piecewise-linear" takes stiffness, backlash and masses'
+
+
 def of_gear(gear: str) -> Iterator[Quantity]:
     """The table [pinion] or [gear]."""
-    inner = "below 0 they are those of an internal gear, of which there is no model here"
+    inner = f"below 0 they are those of an internal gear, {NO_RING}"
     yield number(f"{gear}.teeth", "28", f"teeth of the {gear}", 5, 2000, integer=True, below=inner)
     yield positive(f"{gear}.mass", MASS, "kg", "5.98 kg", f"mass of the {gear}", 1e6)
     yield positive(f"{gear}.inertia", INERTIA, "kg*m^2", "0.01 kg·m²", f"inertia of the {gear}", 1e9)
@@ -101,7 +104,7 @@ def of_mesh() -> Iterator[Quantity]:
 
 def of_operation() -> Iterator[Quantity]:
     """The table [operation], and the unit of length."""
-    yield positive("operation.pinion_speed", SPEED, "rpm", "3600 rpm", "speed of the pinion", 1e6)
+    yield speed("operation.pinion_speed", "3600 rpm", "speed of the pinion")
     yield positive("operation.mesh_frequency", FREQUENCY, "Hz", "1680 Hz", "mesh cycles per second", 1e7)
     what = "mean pinion torque; negative loads the back side"
     yield Quantity("operation.torque", TORQUE, "N*m", "450 N·m", what, -1e9, 1e9)
@@ -162,6 +165,12 @@ def number(
 def ratio(path: str, what: str) -> Quantity:
     """A damping ratio."""
     return number(path, "0.05", what, 0.0, 10.0)
+
+
+def speed(path: str, example: str, what: str) -> Quantity:
+    """A speed of a shaft."""
+    turn = "no sense of rotation is stated here, only the amount"
+    return Quantity(path, SPEED, "rpm", example, what, 0.0, 1e6, above=True, below=turn)
 
 
 def positive(path: str, dimension: Dimension, unit: str, example: str, what: str, upper: float) -> Quantity:

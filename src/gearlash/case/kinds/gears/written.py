@@ -30,7 +30,8 @@ _FIT = re.compile(
     r"(?P<letters>[a-h]{1,2})\s*(?P<number>2[1-9]|30)|(?P<first>2[1-9]|30)\s*(?P<behind>[a-h]{1,2})"
 )
 _HAND = re.compile(
-    r"\b(r|l|rh|lh|right|left|rechts|links)(?:[\s-]?hand(?:ed)?)?$|^(rh?|lh?|right|left)\b", re.IGNORECASE
+    r"(?:\b|(?<=deg))(r|l|rh|lh|right|left|rechts|links)(?:[\s-]?hand(?:ed)?)?$|^(rh?|lh?|right|left)\b",
+    re.IGNORECASE,
 )
 _PITCH = re.compile(
     r"(?:d\.?p\.?|p_?(?:nd|[nd])?)?\s*=?\s*(\d[\d.,]*)\s*"
