@@ -72,6 +72,15 @@ def test_out_has_the_boundary_in_both_units(gearlash: Gearlash, kept: Path):
     assert all(float(r["pinion_speed [rpm]"]) == pytest.approx(factor * float(r["omega"])) for r in rows)
 
 
+def test_impacts_on_the_drive_side_come_first(gearlash: Gearlash):
+    limits = ("--over", "omega=0.89:0.91", "--over", "D=0.95:1.05")
+    out = " ".join(gearlash("zones", "kahraman-singh", "--set", "omega=0.9", *limits).out.split())
+    assert out.startswith(
+        "omega = 0.9, D = 1 lies in no zone free of impacts of the motion 1-1-0 that was followed, which hits "
+        "the drive side, only in one free of impacts on the back side; there "
+    )
+
+
 def test_in_words(gearlash: Gearlash):
     limits = ("--over", "omega=0.8:0.83", "--over", "D=0.95:1.05")
     out = " ".join(gearlash("zones", "kahraman-singh", "--set", "omega=0.81", *limits).out.split())

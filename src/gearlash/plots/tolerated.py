@@ -2,26 +2,37 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from textwrap import wrap
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter
 
 from gearlash.case.units import pretty
-from gearlash.results.tolerance import Band, Tolerance
+from gearlash.results.tolerance import Band, Influence, Tolerance
 
 from . import style
 from .regimes import DRIVE, FREE
 from .units import literal
 
 ROWS = ("all tried", "as it is", "none tried")
-HEIGHTS = (34.0, 18.0, 30.0)  # mm of probability, bands, indices
+HEIGHTS = (34.0, 18.0)  # mm of probability, bands
 BAR = 0.62  # of a row
+LEAST_BAR = 0.01  # share of the variance below which a value is named without a bar
+UNKNOWN = 0.5  # error of a share with which nothing of it is known
+LINE = 90  # characters
+NOWHERE: dict[str, Any] = {"va": "center", "fontsize": "small"}
 
 
 @style.styled
 def tolerance_bands(found: Tolerance, title: str = "") -> Figure:
     """The probability of impact-free motion, the bands under it, and what each value makes of the margin.
+
+    Values that make less than 1 % of its variance are named without a bar; without any other, or where the
+    work was stopped before, there is no such panel.
 
     Parameters
     ----------
@@ -43,16 +54,16 @@ def tolerance_bands(found: Tolerance, title: str = "") -> Figure:
     >>> len(plots.tolerance_bands(found).axes)
     2
     """
-    ranked = found.influences
-    heights = [HEIGHTS[0], HEIGHTS[1], *([6.0 * len(ranked) + 6.0] if ranked else [])]
-    figure = style.figure(style.PAGE, sum(heights) + 44.0)
+    shown = _shown(found)
+    heights = [*HEIGHTS, *([6.0 * len(shown.ranked) + 6.0] if shown.ranked else [])]
+    figure = style.figure(style.PAGE, sum(heights) + 44.0 + 4.0 * len(shown.rest))
     panels = list(figure.subplots(len(heights), 1, height_ratios=heights))
     _probability(panels[0], found)
     _bands(panels[1], found)
     panels[0].sharex(panels[1])
     panels[0].tick_params(labelbottom=False)
-    if ranked:
-        _indices(panels[2], found)
+    if shown.ranked:
+        _indices(panels[2], shown)
     if title:
         panels[0].set_title(literal(title), pad=6.0)
     return figure
@@ -80,6 +91,8 @@ def _bands(axes: Axes, found: Tolerance) -> None:
         (found.never, DRIVE.colour),
     ]
     for at, (bands, colour) in enumerate(rows):
+        if not bands:
+            axes.text(0.01, at, "nowhere in the range", transform=axes.get_yaxis_transform(), **NOWHERE)
         for low, high in bands:
             axes.barh(at, high - low, BAR, low, color=colour, edgecolor="black", lw=0.4)
     axes.set_yticks(range(len(ROWS)), ROWS)
@@ -98,16 +111,38 @@ def _present(axes: Axes, found: Tolerance) -> None:
         axes.axvline(found.present, color="black", lw=0.8, ls=(0, (5, 2)))
 
 
-def _indices(axes: Axes, found: Tolerance) -> None:
-    """Total Sobol indices of the margin at the present value, the largest first."""
-    rows = range(len(found.influences))
-    totals = [one.total for one in found.influences]
-    errors = [one.total_error for one in found.influences]
-    axes.barh(rows, totals, BAR, xerr=errors, color="0.75", edgecolor="black", lw=0.4, error_kw={"lw": 0.7})
-    axes.set_yticks(rows, [literal(one.path) for one in found.influences])
+def _indices(axes: Axes, shown: _Shown) -> None:
+    """Total Sobol indices of the margin at the present value, the largest first. A whisker goes no farther
+    than a share can; where the samples leave it open, that is said and no bar is drawn."""
+    rows = range(len(shown.ranked))
+    totals = np.array([min(max(one.total, 0.0), 1.0) for one in shown.ranked])
+    errors = np.array([one.total_error for one in shown.ranked])
+    known = errors < UNKNOWN
+    whiskers = np.array([np.minimum(errors, totals), np.minimum(errors, 1.0 - totals)])
+    axes.barh(
+        np.flatnonzero(known), totals[known], BAR, xerr=whiskers[:, known], color="0.75", edgecolor="black",
+        lw=0.4, error_kw={"lw": 0.7},
+    )  # fmt: skip
+    for at in np.flatnonzero(~known):
+        axes.text(0.01, at, "the samples tell nothing of its share", va="center", fontsize="small")
+    axes.set_yticks(rows, [literal(one.path) for one in shown.ranked])
     axes.set_ylim(len(totals) - 0.5, -0.5)
-    axes.set_xlim(
-        0.0, max(1.0, 1.1 * max(total + error for total, error in zip(totals, errors, strict=True)))
-    )
+    axes.set_xlim(0.0, 1.0)
     axes.xaxis.set_major_formatter(PercentFormatter(1.0))
-    axes.set_xlabel("share of the variance of the least compression at the dashed value, with interactions")
+    label = "share of the variance of the least compression at the dashed value, with interactions"
+    axes.set_xlabel("\n".join([label, *shown.rest]))
+
+
+@dataclass(frozen=True)
+class _Shown:
+    """Values with a bar, and the lines that name the others."""
+
+    ranked: tuple[Influence, ...]
+    rest: tuple[str, ...]
+
+
+def _shown(found: Tolerance) -> _Shown:
+    small = [one for one in found.influences if one.total < LEAST_BAR and one.total_error < LEAST_BAR]
+    named = ", ".join(literal(one.path) for one in small)
+    rest = wrap(f"less than {LEAST_BAR:.0%} each: {named}".replace("%", " %"), LINE) if small else []
+    return _Shown(tuple(one for one in found.influences if one not in small), tuple(rest))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from gearlash.case import Case
 from gearlash.case.edges import at_most
 from gearlash.results.beside import Beside
+from gearlash.system import Signature
 
 from .asked import Asked
 from .parts import CaseUsed, case_used, rests_in
@@ -197,10 +198,12 @@ def _sentence(
     rests: tuple[tuple[str, ...], ...],
 ) -> str:
     here = ", ".join(unit.text(value) for unit, value in zip(asked, zone.at, strict=True))
-    said = [
-        f"{here} lies in a zone {WORDS[str(zone.quiet)]}, of the motion {zone.label} that was followed; "
-        f"there {coexisting(beside, zone.label)}"
-    ]
+    quiet, motion = WORDS[str(zone.quiet)], f"of the motion {zone.label} that was followed"
+    if isinstance(zone.label, Signature) and zone.label.drive:
+        where = f"no zone free of impacts {motion}, which hits the drive side, only in one {quiet}"
+    else:
+        where = f"a zone {quiet}, {motion}"
+    said = [f"{here} lies in {where}; there {coexisting(beside, zone.label)}"]
     met = [margin for margin in margins if margin.bounded]
     for margin in met:
         which = zone.names.index(margin.parameter)

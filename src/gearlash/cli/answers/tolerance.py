@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from gearlash.case import Case
 from gearlash.case.edges import shown_interval
+from gearlash.case.readable import readable
 
 from .asked import unit_of
 from .parts import CaseUsed, case_used
@@ -202,7 +203,8 @@ def margin_text(case: Case, member: ToleranceMember) -> str:
         return "that motion is unstable" if member.margin < 0.0 else "that motion was not solved for"
     if member.length is None:
         return f"least compression {member.margin:.4g} D_c"
-    return f"least compression {1e6 * member.compression:.4g} µm"
+    size, name = readable(1e6 * member.compression, "µm")
+    return f"least compression {size:.4g} {name}"
 
 
 def _axis_unit(found: Tolerance) -> str:

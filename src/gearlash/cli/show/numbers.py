@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from math import atan2, ceil, degrees, floor, isfinite, log10
 
+from gearlash.case.readable import readable
+
 ASSUMED_MARK = "†"
 
 
@@ -37,12 +39,11 @@ def at_least(value: float, digits: int) -> str:
 
 
 def quantity(value: float | None, unit: str, digits: int = 4) -> str:
-    """With its unit; kN and mm/s as they read best."""
+    """With its unit, or one of the same kind that reads better."""
     if value is None or not isfinite(value):
         return "–"
-    if unit == "N" and abs(value) >= 1e4:
-        return f"{number(value / 1e3, digits)} kN"
-    return f"{number(value, digits)} {unit}"
+    size, name = readable(value, unit)
+    return f"{number(size, digits)} {name}"
 
 
 def polar(real: float, imag: float, modulus: float) -> str:
