@@ -76,8 +76,8 @@ def test_impacts_on_the_drive_side_come_first(gearlash: Gearlash):
     limits = ("--over", "omega=0.89:0.91", "--over", "D=0.95:1.05")
     out = " ".join(gearlash("zones", "kahraman-singh", "--set", "omega=0.9", *limits).out.split())
     assert out.startswith(
-        "omega = 0.9, D = 1 lies in no zone free of impacts of the motion 1-1-0 that was followed, which hits "
-        "the drive side, only in one free of impacts on the back side; there "
+        "omega = 0.9, D = 1 lies in no zone free of impacts of the motion 1-1-0 that was followed, which "
+        "hits the drive side, only in one free of impacts on the back side; there "
     )
 
 
