@@ -124,7 +124,7 @@ def _indices(axes: Axes, shown: _Shown) -> None:
         lw=0.4, error_kw={"lw": 0.7},
     )  # fmt: skip
     for at in np.flatnonzero(~known):
-        axes.text(0.01, at, "the samples tell nothing of its share", va="center", fontsize="small")
+        axes.text(0.01, float(at), "the samples tell nothing of its share", va="center", fontsize="small")
     axes.set_yticks(rows, [literal(one.path) for one in shown.ranked])
     axes.set_ylim(len(totals) - 0.5, -0.5)
     axes.set_xlim(0.0, 1.0)
