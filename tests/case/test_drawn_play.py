@@ -76,3 +76,24 @@ def test_a_designation_is_told_with_what_it_is_taken_for_and_own_values_are_used
     ratio = 8900.0 / materials.named("tin-bronze").density
     assert values["gear.mass"] == pytest.approx(listed["gear.mass"] * ratio)
     assert values["mesh.mean_stiffness"] > listed["mesh.mean_stiffness"]
+
+
+def test_a_speed_that_looks_like_thousands_is_told_as_it_is_read():
+    case = loads(TEXT.replace("3000 rpm", "3.000 rpm"))
+    told = {note.path: note.text for note in case.notes()}
+    assert "as 3; thousands are written without one, 3000" in told["operation.pinion_speed"]
+    for text in ("3.125 rpm", "0.300 rpm", "3000.000 rpm", "300.5 rpm"):
+        case = loads(TEXT.replace("3000 rpm", text))
+        assert "operation.pinion_speed" not in [n.path for n in case.notes()], text
+
+
+def test_bearings_are_estimated_on_the_shaft_that_is_stated():
+    helical = TEXT.replace("spur-1dof", "helical-pair").replace(
+        "[mesh]\nmodule", '[mesh]\nhelix_angle = "10 deg"\nnormal_module'
+    )
+    on_bore = loads(helical.replace("[pinion]", '[pinion]\nbore = "25 mm"'))
+    on_shaft = loads(helical.replace("[pinion]", '[pinion]\nbore = "40 mm"\nshaft_diameter = "25 mm"'))
+    path = "pinion.bearing_stiffness_y"
+    first, second = (next(v for v in case.values() if v.path == path) for case in (on_bore, on_shaft))
+    assert first.value == second.value
+    assert "25 mm (as stated)" in second.reason

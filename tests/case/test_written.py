@@ -96,6 +96,8 @@ def test_a_diameter_with_its_sign():
         ("mesh.normal_module", "m3", "3 mm"),
         ("mesh.backlash", "0.08-0.12 mm", None),
         ("mesh.backlash", "80..120 um", None),
+        ("mesh.backlash", "0.1~0.2 mm", None),
+        ("mesh.backlash", ".004/.006 in", None),
         ("mesh.backlash", "80 um 90 um", None),
         ("mesh.pressure_angle", "20", "20 deg"),
         ("operation.torque", "150 NM", "150 N m"),
@@ -141,3 +143,9 @@ def test_a_material_that_is_not_known_is_answered_with_how_to_state_it():
     assert refused.value.nearest == "tin-bronze"
     assert "youngs_modulus, poisson_ratio and density" in refused.value.expected
     assert read_stated("EN-GJL-250", PLACES["mesh.housing_material"]).value == "EN-GJL-250"
+
+
+@pytest.mark.parametrize("text", ["0.08-0.12 mm", "80..120 um", "0.1~0.2 mm", ".004/.006 in", "80 to 120 um"])
+def test_two_values_are_answered_with_where_two_go(text: str):
+    with pytest.raises(ValueRefusedError, match="two ends go to gearlash tolerance"):
+        read_stated(text, PLACES["mesh.backlash"])

@@ -193,6 +193,7 @@ def test_strokes_between_two_values_and_in_units():
         "pinion.face_width": '1 1/2"',
         "gear.face_width": '1.25"',
     }
+    assert placed({"bore": "ø45/ø70 mm"}) == {"pinion.bore": "ø45 mm", "gear.bore": "ø70 mm"}
     assert placed({"teeth": "20/30/80"}) == {"pinion.teeth": "20", "gear.teeth": "30/80"}
     assert placed({"inertia": "0.001kg*m^2/0.03kg*m^2"})["pinion.inertia"] == "0.001kg*m^2"
     assert is_helical({"mesh.helix_angle": "15°"})

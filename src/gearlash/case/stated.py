@@ -46,7 +46,7 @@ class Stated:
 
 
 RANGE = "here stands one value; two ends go to gearlash tolerance with --limits, or to a sweep with --over"
-_TWO_VALUES = re.compile(r"\d[^\d]*?(?:\.\.+|…|:| to |\+/?-|±|(?<=[A-Za-z])/)\s*[-+]?\d")
+_TWO_VALUES = re.compile(r"\d[^\d]*?(?:\.\.+|…|:|~| to |\+/?-|±|/|(?<![eE^])-)\s*[-+]?[.\d]")
 LONGEST = 200
 """Characters of a number with its unit."""
 _KEYS = ("value", "provenance", "reason")
@@ -148,8 +148,9 @@ def _from_text(raw: str, place: Quantity) -> float:
     except UnitError as error:
         if isinstance(error, NumberError):
             raise ValueRefusedError(f"{place.expected} ({error})") from None
-        why = f"{error}; {RANGE}" if _TWO_VALUES.search(raw) else str(error)
-        raise _refused(text, place, f" ({why})") from None
+        if _TWO_VALUES.search(raw):
+            raise ValueRefusedError(f"{place.expected} ({error}; {RANGE})", meant(text, place)) from None
+        raise _refused(text, place, f" ({error})") from None
     if takes(place.dimension, unit):
         return _in_si(number, in_si(place.dimension, number, unit))
     if place.bare and unit.dimension == NUMBER and unit.ratio == 1:

@@ -10,7 +10,7 @@ from .unit_words import PITCH, POWER, PRESSURE, STIFFNESS, TEMPERATURE, TORQUE, 
 from .units import DIMENSION_NAMES, NUMBER, UnitError, behind_number, pretty, read, takes
 
 _BEFORE = re.compile(r"[^\d+\-−.,]*(?:[.,](?!\d))?[^\d+\-−.,]*")
-_RANGE = re.compile(r"\d\s*(?:\.\.+|…|:|-|–|to\b|/)\s*[-+]?[\d.]")
+_RANGE = re.compile(r"\d\s*(?:\.\.+|…|:|~|-|–|to\b|/)\s*[-+]?[\d.]")
 _DEVIATIONS = re.compile(r"±|[\s\d]\+\s?[\d/]")
 _WORD = re.compile(r"(?<!\w)[A-Za-zµμ°\"]+(?:[/*·^][A-Za-zµμ]+)*(?!\w)")
 _ASIDE = re.compile(r"\s*(?!x)[A-Za-z]{1,2}\d{1,2}\s|[^(\d]*\([^)]*\)$")

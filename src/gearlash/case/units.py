@@ -77,9 +77,10 @@ def behind_number(text: str) -> str:
 
 def in_unit_of(other: str, text: str) -> str:
     """A value as typed; a number alone gets the unit of the other one, as ``60`` in ``60:120um``."""
-    behind = behind_number(other)
+    behind = behind_number(other.strip().lstrip("øØ⌀"))
     try:
-        bare = not behind_number(text) and read(text)[1].dimension == NUMBER
+        number = text.strip().lstrip("øØ⌀")
+        bare = not behind_number(number) and read(number)[1].dimension == NUMBER
         unit(behind)
     except UnitError:
         return text

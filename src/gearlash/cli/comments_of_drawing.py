@@ -111,6 +111,7 @@ def _fitting(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, str]]:
         bore = values.get(f"{gear}.bore")
         hole = 0.4 * one.root_diameter if bore is None else 1e-3 * float(bore.value)
         yield f"{gear}.bore", _millimetres(hole)
+        yield f"{gear}.shaft_diameter", _millimetres(hole)
         yield f"{gear}.rim_diameter", _millimetres(_rim(one, hole))
         yield f"{gear}.web_width", _millimetres(0.3 * teeth.face_width)
         yield f"{gear}.thickness_allowance", f"{-0.5 * play * cos(one.helix_angle):.2g} um"

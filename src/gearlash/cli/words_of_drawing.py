@@ -129,6 +129,12 @@ WORDS = (
         "distance_grade", "mesh.distance_grade", "7", "Tolerance grade of the centre distance: the 7 of js7."
     ),
     Word("bore", "{gear}.bore", "30mm/50mm", "Bore, or diameter of the shaft it is one piece with.", True),
+    Word(
+        "shaft_diameter",
+        "{gear}.shaft_diameter",
+        "25mm/",
+        "Diameter of the shaft in its bearings; the bore where none is given.",
+    ),
     Word("rim_diameter", "{gear}.rim_diameter", "/140mm", "Inner diameter of the rim."),
     Word("web_width", "{gear}.web_width", "/15mm", "Width of the web."),
     Word(
@@ -274,7 +280,7 @@ def placed(words: Mapping[str, str]) -> dict[str, str]:
 
 def _parts(word: Word, text: str) -> list[str]:
     """At the stroke between two values: of quantities not that of a unit (N/m) or of 1 1/2."""
-    stroke = r"/" if word.name == "material" else r"/(?=\s*[-+.\d]|\s*$)|^\s*/"
+    stroke = r"/" if word.name == "material" else r"/(?=\s*[-+.\døØ⌀]|\s*$)|^\s*/"
     whole = _HALVES.sub("\\1\\2\u2044\\3", text)
     return [part.strip().replace("\u2044", "/") for part in re.split(stroke, whole, maxsplit=1)]
 

@@ -70,6 +70,8 @@ class Drawing:
         Mean stiffness where it is stated and not to be estimated, N/m.
     assumed_grades : (bool, bool)
         Which of the grades nobody stated: those may be `GRADE_SPREAD` classes finer or coarser.
+    shafts : (float or None, float or None)
+        Diameters of the shafts in their bearings, m; those of the bores where None.
 
     Examples
     --------
@@ -93,6 +95,7 @@ class Drawing:
     at_work: CylindricalPair | None = None
     stated_stiffness: float | None = None
     assumed_grades: tuple[bool, bool] = (False, False)
+    shafts: tuple[float | None, float | None] = (None, None)
 
     @property
     def meshing(self) -> CylindricalPair:

@@ -136,10 +136,12 @@ def _bearings(drawing: Drawing) -> dict[str, Estimate]:
     force = 0.0
     if drawing.torque is not None:
         force = 2.0 * abs(drawing.torque) / pair.pinion.base_diameter / cos(pair.pinion.base_helix_angle)
-    for name, body in zip(("pinion", "gear"), drawing.bodies, strict=True):
-        stated = body is not None and body.bore > 0.0
-        shaft = body.bore if body is not None and stated else USUAL_BORE * pair.pinion.root_diameter
-        whose = "the stated bore" if stated else f"{USUAL_BORE} of the pinion's root diameter"
+    for name, body, own in zip(("pinion", "gear"), drawing.bodies, drawing.shafts, strict=True):
+        shaft, whose = USUAL_BORE * pair.pinion.root_diameter, f"{USUAL_BORE} of the pinion's root diameter"
+        if own is not None:
+            shaft, whose = own, "as stated"
+        elif body is not None and body.bore > 0.0:
+            shaft, whose = body.bore, "the stated bore"
         source = (
             f"two deep groove ball bearings on a shaft of {shaft * 1e3:.3g} mm ({whose}), A. Palmgren; "
             f"range: a factor of {bearings.SPREAD:g} either way for rollers, shaft and housing, an estimate"

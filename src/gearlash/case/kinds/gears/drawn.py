@@ -106,6 +106,8 @@ def of_gear(gear: str) -> Iterator[Quantity]:
     yield positive(f"{gear}.root_diameter", LENGTH, "mm", "80 mm", f"root diameter d_f of the {gear}", 50)
     what = f"bore of the {gear}, or diameter of the shaft it is one piece with"
     yield positive(f"{gear}.bore", LENGTH, "mm", "30 mm", what, 50)
+    what = f"diameter of the shaft of the {gear} in its bearings; the bore where none is stated"
+    yield positive(f"{gear}.shaft_diameter", LENGTH, "mm", "25 mm", what, 50)
     what = f"inner diameter of the rim of the {gear}"
     yield positive(f"{gear}.rim_diameter", LENGTH, "mm", "140 mm", what, 50)
     yield positive(f"{gear}.web_width", LENGTH, "mm", "15 mm", f"width of the web of the {gear}", 5)

@@ -250,6 +250,7 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
         None if load is None or load.dimensionless else load.number,
         assumed_grades=(open_[0], open_[1]),
         stated_stiffness=stated("mesh.mean_stiffness"),
+        shafts=(stated("pinion.shaft_diameter"), stated("gear.shaft_diameter")),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -20,6 +21,7 @@ MOST_WIDTH = 3.0
 """Of the reference diameter of the pinion."""
 ROUNDED = 1e-3
 """Of the normal module: so much overlap a rounded shift may leave."""
+_THOUSANDS = re.compile(r"\s*([1-9]\d{0,2}\.\d\d0)(?!\d)", re.ASCII)
 DIFFERENT = 0.1
 """Relative, of two backlashes that should be one."""
 MOST_ADDED = 1.0
@@ -35,6 +37,7 @@ def odd(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterat
         As the case states them, and with what follows.
     drawing : Drawing
     """
+    yield from _points(stated)
     yield from _materials(stated, drawing)
     yield from _overlap(stated, entries, drawing)
     yield from _measured(stated, entries, drawing)
@@ -46,6 +49,18 @@ def odd(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterat
 
 def _play_of(stated: EntriesByKey) -> str | None:
     return next((key for key in ("D", PLAY) if key in stated and not stated[key].dimensionless), None)
+
+
+def _points(stated: EntriesByKey) -> Iterator[Note]:
+    """Speeds, torques and powers that look like thousands with a point, as in 4.200 rpm."""
+    for entry in stated.values():
+        found = _THOUSANDS.match(entry.text) if entry.path.startswith("operation.") else None
+        if found is not None:
+            yield Note(
+                entry.path,
+                f"{entry.text} is read with a decimal point, as {float(found[1]):g}; thousands are written "
+                f"without one, {found[1].replace('.', '')}",
+            )
 
 
 def _materials(stated: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
