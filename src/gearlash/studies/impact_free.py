@@ -168,7 +168,8 @@ def closed_margin(system: System, side: int) -> float:
     -inf where that motion is unstable, NaN where it was not solved for. With the rule `no-tension` contact
     ends with its force: the least force instead.
     """
-    return _margin(system, side, _orbit(_closed(system, side)))
+    closed = _closed(system, side)
+    return _margin(system, side, _orbit(closed, _at_rest(closed)))
 
 
 def _margin(system: System, side: int, orbit: Orbit | None) -> float:
@@ -204,6 +205,22 @@ def _orbit(system: System, beside: NDArray[np.float64] | None = None) -> Orbit |
         return orbit_at(flow.propagators(system), guess, 1)
     except GearlashError:
         return None
+
+
+def _at_rest(closed: System) -> NDArray[np.float64] | None:
+    """The state in which mean forces hold a mesh that is closed on one side, None where there is no one such
+    state. From there Newton mostly stays on this side, and what lies beyond needs no tables."""
+    (mesh,) = closed.clearances
+    stiffness = float(mesh.stiffness_plus[0])  # that of both sides
+    push = stiffness * (float(mesh.offset[0]) + mesh.gap_plus)
+    try:
+        matrix = closed.matrix + stiffness * np.outer(mesh.g, mesh.h)
+        found: NDArray[np.float64] = np.linalg.solve(matrix, push * mesh.g - closed.forcing[:, 0]).astype(
+            float
+        )
+    except np.linalg.LinAlgError:
+        return None
+    return found
 
 
 def _closed(system: System, side: int) -> System:
