@@ -37,7 +37,8 @@ def blocks(found: Verified, done: Reproduction) -> list[Block]:
     """Conclusion, what it rests on, how both models compare, harmonics, and when everything was fixed."""
     rests = [*(_rests_on(found, way) for way in found.ways), FITTED]
     return [
-        Note(_conclusion(found, done.case), "Conclusion"),
+        Note(_conclusion(found), "Conclusion"),
+        *_with_other_numbers(found, done.case),
         Text.of("What the conclusion rests on, one assumption or setting changed at a time:"),
         Bullets(tuple(Text.of(part) for part in rests if part)),
         *lumped_beside.blocks(found, done),
@@ -82,22 +83,27 @@ def _omegas(way: VerifiedWay) -> str:
     return " and ".join(f"{point.omega:.3f}" for point in way.points)
 
 
-def _conclusion(found: Verified, case: Case) -> Text:
+def _conclusion(found: Verified) -> Text:
     """What disagrees comes first: the ways that hold the article's numbers."""
     agree = agreeing(found)
-    others = [way for way in found.ways if way.name not in HELD and way not in agree]
     said = [
         f"In short: {in_short(found)}.",
         f"By the label alone, the rule at first, {len(by_label(found))} of {len(found.ways)} agree.",
         _with_numbers_held(found),
-        *(_in_numbers(found, way) for way in agree),
-        *(_otherwise(found, way, case) for way in others),
         with_settings.both_motions(found),
         with_settings.both_bending(found, agree),
         "" if agree else "With none of the inputs do teeth at both speeds as is reported.",
         END,
     ]
     return Text.of(" ".join(part for part in said if part))
+
+
+def _with_other_numbers(found: Verified, case: Case) -> list[Note]:
+    """The ways that agree, and those that were not made to hold the article's dimensionless numbers."""
+    agree = agreeing(found)
+    said = [_in_numbers(found, way) for way in agree]
+    said += [_otherwise(found, way, case) for way in found.ways if way.name not in HELD and way not in agree]
+    return [Note(Text.of(" ".join(said)), "With other inputs")] if said else []
 
 
 def _how(points: Sequence[VerifiedPoint]) -> str:
