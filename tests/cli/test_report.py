@@ -60,6 +60,17 @@ def test_the_report_of_a_drive(gearlash: Gearlash, tmp_path: Path):
     _files(tmp_path, answer)
 
 
+def test_a_folder_keeps_the_report_of_another_case(gearlash: Gearlash, tmp_path: Path):
+    (tmp_path / "verdict.json").write_text('{"case": {"name": "hoist"}}', encoding="utf-8")
+    (tmp_path / ".gearlash.json").write_text('{"process": 1, "files": ["verdict.json"]}', encoding="utf-8")
+    ran = gearlash("report", str(DRIVE), *NARROW, "--out", str(tmp_path))
+    assert ran.code == 2
+    complaint = " ".join(ran.complaint.split())
+    assert "the report of 'hoist' is there" in complaint
+    assert "--out drive-report" in complaint
+    assert (tmp_path / "verdict.json").read_text(encoding="utf-8") == '{"case": {"name": "hoist"}}'
+
+
 def _page(folder: Path) -> None:
     text = (folder / "report.html").read_text(encoding="utf-8")
     page = Reading(text)

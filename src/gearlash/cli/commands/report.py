@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from gearlash.report.pair import Contents
     from gearlash.studies.assessment import Assessment
 
+VERDICT, LARGEST_VERDICT = "verdict.json", 10_000_000  # bytes
 POINTS = 201  # speeds at which quantities are measured
 
 
@@ -72,6 +73,7 @@ def report(
     check_pair(asked.case)
     from gearlash.cli.answers.report import FILES
 
+    _of_one_case(out, asked.case)
     place = asked.made_ready(out, FILES)
     assert place is not None  # there is a default
 
@@ -92,7 +94,7 @@ def report(
             answer = report_answer(found, contents, str(page))
             from gearlash.cli.jsonio import write_file
 
-            write_file(answer, place.file("verdict.json"))
+            write_file(answer, place.file(VERDICT))
             if as_json:
                 show_answer(answer, True)
             else:
@@ -100,6 +102,25 @@ def report(
 
                 show(done_view, answer)
     return code_of(answer.status)
+
+
+def _of_one_case(out: Path, case: Case) -> None:
+    """Raises `GearlashError` where the folder has the report of a case of another name: who examines two pairs
+    in turn does not mean the second page to take the place of the first."""
+    import json
+
+    from gearlash.case.files import UnreadableError, read_file
+    from gearlash.system import GearlashError, given, shown
+
+    try:
+        there = json.loads(read_file(given.path("--out", out) / VERDICT, LARGEST_VERDICT))["case"]["name"]
+    except (UnreadableError, ValueError, KeyError, TypeError, RecursionError):
+        return  # none is there
+    if there != case.name:
+        raise GearlashError(
+            f"--out {out}: the report of {shown(there)} is there; choose another folder, such as --out "
+            f"{case.name}-report, or take that one away"
+        )
 
 
 def _over(case: Case, over: str | None) -> Over:
