@@ -105,7 +105,7 @@ def report(
 
 
 def _of_one_case(out: Path, case: Case) -> None:
-    """Raises `GearlashError` where the folder has the report of a case of another name: who looks at two pairs
+    """Raises `GearlashError` where the folder has the report of another case, by name: who looks at two pairs
     in turn does not mean the second page to take the place of the first."""
     import json
 
