@@ -43,15 +43,20 @@ def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
         "is not periodic of 200 mesh cycles. Ends of bands were solved for, and do not depend on this step."
     )
     blocks = [*_factor(contents), *_bearing_table(run, units, words)]
-    blocks += [_figure("speed-forces", _FORCE_WORDS), _figure("speed-errors", errors), Text.of(how)]
+    forces = "Mesh force and bearing forces" if _bearings(run) else "Mesh force"
+    blocks += [
+        _figure("speed-forces", f"{forces}{_FORCE_WORDS}"),
+        _figure("speed-errors", errors),
+        Text.of(how),
+    ]
     blocks += _resonance_table(found.case, units)
     return Section("speed", "Over speed", tuple(blocks)), pictures
 
 
 _FORCE_WORDS = (
-    "Mesh force and bearing forces over speed: peak over one period. On the right the dynamic factor K_v: "
-    "mesh force over the static one. Dotted: a mesh order meets a natural frequency of the closed "
-    "mesh; f4/2: order 2 meets f4 of the table below (orders above 3 only where teeth separate)."
+    " over speed: peak over one period. On the right the dynamic factor K_v: mesh force over the static one. "
+    "Dotted: a mesh order meets a natural frequency of the closed mesh; f1/2: order 2 meets f1 of the table "
+    "below (orders above 3 only where teeth separate)."
 )
 _ERROR_WORDS = (
     "Dynamic transmission error DTE: rotation of both gears along the line of action, to which bearings that "
@@ -117,16 +122,18 @@ def _forces(run: SpeedRun, units: PairUnits) -> list[Stack]:
             (static, "$K_v$ of the peak"),
         )
     ]
-    bearings = [
-        (r.words.removeprefix("bearing force, "), f"{r.name}.peak")
-        for r in run.readouts
-        if r.quantity == "force"
-    ]
+    bearings = _bearings(run)
     if bearings:
         stacks.append(
             Stack(_unit_label("bearing force, peak", units.force), _curves(run, bearings, units.force))
         )
     return stacks
+
+
+def _bearings(run: SpeedRun) -> list[tuple[str, str]]:
+    """Forces of bearings, in words and as a column."""
+    forces = [one for one in run.readouts if one.quantity == "force"]
+    return [(one.words.removeprefix("bearing force, "), f"{one.name}.peak") for one in forces]
 
 
 def _errors(run: SpeedRun, units: PairUnits) -> list[Stack]:
