@@ -220,7 +220,8 @@ def run_point(
     step = period / setting.steps
     cycles, found = setting.settle, _settled_and_read(machine, carried, setting, (q, v), step)
     more = _to_fade(machine, setting, period)
-    if more and read_motion(found[1], teeth).label is None:  # it may ring, and come back later
+    label = read_motion(found[1], teeth).label
+    if more and (label is None or label.period > 1):  # what rings is no part of the motion
         cycles += setting.read + 1 + more
         state = found[1].q[-1], found[1].v[-1]
         found = _settled_and_read(machine, carried, replace(setting, settle=more), state, step)

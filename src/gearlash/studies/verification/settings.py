@@ -46,8 +46,8 @@ class Setting:
     settle, read : int
         Mesh cycles before those that are read, and those.
     longest : int
-        Up to so many times ``settle`` cycles, where a motion does not come back and the slowest vibration of
-        bodies in their bearings and modes has not faded.
+        Up to so many times ``settle`` cycles, where a motion does not come back after one and the slowest
+        vibration of bodies in their bearings and modes has not faded.
     solver : Solver
     """
 
