@@ -246,10 +246,9 @@ def test_contact_as_reported_without_its_period_is_said_to_lack_it():
         assert (lacking in said) == lacks
         found = "1-0-0 was found there from its neighbour on the grid (rising) and with 1 of 2 settings."
         assert (found in said) == lacks
-        which = "contact" if lacks else "label"
-        assert (
-            f"So the label at {lower.speed:.0f} rpm and the {which} at {higher.speed:.0f} rpm agree" in said
-        )
+        low, high = f"{lower.speed:.0f} rpm", f"{higher.speed:.0f} rpm"
+        labels = f"labels at {low} and {high}"
+        assert f"So the {f'label at {low} and the contact at {high}' if lacks else labels} agree" in said
 
 
 def test_motions_that_coexist_are_both_told():

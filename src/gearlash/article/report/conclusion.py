@@ -166,12 +166,12 @@ def _case_itself(found: Verified) -> VerifiedWay | None:
 
 def _what_agrees(way: VerifiedWay) -> str:
     """Label or contact, at each speed."""
-    return joined(
-        [
-            f"the {'label' if point.label == reported else 'contact'} at {point.speed:.0f} rpm"
-            for point, reported in zip(way.points, REPORTED, strict=True)
-        ]
-    ) + (" agree")
+    speeds = [f"{point.speed:.0f} rpm" for point in way.points]
+    alike = [point.label == reported for point, reported in zip(way.points, REPORTED, strict=True)]
+    if all(alike):
+        return f"the labels at {joined(speeds)} agree"
+    what = [f"the {'label' if same else 'contact'} at {at}" for same, at in zip(alike, speeds, strict=True)]
+    return f"{joined(what)} agree"
 
 
 def _softer(way: VerifiedWay) -> str:
@@ -215,7 +215,10 @@ def _unsettled(way: VerifiedWay) -> str:
 def _otherwise(found: Verified, way: VerifiedWay, case: Case) -> str:
     """A way that was not made to hold dimensionless numbers, and that does not agree."""
     near = _near(found, way, case)
-    return f"With “{way.name}”{near} motions are others: {_moves(way)}.{window.coexisting(way)}"
+    return (
+        f"With “{way.name}”{near} the reported pair of motions was not found: {_moves(way)}."
+        f"{window.coexisting(way)}"
+    )
 
 
 def _near(found: Verified, way: VerifiedWay, case: Case) -> str:

@@ -108,7 +108,8 @@ def _table(found: Verified) -> Table:
         "lumped model at the same inputs under three contact rules, and what the article reports of its own "
         "simulation; shares of time without contact, forces over their mean. ω is the mesh frequency over "
         "√(k/m_e) with the stiffness of these teeth. The article names ω 0.942 and 1.047, which are 3600 and "
-        "4000 rpm with the stiffness of the case. Of a label P-Q-R, Q/P are the impacts a mesh cycle.",
+        "4000 rpm with the stiffness of the case. Of a label P-Q-R, Q are the impacts in P mesh cycles, "
+        "rounded in the mean where not all such cycles have as many.",
         ("inputs", "speed", "real teeth", "rigid gear", *(f"lumped, {rule}" for rule in RULES), "reported"),
         tuple(rows),
         widths=(12, 12, 19, 11, 12, 12, 12, 10),

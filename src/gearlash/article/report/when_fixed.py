@@ -43,7 +43,8 @@ FIXED = (
 
 LATEST = (
     "After the findings of a referee",
-    "mesh cycles compared by the mean force of every 1/64 of them (before by the force at 64 places)",
+    "mesh cycles compared by the mean force of every 1/64 of them (before by the force at 64 places, with "
+    "which by the label alone no inputs agreed)",
 )
 """Of data that have `VerifiedPoint.returns`; older ones were read as before."""
 
