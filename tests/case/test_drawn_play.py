@@ -43,15 +43,15 @@ def test_no_backlash_is_measured_in_hundredths_of_the_module():
 
 def test_shifts_that_leave_play_only_by_allowances_are_told_with_those_that_fit():
     case = _loads('centre_distance = "100 mm"', 'profile_shift = "0.215"', 'profile_shift = "0.215"')
-    (note,) = [n for n in case.notes() if "overlap" in n.text]
+    (note,) = [n for n in case.notes() if "before anything" in n.text]
     assert note.path == "pinion.profile_shift"
     # 23 + 43 teeth, inv α_wt − inv α at cos α_wt = 99 cos 20° / 100, over 2 tan 20° / 66
     assert "room for 0.3456" in note.text
     assert "a shift of one gear alone is written 0.215/" in note.text
     fitting = _loads('centre_distance = "100 mm"', "profile_shift = 0.1728", "profile_shift = 0.1728")
-    assert not [n for n in fitting.notes() if "overlap" in n.text]
+    assert not [n for n in fitting.notes() if "before anything" in n.text]
     without = _loads("", "profile_shift = 0.215", "profile_shift = 0.215")  # the distance follows
-    assert not [n for n in without.notes() if "overlap" in n.text]
+    assert not [n for n in without.notes() if "before anything" in n.text]
 
 
 def test_shifts_that_leave_no_play_are_refused_with_those_that_do():
@@ -97,3 +97,23 @@ def test_bearings_are_estimated_on_the_shaft_that_is_stated():
     first, second = (next(v for v in case.values() if v.path == path) for case in (on_bore, on_shaft))
     assert first.value == second.value
     assert "25 mm (as stated)" in second.reason
+
+
+@pytest.mark.parametrize(
+    ("mesh", "gear", "jams"),
+    [
+        ('distance_grade = "11"', 'fit = "25h"', True),
+        ('distance_grade = "7"', 'fit = "25cd"', False),
+        ('centre_distance_deviation = "-200 um"', "", True),
+        ('temperature = "20 degC"', "", False),
+        ('backlash = "10 um"', "", False),
+    ],
+)
+def test_tolerances_that_let_teeth_jam_are_told(mesh: str, gear: str, jams: bool):
+    case = _loads(mesh, "", gear)
+    told = [note.text for note in case.notes() if note.path == "mesh.backlash" and "jams" in note.text]
+    assert bool(told) == jams
+    if mesh.startswith(
+        "distance"
+    ):  # both gears have 25h: 0 at the thick end; js11 of 99 mm is ±110 µm, times 2 sin 20°
+        assert not jams or "overlap by 7" in told[0]

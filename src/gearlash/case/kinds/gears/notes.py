@@ -30,6 +30,7 @@ def notes(pair: GearPair) -> Iterator[Note]:
     yield from _cycles(pair)
     yield from _relief(pair)
     yield from _teeth(pair)
+    yield from _jamming(pair)
     for clearance in pair.family().system().clearances:
         yield from notes_on_sides(clearance, "mesh.back_stiffness")
 
@@ -55,6 +56,19 @@ def _teeth(pair: GearPair) -> Iterator[Note]:
         torque = float(pair.scales.torque(pair.numbers.parameters["load"]))
         yield from unusual(pair.entries, drawing, normal_force(drawing.pair, torque))
         yield from odd(pair.stated, pair.entries, drawing)
+
+
+def _jamming(pair: GearPair) -> Iterator[Note]:
+    """An estimated backlash of which the tolerances leave none at their tight end."""
+    gap, more = pair.entries.get("D"), pair.completed.play_added
+    if gap is None or gap.least is None or gap.dimensionless or gap.least + more >= 0.0:
+        return
+    at_work = " at work" if more else ""
+    yield Note(
+        gap.path,
+        f"{1e6 * (gap.number + more):.4g} µm of backlash{at_work} in the middle of the tolerances; at their "
+        f"tight end teeth overlap by {-1e6 * (gap.least + more):.4g} µm, and the pair jams",
+    )
 
 
 def _relief(pair: GearPair) -> Iterator[Note]:
