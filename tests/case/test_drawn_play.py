@@ -1,8 +1,11 @@
 """What a drawing leaves of play: none at all, and shifts that are too large for the centre distance."""
 
+from math import cos, pi, radians, sqrt
+
 import pytest
 
 from gearlash.case import CaseError, loads
+from gearlash.case.rating import method_b
 from gearlash.gears import materials
 
 TEXT = """
@@ -117,3 +120,22 @@ def test_tolerances_that_let_teeth_jam_are_told(mesh: str, gear: str, jams: bool
         "distance"
     ):  # both gears have 25h: 0 at the thick end; js11 of 99 mm is ±110 µm, times 2 sin 20°
         assert not jams or "overlap by 7" in told[0]
+
+
+def test_resonance_in_the_words_of_the_standard():
+    """N beside that of the dynamic factor, n_E1 beside the natural frequency of one degree of freedom."""
+    case = _loads()
+    found = {
+        v.path.removeprefix("derived."): float(v.value) for v in case.values() if not isinstance(v.value, str)
+    }
+    own = method_b(case, case.family()[0].defaults["omega"], (7, 7))
+    assert found["resonance_ratio"] == pytest.approx(own.resonance_ratio, rel=1e-9)
+    assert found["resonance_ratio"] == pytest.approx(3000.0 / found["resonance_speed"], rel=1e-12)
+    # J/r_b² of both gears in parallel, over 30 mm; kg/mm
+    radii = [1.5e-3 * z * cos(radians(20.0)) for z in (23, 43)]
+    masses = [found[f"{gear}.inertia"] / r**2 for gear, r in zip(("pinion", "gear"), radii, strict=True)]
+    reduced = masses[0] * masses[1] / sum(masses) / 30.0
+    assert found["reduced_mass"] == pytest.approx(reduced, rel=1e-9)
+    natural = sqrt(found["mesh.mean_stiffness"] / (reduced * 30.0)) / 23 * 30 / pi
+    assert found["resonance_speed"] == pytest.approx(natural, rel=1e-9)
+    assert 0.4 < found["single_stiffness"] / found["stiffness_per_width"] < 1.0

@@ -4,14 +4,15 @@ shafts, and the mesh stiffness in the unit of ISO 6336."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import cos, degrees, tan
+from math import cos, degrees, pi, sqrt, tan
 
-from gearlash.gears import CylindricalGear, CylindricalPair, inspection
+from gearlash.gears import CylindricalGear, CylindricalPair, equivalent_mass, inspection, mesh_stiffness
 from gearlash.gears.backlash import Backlash
 from gearlash.system import GearlashError
 
 from . import play
 from .drawn import CENTRE, SHIFT_SUM
+from .estimated import is_drawn
 from .keys import GEARS
 from .pair import GearPair
 from .records import Derived
@@ -73,6 +74,39 @@ def stiffness_per_width(pair: GearPair) -> Iterator[Derived]:
     inputs = ("mesh.mean_stiffness", "mesh.pressure_angle", "mesh.helix_angle", *_widths(pair))
     text = "mean mesh stiffness c_γ per common face width, transverse, as in ISO 6336-1"
     yield Derived("derived.stiffness_per_width", value, "N/mm/um", "k_m cos² β_b/b", inputs, text)
+    yield from _single(pair)
+    if body.inertias is None:
+        return
+    standard = "ISO 6336-1:2019, clause 6"
+    reduced = equivalent_mass(body.geometry.base_radii, body.inertias) / body.face_width
+    masses = (*(f"{gear}.inertia" for gear in GEARS), *_angles(pair), *_widths(pair))
+    text = "relative mass m_red of both gears per common face width, on the line of action"
+    yield Derived("derived.reduced_mass", 1e-3 * reduced, "kg/mm", standard, masses, text)
+    resonance = sqrt(1e9 * value / reduced) / body.geometry.teeth[0]
+    text = "resonance speed n_E1 of the pinion, of both gears on this c_γ alone, without bearings"
+    every = (*inputs, *masses)
+    yield Derived(
+        "derived.resonance_speed", 30.0 * resonance / pi, "rpm", "30000/(π z_1) √(c_γ/m_red)", every, text
+    )
+    ratio = float(pair.scales.pinion_speed(pair.numbers.parameters["omega"])) / resonance
+    text = "resonance ratio N at the speed of the case"
+    yield Derived("derived.resonance_ratio", ratio, "", "n_1/n_E1", ("omega", *every), text)
+
+
+def _single(pair: GearPair) -> Iterator[Derived]:
+    """c′ of teeth that a drawing tells, by the standard whether or not another stiffness is stated."""
+    drawing = pair.completed.drawing
+    if drawing is None or not is_drawn(pair.stated):
+        return
+    mesh = mesh_stiffness.method_b(drawing.meshing, drawing.chosen_materials, drawing.rims, drawing.line_load)
+    inputs = (
+        *_angles(pair), *_centre(pair), "load", "mesh.rack",
+        *(f"{gear}.{leaf}" for gear in GEARS for leaf in ("material", "face_width")),
+    )  # fmt: skip
+    text = "single stiffness c′, the greatest of one pair of teeth, with rims and materials"
+    yield Derived(
+        "derived.single_stiffness", 1e-9 * mesh.single, "N/mm/um", mesh_stiffness.REFERENCE, inputs, text
+    )
 
 
 def _angles(pair: GearPair) -> tuple[str, ...]:
