@@ -317,6 +317,28 @@ def test_every_setting_of_the_plan_has_its_row():
     assert planned | {row[0] for way in kept().ways for row in way.beside} == set(names)
 
 
+def test_the_table_of_settings_says_how_long_motions_settle():
+    """Also where those that do not come back go on."""
+    planned = {**next(each for each in kept().settings if each["name"] == "as planned"), "settle": "80"}
+    for more, words_ in (({"longest": "12"}, " (up to 960 where"), ({"longest": "1"}, " and ")):
+        (table,) = settings_beside.blocks(replace(kept(), settings=({**planned, **more},)))
+        assert isinstance(table, Table)
+        assert f"80 mesh cycles to settle{words_}" in str(table.caption)
+
+
+def test_what_a_later_reading_changed_is_listed_with_data_that_have_it():
+    new = tuple(
+        replace(way, points=tuple(replace(point, returns=0.002) for point in way.points))
+        for way in kept().ways
+    )
+    old = tuple(
+        replace(way, points=tuple(replace(point, returns=None) for point in way.points))
+        for way in kept().ways
+    )
+    counts = [len(when_fixed.when_fixed(replace(kept(), ways=ways)).items) for ways in (new, old)]
+    assert counts == [len(when_fixed.FIXED) + 1, len(when_fixed.FIXED)]
+
+
 def test_the_summary_tells_with_how_many_inputs_both_reported_motions_were_found():
     agree, ways = conclusion.agreeing(kept()), kept().ways
     said = words(summary._real(kept()))

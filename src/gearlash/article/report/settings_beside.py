@@ -48,7 +48,7 @@ def _plan(found: Verified) -> str:
     """Steps and cycles of the plan, and those of the window."""
     said = [
         f" {words}: {each['solver']}, {each['steps']} steps a mesh cycle{_finer(each)}, "
-        f"{each['settle']} mesh cycles to settle and {each['read']} that are read."
+        f"{each['settle']} mesh cycles to settle{_longer(each)} and {each['read']} that are read."
         for name, words in ((PLANNED.name, "The plan"), (AT_WINDOW.name, "The window"))
         for each in found.settings
         if each["name"] == name
@@ -58,3 +58,10 @@ def _plan(found: Verified) -> str:
 
 def _finer(each: dict[str, str]) -> str:
     return "" if each["finer"] == "1" else f" ({each['finer']} times as many in those that are read)"
+
+
+def _longer(each: dict[str, str]) -> str:
+    times = int(each.get("longest", "1"))
+    if times == 1:
+        return ""
+    return f" (up to {times * int(each['settle'])} where a motion does not come back after one)"

@@ -44,7 +44,8 @@ FIXED = (
 LATEST = (
     "After the findings of a referee",
     "mesh cycles compared by the mean force of every 1/64 of them (before by the force at 64 places, with "
-    "which by the label alone no inputs agreed)",
+    "which by the label alone no inputs agreed); more cycles to settle where a motion does not come back "
+    "after one, until the slowest vibration of bodies has faded",
 )
 """Of data that have `VerifiedPoint.returns`; older ones were read as before."""
 
