@@ -37,3 +37,14 @@ def test_a_flank_that_climbs_in_several_steps_is_no_jump():
     jump = np.array([1.0, 1.0, 1.01, 1.02, 1.05, 1.9, 2.0, 2.02, 2.03, 2.03, 2.04])
     for values, count in ((flank, 0), (jump, 1)):
         assert len(jumps_of(gl.measurement(case, UP, values, "mesh_force"), [])) == count
+
+
+def test_a_curve_that_climbs_over_missing_rows_is_no_jump():
+    """The same flank, with seven rows left out of it; a jump there is one all the same."""
+    case, omega = gl.load_case("kahraman-singh"), np.linspace(0.70, 0.90, 41)
+    rows = np.r_[0:17, 24:41]
+    flank = 1.0 + (omega - 0.70)
+    for values, count in ((flank, 0), (flank + (omega > 0.80), 1)):
+        jumps = jumps_of(gl.measurement(case, omega[rows], values[rows], "mesh_force"), [])
+        assert len(jumps) == count
+        assert all(jump.lower < 0.80 < jump.upper for jump in jumps)

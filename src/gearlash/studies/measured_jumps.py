@@ -17,7 +17,7 @@ from .transition import Transition
 JUMP = 5.0  # times the median change from one measured speed to the next: a larger one is a jump
 SMALLEST_JUMP = 0.1  # of the span of what was measured
 APART = 2.0  # times the change beside it, the same way: a flank climbs in several steps, a jump in one
-NEAR = 2  # measured steps: so far from a jump an event may lie that it is put down to
+NEAR = 2  # usual measured steps: so far from a jump an event may lie that it is put down to
 LEAST_OF_A_RUN = 4  # rows one way; shorter ones are how a speed wanders
 Array = NDArray[np.float64]
 Run = tuple[str, Array, Array]
@@ -111,11 +111,13 @@ def _jumps(
     changed = np.diff(values)
     if not len(changed):
         return
-    least = max(JUMP * float(np.median(np.abs(changed))), SMALLEST_JUMP * span)
+    usual, step = float(np.median(np.abs(changed))), float(np.median(np.diff(omega)))
     for at, (low, high) in enumerate(pairwise(omega.tolist())):
-        if abs(changed[at]) <= least or not _alone(changed, at):
+        missing = max(0.0, (high - low) / step - 1.0)  # steps without a row: values change over them, too
+        least = max((JUMP + missing) * usual, SMALLEST_JUMP * span)
+        if abs(changed[at]) <= least or not _alone(changed, at, missing):
             continue
-        width = NEAR * (high - low)
+        width = NEAR * min(high - low, step)
         near = [
             (direction not in ("", way), max(low - change.upper, change.lower - high, 0.0), way, change)
             for way, change in changes
@@ -126,8 +128,8 @@ def _jumps(
         yield MeasuredJump(direction, low, high, float(changed[at]), events)
 
 
-def _alone(changed: Array, at: int) -> bool:
-    """Whether a change stands out from those beside it that go the same way."""
+def _alone(changed: Array, at: int, missing: float) -> bool:
+    """Whether a change, over so many missing steps, stands out from those beside it that go the same way."""
     beside = [changed[i] for i in (at - 1, at + 1) if 0 <= i < len(changed)]
     same = [abs(each) for each in beside if each * changed[at] > 0.0]
-    return abs(changed[at]) > APART * max(same, default=0.0)
+    return abs(changed[at]) > (APART + missing) * max(same, default=0.0)
