@@ -26,6 +26,7 @@ from gearlash.multibody import (
     Trajectory,
     natural_frequencies,
     read_motion,
+    simulate,
 )
 from gearlash.multibody import _tables as places
 from gearlash.multibody.quasi_static import quasi_static
@@ -179,6 +180,28 @@ def test_two_solvers_and_two_steps_agree_between_real_teeth_on_a_gear_that_bends
         assert one.mean == pytest.approx(found.inputs.mean_force, rel=3e-3)
     assert implicit.most == pytest.approx(explicit.most, rel=5e-3)
     assert coarse.most == pytest.approx(explicit.most, rel=0.02)
+
+
+@pytest.mark.slow
+def test_the_moment_of_moving_teeth_is_the_torque_in_the_mean(found: Verification):
+    """Their mean force misses T/(r_b cos β_b): it does work on the error and on the compliance, too."""
+    inputs, mesh, absolute = found.inputs, found.meshes[1], found.compared[2].configuration
+    teeth, cycles = ToothContact(mesh.contact(inputs, errors=errors_of(inputs, mesh)).tables), 16
+    pressed = run_point(
+        inputs,
+        teeth,
+        Setting(steps=192, finer=1, finest=1, settle=80, read=cycles, flexible=False),
+        omega=absolute.omegas[1],
+        stiffness=mesh.stiffness,
+        torque=absolute.torque,
+    )
+    speed = absolute.omegas[1] * inputs.natural_frequency(mesh.stiffness) / inputs.pair.pinion.teeth
+    period = 2.0 * np.pi / (inputs.pair.pinion.teeth * speed)
+    machine = machine_of(inputs, Setting(), absolute.torque, speed, period, Modes())
+    motion = simulate(machine, teeth, pressed.q, pressed.v, step=period / 192, steps=192 * cycles)
+    moments = [-teeth.forces(*state)[5] for state in zip(motion.t, motion.q, motion.v, strict=True)]
+    assert np.trapezoid(moments, motion.t) / np.ptp(motion.t) == pytest.approx(absolute.torque, rel=1e-3)
+    assert pressed.reading.mean == pytest.approx(inputs.mean_force, rel=3e-3)
 
 
 def test_breathing_is_that_of_the_motion(found: Verification):
