@@ -129,7 +129,7 @@ def compare(
     Residuals are to the motion computed with speed going the way it went when it was measured. Jumps of the
     measurement are changes from one speed to the next that are larger than five times the median change, than
     a tenth of the span and than twice the changes beside them; to each belong the changes of the computed
-    motion that lie there or within two measured steps. That one of them made the jump is not shown by that.
+    motion that lie there or within two usual steps. That one of them made the jump is not shown by that.
 
     Parameters
     ----------

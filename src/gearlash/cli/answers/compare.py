@@ -62,7 +62,7 @@ class JumpFound:
     ]
     events: Annotated[
         tuple[EventNear, ...],
-        "within two measured steps of it; those of the same way of speed first, of these the nearest",
+        "within two usual steps of it; those of the same way of speed first, of these the nearest",
     ]
 
 

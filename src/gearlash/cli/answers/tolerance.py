@@ -167,6 +167,8 @@ def _sentence(case: Case, found: Tolerance) -> str:
         said.append(f"the margin there depends most on {first.path} ({variance_text(first)} of its variance)")
     if not found.never:
         said.remove(never)
+    if not found.complete:
+        said.append(f"{found.message}: only a part of all combinations was tried")
     return "; ".join(said)
 
 
