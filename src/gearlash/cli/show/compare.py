@@ -58,8 +58,8 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
     yield from note(
         "Residuals are to the motion computed with speed going the way of the row, where the rows say it. A "
         "jump is a change of the measurement of more than five times its median change, a tenth of its span "
-        "and twice the changes beside it; events are changes of the computed motion within two usual "
-        "steps of it; where rows are missing, more is no jump. That an event made a jump is not shown by that.",
+        "and twice the changes beside it (more over missing rows); events are changes of the computed motion "
+        "within two usual steps of it. That an event made a jump is not shown by that.",
         width,
     )
 
