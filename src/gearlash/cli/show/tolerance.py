@@ -51,11 +51,11 @@ def _examined(answer: ToleranceAnswer) -> str:
     stopped = "" if answer.status == "ok" else "The work was stopped, and of this only a part was done. "
     return (
         f"{stopped}Tried: the case itself, {answer.corners} corners of the limits, {answer.replicates} "
-        f"independent sets of {answer.samples} samples, each value as likely as any other between its limits, "
-        "and a search for the worst combination. That no other combination is worse is not proved. The motion is "
-        "the one of teeth that never part, where it exists and is stable: other motions at the same values "
-        f"are not looked for (gearlash zones, gearlash run). Values that were looked at lie no farther apart "
-        f"than 1 %: a narrower gap in contact may have been missed.{unsolved}"
+        f"independent sets of {answer.samples} samples, each value as likely as any other between its "
+        "limits, and a search for the worst combination. That no other combination is worse is not proved. "
+        "The motion is the one of teeth that never part, where it exists and is stable: other motions at "
+        "the same values are not looked for (gearlash zones, gearlash run). Values that were looked at lie "
+        f"no farther apart than 1 %: a narrower gap in contact may have been missed.{unsolved}"
     )
 
 
