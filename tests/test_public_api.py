@@ -227,3 +227,15 @@ def test_using_a_case_does_not_load_the_engine():
     script = "import sys, gearlash; gearlash.load_case('article').family(); print('numba' in sys.modules)"
     ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert ran.stdout.strip() == "False"
+
+
+def test_a_name_that_does_not_exist_has_a_neighbour():
+    """Python itself looks among the names of the module."""
+    ran = subprocess.run(
+        [sys.executable, "-c", "import gearlash as gl; gl.sweeep"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert ran.returncode == 1
+    assert ran.stderr.rstrip().endswith("has no attribute 'sweeep'. Did you mean: 'sweep'?")

@@ -476,7 +476,10 @@ def __getattr__(name: str) -> typing.Any:
     if name == "__version__":
         return _version()
     if name not in _WHERE:
-        raise AttributeError(f"module 'gearlash' has no attribute {name!r}")
+        import sys
+
+        said = f"module 'gearlash' has no attribute {name!r}"
+        raise AttributeError(said, name=name, obj=sys.modules[__name__])  # Python says what is nearest
     from importlib import import_module
 
     room, own = _WHERE[name]
