@@ -26,6 +26,7 @@ _signal.signal(_signal.SIGHUP, _signal.SIG_DFL)
 from gearlash.cli import main
 main()
 """
+DRIVE = Path(__file__).parents[1] / "cases/drive.toml"
 OVER = "omega=0.5:1.4:20001"
 LONG = ("--over", "D=0.3:0.5", "--step", "0.002")
 COMMANDS = {
@@ -43,9 +44,23 @@ COMMANDS = {
     "zones-short": ("zones", "kahraman-singh", "--over", "omega=0.5:1.4:15"),
     "reproduce": ("reproduce", "--points", "1001"),
     "report": ("report", "kahraman-singh"),
+    "tolerance": ("tolerance", str(DRIVE), "--over", "omega=0.5:1.4:61", "--limits", "backlash=60:120um"),
+    "compare": ("compare", str(DRIVE), str(DRIVE.with_name("measured.csv"))),
     "schema": ("schema",),
 }
-PARALLEL = ("atlas", "report", "sweep", "sweep-short", "map", "zones", "zones-short", "reproduce")
+PARALLEL = (
+    "atlas",
+    "compare",
+    "report",
+    "tolerance",
+    "sweep",
+    "sweep-short",
+    "map",
+    "zones",
+    "zones-short",
+    "reproduce",
+)
+WITHOUT_DATASET = ("run", "graze", "branch", "report", "tolerance", "compare")
 WITHOUT_FILES = ("check", "schema")
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129, signal.SIGKILL: -9}
 KEEPS = "keeping what was computed"
@@ -160,7 +175,7 @@ def _lost(ended: Ended) -> Iterator[str]:
             content = json.loads((ended.out / f"{stem}.json").read_text(encoding="utf-8"))
             if data:
                 yield from _apart(content, ended.out / f"{stem}.nc")
-        if data != answer and stem not in ("run", "graze", "branch", "report") and not killed:
+        if data != answer and stem not in WITHOUT_DATASET and not killed:
             yield f"{stem}: one of data and answer without the other"
 
 

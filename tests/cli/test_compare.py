@@ -9,7 +9,9 @@ import pytest
 
 import gearlash as gl
 from cli.conftest import Gearlash
+from gearlash.jobs import Outcome
 from gearlash.orbits.figures import Figure, figure_of
+from gearlash.studies import comparison
 from gearlash.studies.comparison import known_quantities
 from gearlash.studies.measured import readouts_of
 
@@ -50,6 +52,25 @@ def test_what_the_pair_does_itself_leaves_nothing(case: gl.Case, gearlash: Gearl
     assert (answer["unit"], answer["speed_unit"]) == ("µm", "rpm")
     assert (out / "compare.svg").exists()
     assert len((out / "compare.csv").read_text().splitlines()) == 7
+
+
+def test_figures_stay_at_their_speeds_where_some_were_not_computed(
+    case: gl.Case, monkeypatch: pytest.MonkeyPatch
+):
+    """A stop may cut one task short, and find the next one done."""
+    speeds = np.linspace(3900.0, 4200.0, comparison.POINTS_OF_A_TASK + 2)
+    asked = (case, speeds, np.ones(len(speeds)), "mesh_force", "peak")
+    whole, run = compared(*asked), comparison.run
+
+    def stopped(work, chains, execution) -> Outcome:
+        results = run(work, chains, execution).results
+        return Outcome({**results, 0: results[0][:1]}, "interrupted")
+
+    monkeypatch.setattr(comparison, "run", stopped)
+    part = compared(*asked)
+    assert (whole.complete, part.complete) == (True, False)
+    np.testing.assert_array_equal(part.up[[0, -2, -1]], whole.up[[0, -2, -1]])
+    assert np.isnan(part.up[1:-2]).all()
 
 
 def test_a_speed_may_be_measured_several_times_in_any_order(case: gl.Case):

@@ -95,6 +95,19 @@ def test_what_was_computed_is_kept(tmp_path: Path, name: str, workers: int, numb
 
 
 @pytest.mark.parametrize(("number", "workers"), [(signal.SIGINT, 1), (signal.SIGTERM, 2)])
+def test_a_tolerance_study_says_that_only_a_part_was_tried(tmp_path: Path, workers: int, number: int):
+    for ended in _kept("tolerance", number, workers, tmp_path):
+        if not (ended.out / "tolerance.json").exists():
+            continue
+        assert ended.code == CODES[signal.Signals(number)]
+        answer = json.loads((ended.out / "tolerance.json").read_text(encoding="utf-8"))
+        assert answer["status"] == "incomplete"
+        assert (ended.out / "tolerance.csv").exists()
+        return
+    pytest.fail("no tolerance study was kept")
+
+
+@pytest.mark.parametrize(("number", "workers"), [(signal.SIGINT, 1), (signal.SIGTERM, 2)])
 def test_a_report_is_made_of_what_was_computed(tmp_path: Path, workers: int, number: int):
     """Once the verdict stands: a page, the answer, and the names of what is not in it."""
     for delay in LATER:

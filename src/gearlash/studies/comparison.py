@@ -183,7 +183,8 @@ def compare(
     execution = checked_execution(source, execution)
     ways = sweeps(case, Axis("omega", once), ("up", "down"), settings=settings, execution=execution)
     form = _Form(source, quantity, taken, line)
-    up, down = (_figures(form, way, execution)[place] for way in ways)
+    figures = [_figures(form, way, execution) for way in ways]
+    up, down = (values[place] for values, _ in figures)
     apart = [np.where(np.isnan(way), np.inf, np.abs(way - values)) for way in (up, down)]
     labels = [(_label(a), _label(b)) for a, b in zip(ways[0].points, ways[1].points, strict=True)]
     return Comparison(
@@ -199,7 +200,7 @@ def compare(
         directions=tuple(directions[row] for row in in_order),
         sweeps=ways,
         jumps=jumps_of(measurement, list(_changes(case, ways))),
-        complete=all(way.complete for way in ways),
+        complete=all(way.complete for way in ways) and all(whole for _, whole in figures),
     )
 
 
@@ -232,14 +233,18 @@ class _Task:
     points: tuple[Point, ...]
 
 
-def _figures(form: _Form, sweep: Sweep, execution: Execution) -> Array:
-    """The figure of every point of a sweep; NaN where there is no motion."""
+def _figures(form: _Form, sweep: Sweep, execution: Execution) -> tuple[Array, bool]:
+    """The figure of every point of a sweep, NaN where there is no motion or none was computed; and whether
+    all were looked at."""
     points, fixed = list(sweep.points), tuple(sweep.fixed.items())
     parts = [points[at : at + POINTS_OF_A_TASK] for at in range(0, len(points), POINTS_OF_A_TASK)]
     chains = [Chain(k, (_Task(form, fixed, tuple(part)),), (len(part),)) for k, part in enumerate(parts)]
     outcome = run(_work, chains, execution)
-    found = [value for k in range(len(parts)) for value in outcome.results.get(k, ())]
-    return np.array([*found, *[np.nan] * (len(points) - len(found))])
+    found = np.full(len(points), np.nan)
+    for k in range(len(parts)):  # a part may have been stopped before its end, and the next one not
+        done = outcome.results.get(k, ())
+        found[k * POINTS_OF_A_TASK :][: len(done)] = done
+    return found, outcome.complete
 
 
 def _work(task: _Task, _carry: object) -> Part:

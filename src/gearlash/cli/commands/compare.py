@@ -112,11 +112,13 @@ def compare(
     folder = claim_if(out, [*files, *csv.files(*TABLES)])
     load_engine(data=folder is not None)
 
+    import numpy as np
+
     from gearlash.case.column_figures import figure_in
     from gearlash.case.measurement import load_measurement
     from gearlash.cli.answers.compare import compare_answer
     from gearlash.cli.command_tables import compare_tables
-    from gearlash.cli.interrupt import expect_results
+    from gearlash.cli.interrupt import end_if_nothing, expect_results
     from gearlash.cli.progress import progress_bar
     from gearlash.cli.workers import executor_for
     from gearlash.jobs import Execution
@@ -133,6 +135,7 @@ def compare(
     with executor_for(asked, workers, 2 * len(given.omega)) as executor, progress_bar("speeds") as progress:
         execution = Execution(executor, progress=progress)
         found = study(asked, given, figure, order=order, execution=execution)
+    end_if_nothing(bool(np.isfinite([found.up, found.down]).any()))
     answer = compare_answer(asked, found)
 
     def keep() -> None:

@@ -10,7 +10,7 @@ from math import inf, isnan, nan
 import numpy as np
 
 from gearlash.case import Case
-from gearlash.jobs import Chain, Execution, run
+from gearlash.jobs import INTERRUPTED, Chain, Execution, run
 from gearlash.results import Axis
 from gearlash.results.tolerance import Influence, Tolerance, ToleranceInput, ToleranceMember
 from gearlash.studies.arguments import checked_execution
@@ -134,6 +134,8 @@ class _Looker:
         rows = [tuple(row) for each in sampled for row in each[0].tolist()]
         found = self.members([(), *cornered, *rows])
         if not found:
+            if self.stopped == INTERRUPTED:
+                raise KeyboardInterrupt
             raise GearlashError(f"nothing was computed ({self.stopped})")
         nominal = replace(found[0], inputs=tuple(one.nominal for one in self.inputs))
         members = [nominal, *found[1:]] if self.has_nominal or len(found) == 1 else found[1:]
