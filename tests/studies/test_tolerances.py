@@ -1,5 +1,6 @@
 """Impact-free bands in spite of tolerances: closed forms, brute force, the same bytes from any workers."""
 
+import threading
 from itertools import product
 from pathlib import Path
 
@@ -51,7 +52,17 @@ def test_bands_of_a_linear_mesh_are_those_of_the_closed_form():
     assert found.worst.inputs == pytest.approx((0.15, 0.12))
     assert found.settings_of_worst == {"dimensionless.load": "0.15", "dimensionless.error": "0.12"}
     assert (found.corners, found.unsolved, found.complete) == (4, 0, True)
-    assert found.here == 1.0
+    assert (found.tried, found.here) == (1 + 4 + 4, 1.0)
+
+
+@pytest.mark.slow
+def test_a_study_that_was_stopped_counts_what_was_tried():
+    cancel = threading.Event()
+    execution = gl.Execution(progress=lambda progress: cancel.set(), cancel=cancel)
+    axis, limits = gl.Axis.even("omega", 0.5, 3.2, 3), {"load": (0.15, 0.3), "error": (0.08, 0.12)}
+    found = gl.tolerance(loads(LINEAR), axis, limits, samples=8, replicates=2, execution=execution)
+    assert (found.complete, found.message) == (False, "cancelled")
+    assert 0 < found.tried < 16
 
 
 @pytest.mark.slow

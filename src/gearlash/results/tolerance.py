@@ -168,9 +168,11 @@ class Tolerance:
         That value, in the unit of the axis.
     worst : ToleranceMember
         The combination with the least margin at the present value, of all that were tried.
-    samples, replicates, corners, searched : int
-        Points of each of the sets of samples, how many sets; corners of the limits, and combinations of the
-        search for the worst one.
+    samples, replicates, corners : int
+        Points of each of the sets of samples, how many sets, and corners of the limits, as they were planned.
+    tried : int
+        Combinations of which bands are known: the case as it is where it lies within the limits, corners,
+        samples, and the worst one of the search.
     influences : tuple of Influence
         Of the margin at the present value, the largest total first; empty where it does not vary.
     unsolved : int
@@ -206,7 +208,7 @@ class Tolerance:
     samples: int
     replicates: int
     corners: int
-    searched: int
+    tried: int
     influences: tuple[Influence, ...]
     unsolved: int
     complete: bool = True
@@ -218,10 +220,3 @@ class Tolerance:
         """The worst combination as overrides of the case."""
         values = zip(self.inputs, self.worst.inputs, strict=True)
         return {one.path: one.text(value) for one, value in values}
-
-    @property
-    def tried(self) -> int:
-        """Combinations of which bands are known, where nothing stopped the work; the case as it is counts
-        where it lies within the limits."""
-        inside = all(one.lower <= one.nominal <= one.upper for one in self.inputs)
-        return inside + self.corners + self.samples * self.replicates + self.searched

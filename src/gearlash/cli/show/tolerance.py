@@ -48,9 +48,11 @@ def tolerance_view(answer: ToleranceAnswer, width: int) -> Iterator[Text]:
 
 def _examined(answer: ToleranceAnswer) -> str:
     unsolved = f" {answer.unsolved} motions were not solved for." if answer.unsolved else ""
-    stopped = "" if answer.status == "ok" else "The work was stopped, and of this only a part was done. "
+    begin = "Tried:"
+    if answer.status != "ok":
+        begin = f"The work was stopped when {answer.tried} combinations were done. Planned:"
     return (
-        f"{stopped}Tried: the case itself, {answer.corners} corners of the limits, {answer.replicates} "
+        f"{begin} the case itself, {answer.corners} corners of the limits, {answer.replicates} "
         f"independent sets of {answer.samples} samples, each value as likely as any other between its "
         "limits, and a search for the worst combination. That no other combination is worse is not proved. "
         "The motion is the one of teeth that never part, where it exists and is stable: other motions at "

@@ -160,7 +160,7 @@ class _Looker:
             samples=count,
             replicates=sets,
             corners=len(cornered),
-            searched=len(searched),
+            tried=len(tried),
             influences=() if self.stopped else self.influences(count, sets),
             unsolved=sum(member.unsolved for member in tried),
             profile=profile([member.bands for member in drawn], count, *ends),
