@@ -66,9 +66,33 @@ def test_a_folder_keeps_the_report_of_another_case(gearlash: Gearlash, tmp_path:
     ran = gearlash("report", str(DRIVE), *NARROW, "--out", str(tmp_path))
     assert ran.code == 2
     complaint = " ".join(ran.complaint.split())
-    assert "the report of 'hoist' is there" in complaint
+    assert "the report of 'hoist' is there, written by gearlash report" in complaint
     assert "--out drive-report" in complaint
     assert (tmp_path / "verdict.json").read_text(encoding="utf-8") == '{"case": {"name": "hoist"}}'
+
+
+@pytest.mark.parametrize(
+    ("record", "typed", "other"),
+    [
+        ("reproduce.json", ("report", str(DRIVE), *NARROW), "drive-report"),
+        ("verdict.json", ("reproduce", "--points", "11"), "article-reproduce"),
+    ],
+)
+@pytest.mark.parametrize("text", ['{"case": {"name": "article"}}', '{"case": {"name": "drive"}}', "{"])
+def test_a_folder_keeps_the_report_of_another_command(
+    gearlash: Gearlash, tmp_path: Path, record: str, typed: tuple[str, ...], other: str, text: str
+):
+    """Even where the case has the same name, or the answer beside the page cannot be read."""
+    (tmp_path / record).write_text(text, encoding="utf-8")
+    marker = json.dumps({"process": 1, "files": [record, "report.html"]})
+    (tmp_path / ".gearlash.json").write_text(marker, encoding="utf-8")
+    (tmp_path / "report.html").write_text("of the other", encoding="utf-8")
+    ran = gearlash(*typed, "--out", str(tmp_path))
+    assert ran.code == 2
+    complaint = " ".join(ran.complaint.split())
+    assert f"written by gearlash {'reproduce' if record == 'reproduce.json' else 'report'}" in complaint
+    assert f"--out {other}" in complaint
+    assert (tmp_path / "report.html").read_text(encoding="utf-8") == "of the other"
 
 
 def _page(folder: Path) -> None:

@@ -6,10 +6,10 @@ import re
 
 from .quantity import Quantity
 from .spelling import plain_value
-from .unit_words import PITCH, POWER, PRESSURE, STIFFNESS, TEMPERATURE, TORQUE, USUAL, Dimension
-from .units import DIMENSION_NAMES, NUMBER, UnitError, behind_number, pretty, read, takes
+from .unit_words import ANGLE, PITCH, POWER, PRESSURE, STIFFNESS, TEMPERATURE, TORQUE, USUAL, Dimension
+from .units import DIMENSION_NAMES, NUMBER, UnitError, behind_number, in_si, pretty, read, takes
 
-_BEFORE = re.compile(r"[^\d+\-−.,]*(?:[.,](?!\d))?[^\d+\-−.,]*")
+_BEFORE = re.compile(r"[^\d+\-−–—‐‑.,]*(?:[.,](?!\d))?[^\d+\-−–—‐‑.,]*")
 _RANGE = re.compile(r"\d\s*(?:\.\.+|…|:|~|-|–|to\b|/)\s*[-+]?[\d.]")
 _DEVIATIONS = re.compile(r"±|[\s\d]\+\s?[\d/]")
 _WORD = re.compile(r"(?<!\w)[A-Za-zµμ°\"]+(?:[/*·^][A-Za-zµμ]+)*(?!\w)")
@@ -21,13 +21,22 @@ _OTHERS = {
     TORQUE: {"kgm": "kgf m", "kpm": "kgf m", "tm": "", "joule": "N m"},
 }
 """Other spellings by what `_look` leaves of them."""
+_OTHER_SENSE = re.compile(r"\b(?:minus|neg\w*)\b|\bs?r(?:ad(?:ius)?)?\W*\d", re.IGNORECASE)
+"""A sign in words, and a radius where diameters stand: the number alone would be another value."""
+_OF_ANGLES = re.compile(r"(?:helix|pressure|angle|alpha|beta|[αβ][a-z]?|deg(?:ree)?s?|rad|[\W\d_])*")
+"""All that may stand beside an angle and says nothing of its sign, as the hand of a helix does."""
+_OWN_FACTOR, _OTHER_FACTOR, _FAR_OFF = 100.0, 10.0, 300.0
+"""How far from its example a value may be in the unit of its place; how far in another one, and from where on
+another one is tried."""
+_ANGLE_FACTOR = 20.0
+"""The first of them for angles: nearer than degrees are to radians."""
 
 
 def meant(text: str, place: Quantity) -> str | None:
     """The value that this text would be with a unit that it probably means."""
     short = text.strip()
     between = _RANGE.search(short) and not _DEVIATIONS.search(short)
-    if place.dimension == NUMBER or not short or between:
+    if place.dimension == NUMBER or not short or between or _says_more(short, place):
         return None
     begin = _BEFORE.match(short)
     try:
@@ -36,12 +45,12 @@ def meant(text: str, place: Quantity) -> str | None:
         return None
     unit = behind_number(short)
     number = short.removesuffix(unit).strip() if unit else short
-    if _fitting(f"{number} {place.unit}", place) is None:
+    if _value(f"{number} {place.unit}", place) is None:
         return None
     if not unit or _ZONE.fullmatch(unit):
-        return f"{number} {place.unit}"
+        return _sized(number, place)
     if place.dimension == TEMPERATURE:
-        return _in_celsius(float(number), _look(unit))
+        return _in_celsius(float(number), _look(unit), place)
     alike = [known for known in USUAL.get(place.dimension, ()) if _look(known) == _look(unit)]
     other = _OTHERS.get(place.dimension, {}).get(_look(unit))
     beside = not re.search(r"\d", unit) or _DEVIATIONS.search(short) or _ASIDE.match(unit)
@@ -65,17 +74,58 @@ def instead(found: Dimension, place: Quantity) -> str:
     return f"that is {DIMENSION_NAMES[found]}" if found in DIMENSION_NAMES and found != NUMBER else ""
 
 
-def _fitting(text: str, place: Quantity) -> str | None:
+def _says_more(text: str, place: Quantity) -> bool:
+    """Whether words stand there that make another value of the number."""
+    if place.dimension == ANGLE:
+        return _OF_ANGLES.fullmatch(text.casefold()) is None
+    return _OTHER_SENSE.search(text) is not None and "radius" not in place.path
+
+
+def _sized(number: str, place: Quantity) -> str | None:
+    """A bare number with the unit that makes a usual size of it: the place's own, or the only other one that
+    drawings have. Where several do, or none does, nobody can tell."""
+    example = _value(place.example, place)
+    own = _value(f"{number} {place.unit}", place)
+    if not example or not own or place.dimension == TEMPERATURE:
+        return _fitting(f"{number} {place.unit}", place)
+    off = _factor(own, example)
+    if off <= (_ANGLE_FACTOR if place.dimension == ANGLE else _OWN_FACTOR):
+        return _fitting(f"{number} {place.unit}", place)
+    found: dict[float, str] = {}
+    for unit in USUAL.get(place.dimension, ()) if off >= _FAR_OFF else ():
+        if unit == "cm":  # no drawing of gears means these where it leaves the unit out
+            continue
+        value = _value(text := f"{number} {unit}", place)
+        if value and place.accepts(value) and _factor(value, example) <= _OTHER_FACTOR:
+            found.setdefault(value, text)
+    return next(iter(found.values())) if len(found) == 1 else None
+
+
+def _factor(value: float, example: float) -> float:
+    """How many times the greater one is the smaller one, signs apart."""
+    ratio = abs(value / example)
+    return max(ratio, 1.0 / ratio)
+
+
+def _value(text: str, place: Quantity) -> float | None:
+    """In SI, of a text with a unit that is taken here."""
     try:
-        return text if takes(place.dimension, read(text, place.dimension)[1]) else None
+        number, unit = read(text, place.dimension)
     except UnitError:
         return None
+    return in_si(place.dimension, number, unit) if takes(place.dimension, unit) else None
 
 
-def _in_celsius(number: float, unit: str) -> str | None:
+def _fitting(text: str, place: Quantity) -> str | None:
+    """The text, where it is a value that is taken here."""
+    value = _value(text, place)
+    return text if value is not None and place.accepts(value) else None
+
+
+def _in_celsius(number: float, unit: str, place: Quantity) -> str | None:
     if unit in ("f", "degf", "fahrenheit"):
-        return f"{(number - 32.0) / 1.8:.4g} degC"
-    return f"{number - 273.15:.4g} degC" if unit in ("k", "kelvin") else None
+        return _fitting(f"{(number - 32.0) / 1.8:.4g} degC", place)
+    return _fitting(f"{number - 273.15:.4g} degC", place) if unit in ("k", "kelvin") else None
 
 
 def _look(unit: str) -> str:

@@ -92,7 +92,7 @@ ReportOut = Annotated[
         parser=folder,
         metavar="DIR",
         help="Folder of the report, made if missing. Files there that gearlash did not write are never "
-        "overwritten, nor is the report of another case.",
+        "overwritten, nor is a report of another command or of a case of another name.",
     ),
 ]
 Workers = Annotated[

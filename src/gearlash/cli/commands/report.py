@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from gearlash.report.pair import Contents
     from gearlash.studies.assessment import Assessment
 
-VERDICT, LARGEST_VERDICT = "verdict.json", 10_000_000  # bytes
 POINTS = 201  # speeds at which quantities are measured
 
 
@@ -65,6 +64,7 @@ def report(
     keeps what there is by then. It is an analysis, and no approval.
     """
     from gearlash.cli.frame import StudyInputs
+    from gearlash.cli.report_folder import RECORDS, keep_others
     from gearlash.cli.tables import CsvAsked
     from gearlash.results.pair_question import check_pair
 
@@ -73,7 +73,7 @@ def report(
     check_pair(asked.case)
     from gearlash.cli.answers.report import FILES
 
-    _of_one_case(out, asked.case)
+    keep_others(out, "report", asked.case)
     place = asked.made_ready(out, FILES)
     assert place is not None  # there is a default
 
@@ -94,7 +94,7 @@ def report(
             answer = report_answer(found, contents, str(page))
             from gearlash.cli.jsonio import write_file
 
-            write_file(answer, place.file(VERDICT))
+            write_file(answer, place.file(RECORDS["report"]))
             if as_json:
                 show_answer(answer, True)
             else:
@@ -102,25 +102,6 @@ def report(
 
                 show(done_view, answer)
     return code_of(answer.status)
-
-
-def _of_one_case(out: Path, case: Case) -> None:
-    """Raises `GearlashError` where the folder has the report of another case, by name: who looks at two pairs
-    in turn does not mean the second page to take the place of the first."""
-    import json
-
-    from gearlash.case.files import UnreadableError, read_file
-    from gearlash.system import GearlashError, given, shown
-
-    try:
-        there = json.loads(read_file(given.path("--out", out) / VERDICT, LARGEST_VERDICT))["case"]["name"]
-    except (UnreadableError, ValueError, KeyError, TypeError, RecursionError):
-        return  # none is there
-    if there != case.name:
-        raise GearlashError(
-            f"--out {out}: the report of {shown(there)} is there; choose another folder, such as --out "
-            f"{case.name}-report, or take that one away"
-        )
 
 
 def _over(case: Case, over: str | None) -> Over:
