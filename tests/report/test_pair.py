@@ -302,6 +302,26 @@ def test_a_motion_with_impacts_beside_the_quiet_one_is_in_the_first_sentence():
     assert "one in which teeth separate (1-1), with a mesh force of up to" in told.lines[0].text
 
 
+def test_the_first_sentence_names_what_was_found_at_that_speed_and_not_all_of_its_band():
+    case = gl.load_case("kahraman-singh", {"omega": 0.8})
+    found = assess(case, Axis.even("omega", 0.7, 0.9, 5))
+    first, *rest = found.impact_free.sweeps
+    points = list(first.points)
+    kinds = ((gl.MotionKind.UNRESOLVED, gl.Status.UNRESOLVED), (gl.MotionKind.APERIODIC, gl.Status.UNCERTAIN))
+    for i, (label, status) in enumerate(kinds, 1):  # as if the speeds 0.75 and 0.8 - 1e-3 had it
+        value = points[i].value - 1e-3
+        points[i] = replace(points[i], value=value, label=label, status=status, period=0)
+    zones = replace(found.impact_free, sweeps=(replace(first, points=tuple(points)), *rest))
+    told = replace(found, impact_free=zones)
+    band = next(band for band in told.separating if band.contains(found.here))
+    assert {"1-1-0", "aperiodic"} <= set(map(str, band.labels))
+    assert "unresolved" not in map(str, band.labels)
+    assert "one in which teeth separate (1-1)," in verdict(told).lines[0].text
+    assert found.beside is not None
+    alone = replace(told, beside=replace(found.beside, others=()))
+    assert "one in which teeth separate (1-1)," in verdict(alone).lines[0].text  # followed to that speed
+
+
 def test_what_sweeps_reach_next_to_a_speed_is_among_the_starts_there():
     case = gl.load_case("kahraman-singh", {"omega": 0.8})
     axis = Axis.even("omega", 0.7, 0.9, 5)

@@ -8,7 +8,7 @@ from itertools import groupby
 from math import inf
 
 from gearlash.results import Point
-from gearlash.system import Label, Signature, label_text
+from gearlash.system import Label, MotionKind, Signature, label_text
 
 from .arcs import Arc, arcs_of
 from .intervals import union
@@ -77,10 +77,11 @@ def _followed_in(band: Band, loud: Sequence[Interval]) -> Iterator[Interval]:
 def _seen_in(found: Zones, band: Band, loud: Sequence[Interval], boundary: float) -> Iterator[Interval]:
     """The values of the axis in a band, neighbour by neighbour, at which a sweep saw motion that reaches the
     boundary and was not followed."""
+    periodic = [one for one in loud if isinstance(_label_of(one), Signature)]
     for sweep in found.sweeps:
 
         def reaches(point: Point) -> bool:
-            known = any(_label_of(one) == point.label and one.contains(point.value) for one in loud)
+            known = any(_label_of(one) == point.label and one.contains(point.value) for one in periodic)
             reached = not found.quiet.holds(point) and point.minimum <= boundary
             return band.contains(point.value) and reached and not known
 
@@ -104,7 +105,7 @@ def _loud(found: Zones) -> list[Interval]:
         motion.stable
         for zone in found.wider
         for motion in zone.motions
-        if motion.branch is None and motion.stable is not None and not motion.quiet
+        if motion.branch is None and motion.stable is not None and not found.quiet.holds_label(motion.label)
     ]
     return [*arcs, *beside]
 
@@ -153,21 +154,38 @@ def _cut(found: Zones, low: ZoneEnd, high: ZoneEnd) -> list[tuple[bool, ZoneEnd,
 def _labels(
     found: Zones, loud: Sequence[Interval], low: ZoneEnd, high: ZoneEnd, least: float = inf
 ) -> tuple[Label, ...]:
-    """Of motions that live in a band, whether sweeps saw them in it or they were followed into it. Those
-    without a period count where they were seen, with a displacement of ``least`` or less."""
-    labels = {label for one in loud if _overlap(one, low, high) and (label := _label_of(one))}
+    """Of motions that live in a band, whether sweeps saw them in it or they were followed into it. Where a
+    displacement of ``least`` or less is asked for, those without a period count where they were seen with it.
+    What settled to nothing is no motion."""
+    inside = [label for one in loud if _overlap(one, low, high) and (label := _label_of(one))]
+    labels = {label for label in inside if least == inf or isinstance(label, Signature)}
     labels |= {
-        point.label
+        label
         for sweep in found.sweeps
         for point in sweep.points
         if low.value <= point.value <= high.value
-        and point.label is not None
-        and not found.quiet.holds(point)
+        and (label := loud_label(found, point)) is not None
         and not point.minimum > least
     }
     if not labels:  # narrower than a step of the axis
         labels = {end.outside for end in (low, high) if end.outside is not None}
     return tuple(sorted(labels, key=lambda label: (len(label_text(label)), label_text(label))))
+
+
+def loud_label(found: Zones, point: Point) -> Label | None:
+    """Of a motion that a sweep saw and that is not quiet; None of what is quiet, or settled to nothing."""
+    known = isinstance(point.label, Signature) or point.label is MotionKind.APERIODIC
+    return point.label if known and not found.quiet.holds(point) else None
+
+
+def living_at(found: Zones, value: float) -> tuple[Label, ...]:
+    """Labels of the motions that are not quiet and were found at a value: followed there, or seen there by a
+    sweep."""
+    labels = [label for one in _loud(found) if one.contains(value) and (label := _label_of(one))]
+    for sweep in found.sweeps:
+        at = [point for point in sweep.points if point.value == value]
+        labels += [label for point in at if (label := loud_label(found, point)) is not None]
+    return tuple(dict.fromkeys(labels))
 
 
 def zone_with(found: Zones, value: float) -> Zone | None:

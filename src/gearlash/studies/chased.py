@@ -5,7 +5,7 @@ So a motion that coexists with a quiet one is found however coarse the axis is."
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from gearlash.jobs import Chain, Part
@@ -36,20 +36,22 @@ class Chase:
 
 
 def chase(task: Chase, carry: object) -> Part:
-    """The last point to which the motion went on, None where that is none, and the next one at which it was
-    lost, None where the range ends first."""
-    q, last, other, state = task.question, None, None, task.point.state
+    """The points to which the motion went on, in this order, and the next one at which it was lost, None
+    where the range ends first."""
+    q, other, state = task.question, None, task.point.state
+    points: list[Point] = []
     family, step = q.source.family(), FIRST * max(abs(task.value), 1e-3)
     value: float | None = task.value + task.sign * step
     while value is not None and q.lower <= value <= q.upper:
         point = evaluate(family, q.values(family, value), q.name, state, None, q.settings, None)[0]
         if point.computed and not task.known.hold(point):
-            last, state = point, point.state
+            points.append(point)
+            state = point.state
         else:
             other = point
         step *= 2.0 if other is None else 1.0
-        value = _next(q, task.sign * step, last, other)
-    return Part(((last, other),))
+        value = _next(q, task.sign * step, points[-1] if points else None, other)
+    return Part(((tuple(points), other),))
 
 
 def _next(question: Question, step: float, last: Point | None, other: Point | None) -> float | None:
@@ -83,12 +85,14 @@ def chased(followed: Followed, seen: Iterable[Stretch]) -> list[ZoneMotion]:
                 chains.append(Chain((i, up, sign), (task,), (1,)))
     done = followed.done(chase, chains)
     found = [(ends[name], *parts) for name, parts in done.items() if isinstance(name, tuple)]
-    return [_motion(end, last, other) for end, last, other in found if last is not None]
+    return [_motion(end, points, other) for end, points, other in found if points]
 
 
-def _motion(end: ZoneEnd, last: Point, other: Point | None) -> ZoneMotion:
-    """From the end of the arc to where the motion was lost."""
-    label = last.label if last.periodic and last.label is not None else MotionKind.APERIODIC
+def _motion(end: ZoneEnd, points: Sequence[Point], other: Point | None) -> ZoneMotion:
+    """From the end of the arc to where the motion was lost: periodic where all points on the way have one
+    label. Whether it is quiet, a zone says that is asked for one kind of quiet."""
+    last, labels = points[-1], {point.label if point.periodic else None for point in points}
+    label = last.label if len(labels) == 1 and last.periodic and last.label else MotionKind.APERIODIC
     if other is None:
         lost = ZoneEnd(last.value, RANGE, inside=label, direction=BEYOND_END)
     else:

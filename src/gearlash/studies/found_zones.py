@@ -76,7 +76,7 @@ class Found:
         for arc in noisy:
             taken = self.told(Interval(arc.lower, arc.upper))
             certain = without(certain, taken, self.from_outside(arc.label, calm), self.near)
-        certain = self.without_seen(certain, calm) if self.all_followed else []
+        certain = self.without_seen(quiet, certain, calm) if self.all_followed else []
         every = [self.zone(quiet, one, True) for one in certain]
         some = [
             self.zone(quiet, one, False) for one in wide if not any(self.same(one, sure) for sure in certain)
@@ -93,7 +93,7 @@ class Found:
         """Whether every motion that was found was followed: where that was stopped nothing holds for all."""
         return not self.followed.reason
 
-    def without_seen(self, certain: list[Interval], calm: Sequence[Arc]) -> list[Interval]:
+    def without_seen(self, quiet: Quiet, certain: list[Interval], calm: Sequence[Arc]) -> list[Interval]:
         """What is left where motion without a branch was seen. Its ends are asked for where they matter."""
         for stretch in self.seen:
             low, high = self.onsets.cell(stretch, -1)[0], self.onsets.cell(stretch, 1)[1]
@@ -103,7 +103,8 @@ class Found:
             outside = self.from_outside(stretch.label, calm)
             certain = without(certain, Interval(lower, upper), outside, self.near)
         for motion in self.chased:
-            assert motion.stable is not None
+            if motion.stable is None or quiet.holds_label(motion.label):
+                continue
             certain = without(certain, motion.stable, self.from_outside(motion.label, calm), self.near)
         return certain
 
@@ -207,7 +208,7 @@ class Found:
             )  # fmt: skip
         for motion in self.chased:
             if min(motion.upper, one.upper.value) - max(motion.lower, one.lower.value) > self.near:
-                yield motion
+                yield replace(motion, quiet=quiet.holds_label(motion.label))
         for stretch in self.seen:
             known = stretch.label is not None and not stretch.missing
             if known and max(stretch.lower, one.lower.value) <= min(stretch.upper, one.upper.value):

@@ -55,6 +55,19 @@ class Quiet(Named):
         """
         return signature.impacts == 0 if self is Quiet.IMPACT_FREE else signature.back_impacts == 0
 
+    def holds_label(self, label: Label) -> bool:
+        """Whether a motion is quiet, by its label; what has no period never counts as quiet.
+
+        Parameters
+        ----------
+        label : Signature or MotionKind
+
+        Returns
+        -------
+        bool
+        """
+        return isinstance(label, Signature) and self.holds_signature(label)
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ZoneEnd(Record):

@@ -4,6 +4,7 @@ Every line says what was found; none says that there is nothing else."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf
 from typing import Literal, TypeAlias
@@ -15,7 +16,7 @@ from gearlash.plots.regimes import short
 from gearlash.results.beside import Beside
 from gearlash.results.pair_units import PairUnits, stated_at_gear
 from gearlash.studies.assessment import Assessment
-from gearlash.studies.bands import zone_with
+from gearlash.studies.bands import Band, living_at, zone_with
 from gearlash.system import ContactRule, Label, Signature, Status
 
 from .orders import meetings_within
@@ -145,9 +146,8 @@ def _answer(found: Assessment, words: Words) -> tuple[Kind, str, str]:
     if not found.searched:
         return _stopped(at, hits, label, found)
     inside = [band for band in found.separating if band.contains(found.here) and own is None]
-    hit = [other.label for other in others if other.impacts] + [
-        label for band in inside for label in band.labels
-    ]
+    hit = [other.label for other in others if other.impacts]
+    hit += living_at(found.impact_free, found.here) if inside else ()
     if not hits and not hit and not inside:
         all_found = ", ".join(dict.fromkeys(short(each) for each in (label, *(o.label for o in others))))
         text = f"At {at} no impacts were found: in every motion found there ({all_found}) "
@@ -157,15 +157,21 @@ def _answer(found: Assessment, words: Words) -> tuple[Kind, str, str]:
         or zone_with(found.impact_free, found.here) is not None
         or any(other.impacts is False for other in others)
     ):
-        apart = ", ".join(dict.fromkeys(short(each) for each in ([label] if hits else hit)))
-        text = f"At {at} it depends on how the pair came there: a motion without impacts exists, and one in "
-        text += f"which teeth separate ({apart}){_force_apart(found, hits, words)}."
-        return "doubt", "depends on the start", text
+        text = f"At {at} it depends on how the pair came there: a motion without impacts exists, and "
+        text += _apart([label] if hits else hit, inside, words)
+        return "doubt", "depends on the start", f"{text}{_force_apart(found, hits, words)}."
     gone = f"{100.0 * found.signals.share_without_contact:.3g} % of the time"
     return "bad", "teeth separate", (
         f"At {at} teeth separate ({short(label)}): without contact {gone}"
         + (", and the back side is hit." if found.signals.back_velocity > 0.0 else ".")
     )  # fmt: skip
+
+
+def _apart(labels: Sequence[Label], bands: Sequence[Band], words: Words) -> str:
+    """What moves with impacts at the present speed, or else where in the bands around it that was seen."""
+    if labels:
+        return f"one in which teeth separate ({', '.join(dict.fromkeys(map(short, labels)))})"
+    return f"motions in which teeth separate were found beside it in the band {words.bands(bands)}"
 
 
 def _stopped(at: str, hits: bool, label: Label, found: Assessment) -> tuple[Kind, str, str]:
