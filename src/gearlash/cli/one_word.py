@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Mapping, Sequence
 from shlex import quote
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from typer.core import TyperCommand
 
 from .terminal import harmless
+
+if TYPE_CHECKING:
+    from gearlash.case.units import Dimension
+
+NUMBERS_ALONE = "N", "P", "S", "NUMBER", "ORDER", "SHARE"
+"""What help texts have in the place of numbers without unit."""
 
 
 class Command(TyperCommand):
@@ -20,35 +26,86 @@ class Command(TyperCommand):
         typed, ctx.allow_extra_args = list(args), True
         left = super().parse_args(ctx, args)
         if left and not ctx.resilient_parsing:
-            valued = {
-                name for each in self.params if not getattr(each, "is_flag", False) for name in each.opts
-            }
+            texts = [each for each in self.params if not getattr(each, "is_flag", False) and _is_text(each)]
+            valued = {name: "=" in (each.metavar or "") for each in texts for name in each.opts}
             ctx.fail(
                 harmless(f"Got unexpected extra argument(s) ({' '.join(left)}){meant(typed, left, valued)}")
             )
         return left
 
 
-def meant(typed: Sequence[str], left: Sequence[str], valued: Collection[str]) -> str:
-    """What to type instead, where an option that takes a value stands just before the words that are left."""
+def _is_text(parameter: Any) -> bool:
+    """Whether its value may have blanks: a number without unit has none."""
+    return parameter.metavar not in NUMBERS_ALONE
+
+
+def meant(typed: Sequence[str], left: Sequence[str], valued: Mapping[str, bool]) -> str:
+    """What to type instead, where an option that takes a text stands just before words that are left, and
+    they go on with its value.
+
+    Parameters
+    ----------
+    typed, left : sequence of str
+        All words, and those that are left over.
+    valued : mapping
+        Options that take a text, and whether it is of the form NAME=VALUE.
+    """
     for at, option in enumerate(typed):
-        if not (option.startswith("-") and option in valued):
+        if option not in valued:
             continue
         words: list[str] = []
         for word in typed[at + 1 :]:
-            if words and word not in left:
+            if words and (word not in left or _is_case(word)):
                 break
             words.append(word)
-        if len(words) > 1:
-            return f"; {option} takes one word: {option} {quote(_joined(words))}"
+        joined = _named(words) if valued[option] else _value(words)
+        if len(words) > 1 and joined:
+            return f"; {option} takes one word: {option} {quote(joined)}"
     return ""
 
 
-def _joined(words: list[str]) -> str:
-    """``a b`` and ``a = b`` as ``a=b``; what has its sign, or begins with a number, with blanks."""
+def _is_case(word: str) -> bool:
+    """Another case, which is no part of a value."""
+    from gearlash.case import bundled  # late: help needs none of it
+
+    return word.casefold().endswith(".toml") or word in bundled()
+
+
+def _named(words: Sequence[str]) -> str:
+    """``a b c`` and ``a = b c`` as ``a=b c``; empty where that would be no name with its value."""
     text = " ".join(words)
     name, equals, value = (part.strip() for part in text.partition("="))
-    if equals:
-        return f"{name}={value}"
-    named = words[0][:1].isalpha() and len(words) == 2 and words[1][:1] in "0123456789+-."
-    return "=".join(words) if named else text
+    if not equals:
+        name, value = words[0] if words else "", " ".join(words[1:])
+        if not name[:1].isalpha() or not (_begins_number(value) or "." in name):
+            return ""
+    return f"{name}={value}" if not _begins_number(value) or _reads(value) else ""
+
+
+def _value(words: Sequence[str]) -> str:
+    """The words with blanks; empty where the first one is a value with its unit that the others do not go on
+    with, other than with the hand of an angle."""
+    from gearlash.case.units import ANGLE, NUMBER
+
+    text = " ".join(words)
+    if not words or _reads(text) or not _begins_number(text):
+        return text
+    return text if _dimension(words[0]) in (None, NUMBER, ANGLE) else ""
+
+
+def _begins_number(text: str) -> bool:
+    return text[:1] in tuple("0123456789+-.−")
+
+
+def _reads(text: str) -> bool:
+    """Whether it is a number with its unit, or several with colons between."""
+    return all(_dimension(part) is not None for part in text.split(":"))
+
+
+def _dimension(text: str) -> Dimension | None:
+    from gearlash.case.units import UnitError, read  # late: help needs none of it
+
+    try:
+        return read(text)[1].dimension
+    except UnitError:
+        return None
