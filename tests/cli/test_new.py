@@ -266,6 +266,15 @@ def test_questions_that_are_interrupted_say_that_nothing_was_written():
         (("--type", "planetary"), "one carrier"),
         (("--type", "herringbone"), "half of torque"),
         (("--type", "square"), "expected spur or helical"),
+        (("--type", "spring"), "expected spur or helical; gearlash"),
+        (("--type", "helical bevel"), "change along the face"),
+        (("--type", "rack and pinion"), "a rack has no centre"),
+        (("--type", "internal spur"), "a ring gear"),
+        (("--type", "helical, of paper"), "expected spur or helical, without paper"),
+        (("--type", "not helical"), "without not"),
+        (("--type", "spur gear"), "--helix-angle 15 deg is that of helical teeth"),
+        (("--shaft-angle", "90"), "expected an angle with its unit"),
+        (("--shaft-angle", "0 mm"), "expected an angle with its unit"),
         (("--shaft-angle", "90°"), "parallel shafts"),
         (("--teeth", "23/-57"), "internal gear"),
         (("--centre-distance", "-123mm"), "internal gear"),
@@ -280,6 +289,40 @@ def test_gears_that_no_model_here_takes_are_refused_in_words(
     assert told in " ".join(ran.err.split())
     assert not Path("pair.toml").exists()
     assert gearlash("new", "pair.toml", *HELICAL, "--type", "Helical", "--shaft-angle", "0°").code == 0
+
+
+@pytest.mark.parametrize(
+    "stated",
+    [
+        ("--type", "helical, ground by rack", "--shaft-angle", "0"),
+        ("--type", "External helical gears, rack-cut teeth", "--shaft-angle", "180 deg"),
+        ("--type", "cylindrical", "--shaft-angle", "0 rad"),
+        ("--type", "Stirnrad, schrägverzahnt"),
+    ],
+)
+def test_words_beside_the_type_are_taken_where_they_tell_of_no_other_gears(
+    stated: tuple[str, ...], gearlash: Gearlash
+):
+    assert gearlash("new", "pair.toml", *HELICAL, *stated).code == 0
+    assert load("pair.toml").kind == "helical-pair"
+
+
+@pytest.mark.parametrize("angle", [(), ("--helix-angle", "0deg")])
+def test_a_type_that_the_helix_angle_denies_is_refused(angle: tuple[str, ...], gearlash: Gearlash):
+    spur = [*HELICAL[:4], *HELICAL[6:], *angle]
+    for typed in ("helical", "external helical gears"):
+        ran = gearlash("new", "pair.toml", *spur, "--type", typed)
+        assert ran.code == 2
+        assert "such as --helix-angle 15deg" in " ".join(ran.err.split())
+        assert not Path("pair.toml").exists()
+    assert gearlash("new", "pair.toml", *spur, "--type", "external spur").code == 0
+    assert load("pair.toml").kind == "spur-1dof"
+
+
+def test_a_template_has_the_teeth_that_the_type_says(gearlash: Gearlash):
+    for typed, kind in (("spur", "spur-1dof"), ("helical", "helical-pair")):
+        assert gearlash("new", f"{typed}.toml", "--type", typed).code == 0
+        assert f'kind = "{kind}"' in Path(f"{typed}.toml").read_text(encoding="utf-8")
 
 
 def test_questions_that_end_early_write_nothing():

@@ -35,6 +35,11 @@ TEMPLATE = {
 }
 
 
+def template(teeth: str) -> dict[str, str]:
+    """Words of an example pair with these teeth: spur ones have no helix angle, others have one."""
+    return {name: text for name, text in TEMPLATE.items() if teeth != "spur" or name != "helix_angle"}
+
+
 def kind_of(texts: Mapping[str, str]) -> Kind:
     """The kind of case that fits what is stated."""
     return kind_named("helical-pair" if is_helical(texts) else "spur-1dof")

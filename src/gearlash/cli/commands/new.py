@@ -26,7 +26,11 @@ def _new(
     ] = None,
     gears: Annotated[
         str | None,
-        typer.Option("--type", metavar="TYPE", help="Spur or helical; other gears are refused in words."),
+        typer.Option(
+            "--type",
+            metavar="TYPE",
+            help="Spur or helical, as the helix angle must say too; other gears are refused in words.",
+        ),
     ] = None,
     shaft_angle: Annotated[
         str | None, typer.Option(metavar="0deg", help="Angle between the shafts; only 0 is taken.")
@@ -48,15 +52,14 @@ def _new(
     """
     from gearlash.cli.answers.new import new_answer
     from gearlash.cli.comments_of_drawing import comments_of
-    from gearlash.cli.drawing_file import TEMPLATE, file_text
+    from gearlash.cli.drawing_file import file_text, template
     from gearlash.cli.frame import show_answer
     from gearlash.cli.new_file import checked_place, loaded, write
-    from gearlash.cli.other_gears import check_shafts, check_type
+    from gearlash.cli.other_gears import check_shafts, check_teeth, check_type
     from gearlash.cli.questions import asked, at_a_terminal
     from gearlash.cli.words_of_drawing import placed
 
-    if gears is not None:
-        check_type(gears)
+    teeth = "" if gears is None else check_type(gears)
     if shaft_angle is not None:
         check_shafts(shaft_angle)
     checked_place(file, overwrite)
@@ -65,8 +68,9 @@ def _new(
         stated = asked()
     example = not stated
     head = file.name, description or ""
-    texts = placed(stated or TEMPLATE)
+    texts = placed(stated or template(teeth))
     case = loaded(file, file_text(texts, *head), stated)
+    check_teeth(teeth, case)
     text = file_text(texts, *head, example, comments_of(case))
     answer = new_answer(str(file), case, example)
     with delivery():
