@@ -13,6 +13,7 @@ import gearlash as gl
 from gearlash.article.report import (
     conclusion,
     lumped_beside,
+    seen,
     settings_beside,
     summary,
     teeth,
@@ -229,6 +230,30 @@ def test_how_nearly_a_motion_without_a_label_repeats_is_told_where_it_is_kept():
     assert section_of._seen(point)[0].endswith("not repeating within 1 % (misses itself by 1.1 %)")
     assert section_of._seen(replace(point, label="1-0-0"))[0] == "1-0-0"
     assert section_of._seen(replace(point, label="none", returns=None))[0].endswith("within 1 %")
+
+
+def test_a_motion_whose_impacts_do_not_repeat_parts_and_has_no_label():
+    assert seen.told("uneven") == "parts, impacts not repeating"
+    assert seen.motion("uneven", 0.14) == "impacts not repeating, apart 14 %"
+    assert seen.parts("uneven", 0.14)
+    assert not seen.has_label("uneven")
+    point = replace(named("absolute").points[0], label="uneven", apart=0.14, returns=0.004)
+    assert section_of._seen(point)[0] == "parts, impacts not repeating"
+
+
+def test_a_share_of_time_apart_is_not_denied_by_a_label():
+    assert seen.parts("1-0-0", 0.023)
+    assert seen.motion("1-0-0", 0.023) == "1-0-0, apart 2.3 %"
+    assert not seen.parts("1-0-0", 0.0)
+    assert not seen.parts("1-0-0", None)
+
+
+@pytest.mark.parametrize(("impacts", "said"), [(1.0, False), (1.3, True)])
+def test_labels_of_older_data_are_said_to_be_rounded_where_they_are(impacts: float, said: bool):
+    way = named("absolute")
+    point = replace(way.points[0], label="1-1-0", apart=0.1, impacts=impacts, back_impacts=0.0)
+    found = replace(kept(), ways=(replace(way, points=(point, way.points[1])),))
+    assert ("rounded in the mean" in section_of._table(found).caption) == said
 
 
 def test_contact_as_reported_without_its_period_is_said_to_lack_it():

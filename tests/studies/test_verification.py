@@ -12,13 +12,14 @@ import pytest
 import gearlash as gl
 from gearlash.case.kinds.gears.kind import GearContent
 from gearlash.cli.answers.verify import VerifyAnswer, verify_answer
-from gearlash.cli.show.verify import spans, verify_view
+from gearlash.cli.show.verify import spans, stays, verify_view
 from gearlash.gears import backlash
 from gearlash.multibody import (
     Bearings,
     Machine,
     MeshContact,
     Modes,
+    Reading,
     Relief,
     RigidBody,
     Solver,
@@ -146,7 +147,7 @@ def test_no_energy_is_lost_or_made_between_real_teeth(found: Verification, flexi
     point = run_point(
         inputs,
         ToothContact(contact.tables),
-        Setting(settle=1, read=1, flexible=flexible, flexible_pinion=pinion),
+        Setting(settle=1, read=1, longest=1, flexible=flexible, flexible_pinion=pinion),
         omega=inputs.speeds[0],
         stiffness=mesh.stiffness,
         torque=0.3 * inputs.torque,
@@ -357,6 +358,71 @@ def test_label_counts_beginnings_of_contact_in_a_period(period: int, impacts: in
     reading = read_motion(motion, 28)
     assert reading.label == gl.Signature(period, impacts, 0)
     assert reading.apart == pytest.approx(0.1 * impacts / period, abs=0.01)
+
+
+def _read(force: np.ndarray, cycles: float = 20.5) -> Reading:
+    t = np.linspace(0.0, cycles, len(force))
+    q = np.zeros((len(t), 12))
+    q[:, 5] = 2.0 * np.pi * t / 28
+    return read_motion(Trajectory(t, q, np.zeros_like(q), np.outer(force, [1.0, 0, 0, 0, 0])), 28)
+
+
+PHASE = np.linspace(0.0, 20.5, 20 * 192 + 97)
+
+
+def _touching(cycles: tuple[int, ...], by: float = 0.03) -> np.ndarray:
+    """A force that all but vanishes once a mesh cycle, and vanishes for a moment in some of every five."""
+    cycle, near = np.round(PHASE).astype(int) % 5, np.cos(2.0 * np.pi * PHASE) > 0.5
+    moved = np.where(np.isin(cycle, cycles), -by, 0.005) * near
+    return np.maximum(2.0 - 2.0 * np.cos(2.0 * np.pi * PHASE) + moved, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("cycles", "label"),
+    [((), "1-0-0"), ((1, 3), None), ((0, 1, 2, 3), None), ((2,), None), ((0, 1, 2, 3, 4), "1-1-0")],
+)
+def test_a_label_needs_as_many_impacts_in_every_period(cycles: tuple[int, ...], label: str | None):
+    """The mean forces come back within 1 % in all of them; no share of cycles that part is rounded away."""
+    reading = _read(_touching(cycles))
+    assert (reading.period, reading.returns < 0.01) == (1, True)
+    assert (None if reading.label is None else str(reading.label)) == label
+    assert (reading.apart > 0.0) == bool(cycles)
+
+
+def test_contact_that_is_lost_in_a_cycle_before_the_periods_compared_is_no_contact():
+    """Of 20 cycles the first two lie before the six periods of three."""
+    slow = 2.0 + np.cos(2.0 * np.pi * PHASE / 3.0) + 0.5 * np.cos(2.0 * np.pi * PHASE)
+    lost = _read(np.where(np.abs(PHASE - 0.5) < 0.05, 0.0, slow))
+    assert (lost.period, lost.label) == (3, None)
+    assert str(_read(slow).label) == "3-0-0"
+
+
+@pytest.mark.parametrize("begins", [0.0, -1.0 / 192.0, 0.3])
+def test_an_impact_that_is_now_earlier_and_now_later_is_one_a_period_wherever_it_lies(begins: float):
+    """At -1/192 the first state that carries is the last of a mesh cycle, or the first of the next."""
+    apart = np.arccos(1.0 - 0.015) / (2.0 * np.pi)
+    off = PHASE - begins + apart
+    off = off + 5e-4 * np.sin(7.0 * np.round(off))
+    reading = _read(np.maximum(2.0 - 2.0 * np.cos(2.0 * np.pi * off) - 0.03, 0.0))
+    assert str(reading.label) == "1-1-0"
+
+
+def test_teeth_that_never_touch_have_no_period():
+    reading = _read(np.zeros(20 * 192 + 97))
+    assert (reading.label, reading.period, reading.apart) == (None, None, 1.0)
+
+
+def test_what_parts_and_comes_back_without_as_many_impacts_is_told_so(found: Verification):
+    one = found.compared[2]
+    point = replace(one.points[0], reading=_read(_touching((1, 3))))
+    told = replace(found, compared=(replace(one, points=(point, *one.points[1:])),))
+    answer = verify_answer(gl.load_case("article"), told)
+    assert answer.configurations[0].points[0].label == "uneven"
+    assert "with real teeth parts, impacts not repeating (absolute)" in answer.sentence
+    assert not stays("uneven")
+    kept = replace(point, reading=replace(point.reading, apart=0.0, drive_impacts=0))
+    answer = verify_answer(gl.load_case("article"), replace(found, compared=(replace(one, points=(kept,)),)))
+    assert answer.configurations[0].points[0].label == "kept"
 
 
 @pytest.mark.parametrize("steps", [128, 192.7, 576.3])

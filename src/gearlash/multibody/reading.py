@@ -1,8 +1,8 @@
 """What a motion of bodies in space shows, read by the definitions of the lumped model.
 
 A mesh cycle is one pitch of the pinion's rotation. The teeth are apart where no slice of either side carries
-force. An impact is a beginning of contact; P-Q-R counts those of the drive side and of the back side in one
-period of P mesh cycles.
+force. An impact is a beginning of contact; P-Q-R counts those of the drive side and of the back side in every
+period of P mesh cycles: where they are not as many in each, there is no label, though the mean forces repeat.
 """
 
 from __future__ import annotations
@@ -29,7 +29,11 @@ class Reading:
     Attributes
     ----------
     label : Signature or None
-        None where the motion does not come back within `longest` cycles.
+        None where the motion does not come back within `longest` cycles, or its impacts do not: not as many
+        in every period, or contact lost in some cycles alone. In P-0-R the drive side never lost contact in
+        the cycles read, or never had it.
+    period : int or None
+        Mesh cycles after which the mean forces come back; None where they do not.
     returns : float
         How far the motion misses itself after P cycles, over the range of its force.
     cycles : int
@@ -51,6 +55,7 @@ class Reading:
     """
 
     label: Signature | None
+    period: int | None
     returns: float
     cycles: int
     apart: float
@@ -113,16 +118,16 @@ def read_motion(
     means = _means(phase, motion.drive_force - motion.back_force, first, cycles)
     period, returns = _period(means, longest, tolerance)
     within = (phase >= first) & (phase < last)
-    begun = [_beginnings(side[within]) for side in (motion.drive_force, motion.back_force)]
+    sides = motion.drive_force, motion.back_force
+    begun = [_beginnings(side[within]) for side in sides]
+    free = (motion.drive_force[within] <= 0.0) & (motion.back_force[within] <= 0.0)
     label = None
     if period is not None:
-        recent = phase >= last - period * (cycles // period)
-        counts = [_beginnings(side[recent & within]) for side in (motion.drive_force, motion.back_force)]
-        drive_impacts, back_impacts = (round(count / (cycles // period)) for count in counts)
-        label = Signature(period, drive_impacts, back_impacts)
-    free = (motion.drive_force[within] <= 0.0) & (motion.back_force[within] <= 0.0)
+        impacts = [_in_every_period(phase, side, within, period, cycles // period) for side in sides]
+        label = _label(period, impacts, bool(free.any()))
     return Reading(
         label=label,
+        period=period,
         returns=returns,
         cycles=cycles,
         apart=float(np.mean(free)),
@@ -161,9 +166,47 @@ def _beginnings(force: Array) -> int:
     return int(np.count_nonzero(carries[1:] & ~carries[:-1]))
 
 
+def _in_every_period(
+    phase: Array, force: Array, within: NDArray[np.bool_], period: int, periods: int
+) -> int | None:
+    """Beginnings of contact of a side in each of the last periods; None where they are not as many in all, or
+    where there are none in these and the side yet began or ceased to carry in the cycles read."""
+    carries = force > 0.0
+    at = phase[1:][carries[1:] & ~carries[:-1]]
+    end = _between(at, max(phase[-1] - 1.0, phase[0] + period * periods), phase[-1], period)
+    back = np.ceil((end - at) / period).astype(int)  # 1 in the last period
+    counts = np.bincount(back[(back > 0) & (back <= periods)], minlength=periods + 1)[1:]
+    if np.ptp(counts):
+        return None
+    read = carries[within]
+    if counts[0] == 0 and read.any() != read.all():
+        return None
+    return int(counts[0])
+
+
+def _between(at: Array, low: float, high: float, period: int) -> float:
+    """The phase from low to high that is farthest from all beginnings, whatever number of periods away: a
+    beginning near the end of a period, which comes now earlier and now later, is counted in one of them."""
+    tried = np.linspace(high, low, SAMPLES + 1)
+    if not len(at):
+        return high
+    off = np.abs((tried[:, None] - at + 0.5 * period) % period - 0.5 * period).min(axis=1)
+    return float(tried[off.argmax()])
+
+
+def _label(period: int, impacts: list[int | None], free: bool) -> Signature | None:
+    """Of impacts a period; none where contact is lost without an impact."""
+    drive, back = impacts
+    if drive is None or back is None or (free and not drive and not back):
+        return None
+    return Signature(period, drive, back)
+
+
 def _period(cycles: Array, longest: int, tolerance: float) -> tuple[int | None, float]:
     """The shortest period after which the force comes back, and by how much it misses."""
     span = float(np.ptp(cycles))
+    if not cycles.any():
+        return None, 1.0  # teeth that never touch are accelerated
     if span == 0.0:
         return 1, 0.0
     missed = {

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 NOT_COMPUTED = "—"
-NONE, KEPT = "none", "kept"
-"""Labels of motions that do not come back within 8 mesh cycles: with teeth apart, and always in contact."""
+NONE, KEPT, UNEVEN = "none", "kept", "uneven"
+"""Instead of P-Q-R: of motions that do not come back within 8 mesh cycles, with teeth apart and always in
+contact; and of those that part and come back, but without as many impacts in every period."""
 NOT_REPEATING = "not repeating"
+IMPACTS = "impacts not repeating"
 RULES = ("always", "in-contact", "no-tension")
 HELD = ("stiffness", "dimensionless")
 """The ways in which all dimensionless numbers but the ripple of the stiffness are those of the case."""
@@ -18,6 +20,7 @@ def told(label: str) -> str:
     words = {
         NONE: "parts, not repeating within 1 %",
         KEPT: "in contact, not repeating within 1 %",
+        UNEVEN: f"parts, {IMPACTS}",
         "": NOT_COMPUTED,
     }
     return words.get(label, label)
@@ -29,17 +32,18 @@ def has_label(label: str) -> bool:
 
 
 def parts(label: str, apart: float | None) -> bool:
-    """Whether teeth part: by the label, or of a motion without one whether they were seen apart. An aperiodic
-    motion of the lumped model parts, as one without contact events would be periodic."""
-    if has_label(label):
-        return not label.endswith("-0-0")
+    """Whether teeth part: by the label, or as they were seen apart. An aperiodic motion of the lumped model
+    parts, as one without contact events would be periodic."""
+    if has_label(label) and not label.endswith("-0-0"):
+        return True
     return label == "aperiodic" or bool(apart)
 
 
 def motion(label: str, apart: float) -> str:
     """A label, or that there is none, with the share of time apart where teeth part."""
     if parts(label, apart):
-        return f"{label if has_label(label) else NOT_REPEATING}, apart {share(apart)}"
+        without = IMPACTS if label == UNEVEN else NOT_REPEATING
+        return f"{label if has_label(label) else without}, apart {share(apart)}"
     return label if has_label(label) else f"contact, {NOT_REPEATING}"
 
 

@@ -22,8 +22,10 @@ def blocks(found: Verified) -> list[Block]:
         Table(
             "table-verified-settings",
             "Every setting of the plan: the motion of real teeth at the lower speed, above, and at the "
-            "higher one, with one thing changed. “Not repeating”: not within 1 %. “×” and “/” are factors of "
-            f"what the plan has; {NOT_COMPUTED} was not run with these inputs, or could not be integrated."
+            "higher one, with one thing changed. “Not repeating”: not within 1 %. “Impacts not repeating”: "
+            "within 1 % in the mean forces, but not with as many impacts in every period. “×” and “/” are "
+            f"factors of what the plan has; {NOT_COMPUTED} was not run with these inputs, or could not be "
+            "integrated."
             f"{_plan(found)}",
             ("setting", *(way.name for way in ways)),
             rows,

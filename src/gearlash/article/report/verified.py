@@ -14,7 +14,7 @@ from gearlash.studies.verification.plan import AT_WINDOW
 from gearlash.studies.verification.settings import PLANNED
 
 from . import conclusion, settings_beside, teeth, window
-from .seen import RULES, has_label, parts, share, told
+from .seen import KEPT, NONE, RULES, has_label, parts, share, told
 
 STEM = "verified-forces"
 
@@ -108,18 +108,27 @@ def _table(found: Verified) -> Table:
         "lumped model at the same inputs under three contact rules, and what the article reports of its own "
         "simulation; shares of time without contact, forces over their mean. ω is the mesh frequency over "
         "√(k/m_e) with the stiffness of these teeth. The article names ω 0.942 and 1.047, which are 3600 and "
-        "4000 rpm with the stiffness of the case. Of a label P-Q-R, Q are the impacts in P mesh cycles, "
-        "rounded in the mean where not all such cycles have as many.",
+        "4000 rpm with the stiffness of the case. Of a label P-Q-R, Q are the impacts in P mesh cycles"
+        f"{_rounded(found)}.",
         ("inputs", "speed", "real teeth", "rigid gear", *(f"lumped, {rule}" for rule in RULES), "reported"),
         tuple(rows),
         widths=(12, 12, 19, 11, 12, 12, 12, 10),
     )
 
 
+def _rounded(found: Verified) -> str:
+    """Of data whose labels were rounded: their impacts a mesh cycle say so."""
+    for point in (point for way in found.ways for point in way.points if has_label(point.label)):
+        period, drive, back = map(int, point.label.split("-"))
+        if (drive, back) != (round(point.impacts * period, 6), round(point.back_impacts * period, 6)):
+            return ", rounded in the mean where not all such cycles have as many"
+    return ""
+
+
 def _seen(point: VerifiedPoint) -> list[str]:
     forces = f"force {number(point.least, 2)} to {number(point.peak, 3)} of its mean"
     label, apart = told(point.label), f"apart {share(point.apart)} of the time"
-    if not has_label(point.label) and point.returns is not None:
+    if point.label in (NONE, KEPT) and point.returns is not None:
         label = f"{label} (misses itself by {share(point.returns)})"
     if not parts(point.label, point.apart):
         return [label, apart, forces]

@@ -18,13 +18,18 @@ if TYPE_CHECKING:  # answers are described without the engine
 
 OTHERWISE = "motions that are here stand as they are; compare at another speed (--speed)"
 """What to do where a motion could not be integrated."""
-KEPT, NONE = "kept", "none"
-"""Labels of a motion that has not come back: always in contact, and any other."""
+KEPT, NONE, UNEVEN = "kept", "none", "uneven"
+"""Instead of P-Q-R: of a motion that has not come back, always in contact or not; and of one that parts and
+whose mean forces have come back, but not its impacts: not as many in every period."""
 
 
 def in_words(label: str) -> str:
     """A label as sentences, tables and figures say it."""
-    words = {KEPT: "in contact, not repeating within 1 %", NONE: "parts, not repeating within 1 %"}
+    words = {
+        KEPT: "in contact, not repeating within 1 %",
+        NONE: "parts, not repeating within 1 %",
+        UNEVEN: "parts, impacts not repeating",
+    }
     return words.get(label, label)
 
 
@@ -79,8 +84,9 @@ class PointComputed:
     setting: Annotated[str, "what sets it apart from the planned one"]
     label: Annotated[
         str,
-        "P-Q-R; where the motion does not come back within 8 mesh cycles, `kept` if teeth stayed in contact, "
-        "`none` otherwise",
+        "P-Q-R, with as many impacts in every period; where the motion does not come back within 8 mesh "
+        "cycles, `kept` if teeth stayed in contact, `none` otherwise; `uneven` where teeth part and the mean "
+        "forces come back, but not as many impacts in every period",
     ]
     apart: Annotated[float, "share of time in which no tooth carries"]
     impacts: Annotated[float, "beginnings of contact of the drive side a mesh cycle"]
@@ -310,7 +316,9 @@ def _label(point: PointFound) -> str:
     reading = point.reading
     if reading.label is not None:
         return str(reading.label)
-    return KEPT if reading.apart == 0.0 and not reading.back_impacts else NONE
+    if reading.apart == 0.0 and not reading.back_impacts:
+        return KEPT
+    return NONE if reading.period is None else UNEVEN
 
 
 def _point(point: PointFound) -> PointComputed:
