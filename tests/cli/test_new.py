@@ -272,6 +272,8 @@ def test_questions_that_are_interrupted_say_that_nothing_was_written():
         (("--type", "internal spur"), "a ring gear"),
         (("--type", "helical, of paper"), "expected spur or helical, without paper"),
         (("--type", "not helical"), "without not"),
+        (("--type", "geradverzahntes Stirnrad"), "--helix-angle 15 deg is that of helical teeth"),
+        (("--type", "helical, worm"), "slide along their teeth"),
         (("--type", "spur gear"), "--helix-angle 15 deg is that of helical teeth"),
         (("--shaft-angle", "90"), "expected an angle with its unit"),
         (("--shaft-angle", "0 mm"), "expected an angle with its unit"),
@@ -297,6 +299,7 @@ def test_gears_that_no_model_here_takes_are_refused_in_words(
         ("--type", "helical, ground by rack", "--shaft-angle", "0"),
         ("--type", "External helical gears, rack-cut teeth", "--shaft-angle", "180 deg"),
         ("--type", "cylindrical", "--shaft-angle", "0 rad"),
+        ("--type", "helical, ground by grinding worm"),
         ("--type", "Stirnrad, schrägverzahnt"),
     ],
 )

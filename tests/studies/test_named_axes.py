@@ -78,9 +78,10 @@ def test_what_does_not_fit_is_refused_in_words(axis: gl.Axis, fixed: dict[str, A
 
 
 def test_values_may_be_texts_with_one_unit():
-    axis = gl.Axis("pinion_speed", ["3600 rpm", "3800", "4200 rpm"])  # pyright: ignore[reportArgumentType]
+    axis = gl.Axis("pinion_speed", ["3600 rpm", "3800", "4200 rpm"])
     assert (axis.values.tolist(), axis.unit) == ([3600.0, 3800.0, 4200.0], "rpm")
     for values, unit, said in (
+        (["3600 rpm", "440 rad/s"], "", "rpm and rad/s: expected one unit"),
         (["3600 rpm", "70 rps"], "", "rpm and rps: expected one unit"),
         (["3600 rpm"], "Hz", "Hz and rpm: expected one unit"),
         (["slow", "3600 rpm"], "", "number with its unit"),
@@ -89,6 +90,22 @@ def test_values_may_be_texts_with_one_unit():
     ):
         with pytest.raises(gl.GearlashError, match=said):
             gl.Axis("pinion_speed", values, unit)  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize(
+    ("values", "unit", "kept"),
+    [
+        (["150 N·m", "160 Nm", "170 N m"], "", "N*m"),
+        (["150 Nm", "160"], "N m", "N m"),
+        (["80 µm", "90 um"], "", "um"),
+        (["900 rpm", "950 rev/min"], "", "rpm"),
+    ],
+)
+def test_one_unit_may_be_spelt_in_two_ways(values: list[str], unit: str, kept: str):
+    axis = gl.Axis("torque", values, unit)
+    assert axis.values.tolist() == [float(value.split()[0]) for value in values]
+    assert axis.unit == kept
+    assert gl.Axis.even("torque", values[0], values[1], 2).values.tolist() == axis.values[:2].tolist()
 
 
 def test_a_family_has_no_units():

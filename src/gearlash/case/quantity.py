@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import inf
 
 from .units import DIMENSION_NAMES, Dimension, unit
@@ -104,11 +104,9 @@ class Choice:
     choices: tuple[str, ...]
     default: str
     description: str
-    also: tuple[str, ...] = ()
-    """Names that are taken, too, and told only in the description."""
-    reader: Callable[[str], str] | None = None
+    reader: Callable[[str], str] | None = field(default=None, kw_only=True)
     """From another text to the name that is kept. Raises `ValueRefusedError`."""
 
     def takes(self, name: str) -> bool:
         """Is it one of the names?"""
-        return name in self.choices or name in self.also
+        return name in self.choices

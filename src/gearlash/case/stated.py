@@ -93,9 +93,7 @@ def _choice(raw: object, place: Choice) -> str:
         return str(raw)
     if isinstance(raw, str) and place.reader is not None and len(raw) <= LONGEST:
         return place.reader(raw)
-    raise ValueRefusedError(
-        f"one of {', '.join(place.choices)}", _nearest(raw, (*place.choices, *place.also))
-    )
+    raise ValueRefusedError(f"one of {', '.join(place.choices)}", _nearest(raw, place.choices))
 
 
 def _number(raw: object, place: Quantity) -> float:

@@ -11,7 +11,7 @@ from gearlash.system import GearlashError
 if TYPE_CHECKING:
     from gearlash.case import Case
 
-_SPUR = r"spurs?|straight|stirnr[aä]d\w*|gerad\w*"
+_SPUR = r"spurs?|straight|gerad\w*"
 _HELICAL = r"helicals?|schräg\w*|schraeg\w*"
 _BESIDE = (
     r"externally|involutes?|evolvent\w*|single|gears?|gearing|gearset|wheels?|pairs?|"
@@ -20,10 +20,11 @@ _BESIDE = (
 )
 """Words that say nothing of which gears they are, or what all of these are."""
 _TOOL = re.compile(
-    r"\bby\s+(?:a\s+)?racks?\b(?:[\s-]*(?:cutters?|tools?|type))*|\brack[\s-]+cut(?:ters?)?\b", re.I
+    r"\bby\s+(?:a\s+)?(?:rack|worm|grinding[\s-]+worm)s?\b(?:[\s-]*(?:cutters?|tools?|type|wheels?))*|\brack[\s-]+cut(?:ters?)?\b",
+    re.I,
 )
-"""A rack that cuts the teeth, and is none of the gears."""
-_ALL = "cylindrical|external|parallel"
+"""A rack or a worm that cuts or grinds the teeth, and is none of the gears."""
+_ALL = r"cylindrical|external|parallel|stirnr[aä]d\w*"
 _KNOWN = re.compile(f"(?:{_SPUR}|{_HELICAL}|{_ALL}|{_BESIDE})", re.IGNORECASE)
 _WORDS = re.compile(r"[^\W\d_]+")
 HERE = "gearlash new takes external cylindrical gears, spur or helical, on parallel shafts"

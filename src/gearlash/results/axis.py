@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from gearlash.case.units import UnitError, behind_number, read
+from gearlash.case.units import unit as as_unit
 from gearlash.system import GearlashError, Record, given, shown
 
 MOST_VALUES = 100_000_000
@@ -46,6 +48,10 @@ class Axis(Record):
     values: NDArray[np.float64]
     unit: str = ""
 
+    if TYPE_CHECKING:  # a checker of types is told what is taken; what is kept is an array
+
+        def __init__(self, name: str, values: ArrayLike, unit: str = "") -> None: ...
+
     def __post_init__(self) -> None:
         name = given.word("name of an axis", self.name)
         values, unit = _plain(name, self.values, given.a_text(f"axis {name}: unit", self.unit).strip())
@@ -83,7 +89,7 @@ class Axis(Record):
         """
         said = f"axis {shown(name)}"
         (low, one), (high, two) = (_end(said, end) for end in (lower, upper))
-        if one and two and one != two:
+        if one and two and not _same(one, two):
             raise GearlashError(f"{said}: ends {shown(lower)} and {shown(upper)}: expected one unit for both")
         low, high = sorted((low, high))
         count = given.whole(f"{said}: count", count, 1, MOST_VALUES)
@@ -110,10 +116,19 @@ def _plain(name: str, values: object, unit: str) -> tuple[object, str]:
         return values, unit
     said = f"axis {shown(name)}"
     read_ones = [_number_of(said, "value", each) for each in values]
-    units = {behind for _, behind in read_ones if behind} | ({unit} if unit else set())
-    if len(units) > 1:
-        raise GearlashError(f"{said}: values in {' and '.join(sorted(units))}: expected one unit for all")
-    return [number for number, _ in read_ones], next(iter(units), "")
+    units = [*filter(None, [unit, *(behind for _, behind in read_ones)])]
+    if any(not _same(units[0], other) for other in units):
+        told = " and ".join(dict.fromkeys(units))
+        raise GearlashError(f"{said}: values in {told}: expected one unit for all")
+    return [number for number, _ in read_ones], units[0] if units else ""
+
+
+def _same(one: str, two: str) -> bool:
+    """Whether two texts are one unit: ``N·m`` is ``Nm``."""
+    try:
+        return one == two or as_unit(one) == as_unit(two)
+    except UnitError:
+        return False
 
 
 def _number_of(said: str, what: str, text: str) -> tuple[float, str]:

@@ -119,7 +119,7 @@ def _validated(raw: object, place: Place) -> Stated:
 
 def _json_schema(place: Place) -> dict[str, Any]:
     if isinstance(place, Choice):
-        plain: list[dict[str, Any]] = [{"enum": [*place.choices, *place.also]}]
+        plain: list[dict[str, Any]] = [{"enum": list(place.choices)}]
         plain += [{"type": "string"}] if place.reader is not None else []
     elif place.integer:
         plain = [{"type": "integer", "minimum": place.lower, "maximum": place.upper}, {"type": "string"}]

@@ -163,7 +163,7 @@ def options() -> Iterator[Choice]:
     for gear in GEARS:
         what = f"material of the {gear}; by its designation, too"
         yield Choice(f"{gear}.material", tuple(MATERIALS), "steel", what, reader=written.material)
-        yield Choice(f"{gear}.fit", FITS, "25cd", f"fit of the {gear}'s teeth, DIN 3967", (), written.fit)
+        yield Choice(f"{gear}.fit", FITS, "25cd", f"fit of the {gear}'s teeth, DIN 3967", reader=written.fit)
     yield Choice(RACK, tuple(RACKS), "ISO53-A", "standard basic rack that cuts both gears")
     what = "tips that nobody states: full, or shortened so that the rack's clearance is kept"
     yield Choice(TIPS, ("full", SHORTENED), "full", what)

@@ -44,7 +44,7 @@ def of_mesh() -> Iterator[Quantity]:
 def options() -> Iterator[Choice]:
     """Named options."""
     yield Choice(
-        HOUSING_MATERIAL, tuple(MATERIALS), "grey-cast-iron", "material of the housing", (), material
+        HOUSING_MATERIAL, tuple(MATERIALS), "grey-cast-iron", "material of the housing", reader=material
     )
 
 
