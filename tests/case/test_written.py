@@ -12,6 +12,7 @@ CLASS, HELIX, BORE = PLACES["pinion.quality"], PLACES["mesh.helix_angle"], PLACE
 @pytest.mark.parametrize(
     "text",
     ["7", "ISO 7", "7 (ISO 1328)", "ISO 1328-1:2013 class 7", "DIN ISO 1328-1 7", "JIS N7", "JIS B 1702-1 N7",
+     "ISO1328 class 7", "ISO1328-1:2013 7", "ISO7", "class7",
      "GB/T 10095 7", "Klasse 7", "7 ISO 1328-1"],
 )  # fmt: skip
 def test_a_class_beside_its_standard(text: str):
@@ -33,6 +34,8 @@ def test_a_class_beside_its_standard(text: str):
         ("6-7", "7", "several"),
         ("7-6-6 GM", "7", "several"),
         ("7 cd 25", "7", "fit"),
+        ("JIS4", "8", "JIS B 1702 of 1976"),
+        ("7cd25", "7", "fit"),
         ("6 HK", "6", "without other words"),
         ("IT7", "7", "without other words"),
     ],
@@ -45,6 +48,13 @@ def test_a_class_of_another_standard_is_refused_with_the_one_mostly_taken_for_it
     assert refused.value.nearest == nearest
     assert told in refused.value.expected
     assert read_stated(nearest, CLASS).value == float(nearest)
+
+
+@pytest.mark.parametrize("text", ["IT13", "AGMA Q3", "DIN 30", "AGMA 2015-A13", "JIS 9", "7-13"])
+def test_no_class_is_offered_that_there_is_not(text: str):
+    with pytest.raises(ValueRefusedError) as refused:
+        read_stated(text, CLASS)
+    assert refused.value.nearest is None
 
 
 @pytest.mark.parametrize("text", ["7.5", "13", "0", "-7", "766", "7e1", "seven", "٧", "7 * 2", "ISO 7.5"])
@@ -62,20 +72,40 @@ def test_a_left_hand_helix_is_below_0(text: str, degrees: float):
     assert read_stated(text, HELIX).value == pytest.approx(degrees * 3.141592653589793 / 180.0, rel=1e-14)
 
 
+@pytest.mark.parametrize("text", ["-15° RH", "RH -15°", "–15° R", "−15 deg right", "+15° LH", "L +15°"])
+def test_a_hand_against_its_sign_is_refused(text: str):
+    with pytest.raises(ValueRefusedError, match="by its sign or its hand, which are two here: 15"):
+        read_stated(text, HELIX)
+
+
 @pytest.mark.parametrize("text", ["8", "8/in", "8 DP", "DP 8", "P8", "Pnd 8", "8 per inch", "8 in^-1", "8,0"])
 def test_a_diametral_pitch_with_its_letters(text: str):
     assert read_stated(text, PLACES["mesh.diametral_pitch"]).value == 8.0
 
 
-@pytest.mark.parametrize("text", ["25cd", "25 cd", "cd25", "DIN 3967 - cd 25", "CD 25"])
+@pytest.mark.parametrize(
+    "text", ["25cd", "25 cd", "cd25", "DIN 3967 - cd 25", "CD 25", "7 cd 25",
+     "7cd25", "25cd (DIN 3967)", "DIN 3967:1978-08 7 25 cd"],
+)  # fmt: skip
 def test_a_fit_in_either_order(text: str):
     assert read_stated(text, PLACES["pinion.fit"]).value == "25cd"
 
 
-@pytest.mark.parametrize("text", ["25k", "20cd", "31cd", "H7"])
+@pytest.mark.parametrize("text", ["25k", "20cd", "31cd", "H7", "backlash 25", "none 25", "25cde", "125cd"])
 def test_what_is_no_fit(text: str):
     with pytest.raises(ValueRefusedError, match="DIN 3967"):
         read_stated(text, PLACES["pinion.fit"])
+
+
+@pytest.mark.parametrize(
+    ("text", "nearest"),
+    [("fit 25cd", "25cd"), ("25 cd or 26 c", None), ("cd25/c26", None), ("25cd 25cd", None)],
+)
+def test_a_fit_among_other_words_is_refused_with_it_where_it_is_the_only_one(text: str, nearest: str | None):
+    with pytest.raises(ValueRefusedError, match="DIN 3967") as refused:
+        read_stated(text, PLACES["pinion.fit"])
+    assert refused.value.nearest == nearest
+    assert ("several" in refused.value.expected) == (nearest is None)
 
 
 def test_a_diameter_with_its_sign():

@@ -200,11 +200,95 @@ def test_strokes_between_two_values_and_in_units():
     assert not is_helical({"mesh.helix_angle": "0 deg"})
 
 
+EITHER_WAY = {
+    '3/4in': "write 0.75in or 3 in/4in",
+    '1/2"': 'write 0.5" or 1 in/2"',
+    "ø1/2 in": "write 0.5 in or 1 in/2 in",
+    "3/4 lb": "write 0.75 lb or 3 lb/4 lb",
+    "1/2 mil": "write 0.5 mil or",
+    "3/2in": "write 1.5in or 3 in/2in",
+    "3/4/8in": "write 3 in/0.5in or 0.75 in/8in",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", EITHER_WAY)
+def test_a_stroke_that_may_be_in_a_fraction_or_between_gears_is_refused(text: str, gearlash: Gearlash):
+    with pytest.raises(GearlashError, match="--bore") as refused:
+        placed({"bore": text})
+    assert EITHER_WAY[text] in str(refused.value)
+    ran = gearlash("new", "pair.toml", *HELICAL, "--bore", text)
+    assert (ran.code, Path("pair.toml").exists()) == (2, False)
+
+
+@pytest.mark.parametrize(
+    ("text", "pinion", "gear"),
+    [
+        ("1/2in/", "1/2in", None),
+        ("/3/4in", None, "3/4in"),
+        ("1/2in/3/4in", "1/2in", "3/4in"),
+        ("1/2/3/4in", "1/2 in", "3/4in"),
+        ("3/4 in / 1 in", "3/4 in", "1 in"),
+        ("1in/3/4in", "1in", "3/4in"),
+        ("½in/¾in", "½in", "¾in"),
+        ("½/¾in", "½ in", "¾in"),
+        ("34/32mm", "34 mm", "32mm"),
+        ("3/7in", "3 in", "7in"),
+    ],
+)
+def test_a_fraction_beside_a_stroke_that_is_between_gears(text: str, pinion: str | None, gear: str | None):
+    parts = placed({"bore": text})
+    assert (parts.get("pinion.bore"), parts.get("gear.bore")) == (pinion, gear)
+
+
+def test_fits_are_parted_at_any_stroke():
+    for text in ("cd25/c26", "25cd/26c", "DIN 3967 25cd/c26"):
+        parts = placed({"fit": text})
+        assert parts["pinion.fit"] != parts["gear.fit"]
+        assert "/" not in "".join(parts.values())
+    assert placed({"fit": "25cd"})["gear.fit"] == "25cd"
+
+
+def test_spur_teeth_on_stated_bearings_need_no_angle(gearlash: Gearlash):
+    spur = [*HELICAL[:4], *HELICAL[6:]]
+    assert gearlash("new", "spur.toml", *spur, "--type", "spur", "--bearing-y", "1e9N/m").code == 0
+    case = load("spur.toml")
+    assert (case.kind, case.entries["mesh.helix_angle"].number) == ("helical-pair", 0.0)
+
+
+def test_one_number_of_teeth_is_refused(gearlash: Gearlash):
+    equal = [*HELICAL]
+    equal[1] = "23"
+    ran = gearlash("new", "pair.toml", *equal)
+    assert (ran.code, Path("pair.toml").exists()) == (2, False)
+    assert "23/23 of equal gears" in ran.complaint
+    equal[1] = "23/23"
+    assert gearlash("new", "pair.toml", *equal).code == 0
+
+
+def test_questions_of_a_type_that_is_stated():
+    """The helix angle is not asked for of spur teeth, and asked for again of helical ones."""
+    told = {"Teeth of": "25/57", "Normal module": "3mm", "Speed of the pinion": "9rpm", "Torque of": "1Nm"}
+    angles = ["", "15 deg"]
+    questioned: list[str] = []
+
+    def answer(question: str) -> str:
+        questioned.append(question)
+        if question.startswith("Helix angle"):
+            return angles.pop(0)
+        return next((text for begin, text in told.items() if question.startswith(begin)), "")
+
+    assert questions.asked(answer, lambda _: None, questions.words_of("helical"))["helix_angle"] == "15 deg"
+    questioned.clear()
+    assert "helix_angle" not in questions.asked(answer, lambda _: None, questions.words_of("spur"))
+    assert not any("Helix" in each for each in questioned)
+
+
 def test_questions_are_asked_again_until_the_answer_can_be_read():
-    answers = iter(["25", "25/57", "3", "3mm", "", "15 deg", *[""] * 9, "7", "", "80um", "4200rpm", "150Nm"])
+    answers = iter(["25", "25/57", "3", "3mm", "", "15 deg", *[""] * 10, "7", "", "80um", "4200rpm", "150Nm"])
     said: list[str] = []
     found = questions.asked(lambda _: next(answers), said.append)
-    assert found["teeth"] == "25"  # one for both, too, is an answer
+    assert found["teeth"] == "25/57"
+    assert any("25/25 of equal gears" in text for text in said)
     assert any("length with its unit" in text for text in said)
 
 

@@ -2,7 +2,10 @@
 
 import pytest
 
+from gearlash.case.kinds import kind_named
+from gearlash.case.stated import ValueRefusedError, read_stated
 from gearlash.gears import materials
+from gearlash.gears.material_names import OF_ALUMINIUM
 from gearlash.system import GearlashError
 
 
@@ -14,15 +17,20 @@ from gearlash.system import GearlashError
             "16MnCr5", "1.7225", "1.6587", "1.0503", "AISI 4140", "SAE 8620H", "4340", "SCM440H", "S45C",
             "SNCM220", "SCr420", "20CrMnTi", "40Cr", "817M40", "E335", "S355J2", "31CrMoV9", "17NiCrMo6-4",
             "case-hardened steel", "20NiCrMo2-2", "9310", "1045",
+            "EN36A", "En 24", "En 8", "20CrMnTiH", "20Cr2Ni4A", "18Cr2Ni4WA", "38CrMoAlA", "45#", "AISI 1050",
+            "SAE 1060", "5160", "1144",
         )),
-        ("cast-steel", ("cast steel", "GS-45", "Stahlguss")),
+        ("cast-steel", ("cast steel", "GS-45", "Stahlguss", "ZG310-570")),
         ("nodular-cast-iron", (
             "nodular iron", "ductile iron", "EN-GJS-400-15", "EN-GJS-700-2", "GGG-40", "GGG70", "FCD450",
+            "QT500-7",
         )),
-        ("grey-cast-iron", ("grey cast iron", "gray iron", "EN-GJL-250", "EN-GJL-300", "GG25", "FC250")),
-        ("tin-bronze", ("phosphor bronze", "CuSn12", "CuSn12Ni2-C", "CC483K", "G-CuSn12")),
+        ("grey-cast-iron", (
+            "grey cast iron", "gray iron", "EN-GJL-250", "EN-GJL-300", "GG25", "FC250", "HT250",
+        )),
+        ("tin-bronze", ("phosphor bronze", "CuSn12", "CuSn12Ni2-C", "CC483K", "G-CuSn12", "PB2")),
         ("brass", ("Messing", "CuZn39Pb3", "CW614N")),
-        ("aluminium", ("aluminum", "EN AW-6082", "6061-T6", "7075")),
+        ("aluminium", ("aluminum", "EN AW-6082", "6061-T6", "7075", "AA 1050", "EN AW-1050A")),
         ("POM", ("Delrin", "acetal", "POM-C", "pom")),
         ("PA66", ("PA 66", "Nylon 66")),
         ("PA66-GF30", ("PA66 GF30",)),
@@ -50,6 +58,14 @@ def test_names_of_drawings(key: str, names: tuple[str, ...]):
         ("stel", "steel"),
         ("unobtainium", None),
         ("25", None),
+        ("45", "steel"),
+        ("HT200", "grey-cast-iron"),
+        ("PB102", "tin-bronze"),  # CuSn5: above the range of the list
+        ("12Cr18Ni9", "steel"),  # austenitic
+        ("5154", "aluminium"),  # of no grade of SAE
+        ("6101", "aluminium"),
+        ("1050", None),  # steel or aluminium
+        ("1100", "aluminium"),  # of no grade of SAE
         ("", None),
     ],
 )
@@ -57,6 +73,15 @@ def test_what_has_another_modulus_or_several_is_refused_with_what_is_near(name: 
     with pytest.raises(GearlashError, match="the list has"):
         materials.named(name)
     assert materials.nearest_name(name) == nearest
+
+
+@pytest.mark.parametrize("number", OF_ALUMINIUM)
+def test_a_number_that_steel_and_aluminium_have_says_neither(number: str):
+    place = kind_named("helical-pair").places["pinion.material"]
+    with pytest.raises(ValueRefusedError, match=f"AISI {number} of steel or AA {number} of aluminium"):
+        read_stated(number, place)
+    assert materials.named(f"AA {number}").name == "aluminium"
+    assert materials.named(f"AISI {number}").name == "steel"
 
 
 MODULI = {  # GPa: sn-castiron.nl by EN 1563 (GJS), EN 1561 annex A (GJL), data sheet of CW608N

@@ -11,7 +11,10 @@ import re
 _VULGAR = dict(zip("½¼¾⅛⅜⅝⅞", ("1/2", "1/4", "3/4", "1/8", "3/8", "5/8", "7/8"), strict=True))
 _HALVED = r"(\d{1,2})/(2|4|8|16|32|64)(?![\d.,])"
 _MIXED = re.compile(rf"([+-]?)(\d{{1,4}})(?:\s+|-){_HALVED}", re.ASCII)
-_FRACTION = re.compile(rf'([+-]?){_HALVED}(?=\s*(?:in\b|inch|IN\b|"|″|′′|\'\'))', re.ASCII)
+_MIXED_ANYWHERE = re.compile(r"(\d[\s-]\d{1,2})/(2|4|8|16|32|64)(?!\d)", re.ASCII)
+_OF_THE_USA = r"""\s*(?:(?:in|ft|lb|oz|mil(?!li)|thou|pound|b?hp)[a-z]*\b|["″”]|''|′′)"""
+_FRACTION = re.compile(rf"([+-]?){_HALVED}(?={_OF_THE_USA})", re.ASCII | re.IGNORECASE)
+"""Before units that are halved and quartered: 3/4 in, 1/2 lb."""
 _GROUPED = (
     (re.compile(r"[+-]?\d{1,3}(?:\.\d{3})+,\d+", re.ASCII), "."),
     (re.compile(r"[+-]?\d{1,3}(?:,\d{3})+\.\d+", re.ASCII), ","),
@@ -31,11 +34,21 @@ class NumberError(UnitError):
     """A number that can be read in two ways, or is set apart; the message says how to write it."""
 
 
+def is_fraction(text: str) -> bool:
+    """Is the text one fraction without a whole number before it, as 3/4 in?"""
+    found = _FRACTION.match(_written_out(text.strip().lstrip("øØ⌀")))
+    return found is not None and re.search(r"/\s*(?:[-+.\d]|$)", found.string[found.end() :]) is None
+
+
+def join_mixed(text: str, stroke: str) -> str:
+    """A text with another stroke in its mixed numbers, as the 1 1/2 of 1 1/2/1 1/4 in."""
+    return _MIXED_ANYWHERE.sub(lambda found: f"{found[1]}{stroke}{found[2]}", text)
+
+
 def plain_number(text: str) -> str:
     """A text whose number at its beginning has a decimal point and nothing between its digits. Raises
     `NumberError`."""
-    for sign, halves in _VULGAR.items():
-        text = text.replace(sign, f" {halves}").strip()
+    text = _written_out(text)
     for pattern in (_MIXED, _FRACTION):
         found = pattern.match(text)
         if found is not None:
@@ -51,6 +64,12 @@ def plain_number(text: str) -> str:
         together = re.sub(r"[ '’]", "", spaced[0]).replace(",", ".")
         raise NumberError(f"digits are written without anything between them: {together}")
     return _with_point(text)
+
+
+def _written_out(text: str) -> str:
+    for sign, halves in _VULGAR.items():
+        text = text.replace(sign, f" {halves}").strip()
+    return text
 
 
 def _with_point(text: str) -> str:

@@ -56,6 +56,8 @@ def file_text(
     kind, comments = kind_of(texts), comments or Comments()
     if kind.name == "spur-1dof":  # which has no helix: the angle is 0
         texts = {path: text for path, text in texts.items() if path != "mesh.helix_angle"}
+    elif "mesh.helix_angle" not in texts:  # spur teeth on bearings
+        texts = {**texts, "mesh.helix_angle": "0 deg"}
     lines = [HEAD.format(name=name) + (EXAMPLE if example else "")]
     lines.append(f'kind = "{kind.name}"')
     if description:

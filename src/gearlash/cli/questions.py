@@ -24,11 +24,24 @@ def at_a_terminal() -> bool:
     return sys.stdin is not None and sys.stdin.isatty()
 
 
-def asked(ask: Callable[[str], str] = input, say: Callable[[str], object] = print) -> dict[str, str]:
+def words_of(teeth: str) -> tuple[Word, ...]:
+    """Words that are asked for: the helix angle not of spur teeth, and in any case of helical ones."""
+    if teeth == "spur":
+        return tuple(word for word in WORDS if word.name != "helix_angle")
+    if teeth == "helical":
+        return tuple(replace(word, needed=True) if word.name == "helix_angle" else word for word in WORDS)
+    return WORDS
+
+
+def asked(
+    ask: Callable[[str], str] = input,
+    say: Callable[[str], object] = print,
+    words: Iterable[Word] = WORDS,
+) -> dict[str, str]:
     """Texts by name of the word. Raises `GearlashError` where the questions end before the needed answers."""
     say(HEAD)
     found: dict[str, str] = {}
-    for word in WORDS:
+    for word in words:
         beside = ONLY_BESIDE.get(word.name)
         if word.question and (beside is None or beside in found):
             name, text = _either(word, ask, say)
@@ -77,18 +90,23 @@ def _answer(
         wrong = _wrong(_meant(word, instead, text), text)
         if wrong is None:
             return text
-        say(f"  expected {wrong}")
+        say(f"  {wrong}")
 
 
 def _wrong(word: Word, text: str) -> str | None:
     """What is expected instead of this answer; None where it can be read."""
     places = kind_named("helical-pair").places
-    parts = placed({word.name: text}) if text else {}
+    try:
+        parts = placed({word.name: text}) if text else {}
+    except GearlashError as error:
+        return str(error).removeprefix(f"{word.option} {text}: ")
     if not parts or (word.needed and len(parts) < len(word.paths)):
-        return f"a value, such as {word.example}"
+        return f"expected a value, such as {word.example}"
     for path, part in parts.items():
         try:
             read_stated(part, places[path])
         except ValueRefusedError as error:
-            return error.expected + (f"; did you mean {error.nearest!r}?" if error.nearest else "")
+            return f"expected {error.expected}" + (
+                f"; did you mean {error.nearest!r}?" if error.nearest else ""
+            )
     return None

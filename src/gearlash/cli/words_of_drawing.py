@@ -6,8 +6,9 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from .strokes import names, quantities
+
 GEARS = ("pinion", "gear")
-_HALVES = re.compile(r"(\d[\s-])(\d{1,2})/(2|4|8|16|32|64)(?!\d)")
 _OF_BEARINGS = re.compile(r"\.(bearing|shaft|housing)_stiffness_")
 
 
@@ -252,37 +253,39 @@ EITHER = {
     "torque": ("gear_torque", "power"),
 }
 """Words that stand in for a needed one."""
+NAMES = ("material", "fit")
+"""Words that are no quantities."""
 ONLY_BESIDE = {"span_teeth": "span", "ball_diameter": "over_balls"}
 """Words that are asked for only where another one was answered."""
 
 
 def placed(words: Mapping[str, str]) -> dict[str, str]:
     """Texts by path. One text stands for both gears; ``25/57`` are those of pinion and gear, one of which may
-    be missing."""
-    from gearlash.case.units import in_unit_of  # late: help needs none of it
-
+    be missing. Raises `GearlashError` for one that may be either, and for one number of teeth."""
     found: dict[str, str] = {}
     for word in WORDS:
         text = words.get(word.name)
         if text is None:
             continue
-        parts = _parts(word, text) if len(word.paths) == 2 else [text.strip()]
+        parts = _parts(word, text)
         if len(parts) == 1:
             parts *= len(word.paths)
-        elif word.name != "material":  # 34/32mm: one unit that stands for both
-            parts = [
-                in_unit_of(other, part) if part else part
-                for part, other in zip(parts, parts[::-1], strict=True)
-            ]
         found |= {path: part for path, part in zip(word.paths, parts, strict=True) if part}
     return found
 
 
 def _parts(word: Word, text: str) -> list[str]:
-    """At the stroke between two values: of quantities not that of a unit (N/m) or of 1 1/2."""
-    stroke = r"/" if word.name == "material" else r"/(?=\s*[-+.\døØ⌀]|\s*$)|^\s*/"
-    whole = _HALVES.sub("\\1\\2\u2044\\3", text)
-    return [part.strip().replace("\u2044", "/") for part in re.split(stroke, whole, maxsplit=1)]
+    if len(word.paths) == 1:
+        return [text.strip()]
+    parts = names(text) if word.name in NAMES else quantities(word.option, text)
+    if word.name == "teeth" and len(parts) == 1 and parts[0]:
+        from gearlash.system import GearlashError  # late: help needs none of it
+
+        raise GearlashError(
+            f"{word.option} {parts[0]}: expected those of pinion and gear apart by a stroke, such as "
+            f"{parts[0]}/57, or {parts[0]}/{parts[0]} of equal gears"
+        )
+    return parts
 
 
 def is_helical(texts: Mapping[str, str]) -> bool:

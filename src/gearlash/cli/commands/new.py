@@ -56,7 +56,7 @@ def _new(
     from gearlash.cli.frame import show_answer
     from gearlash.cli.new_file import checked_place, loaded, write
     from gearlash.cli.other_gears import check_shafts, check_teeth, check_type
-    from gearlash.cli.questions import asked, at_a_terminal
+    from gearlash.cli.questions import asked, at_a_terminal, words_of
     from gearlash.cli.words_of_drawing import placed
 
     teeth = "" if gears is None else check_type(gears)
@@ -65,7 +65,7 @@ def _new(
     checked_place(file, overwrite)
     stated = {name: text for name, text in words.items() if text is not None}
     if not stated and at_a_terminal() and not as_json:
-        stated = asked()
+        stated = asked(words=words_of(teeth))
     example = not stated
     head = file.name, description or ""
     texts = placed(stated or template(teeth))

@@ -10,14 +10,15 @@ import re
 
 from gearlash.case.quantity import ValueRefusedError
 from gearlash.gears import gear_fits, materials
+from gearlash.gears.material_names import of_two_materials
 from gearlash.system import GearlashError
 
 CLASS = "a flank tolerance class of ISO 1328-1, a whole number from 1 to 12, such as 7"
 _YEAR = r"(?:\s*[:-]?\s*(?:19|20)\d\d)?"
 _STANDARDS = {
-    "ISO": rf"(?:agma\s*)?(?:din\s*)?(?:en\s*)?iso\b\s*(?:1328)?(?:-1)?(?:-?b14)?{_YEAR}"
-    rf"|gb(?:/t)?\s*(?:10095)?(?:[.-]1)?{_YEAR}|jis\b\s*(?:b\s*1702)?(?:-1)?{_YEAR}\s*n\s*(?=\d)",
-    "JIS": rf"jis\b\s*(?:b\s*1702)?{_YEAR}",
+    "ISO": rf"(?:agma\s*)?(?:din\s*)?(?:en\s*)?iso(?![a-z])\s*(?:1328)?(?:-1)?(?:-?b14)?{_YEAR}"
+    rf"|gb(?:/t)?\s*(?:10095)?(?:[.-]1)?{_YEAR}|jis\s*(?:b\s*1702)?(?:-1)?{_YEAR}\s*n\s*(?=\d)",
+    "JIS": rf"jis\s*(?:b\s*1702)?{_YEAR}",
     "DIN": rf"\bdin\s*(?:396\d|58405)?{_YEAR}",
     "Q": r"(?:agma\s*)?(?:2000)?(?:-a88)?[\s-]*\bq\s*(?=\d)",
     "A": r"(?:agma\s*)?(?:2015)?(?:-1)?(?:-a01)?[\s-]*\ba\s*(?=\d)",
@@ -27,8 +28,12 @@ _STANDARDS = {
 _FOUND = {name: re.compile(text) for name, text in _STANDARDS.items()}
 _DIGITS = re.compile(r"(?<![\d.,])\d{1,2}(?![\d.,])", re.ASCII)
 _FIT = re.compile(
-    r"(?P<letters>[a-h]{1,2})\s*(?P<number>2[1-9]|30)|(?P<first>2[1-9]|30)\s*(?P<behind>[a-h]{1,2})"
+    r"(?<![a-z])(?P<letters>[a-h]{1,2})\s*(?P<number>2[1-9]|30)(?!\d)"
+    r"|(?<!\d)(?P<first>2[1-9]|30)\s*(?P<behind>[a-h]{1,2})(?![a-z])"
 )
+_OF_FITS = re.compile(r"\(?din\s*3967(?:\s*[:-]\s*19\d\d(?:-\d\d)?)?\)?[\s:,;-]*")
+_CLASS_BEFORE = re.compile(r"(?:[1-9]|1[0-2])(?:[\s,;-]+|(?=[a-h]))")
+"""The quality that drawings set before a fit: 7 cd 25, 8e26."""
 _HAND = re.compile(
     r"(?:\b|(?<=deg))(r|l|rh|lh|right|left|rechts|links)(?:[\s-]?hand(?:ed)?)?$|^(rh?|lh?|right|left)\b",
     re.IGNORECASE,
@@ -52,46 +57,53 @@ def tolerance_class(text: str) -> str:
     if not found or re.search(r"\d[.,]\d|[+*]|^-|\d{3}|\de", rest):
         return text
     if len(found) > 1:
-        raise ValueRefusedError(f"{CLASS}; here stand several, of which one holds", str(max(found)))
+        raise ValueRefusedError(f"{CLASS}; here stand several, of which one holds", _class(max(found)))
     if standard in _TAKEN_FOR:
         why, taken = _TAKEN_FOR[standard]
-        raise ValueRefusedError(f"{CLASS}; {why}", str(taken(found[0])))
-    if re.sub(r"\b(?:class|grade|klasse|quality|qualität|accuracy|no|nr|n)\b|[\d\s.,:()-]", "", rest):
-        raise ValueRefusedError(f"{CLASS}, without other words", str(found[0]))
+        raise ValueRefusedError(f"{CLASS}; {why}", _class(taken(found[0])))
+    if re.sub(r"\b(?:class|grade|klasse|quality|qualität|accuracy|no|nr|n)(?![a-z])|[\d\s.,:()-]", "", rest):
+        raise ValueRefusedError(f"{CLASS}, without other words", _class(found[0]))
     if fit is not None:
-        raise ValueRefusedError(f"{CLASS}; the fit beside it stands at fit", str(found[0]))
+        raise ValueRefusedError(f"{CLASS}; the fit beside it stands at fit", _class(found[0]))
     return str(found[0])
 
 
-def _whole(number: int) -> int:
-    return min(max(number, 1), 12)
+def _class(number: int) -> str | None:
+    return str(number) if 1 <= number <= 12 else None
 
 
 _OF_AGMA = (
     "Q numbers of AGMA 2000 grow as gears get finer, have other limits, and are mostly taken for 17 - Q"
 )
 _TAKEN_FOR = {
-    "DIN": ("classes of DIN 3961 have limits of their own under the same numbers", _whole),
+    "DIN": ("classes of DIN 3961 have limits of their own under the same numbers", int),
     "JIS": (
         "grades of JIS B 1702 of 1976 have limits of their own, and are mostly taken for those 4 above",
-        lambda number: _whole(number + 4),
+        lambda number: number + 4,
     ),
-    "A": ("grades A of AGMA 2015 have limits of their own under the same numbers", _whole),
-    "Q": (_OF_AGMA, lambda number: _whole(17 - number)),
-    "AGMA": (_OF_AGMA, lambda number: _whole(17 - number)),
+    "A": ("grades A of AGMA 2015 have limits of their own under the same numbers", int),
+    "Q": (_OF_AGMA, lambda number: 17 - number),
+    "AGMA": (_OF_AGMA, lambda number: 17 - number),
 }
 """Standards with limits of their own: why, and the class that is mostly taken for it."""
 
 
 def handed_angle(text: str) -> str:
-    """An angle with the hand of the pinion's helix beside it, left-hand as below 0."""
+    """An angle with the hand of the pinion's helix beside it, left-hand as below 0. Raises
+    `ValueRefusedError`."""
     plain = text.strip()
     found = _HAND.search(plain)
     if found is None:
         return text
     angle = (plain[: found.start()] + plain[found.end() :]).strip(" ,;:()")
     left = (found[1] or found[2]).casefold().startswith("l")
-    return f"-{angle.lstrip('+')}" if left and not angle.startswith(("-", "−")) else angle
+    size, sign = angle.lstrip("+-−–").strip(), angle[:1]
+    if sign in ("+", "-", "−", "–") and left != (sign != "+"):
+        expected = (
+            f"an angle by its sign or its hand, which are two here: {size} is right-hand, -{size} left-hand"
+        )
+        raise ValueRefusedError(expected)
+    return f"-{size}" if left else angle
 
 
 def diametral_pitch(text: str) -> str:
@@ -102,19 +114,32 @@ def diametral_pitch(text: str) -> str:
 
 def fit(text: str) -> str:
     """A fit of DIN 3967 as ``25cd``, of ``cd25`` or ``DIN 3967 - 25 cd``. Raises `ValueRefusedError`."""
-    found = _FIT.search(re.sub(r"din\s*3967", " ", text.strip().casefold()))
-    if found is not None:
-        letters, number = found["letters"] or found["behind"], found["number"] or found["first"]
-        if letters in gear_fits.ALLOWANCE_SERIES:
-            return f"{number}{letters}"
+    plain = _OF_FITS.sub(" ", text.strip().casefold()).strip()
+    before = _CLASS_BEFORE.match(plain)
+    found = [name for each in _FIT.finditer(plain) if (name := _fit_named(each)) is not None]
+    for rest in (plain, plain[before.end() :] if before else plain):
+        whole = _FIT.fullmatch(rest)
+        if whole is not None and (name := _fit_named(whole)) is not None:
+            return name
     series = ", ".join(gear_fits.ALLOWANCE_SERIES)
+    several = "; here stand several" if len(found) > 1 else ""
     raise ValueRefusedError(
-        f"a fit of DIN 3967: tolerance series 21 to 30 and allowance series {series}, such as 25cd"
+        f"a fit of DIN 3967: tolerance series 21 to 30 and allowance series {series}, such as 25cd{several}",
+        found[0] if len(found) == 1 else None,
     )
+
+
+def _fit_named(found: re.Match[str]) -> str | None:
+    letters = found["letters"] or found["behind"]
+    known = letters in gear_fits.ALLOWANCE_SERIES
+    return f"{found['number'] or found['first']}{letters}" if known else None
 
 
 def material(text: str) -> str:
     """A material as the drawing names it, where that has a modulus. Raises `ValueRefusedError`."""
+    either = of_two_materials(text)
+    if either:
+        raise ValueRefusedError(f"{either}: the number alone may be either")
     try:
         materials.named(text)
     except GearlashError:
