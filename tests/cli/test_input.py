@@ -228,6 +228,11 @@ def test_an_interval_in_a_wrong_form_is_shown_one_of_the_quantity_that_was_named
         (("run", "article", "--set", "gear.material", "cast", "iron"), "--set 'gear.material=cast iron'"),
         (("new", "x.toml", "--helix-angle", "15°", "LH"), "--helix-angle '15° LH'"),
         (("new", "x.toml", "--material", "cast", "iron", "--teeth", "9/9"), "--material 'cast iron'"),
+        (("run", "article", "--set", "torque=150", "Nm", "more"), "--set 'torque=150 Nm'"),
+        (("new", "x.toml", "--teeth", "25", "57"), "--teeth 25/57"),
+        (("new", "x.toml", "--torque", "150", "N", "m", "more"), "--torque '150 N m'"),
+        (("new", "x.toml", "--bore", "1", "1/4", "in"), "--bore '1 1/4 in'"),
+        (("new", "x.toml", "--fit", "25", "cd"), "--fit '25 cd'"),
         (("graze", "article", "--near", "3600", "rpm"), "--near '3600 rpm'"),
         (("new", "x.toml", "--torque", "150", "N", "m", "--speed", "900rpm"), "--torque '150 N m'"),
     ],
@@ -251,6 +256,7 @@ def test_words_left_over_are_given_back_to_their_option(
         ("run", "article", "--set", "pinion", "material", "steel"),
         ("run", "article", "--max-period", "4", "more"),
         ("new", "x.toml", "--torque", "150Nm", "more"),
+        ("new", "x.toml", "--torque", "150Nm", "160Nm"),
     ],
 )
 def test_other_words_left_over_are_refused_alone(gearlash: Gearlash, typed: tuple[str, ...]):

@@ -27,7 +27,7 @@ class Command(TyperCommand):
         left = super().parse_args(ctx, args)
         if left and not ctx.resilient_parsing:
             texts = [each for each in self.params if not getattr(each, "is_flag", False) and _is_text(each)]
-            valued = {name: "=" in (each.metavar or "") for each in texts for name in each.opts}
+            valued = {name: each.metavar or "" for each in texts for name in each.opts}
             ctx.fail(
                 harmless(f"Got unexpected extra argument(s) ({' '.join(left)}){meant(typed, left, valued)}")
             )
@@ -39,7 +39,7 @@ def _is_text(parameter: Any) -> bool:
     return parameter.metavar not in NUMBERS_ALONE
 
 
-def meant(typed: Sequence[str], left: Sequence[str], valued: Mapping[str, bool]) -> str:
+def meant(typed: Sequence[str], left: Sequence[str], valued: Mapping[str, str]) -> str:
     """What to type instead, where an option that takes a text stands just before words that are left, and
     they go on with its value.
 
@@ -48,7 +48,7 @@ def meant(typed: Sequence[str], left: Sequence[str], valued: Mapping[str, bool])
     typed, left : sequence of str
         All words, and those that are left over.
     valued : mapping
-        Options that take a text, and whether it is of the form NAME=VALUE.
+        Options that take a text, and what help has in its place: NAME=VALUE, 25/57 …
     """
     for at, option in enumerate(typed):
         if option not in valued:
@@ -58,8 +58,10 @@ def meant(typed: Sequence[str], left: Sequence[str], valued: Mapping[str, bool])
             if words and (word not in left or _is_case(word)):
                 break
             words.append(word)
-        joined = _named(words) if valued[option] else _value(words)
-        if len(words) > 1 and joined:
+        parts = [words[:end] for end in range(len(words), 1, -1)]  # the last ones may be too much
+        parts.sort(key=lambda part: not _reads(" ".join(part)))  # values with their unit before other texts
+        joined = next(filter(None, (_joined(part, valued[option]) for part in parts)), "")
+        if joined:
             return f"; {option} takes one word: {option} {quote(joined)}"
     return ""
 
@@ -71,26 +73,33 @@ def _is_case(word: str) -> bool:
     return word.casefold().endswith(".toml") or word in bundled()
 
 
+def _joined(words: Sequence[str], form: str) -> str:
+    """The words as one value of this form; empty where they are none."""
+    text = " ".join(words)
+    if "=" in form:
+        return _named(words)
+    if _reads(text):
+        return text
+    if all(_reads(word) for word in words):  # several values
+        return "/".join(words) if "/" in form and len(words) == 2 else ""
+    return "" if _begins_number(text) and _is_whole(words[0]) else text
+
+
 def _named(words: Sequence[str]) -> str:
     """``a b c`` and ``a = b c`` as ``a=b c``; empty where that would be no name with its value."""
-    text = " ".join(words)
-    name, equals, value = (part.strip() for part in text.partition("="))
+    name, equals, value = (part.strip() for part in " ".join(words).partition("="))
     if not equals:
-        name, value = words[0] if words else "", " ".join(words[1:])
+        name, value = words[0], " ".join(words[1:])
         if not name[:1].isalpha() or not (_begins_number(value) or "." in name):
             return ""
     return f"{name}={value}" if not _begins_number(value) or _reads(value) else ""
 
 
-def _value(words: Sequence[str]) -> str:
-    """The words with blanks; empty where the first one is a value with its unit that the others do not go on
-    with, other than with the hand of an angle."""
+def _is_whole(word: str) -> bool:
+    """Whether it is a value with its unit, and no angle, behind which its hand may stand."""
     from gearlash.case.units import ANGLE, NUMBER
 
-    text = " ".join(words)
-    if not words or _reads(text) or not _begins_number(text):
-        return text
-    return text if _dimension(words[0]) in (None, NUMBER, ANGLE) else ""
+    return _dimension(word) not in (None, NUMBER, ANGLE)
 
 
 def _begins_number(text: str) -> bool:
