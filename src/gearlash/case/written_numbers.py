@@ -9,9 +9,10 @@ from __future__ import annotations
 import re
 
 _VULGAR = dict(zip("½¼¾⅛⅜⅝⅞", ("1/2", "1/4", "3/4", "1/8", "3/8", "5/8", "7/8"), strict=True))
-_HALVED = r"(\d{1,2})/(2|4|8|16|32|64)(?![\d.,])"
+_HALVINGS = "2|4|8|16|32|64"
+_HALVED = rf"(\d{{1,2}})/({_HALVINGS})(?![\d.,])"
 _MIXED = re.compile(rf"([+-]?)(\d{{1,4}})(?:\s+|-){_HALVED}", re.ASCII)
-_MIXED_ANYWHERE = re.compile(r"(\d[\s-]\d{1,2})/(2|4|8|16|32|64)(?!\d)", re.ASCII)
+_MIXED_ANYWHERE = re.compile(rf"(\d[\s-]\d{{1,2}})/({_HALVINGS})(?!\d)", re.ASCII)
 _OF_THE_USA = r"""\s*(?:(?:in|ft|lb|oz|mil(?!li)|thou|pound|b?hp)[a-z]*\b|["″”]|''|′′)"""
 _FRACTION = re.compile(rf"([+-]?){_HALVED}(?={_OF_THE_USA})", re.ASCII | re.IGNORECASE)
 """Before units that are halved and quartered: 3/4 in, 1/2 lb."""
