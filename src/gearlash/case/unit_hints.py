@@ -6,7 +6,18 @@ import re
 
 from .quantity import Quantity
 from .spelling import plain_value
-from .unit_words import ANGLE, PITCH, POWER, PRESSURE, STIFFNESS, TEMPERATURE, TORQUE, USUAL, Dimension
+from .unit_words import (
+    ANGLE,
+    DENSITY,
+    PITCH,
+    POWER,
+    PRESSURE,
+    STIFFNESS,
+    TEMPERATURE,
+    TORQUE,
+    USUAL,
+    Dimension,
+)
 from .units import DIMENSION_NAMES, NUMBER, UnitError, behind_number, in_si, pretty, read, takes
 
 _BEFORE = re.compile(r"[^\d+\-−–—‐‑.,]*(?:[.,](?!\d))?[^\d+\-−–—‐‑.,]*")
@@ -21,15 +32,18 @@ _OTHERS = {
     TORQUE: {"kgm": "kgf m", "kpm": "kgf m", "tm": "", "joule": "N m"},
 }
 """Other spellings by what `_look` leaves of them."""
-_OTHER_SENSE = re.compile(r"\b(?:minus|neg\w*)\b|\bs?r(?:ad(?:ius)?)?\W*\d", re.IGNORECASE)
-"""A sign in words, and a radius where diameters stand: the number alone would be another value."""
+_OTHER_SENSE = re.compile(
+    r"\b(?:minus|neg\w*|radi(?:us|al)|half|halb\w*|each|je|per\s+(?:side|flank|gear|tooth|wheel))\b"
+    r"|\bs?r(?:ad(?:ius)?)?\W*\d",
+    re.IGNORECASE,
+)
+"""A sign in words, a radius where diameters stand, a half: the number alone would be another value."""
 _OF_ANGLES = re.compile(r"(?:helix|pressure|angle|alpha|beta|[αβ][a-z]?|deg(?:ree)?s?|rad|[\W\d_])*")
 """All that may stand beside an angle and says nothing of its sign, as the hand of a helix does."""
-_OWN_FACTOR, _OTHER_FACTOR, _FAR_OFF = 100.0, 10.0, 300.0
-"""How far from its example a value may be in the unit of its place; how far in another one, and from where on
-another one is tried."""
-_ANGLE_FACTOR = 20.0
-"""The first of them for angles: nearer than degrees are to radians."""
+_OWN_FACTOR = {ANGLE: 20.0, DENSITY: 10.0}
+_USUAL_FACTOR, _OTHER_FACTOR, _FAR_OFF, _CLOSE = 100.0, 10.0, 300.0, 3.0
+"""How far from its example a value may be in the unit of its place, where `_OWN_FACTOR` has nothing for its
+dimension; how far in another one; from where on another one is tried; and how close it is as good a guess."""
 
 
 def meant(text: str, place: Quantity) -> str | None:
@@ -89,16 +103,17 @@ def _sized(number: str, place: Quantity) -> str | None:
     if not example or not own or place.dimension == TEMPERATURE:
         return _fitting(f"{number} {place.unit}", place)
     off = _factor(own, example)
-    if off <= (_ANGLE_FACTOR if place.dimension == ANGLE else _OWN_FACTOR):
-        return _fitting(f"{number} {place.unit}", place)
-    found: dict[float, str] = {}
-    for unit in USUAL.get(place.dimension, ()) if off >= _FAR_OFF else ():
-        if unit == "cm":  # no drawing of gears means these where it leaves the unit out
-            continue
+    others: dict[float, str] = {}
+    for unit in USUAL.get(place.dimension, ()):
         value = _value(text := f"{number} {unit}", place)
-        if value and place.accepts(value) and _factor(value, example) <= _OTHER_FACTOR:
-            found.setdefault(value, text)
-    return next(iter(found.values())) if len(found) == 1 else None
+        if unit == "cm" or not value or value == own or not place.accepts(value):
+            continue  # no drawing of gears means centimetres where it leaves the unit out
+        if _factor(value, example) <= _OTHER_FACTOR:
+            others.setdefault(value, text)
+    if off <= _OWN_FACTOR.get(place.dimension, _USUAL_FACTOR):
+        doubt = off > _OTHER_FACTOR and any(_factor(value, example) <= _CLOSE for value in others)
+        return None if doubt else _fitting(f"{number} {place.unit}", place)
+    return next(iter(others.values())) if off >= _FAR_OFF and len(others) == 1 else None
 
 
 def _factor(value: float, example: float) -> float:
