@@ -322,6 +322,19 @@ def test_the_first_sentence_names_what_was_found_at_that_speed_and_not_all_of_it
     assert "one in which teeth separate (1-1)," in verdict(alone).lines[0].text  # followed to that speed
 
 
+def test_what_was_not_followed_is_told_as_neither(monkeypatch: pytest.MonkeyPatch):
+    """With no work allowed: sweeps and starts show no impacts, and nothing was followed."""
+    monkeypatch.setattr("gearlash.studies.assessment.WORK", 1)
+    case = gl.load_case("kahraman-singh", {"omega": 0.55})
+    found = assess(case, Axis.even("omega", 0.5, 0.6, 3))
+    told = verdict(found)
+    lines = {line.title: line.text for line in told.lines}
+    assert "no impacts were found: in every motion found there (1-0)" in lines["May it run there"]
+    assert lines["Teeth separate"].startswith("In no motion that was found; examined: ")
+    assert "Not told for omega = 0.5 to 0.6: no sweep shows impacts there, but not" in lines["Teeth separate"]
+    assert lines["Margin"].startswith("Not known: the present speed lies in omega = 0.5 to 0.6, where no")
+
+
 def test_what_sweeps_reach_next_to_a_speed_is_among_the_starts_there():
     case = gl.load_case("kahraman-singh", {"omega": 0.8})
     axis = Axis.even("omega", 0.7, 0.9, 5)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +11,10 @@ import pytest
 
 import gearlash as gl
 from gearlash.results import Axis, Sweep
-from gearlash.studies.bands import back_bands, bands, living_at
+from gearlash.studies.bands import back_bands, bands, living_at, loud_label, not_told
 from gearlash.studies.zone import Zone, ZoneMotion, Zones
 from gearlash.studies.zone_end import RANGE, SEEN, Interval, Quiet, ZoneEnd
+from gearlash.studies.zones import zones_of_kinds
 from gearlash.system import Label, MotionKind, Signature
 
 CASES = Path(__file__).parents[1] / "cases"
@@ -98,3 +100,45 @@ def test_what_settled_to_nothing_is_no_motion(sweep: Sweep):
         MotionKind.APERIODIC,
         Signature(2, 1, 1),
     }
+
+
+def test_motion_without_impacts_that_was_not_followed_is_no_band():
+    """With no work allowed nothing is followed, and sweeps show no impact."""
+    axis = Axis.even("omega", 0.5, 0.6, 3)
+    (found,) = zones_of_kinds(gl.load_case("kahraman-singh"), axis, ["impact-free"], work=1)
+    assert found.left_out
+    assert found.zones == ()
+    assert all(point.impact_free for sweep in found.sweeps for point in sweep.points)
+    assert bands(found) == ()
+    (part,) = not_told(found)
+    assert (part.lower.value, part.upper.value) == (0.5, 0.6)
+
+
+@pytest.mark.parametrize("work", [1, 600, 1500, None])
+@pytest.mark.parametrize("quiet", list(Quiet))
+def test_bands_and_parts_that_are_not_told_agree_with_sweeps_whatever_was_followed(
+    work: int | None, quiet: Quiet
+):
+    """Motions up to 0.708 and from 0.9 are quiet; between them one with impacts lives, in part beside one."""
+    axis = Axis.even("omega", 0.5, 1.1, 13)
+    (found,) = zones_of_kinds(gl.load_case("kahraman-singh"), axis, [quiet], work=work)
+    told, open_ = bands(found), not_told(found)
+    for sweep in found.sweeps:
+        for point in sweep.points:
+            inside = [band for band in told if band.contains(point.value)]
+            between = [one for one in open_ if one.lower.value < point.value < one.upper.value]
+            if loud_label(found, point) is not None:
+                assert inside
+                assert any(point.label in band.labels for band in inside)
+                assert not between
+            elif inside and not any(band.lower.value == point.value or band.upper.value == point.value
+                                    for band in inside):  # fmt: skip
+                assert not all(band.every for band in inside)
+    ends = sorted([*told, *open_, *found.zones], key=lambda one: (one.lower.value, one.upper.value))
+    assert (ends[0].lower.value, ends[-1].upper.value) == (0.5, 1.1)
+    assert all(a.upper.value == b.lower.value for a, b in pairwise(ends))
+    for band in told:
+        assert band.labels
+        assert not any(quiet.holds_label(label) for label in band.labels)
+    if work is None:
+        assert open_ == ()

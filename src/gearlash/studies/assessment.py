@@ -19,14 +19,14 @@ from gearlash.results.pair_question import SPEED, carrying_forwards, check_pair
 from gearlash.system import GearlashError, Label
 from gearlash.system.readout import Readout
 
-from .bands import Band, back_bands, bands
+from .bands import Band, back_bands, bands, not_told
 from .beside import THROWS, motions_beside, thrown
 from .measured import readouts_of, traceable
 from .point import summary
 from .ranges import AcrossRanges, across_ranges
 from .sweep import sweeps
 from .zone import Zones
-from .zone_end import Quiet
+from .zone_end import Interval, Quiet
 from .zones import zones_of_kinds
 
 WORK = 12_000
@@ -103,6 +103,11 @@ class Assessment:
     def separating(self) -> tuple[Band, ...]:
         """Bands of speed in which teeth of a motion that was found separate."""
         return bands(self.impact_free) if self.searched else ()
+
+    @cached_property
+    def not_told(self) -> tuple[Interval, ...]:
+        """Parts of the range that are neither impact-free bands nor bands in which teeth separate."""
+        return not_told(self.impact_free) if self.searched else ()
 
     @cached_property
     def back_side(self) -> tuple[Band, ...]:

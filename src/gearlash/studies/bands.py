@@ -1,8 +1,8 @@
-"""Bands in which motion is not quiet: what lies between the zones that were found."""
+"""Bands in which motion is not quiet: between the zones that were found, as far as such motion was."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from math import inf
@@ -41,13 +41,21 @@ class Band:
 
 
 def bands(found: Zones) -> tuple[Band, ...]:
-    """The bands between zones in which every motion found is quiet, in ascending order."""
+    """Between zones in which every motion found is quiet: where motion was found that is not, in ascending
+    order."""
     loud = _loud(found)
     return tuple(
         Band(low, high, every, _labels(found, loud, low, high))
-        for low, high in _between(found)
-        for every, low, high in _cut(found, low, high)
+        for part in _gaps(found, loud)
+        if part.loud
+        for every, low, high in _cut(found, part.lower, part.upper)
     )
+
+
+def not_told(found: Zones) -> tuple[Interval, ...]:
+    """What is neither such a zone nor such a band: no motion was followed through it, or something settled to
+    nothing, and no sweep shows motion in it that is not quiet."""
+    return tuple(Interval(one.lower, one.upper) for one in _gaps(found, _loud(found)) if not one.loud)
 
 
 def back_bands(found: Zones, boundary: float) -> tuple[Band, ...]:
@@ -69,9 +77,7 @@ def _followed_in(band: Band, loud: Sequence[Interval]) -> Iterator[Interval]:
     """The parts of a band in which periodic motion lives that was followed."""
     for one in loud:
         if isinstance(_label_of(one), Signature) and _overlap(one, band.lower, band.upper):
-            lower = one.lower if one.lower.value > band.lower.value else band.lower
-            upper = one.upper if one.upper.value < band.upper.value else band.upper
-            yield Interval(lower, upper)
+            yield Interval(*_inside(one, band.lower, band.upper))
 
 
 def _seen_in(found: Zones, band: Band, loud: Sequence[Interval], boundary: float) -> Iterator[Interval]:
@@ -121,6 +127,83 @@ def _overlap(one: Interval, low: ZoneEnd, high: ZoneEnd) -> bool:
     return last - first > MEETING * max(abs(first), abs(last))
 
 
+@dataclass(frozen=True, eq=False)
+class _Part(Interval):
+    """Of a gap between zones: whether motion was found in it that is not quiet."""
+
+    loud: bool
+
+
+def _gaps(found: Zones, loud: Sequence[Interval]) -> list[_Part]:
+    """What zones leave of the axis, in parts. Where no value of the axis lies between a part with such motion
+    and what is beside it, nothing was looked at, and it counts with that part."""
+    parts = []
+    for low, high in _between(found):
+        near = MEETING * max(abs(low.value), abs(high.value))
+        rows = _clipped(loud, low, high), _seen_loud(found, low, high), _at_ends(found, low, high)
+        known: list[Interval] = []
+        at = low
+        for one in union(rows, near):
+            last = known[-1] if known else None
+            if _looked_at(found, at, one.lower, last is None):
+                known.append(one)
+            else:
+                known[-1:] = [Interval(low if last is None else last.lower, one.upper)]
+            at = known[-1].upper
+        if known and not _looked_at(found, at, high, False, True):
+            known[-1] = Interval(known[-1].lower, high)
+        at = low
+        for one in known:
+            if one.lower.value - at.value > near:
+                parts.append(_Part(at, one.lower, False))
+            parts.append(_Part(one.lower, one.upper, True))
+            at = one.upper
+        if high.value - at.value > near:
+            parts.append(_Part(at, high, False))
+    return parts
+
+
+def _looked_at(found: Zones, low: ZoneEnd, high: ZoneEnd, first: bool = False, last: bool = False) -> bool:
+    """Whether a value of the axis lies between two ends; at the ``first`` or ``last`` one of a gap, too."""
+    values = found.axis.values
+    above = values >= low.value if first else values > low.value
+    below = values <= high.value if last else values < high.value
+    return bool((above & below).any())
+
+
+def _clipped(intervals: Sequence[Interval], low: ZoneEnd, high: ZoneEnd) -> Iterator[Interval]:
+    """The parts of intervals between two ends."""
+    for one in intervals:
+        if _overlap(one, low, high):
+            yield Interval(*_inside(one, low, high))
+
+
+def _seen_loud(found: Zones, low: ZoneEnd, high: ZoneEnd) -> Iterator[Interval]:
+    """Between two ends, neighbouring values of the axis at which a sweep saw motion that is not quiet."""
+    return _runs(found, low, high, lambda point: loud_label(found, point) is not None)
+
+
+def _runs(found: Zones, low: ZoneEnd, high: ZoneEnd, holds: Callable[[Point], bool]) -> Iterator[Interval]:
+    """Between two ends, neighbouring values of the axis at which something holds in a sweep."""
+    for sweep in found.sweeps:
+
+        def there(point: Point) -> bool:
+            return low.value <= point.value <= high.value and holds(point)
+
+        for yes, group in groupby(sweep.points, there):
+            if yes:
+                values = sorted(point.value for point in group)
+                ends = (ZoneEnd(value, SEEN, direction=sweep.way) for value in (values[0], values[-1]))
+                yield Interval(*ends)
+
+
+def _at_ends(found: Zones, low: ZoneEnd, high: ZoneEnd) -> Iterator[Interval]:
+    """Ends of zones at which motion goes on as one that is not quiet."""
+    for end in (low, high):
+        if end.outside is not None and _known_loud(found, end.outside):
+            yield Interval(end, end)
+
+
 def _between(found: Zones) -> list[tuple[ZoneEnd, ZoneEnd]]:
     """The complement of the zones within the axis."""
     first, last = float(found.axis.values[0]), float(found.axis.values[-1])
@@ -135,20 +218,31 @@ def _between(found: Zones) -> list[tuple[ZoneEnd, ZoneEnd]]:
 
 
 def _cut(found: Zones, low: ZoneEnd, high: ZoneEnd) -> list[tuple[bool, ZoneEnd, ZoneEnd]]:
-    """A gap in parts in which some motion is quiet, or none."""
-    some = [zone for zone in found.wider if zone.upper.value > low.value and zone.lower.value < high.value]
+    """A band in parts in which some motion is quiet, followed there or seen by a sweep, or none."""
+    followed = [Interval(*_inside(one, low, high)) for one in found.wider if _shares(one, low, high)]
+    seen = list(_runs(found, low, high, found.quiet.holds))
     parts, at = [], low
-    for zone in sorted(some, key=lambda one: one.lower.value):
-        begin = zone.lower if zone.lower.value > at.value else at
-        end = zone.upper if zone.upper.value < high.value else high
-        if begin.value > at.value:
-            parts.append((True, at, begin))
-        if end.value > begin.value:
-            parts.append((False, begin, end))
-            at = end
-    if at.value < high.value:
+    for one in union([followed, seen]):
+        if one.lower.value > at.value:
+            parts.append((True, at, one.lower))
+        parts.append((False, one.lower, one.upper))
+        at = one.upper
+    if at.value < high.value or not parts:
         parts.append((True, at, high))
     return parts
+
+
+def _shares(one: Interval, low: ZoneEnd, high: ZoneEnd) -> bool:
+    """Whether an interval has more than an end in common with another, or holds all of one without width."""
+    if low.value == high.value:
+        return one.contains(low.value)
+    return one.upper.value > low.value and one.lower.value < high.value
+
+
+def _inside(one: Interval, low: ZoneEnd, high: ZoneEnd) -> tuple[ZoneEnd, ZoneEnd]:
+    """The ends of an interval between two ends."""
+    lower = one.lower if one.lower.value > low.value else low
+    return lower, one.upper if one.upper.value < high.value else high
 
 
 def _labels(
@@ -168,14 +262,25 @@ def _labels(
         and not point.minimum > least
     }
     if not labels:  # narrower than a step of the axis
-        labels = {end.outside for end in (low, high) if end.outside is not None}
+        ends = (end.outside for end in (low, high))
+        labels = {label for label in ends if label is not None and _known_loud(found, label)}
     return tuple(sorted(labels, key=lambda label: (len(label_text(label)), label_text(label))))
 
 
 def loud_label(found: Zones, point: Point) -> Label | None:
     """Of a motion that a sweep saw and that is not quiet; None of what is quiet, or settled to nothing."""
-    known = isinstance(point.label, Signature) or point.label is MotionKind.APERIODIC
-    return point.label if known and not found.quiet.holds(point) else None
+    label = point.label
+    return label if label is not None and _is_motion(label) and not found.quiet.holds(point) else None
+
+
+def _is_motion(label: Label) -> bool:
+    """What settled to nothing is none."""
+    return isinstance(label, Signature) or label is MotionKind.APERIODIC
+
+
+def _known_loud(found: Zones, label: Label) -> bool:
+    """Whether it is of a motion that is not quiet."""
+    return _is_motion(label) and not found.quiet.holds_label(label)
 
 
 def living_at(found: Zones, value: float) -> tuple[Label, ...]:

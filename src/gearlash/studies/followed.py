@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -135,6 +136,14 @@ class Follow:
 
 
 @dataclass(frozen=True, eq=False)
+class Traced:
+    """A branch, and how many orbits were computed for it: those of a first attempt count, too."""
+
+    branch: Branch
+    orbits: int
+
+
+@dataclass(frozen=True, eq=False)
 class Switch:
     """A task: orbits of the branches that meet one at a special point."""
 
@@ -167,11 +176,14 @@ def follow_branch(task: Follow, carry: object) -> Part:
             return continue_orbit(family, values, q.name, orbit, low, high, steps, None, stopping)
 
         found = between(task.lower, task.upper)
+        orbits = len(found.points)
         if not stopping() and (task.above or task.below):
-            found = task.joined(found) or between(q.lower, q.upper)
+            joined = task.joined(found)
+            found = joined or between(q.lower, q.upper)
+            orbits += 0 if joined else len(found.points)
     except (GearlashError, np.linalg.LinAlgError) as error:
         return Part((str(error),))
-    return Part(()) if stopping() else Part((found,))
+    return Part(()) if stopping() else Part((Traced(found, orbits),))
 
 
 def switch_branch(task: Switch, carry: object) -> Part:
@@ -236,8 +248,12 @@ class Followed:
                 self.not_followed += len(open_)
                 return
             chosen: dict[int, tuple[str, Point]] = {}
+            longest = self.longest_first([point for _, point in open_])
             for way, point in sorted(open_, key=lambda one: one[1].minimum - one[1].maximum):
-                chosen.setdefault(point.period, (way, point))  # steps are in units of the first motion's size
+                if point.period <= longest:
+                    chosen.setdefault(
+                        point.period, (way, point)
+                    )  # steps are in units of the first one's size
             first = self.first_of(list(chosen.values()))
             if not first:
                 self.leave_out(open_)
@@ -251,6 +267,11 @@ class Followed:
             lost = {id(point) for point, _ in self.unfollowed}
             open_ = [(way, point) for way, point in open_ if id(point) not in lost]
         self.unfollowed += [(point, f"{ROUNDS} rounds of following were not enough") for _, point in open_]
+
+    def longest_first(self, points: Sequence[Point]) -> float:
+        """The longest period to follow next: where work is limited, that of motions without impacts as long
+        as one of them lies on no branch. Bands depend on them, and long motions take much work."""
+        return max((p.period for p in points if self.work.limited and p.impact_free), default=inf)
 
     def first_of(self, wanted: list[tuple[str, Point]]) -> list[tuple[str, Point]]:
         """Those to follow next: all, or where work is limited those that matter most and are short."""
@@ -296,11 +317,18 @@ class Followed:
             min(below, key=lambda cut: cut.value, default=None),
         )
 
-    def take(self, branch: Branch) -> None:
-        self.work.followed(branch)
+    def take(self, traced: Traced) -> None:
+        """Keeps a branch that is not known; of one that is known in part, as that was cut, the rest."""
+        branch = traced.branch
+        self.work.followed(branch, traced.orbits)
         arcs = arcs_of(branch, len(self.branches))
-        if any(self._same(arc, known) for arc in arcs if arc.stable for known in self.stable):
-            return
+        twice = [(arc, old) for arc in arcs if arc.stable for old in self.stable if self._same(arc, old)]
+        if twice:
+            known = {id(arc) for arc, _ in twice}
+            arcs = tuple(arc for arc in arcs if id(arc) not in known)
+            cut = any(next(_cuts(self.branches[old.branch]), None) is not None for _, old in twice)
+            if not cut or not any(arc.stable for arc in arcs):
+                return
         self.branches.append(branch)
         self.arcs.extend(arcs)
 

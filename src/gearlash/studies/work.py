@@ -54,9 +54,9 @@ class Work:
         """How many orbits a branch may have each way."""
         return MANY if self.most is None else max(FEWEST, self.most // (BRANCH * of_orbit(period)))
 
-    def followed(self, branch: Branch) -> None:
-        """Counts a branch."""
-        self.spent += len(branch.points) * of_orbit(branch.points[0].period)
+    def followed(self, branch: Branch, orbits: int) -> None:
+        """Counts a branch, for which so many orbits were computed."""
+        self.spent += orbits * of_orbit(branch.points[0].period)
 
     def looked(self, motions: int) -> None:
         """Counts motions that were followed to what attracts them, each as much as ten orbits."""

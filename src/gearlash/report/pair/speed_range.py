@@ -53,6 +53,10 @@ def speed_range(found: Assessment, words: Words) -> OverSpeed | None:
     if first > low or last < high:
         seen = words.reach(first, last)
         return _not_free(f"Not told for all of {reach}: examined was {seen}, where none separate.")
+    open_ = [one for one in found.not_told if one.upper.value > low and one.lower.value < high]
+    if open_:
+        where = " and ".join(words.span(one.lower, one.upper) for one in open_)
+        return _not_free(f"Not told for all of {reach}: at {where} not all was followed or settled.")
     free = f"From {reach} no motion was found in which teeth separate"
     if found.ranges is None or not found.ranges.speeds:
         return OverSpeed(True, True, f"{free}.", f"{free}.")

@@ -36,6 +36,7 @@ TURNED = (
     "the pair moves as it does: here the side that carries is called the drive side, and torque, forces and "
     "displacements count as positive towards it."
 )
+OPEN = "no sweep shows impacts there, but not every motion was followed, or something settled to nothing"
 NO_APPROVAL = "This is an analysis of a model, and no approval."
 
 
@@ -227,10 +228,19 @@ def _separating(found: Assessment, words: Words) -> str:
     reach += f", at {len(found.axis)} speeds, each from the motions at its neighbours"
     reach += ", from the cold start" if found.throws else " and from the cold start"
     reach += f" and from {found.throws} starts with teeth thrown together or apart" if found.throws else ""
+    open_ = _not_told(found, words)
     if not bands:
-        return f"In no motion that was found; examined: {reach}."
+        return f"In no motion that was found; examined: {reach}.{open_}"
     met = meetings_within(found.case, bands, words)
-    return f"{words.bands(bands)}; examined: {reach}.{met}{_pulling(found)}"
+    return f"{words.bands(bands)}; examined: {reach}.{open_}{met}{_pulling(found)}"
+
+
+def _not_told(found: Assessment, words: Words) -> str:
+    """Where is told neither that teeth separate nor that they do not."""
+    if not found.not_told:
+        return ""
+    where = " and ".join(words.span(one.lower, one.upper) for one in found.not_told)
+    return f" Not told for {where}: {OPEN}."
 
 
 def _back(found: Assessment, words: Words) -> str:
@@ -256,6 +266,9 @@ def _margin(found: Assessment, words: Words) -> str:
         if not said:
             return "No end of the impact-free band lies in the range examined."
         return "; ".join(text for _, text in sorted(said)) + "."
+    part = next((one for one in found.not_told if one.contains(here)), None)
+    if part is not None:
+        return f"Not known: the present speed lies in {words.span(part.lower, part.upper)}, where {OPEN}."
     nearest = found.impact_free.nearest(here)
     if nearest is None:
         return "None: no speed was found at which every motion found keeps its teeth in contact."
