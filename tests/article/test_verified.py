@@ -248,12 +248,25 @@ def test_a_share_of_time_apart_is_not_denied_by_a_label():
     assert not seen.parts("1-0-0", None)
 
 
-@pytest.mark.parametrize(("impacts", "said"), [(1.0, False), (1.3, True)])
-def test_labels_of_older_data_are_said_to_be_rounded_where_they_are(impacts: float, said: bool):
+@pytest.mark.parametrize(
+    ("label", "impacts", "said"),
+    [
+        ("1-1-0", 1.0, False),
+        ("1-1-0", 1.3, True),
+        ("1-0-0", 0.4, True),
+        ("3-2-0", 0.7, False),
+        ("3-2-0", 0.9, True),
+    ],
+)
+def test_labels_of_older_data_are_said_to_be_rounded_where_they_are(label: str, impacts: float, said: bool):
+    """Of 20 cycles, which are six periods of three and a part of one."""
     way = named("absolute")
-    point = replace(way.points[0], label="1-1-0", apart=0.1, impacts=impacts, back_impacts=0.0)
-    found = replace(kept(), ways=(replace(way, points=(point, way.points[1])),))
+    point = replace(way.points[0], label=label, apart=0.1, impacts=impacts, back_impacts=0.0)
+    points = tuple(replace(each, returns=0.002) for each in (point, way.points[1]))
+    found = replace(kept(), ways=(replace(way, points=points),))
     assert ("rounded in the mean" in section_of._table(found).caption) == said
+    last = words(when_fixed.when_fixed(found).items[-1])
+    assert ("a label only where every period has as many impacts" in last) == (not said)
 
 
 def test_contact_as_reported_without_its_period_is_said_to_lack_it():
@@ -344,8 +357,9 @@ def test_every_setting_of_the_plan_has_its_row():
 
 def test_the_table_of_settings_says_how_long_motions_settle():
     """Also where those that do not come back go on."""
-    planned = {**next(each for each in kept().settings if each["name"] == "as planned"), "settle": "80"}
-    for more, words_ in (({"longest": "12"}, " (up to 960 where"), ({"longest": "1"}, " and ")):
+    planned = next(each for each in kept().settings if each["name"] == "as planned")
+    planned = {**planned, "settle": "80", "read": "20"}
+    for more, words_ in (({"longest": "12"}, " (up to 981 where"), ({"longest": "1"}, " and ")):
         (table,) = settings_beside.blocks(replace(kept(), settings=({**planned, **more},)))
         assert isinstance(table, Table)
         assert f"80 mesh cycles to settle{words_}" in str(table.caption)

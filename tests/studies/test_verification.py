@@ -45,7 +45,7 @@ from gearlash.studies.verification import (
 )
 from gearlash.studies.verification.lumped import lumped_family
 from gearlash.studies.verification.mesh import modified
-from gearlash.studies.verification.point import _to_fade, fastest, machine_of, run_point
+from gearlash.studies.verification.point import _fine_enough, _to_fade, fastest, machine_of, run_point
 from gearlash.studies.verification.whole import all_errors, errors_of
 from multibody.standin import standin
 
@@ -340,6 +340,16 @@ def test_settings_beside_change_one_thing_each():
         assert changed[0] == "name"
 
 
+@pytest.mark.parametrize("turns", [100.0, 300.0, 500.0, 600.0, 900.0, 1200.0])
+def test_half_of_a_step_is_half_of_the_planned_one_also_where_that_is_shortened(turns: float):
+    """Rad by which the fastest vibration turns in a mesh cycle: above 288 the planned step is shortened."""
+    planned = _fine_enough(Setting(), turns)
+    half = _fine_enough(next(each for each in sensitivity() if each.name == "step / 2"), turns)
+    assert planned.steps == 192 * max(1, int(np.ceil(turns / 288.0)))
+    assert half.steps == 2 * planned.steps
+    assert (half.finer, half.finest) == (planned.finer, planned.finest)
+
+
 def test_speeds_in_contact_are_told_as_runs():
     assert spans((1.0, 2.0, 3.0, 4.0), ("1-1-0", "1-0-0", "2-0-0", "1-1-0")) == "2 to 3 rpm"
     assert spans((1.0, 2.0), ("1-1-0", "none")) == "nowhere on the grid"
@@ -467,13 +477,14 @@ def test_a_light_gear_in_stiff_bearings_is_integrated_with_steps_as_short_as_it_
         )
         for each in (setting, stiff)
     )
-    assert soft.read_steps == 64
+    assert (soft.settle_steps, soft.read_steps) == (64, 64)
+    assert hard.settle_steps == hard.read_steps
     assert hard.read_steps in (128, 192)
     assert hard.energy_residual < 1e-2
     assert hard.reading.mean == pytest.approx(inputs.mean_force, rel=0.1)
 
 
-def test_no_vibration_is_faster_than_the_bound_that_sets_the_steps(found: Verification):
+def test_the_estimate_that_sets_the_steps_is_that_of_the_fastest_vibration(found: Verification):
     """Beside the frequencies of the matrices that Exudyn makes, with the contact made linear."""
     mesh, inputs = found.meshes[1], found.inputs
     machine = machine_of(inputs, SHORT, inputs.torque, 100.0, 1e-3, mesh.gear.modes)

@@ -37,8 +37,8 @@ class VerifiedPoint:
     energy_residual : float
         What is missing in the balance of energy, over what dampers take.
     returns : float or None
-        How far the motion misses itself after its period, or at the least after 1 to 8 mesh cycles, over the
-        range of its force; None where it was not kept.
+        How far the mean forces of every 1/64 of a mesh cycle miss themselves after its period, or at the
+        least after 1 to 8 mesh cycles, over the range of these means; None where it was not kept.
     lumped, lumped_apart, lumped_peak : dict
         Label of the lumped model at the same inputs by contact rule; share of time without contact, None
         where it has no orbit; greatest force over the mean one.

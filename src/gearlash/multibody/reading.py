@@ -35,7 +35,8 @@ class Reading:
     period : int or None
         Mesh cycles after which the mean forces come back; None where they do not.
     returns : float
-        How far the motion misses itself after P cycles, over the range of its force.
+        How far the mean forces of every 1/64 of a mesh cycle miss themselves after P cycles, over the range
+        of these means.
     cycles : int
         That were read.
     apart : float
@@ -85,8 +86,8 @@ def read_motion(
     longest : int
         Longest period that is looked for, mesh cycles.
     tolerance : float
-        A motion has come back where its force is within this share of the force's range, in the mean of every
-        1/64 of the mesh cycles compared: the force itself jumps where one more slice begins to carry, and
+        A motion has come back where the mean force of every 1/64 of a mesh cycle is what it was, within this
+        share of the range of these means: the force itself jumps where one more slice begins to carry, and
         would be read once before and once after a jump at the same phase.
     shown : int
         Mesh cycles of force that are kept.

@@ -66,4 +66,5 @@ def _longer(each: dict[str, str]) -> str:
     times = int(each.get("longest", "1"))
     if times == 1:
         return ""
-    return f" (up to {times * int(each['settle'])} where a motion does not come back after one)"
+    most = times * int(each["settle"]) + int(each["read"]) + 1  # what is read in between is one cycle longer
+    return f" (up to {most} where a motion does not come back after one)"

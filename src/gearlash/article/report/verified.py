@@ -14,7 +14,7 @@ from gearlash.studies.verification.plan import AT_WINDOW
 from gearlash.studies.verification.settings import PLANNED
 
 from . import conclusion, settings_beside, teeth, window
-from .seen import KEPT, NONE, RULES, has_label, parts, share, told
+from .seen import KEPT, NONE, RULES, parts, rounded, share, told
 
 STEM = "verified-forces"
 
@@ -109,20 +109,11 @@ def _table(found: Verified) -> Table:
         "simulation; shares of time without contact, forces over their mean. ω is the mesh frequency over "
         "√(k/m_e) with the stiffness of these teeth. The article names ω 0.942 and 1.047, which are 3600 and "
         "4000 rpm with the stiffness of the case. Of a label P-Q-R, Q are the impacts in P mesh cycles"
-        f"{_rounded(found)}.",
+        f"{', rounded in the mean where not all such cycles have as many' if rounded(found) else ''}.",
         ("inputs", "speed", "real teeth", "rigid gear", *(f"lumped, {rule}" for rule in RULES), "reported"),
         tuple(rows),
         widths=(12, 12, 19, 11, 12, 12, 12, 10),
     )
-
-
-def _rounded(found: Verified) -> str:
-    """Of data whose labels were rounded: their impacts a mesh cycle say so."""
-    for point in (point for way in found.ways for point in way.points if has_label(point.label)):
-        period, drive, back = map(int, point.label.split("-"))
-        if (drive, back) != (round(point.impacts * period, 6), round(point.back_impacts * period, 6)):
-            return ", rounded in the mean where not all such cycles have as many"
-    return ""
 
 
 def _seen(point: VerifiedPoint) -> list[str]:
@@ -183,8 +174,9 @@ def _limits(found: Verified) -> Note:
             Ref("table-verified"),
             " begins with teeth pressed together: others may coexist. Neither model has friction, a film of "
             "oil, housings or, but with a flexible pinion, shafts that bend. Labels are those of motions "
-            "that repeat within 1 % of the range of their force, after at most 8 mesh cycles. In the balance "
-            f"of energy of these {sum(len(way.points) for way in found.ways)} motions at most "
+            "that repeat after at most 8 mesh cycles, within 1 % in the mean forces of every 1/64 of a mesh "
+            "cycle, over the range of these means; at single places they may miss more. In the balance of "
+            f"energy of these {sum(len(way.points) for way in found.ways)} motions at most "
             f"{scientific(_missing(found))} of what dampers take is missing; of settings and the window none "
             f"is kept.{_bearings(found)} No setting lets more of the bodies below the teeth give way; "
             "docs/verification.md estimates that the stiffness of the mesh may be 10 to 15 % above that of "

@@ -5,6 +5,8 @@ from __future__ import annotations
 from gearlash.article.verified import Verified
 from gearlash.report.blocks import Bullets, Text
 
+from .seen import rounded
+
 FIXED = (
     (
         "Before anything was computed",
@@ -48,10 +50,16 @@ LATEST = (
     "after one, until the slowest vibration of bodies has faded",
 )
 """Of data that have `VerifiedPoint.returns`; older ones were read as before."""
+LABELS = (
+    "; a label only where every period has as many impacts (before, they were rounded in the mean: 1.3 "
+    "impacts a mesh cycle were told as one)"
+)
+"""Of data no label of which is rounded."""
 
 
 def when_fixed(found: Verified) -> Bullets:
     """What was fixed before what was seen."""
     latest = all(point.returns is not None for way in found.ways for point in way.points)
-    steps = [*FIXED, LATEST] if latest else FIXED
+    when, what = LATEST
+    steps = [*FIXED, (when, what if rounded(found) else what + LABELS)] if latest else FIXED
     return Bullets(tuple(Text.of(f"{when}, these were fixed: {what}.") for when, what in steps))

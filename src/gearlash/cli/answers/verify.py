@@ -95,9 +95,14 @@ class PointComputed:
     mean_force: Annotated[float, "N"]
     greatest_force: Annotated[float, "N"]
     orders: Annotated[tuple[float, ...], "amplitudes of the force at mesh orders 1/2, 1, 3/2, … 8, N"]
-    returns: Annotated[float, "how far the motion misses itself after a period, over the range of its force"]
+    returns: Annotated[
+        float,
+        "how far the motion misses itself after a period: mean forces of every 1/64 of a mesh cycle, over "
+        "the range of these means",
+    ]
     energy_residual: Annotated[float, "missing in the balance of energy, over what dampers take"]
     settled: Annotated[int, "mesh cycles before those that were read"]
+    settle_steps: Annotated[int, "of the integrator, a mesh cycle, before the cycles that were read"]
     read_steps: Annotated[int, "of the integrator, a mesh cycle, in the cycles that were read"]
     phase: Annotated[tuple[float, ...], "mesh cycles"]
     force: Annotated[tuple[float, ...], "over these phases, drive side less back side, N"]
@@ -338,6 +343,7 @@ def _point(point: PointFound) -> PointComputed:
         returns=reading.returns,
         energy_residual=point.energy_residual,
         settled=point.settled,
+        settle_steps=point.settle_steps,
         read_steps=point.read_steps,
         phase=tuple(map(float, reading.phase)),
         force=tuple(map(float, reading.force)),

@@ -41,7 +41,8 @@ class Frames:
 
 
 def frames_of(motion: Trajectory, teeth: tuple[int, int]) -> Frames:
-    """Frames at even distances of phase, one of them in the middle of the longest time apart.
+    """Frames at even distances of phase, one of them in the middle of the longest time apart: one that lasts
+    to the end of the cycle goes on where the cycle begins.
 
     Parameters
     ----------
@@ -65,10 +66,13 @@ def frames_of(motion: Trajectory, teeth: tuple[int, int]) -> Frames:
 
 
 def _apart(phase: Array, free: NDArray[np.bool_]) -> float:
-    """Phase in the middle of the longest time in which no tooth carries; 0 without such a time."""
+    """Phase in the middle of the longest time in which no tooth carries, in a cycle that goes round; 0
+    without such a time."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], free, [False]])))
     if not len(edges):
         return 0.0
-    begins, ends = edges[::2], edges[1::2] - 1
+    begins, ends = phase[edges[::2]], phase[edges[1::2] - 1]
+    if free[0] and free[-1] and len(begins) > 1:
+        begins, ends = begins[1:], np.append(ends[1:-1], ends[0] + 1.0)
     longest = int((ends - begins).argmax())
-    return 0.5 * float(phase[begins[longest]] + phase[ends[longest]])
+    return 0.5 * float(begins[longest] + ends[longest])

@@ -30,7 +30,8 @@ Array = NDArray[np.float64]
 GOVERNED = 20.0
 """Mesh cycles in which the governor takes a deviation of the mean speed away."""
 TURN = 1.5
-"""By how much the fastest vibration may turn in a step, rad: Runge-Kutta of order 4 is stable up to 2.8."""
+"""By how much the fastest vibration may turn in a step, rad: Runge-Kutta of order 4 is stable up to 2.8, so
+that stiffnesses may be 3.4 times those of the estimate."""
 FADED = 4.0
 """Nepers by which the slowest vibration of the supports has faded in a motion that is said not to repeat."""
 AXES = {
@@ -82,8 +83,8 @@ class PointFound:
     reading : Reading
     energy_residual : float
         Of the energy balance over the cycles read.
-    read_steps : int
-        Of the integrator there, a mesh cycle.
+    settle_steps, read_steps : int
+        Of the integrator before those and there, a mesh cycle.
     settled : int
         Mesh cycles before those that were read.
     centre_change : (float, float)
@@ -99,6 +100,7 @@ class PointFound:
     setting: str
     reading: Reading
     energy_residual: float
+    settle_steps: int
     read_steps: int
     settled: int
     centre_change: tuple[float, float]
@@ -233,6 +235,7 @@ def run_point(
         setting=setting.name,
         reading=read_motion(motion, teeth),
         energy_residual=residual,
+        settle_steps=setting.steps,
         read_steps=finer * setting.steps,
         settled=cycles,
         centre_change=(float(apart.min()), float(apart.max())),
@@ -243,7 +246,7 @@ def run_point(
 
 
 def fastest(inputs: Inputs, machine: Machine, stiffness: float) -> float:
-    """At most so fast do bodies vibrate in their bearings, in their modes and on the teeth, rad/s.
+    """About so fast do bodies vibrate in their bearings, in their modes and on the teeth, rad/s.
 
     Parameters
     ----------
@@ -255,7 +258,9 @@ def fastest(inputs: Inputs, machine: Machine, stiffness: float) -> float:
     Returns
     -------
     float
-        Root of the sum of the largest squares of the supports and of the teeth, each alone.
+        Root of the sum of the largest squares of the supports and of rigid bodies on the teeth, each alone.
+        No bound: teeth move modes, too, and a stiffness that is a mean is exceeded in a part of the cycle.
+        `TURN` leaves room for both.
     """
     supports = float(eigh(machine.stiffness(), machine.inertia(), eigvals_only=True)[-1])
     lean = sin(inputs.pair.pinion.base_helix_angle)
@@ -269,14 +274,14 @@ def fastest(inputs: Inputs, machine: Machine, stiffness: float) -> float:
 
 def _fine_enough(setting: Setting, turns: float) -> Setting:
     """With several times the steps, where the fastest vibration, which turns by so many rad in a mesh cycle,
-    would make the integration unstable; the cycles that are read have about the steps that they had."""
-    times = ceil(turns / (TURN * setting.steps))
-    if times < 2:
-        return setting
+    would make the integration unstable; the cycles that are read have about the steps that they had. Then
+    steps are divided, so that half of a step is half of the one beside which it stands."""
+    times = max(1, ceil(turns / (TURN * setting.steps)))
     finer = ceil(setting.finer / times)
     return replace(
         setting,
-        steps=times * setting.steps,
+        steps=times * setting.steps * setting.divided,
+        divided=1,
         finer=finer,
         finest=max(finer, setting.finest // times),
     )

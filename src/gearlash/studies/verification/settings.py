@@ -38,7 +38,9 @@ class Setting:
     flexible_pinion : bool
         Whether the pinion's does, with the ends of its shaft.
     steps : int
-        Of the integrator, a mesh cycle.
+        Of the integrator, a mesh cycle; a whole number of times as many where fast vibrations ask for them.
+    divided : int
+        Every step, as short as it then is, is divided by so many.
     finer : int
         So many times the steps in the cycles that are read, so that the balance of energy closes there.
     finest : int
@@ -46,8 +48,8 @@ class Setting:
     settle, read : int
         Mesh cycles before those that are read, and those.
     longest : int
-        Up to so many times ``settle`` cycles, where a motion does not come back after one and the slowest
-        vibration of bodies in their bearings and modes has not faded.
+        Up to so many times ``settle`` cycles, and those that were read in between, where a motion does not
+        come back after one and the slowest vibration of bodies in their bearings and modes has not faded.
     solver : Solver
     """
 
@@ -64,6 +66,7 @@ class Setting:
     flexible: bool = True
     flexible_pinion: bool = False
     steps: int = 192
+    divided: int = 1
     finer: int = 3
     finest: int = 12
     settle: int = 80
@@ -110,7 +113,7 @@ def sensitivity(planned: Setting = PLANNED) -> tuple[Setting, ...]:
         ("bearing damping / 2", {"bearing_damping": 0.5}),
         ("bearing damping × 2", {"bearing_damping": 2.0}),
         (other_pinion, {"flexible_pinion": not planned.flexible_pinion}),
-        ("step / 2", {"steps": 2 * planned.steps}),
+        ("step / 2", {"divided": 2 * planned.divided}),
         ("generalized-α", {"solver": Solver.GENERALIZED_ALPHA}),
     )
     return tuple(replace(planned, name=name, **change) for name, change in changes)  # pyright: ignore[reportArgumentType]
