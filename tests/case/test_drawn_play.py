@@ -85,7 +85,7 @@ def test_a_speed_that_looks_like_thousands_is_told_as_it_is_read():
     case = loads(TEXT.replace("3000 rpm", "3.000 rpm"))
     told = {note.path: note.text for note in case.notes()}
     assert "as 3; thousands are written without one, 3000" in told["operation.pinion_speed"]
-    for text in ("3.125 rpm", "0.300 rpm", "3000.000 rpm", "300.5 rpm"):
+    for text in ("0.300 rpm", "3000.000 rpm", "300.5 rpm"):
         case = loads(TEXT.replace("3000 rpm", text))
         assert "operation.pinion_speed" not in [n.path for n in case.notes()], text
 

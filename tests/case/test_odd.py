@@ -32,6 +32,90 @@ def test_it_is_told(values: dict[str, str], path: str, said: str):
     assert said in told[0]
 
 
+THOUSANDS = (
+    ({"pinion.density": "7.850 kg/m^3"}, "7850"),
+    ({"gear.youngs_modulus": "206.000 MPa"}, "206000"),
+    ({"operation.pinion_speed": "1.475 rpm"}, "1475"),
+    ({"operation.torque": "1.525 N m"}, "1525"),
+    ({"operation.torque": "-1.500 N m"}, "-1500"),
+    ({"mesh.mean_stiffness": "800.000 N/mm"}, "800000"),
+    ({"pinion.bearing_stiffness_y": "300.000 N/mm"}, "300000"),
+    ({"pinion.density": "7.850 g/cm^3"}, ""),
+    ({"pinion.youngs_modulus": "206.000 GPa"}, ""),
+    ({"operation.torque": "150.000 N m"}, ""),
+    ({"mesh.mean_stiffness": "820.000 N/um"}, ""),
+    ({"mesh.backlash": "80.000 um"}, ""),
+    ({"pinion.face_width": "40.000 mm"}, ""),
+    ({"gear.tip_relief": "20.000 um"}, ""),
+    ({"pinion.mass": "1.475 kg"}, ""),
+    ({"mesh.helix_angle": "15.000 deg"}, ""),
+)
+
+
+@pytest.mark.parametrize(("values", "thousands"), THOUSANDS)
+def test_thousands_with_a_point_are_told_where_they_would_be_usual(values: dict[str, str], thousands: str):
+    notes = [n.text for n in gl.load_case(DRAWING, values).notes() if n.path in values]
+    told = [text for text in notes if "is read with a decimal point" in text]
+    assert len(told) == bool(thousands)
+    if told:
+        assert told[0].endswith(f"without one, {thousands}")
+
+
+def test_thousands_of_a_speed_are_told_of_a_pair_without_a_drawing():
+    notes = gl.load_case("article", {"pinion_speed": "3.600 rpm"}).notes()
+    assert any(n.path == "operation.pinion_speed" and "3600" in n.text for n in notes)
+
+
+@pytest.mark.parametrize(
+    ("leaf", "text", "told"),
+    [
+        ("youngs_modulus", "206 MPa", "0.206 GPa; materials of the list have 0.9 to 212 GPa"),
+        ("youngs_modulus", "2060 GPa", "2060 GPa; materials"),
+        ("density", "7.83 kg/m^3", "7.83 kg/m³; materials of the list have 1140 to 8800 kg/m³"),
+        ("density", "78300 kg/m^3", "7.83e+04 kg/m³; materials"),
+        ("youngs_modulus", "195 GPa", ""),
+        ("density", "7.9 g/cm^3", ""),
+    ],
+)
+def test_values_of_no_listed_material_are_told(leaf: str, text: str, told: str):
+    path = f"gear.{leaf}"
+    notes = [n.text for n in gl.load_case(DRAWING, {path: text}).notes() if n.path == path]
+    assert [each.startswith(told) for each in notes] == [True] * bool(told)
+
+
+@pytest.mark.parametrize(
+    ("values", "told"),
+    [
+        ({"pinion.shaft_diameter": "300 mm"}, "not below the root diameter of the pinion"),
+        ({"pinion.shaft_diameter": "1 um"}, "of shear"),
+        ({"gear.bore": "4 mm"}, "of shear"),
+        ({"gear.bore": "4 mm", "gear.shaft_diameter": "45 mm"}, ""),
+        ({"pinion.shaft_diameter": "25 mm"}, ""),
+    ],
+)
+def test_shafts_that_no_such_gear_has_are_told(values: dict[str, str], told: str):
+    notes = [
+        n.text for n in gl.load_case(DRAWING, values).notes() if n.path.endswith(("shaft_diameter", "bore"))
+    ]
+    assert [told in text for text in notes] == [True] * bool(told)
+
+
+def test_a_name_in_other_letters_is_no_other_name():
+    path = "gear.material"
+    for name, own, told in (
+        ("pom", {}, ""),
+        ("Brass", {}, ""),
+        ("Delrin", {}, "1410 kg/m³; youngs_modulus, poisson_ratio and density may be stated beside it"),
+        (
+            "Delrin",
+            {"gear.youngs_modulus": "3 GPa"},
+            "for POM: ν 0.35, 1410 kg/m³; poisson_ratio and density may",
+        ),
+    ):
+        notes = [n.text for n in gl.load_case(DRAWING, {path: name, **own}).notes() if n.path == path]
+        assert [told in text for text in notes] == [True] * bool(told), name
+
+
 def test_a_rotor_without_its_mass_is_told():
     """Of a pair on bearings only, and not where the mass is stated or the rotor is lighter than the gear."""
     rotor, told = (

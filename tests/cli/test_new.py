@@ -95,6 +95,10 @@ HIGH = (
     "--teeth", "40/60", "--module", "2mm", "--face-width", "20mm", "--addendum", "1.3", "--dedendum", "1.5",
     "--bore", "20mm/30mm", "--backlash", "40um", "--speed", "6000rpm", "--power", "5kW",
 )  # fmt: skip
+ORIGINS = (
+    ", as computed", ", as estimated", ", as assumed", ", as its rack has", ", from the list",
+    ", for example", ", by default",
+)  # fmt: skip
 IN_PLACE_OF = "one of two that name the same quantity"
 BESIDE = (
     "the other end of the range",
@@ -113,7 +117,7 @@ def test_every_comment_fits_this_pair(pair: tuple[str, ...], gearlash: Gearlash)
     assert len(alone) > 60
     taken = 0
     for line in alone:
-        assert line.endswith((", as computed", ", for example", ", by default")), line
+        assert line.endswith(ORIGINS), line
         Path("one.toml").write_text(text.replace(line, line.removeprefix("# "), 1), encoding="utf-8")
         try:
             load("one.toml")
@@ -144,6 +148,42 @@ def test_what_is_computed_changes_nothing_when_it_is_taken_in(pair: tuple[str, .
         for one, other in zip(before.gears, after.gears, strict=True):
             assert other.tip_diameter == pytest.approx(one.tip_diameter, rel=1e-5)
             assert other.normal_thickness() == pytest.approx(one.normal_thickness(), rel=2e-4)
+
+
+def test_comments_say_where_values_are_from(gearlash: Gearlash):
+    gearlash("new", "pair.toml", *HELICAL, "--material", "/POM", "--density", "/1420kg/m^3")
+    told = {}
+    table = ""
+    for line in Path("pair.toml").read_text(encoding="utf-8").splitlines():
+        table = line.strip("[]") if line.startswith("[") else table
+        if line.startswith("# ") and " = " in line:
+            told[f"{table}.{line.split()[1]}"] = line
+    for path, end in (
+        ("pinion.youngs_modulus", "of steel, from the list"),
+        ("gear.youngs_modulus", "of POM, from the list"),
+        ("gear.addendum", "as its rack has"),
+        ("pinion.quality", "as assumed"),
+        ("pinion.ball_diameter", "as assumed"),
+        ("mesh.pressure_angle", "as assumed"),
+        ("mesh.mean_stiffness", "as estimated"),
+        ("mesh.centre_distance", "as computed"),
+    ):
+        assert told[path].endswith(f", {end}"), told[path]
+    assert "gear.density" not in told
+
+
+def test_a_larger_gear_that_drives_is_entered_as_the_pinion(gearlash: Gearlash):
+    """The pair is the same one: its stiffness, and its critical speeds in turns of either gear."""
+    gearlash("new", "one.toml", *HELICAL)
+    turned = [*HELICAL]
+    turned[1], turned[11], turned[13] = "57/25", f"{4200 * 25 / 57} rpm", "342 N m"
+    assert gearlash("new", "other.toml", *turned).code == 0
+    one, other = ({v.path: v.value for v in load(f"{name}.toml").values()} for name in ("one", "other"))
+    assert other["mesh.mean_stiffness"] == pytest.approx(one["mesh.mean_stiffness"], rel=1e-12)
+    assert other["derived.transmitted_force"] == pytest.approx(one["derived.transmitted_force"], rel=1e-12)
+    for n in range(1, 6):
+        path = f"derived.critical_speed_{n}"
+        assert float(other[path]) * 57 / 25 == pytest.approx(float(one[path]), rel=1e-9)
 
 
 def test_every_problem_is_told_at_once_and_nothing_is_written(gearlash: Gearlash):

@@ -21,15 +21,17 @@ MEASURED = (
 
 @dataclass(frozen=True)
 class Comments:
-    """Texts by path: those that follow from what is stated, and examples that fit to it."""
+    """Texts by path: those that hold already, and examples that fit to it; what is said of those that hold
+    and are not computed."""
 
     known: Mapping[str, str] = field(default_factory=dict)
     fitting: Mapping[str, str] = field(default_factory=dict)
+    origins: Mapping[str, str] = field(default_factory=dict)
 
     def of(self, place: Quantity | Choice) -> tuple[str, str]:
         """The text of a comment, and what it is."""
         if place.path in self.known:
-            return self.known[place.path], ", as computed"
+            return self.known[place.path], f", {self.origins.get(place.path, 'as computed')}"
         if isinstance(place, Choice):
             return place.default, ", by default"
         return self.fitting.get(place.path, place.example), ", for example"
@@ -37,16 +39,25 @@ class Comments:
 
 def comments_of(case: Case) -> Comments:
     """Of a pair with its drawing."""
-    found = {
-        v.path: f"{v.value:.5g} {v.unit}".strip()
-        for v in case.values()
-        if not v.text and isinstance(v.value, float | int)
-    }
+    unstated = [v for v in case.values() if not v.text and isinstance(v.value, float | int)]
+    found = {v.path: f"{v.value:.5g} {v.unit}".strip() for v in unstated}
+    origins = {v.path: "as estimated" for v in unstated if v.least is not None}
+    origins |= {v.path: "as assumed" for v in unstated if v.least is None and v.provenance == "assumed"}
     teeth = case.numbers.body.teeth
     if teeth is None:
-        return Comments(found)
+        return Comments(found, {}, origins)
     found |= dict(_in_other_words(case, teeth))
-    return Comments(found, dict(_fitting(case, teeth)))
+    return Comments(found, dict(_fitting(case, teeth)), origins | dict(_of_lists(case)))
+
+
+def _of_lists(case: Case) -> Iterator[tuple[str, str]]:
+    """What is a value of a material or a rack, and not computed."""
+    for gear, one in zip(GEARS, materials_of(case), strict=True):
+        for leaf in ("youngs_modulus", "poisson_ratio", "density"):
+            yield f"{gear}.{leaf}", f"of {one.name}, from the list"
+        for leaf in ("addendum", "dedendum", "root_radius"):
+            yield f"{gear}.{leaf}", "as its rack has"
+        yield f"{gear}.ball_diameter", "as assumed"
 
 
 def _in_other_words(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, str]]:

@@ -136,8 +136,10 @@ def _bearings(drawing: Drawing) -> dict[str, Estimate]:
     force = 0.0
     if drawing.torque is not None:
         force = 2.0 * abs(drawing.torque) / pair.pinion.base_diameter / cos(pair.pinion.base_helix_angle)
+    smaller = "gear" if pair.gear.root_diameter < pair.pinion.root_diameter else "pinion"
+    least = min(one.root_diameter for one in pair.gears)
     for name, body, own in zip(("pinion", "gear"), drawing.bodies, drawing.shafts, strict=True):
-        shaft, whose = USUAL_BORE * pair.pinion.root_diameter, f"{USUAL_BORE} of the pinion's root diameter"
+        shaft, whose = USUAL_BORE * least, f"{USUAL_BORE} of the {smaller}'s root diameter"
         if own is not None:
             shaft, whose = own, "as stated"
         elif body is not None and body.bore > 0.0:

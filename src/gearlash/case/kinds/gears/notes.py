@@ -20,6 +20,7 @@ from .meshing import normal_force, unusual
 from .odd import odd
 from .pair import GearPair
 from .shared import HIGHEST_HARMONIC
+from .thousands import looking_like_thousands
 
 TOLERATED = 1.5  # times what the standard gives
 
@@ -51,8 +52,9 @@ def _cycles(pair: GearPair) -> Iterator[Note]:
 
 
 def _teeth(pair: GearPair) -> Iterator[Note]:
-    drawing = pair.completed.drawing
-    if drawing is not None and is_drawn(pair.stated):
+    drawing = pair.completed.drawing if is_drawn(pair.stated) else None
+    yield from looking_like_thousands(pair.stated, pair.rules.places, drawing)
+    if drawing is not None:
         torque = float(pair.scales.torque(pair.numbers.parameters["load"]))
         yield from unusual(pair.entries, drawing, normal_force(drawing.pair, torque))
         yield from odd(pair.stated, pair.entries, drawing)

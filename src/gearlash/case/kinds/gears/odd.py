@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
+from math import pi
 
 from gearlash.case.note import Note
 from gearlash.gears import backlash
@@ -13,6 +13,7 @@ from gearlash.gears.drawing import Drawing
 
 from .drawn import CENTRE, MEASURES, PLAY, SPEED_RANGE
 from .keys import GEARS
+from .own_material import about_materials
 from .rules import EntriesByKey
 
 MOST_PLAY = 0.15
@@ -21,7 +22,10 @@ MOST_WIDTH = 3.0
 """Of the reference diameter of the pinion."""
 ROUNDED = 1e-3
 """Of the normal module: so much overlap a rounded shift may leave."""
-_THOUSANDS = re.compile(r"\s*([1-9]\d{0,2}\.\d\d0)(?!\d)", re.ASCII)
+MOST_SHEAR = 500e6
+"""Pa: at about that quenched and tempered steel yields under torsion."""
+LEAST_SHAFT = 0.05
+"""Of the root diameter of the gear on it."""
 DIFFERENT = 0.1
 """Relative, of two backlashes that should be one."""
 MOST_ADDED = 1.0
@@ -37,43 +41,18 @@ def odd(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterat
         As the case states them, and with what follows.
     drawing : Drawing
     """
-    yield from _points(stated)
-    yield from _materials(stated, drawing)
+    yield from about_materials(stated, drawing)
     yield from _overlap(stated, entries, drawing)
     yield from _measured(stated, entries, drawing)
     yield from _play(stated, entries, drawing)
     yield from _widths(stated, drawing)
+    yield from _shafts(stated, drawing)
     yield from _speeds(stated, entries)
     yield from _added(stated, entries)
 
 
 def _play_of(stated: EntriesByKey) -> str | None:
     return next((key for key in ("D", PLAY) if key in stated and not stated[key].dimensionless), None)
-
-
-def _points(stated: EntriesByKey) -> Iterator[Note]:
-    """Speeds, torques and powers that look like thousands with a point, as in 4.200 rpm."""
-    for entry in stated.values():
-        found = _THOUSANDS.match(entry.text) if entry.path.startswith("operation.") else None
-        if found is not None:
-            yield Note(
-                entry.path,
-                f"{entry.text} is read with a decimal point, as {float(found[1]):g}; thousands are written "
-                f"without one, {found[1].replace('.', '')}",
-            )
-
-
-def _materials(stated: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
-    """A designation that the list has under another name, steels apart, which all have one modulus."""
-    for gear, one in zip(GEARS, drawing.chosen_materials, strict=True):
-        entry = stated.get(f"{gear}.material")
-        if entry is not None and one.name not in ("steel", str(entry.value)):
-            yield Note(
-                entry.path,
-                f"{entry.value} is taken for {one.name}: E {1e-9 * one.youngs_modulus:g} GPa, ν "
-                f"{one.poisson_ratio:g}, {one.density:g} kg/m³; youngs_modulus, poisson_ratio and density "
-                "may be stated beside it",
-            )
 
 
 def _overlap(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
@@ -138,6 +117,31 @@ def _widths(stated: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
                 entry.path,
                 f"{entry.number / diameter:.2g} times the reference diameter of the pinion: so wide a face "
                 "bears evenly only where it is corrected for bending and torsion",
+            )
+
+
+def _shafts(stated: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
+    """Shafts thicker than the gear on them, and those that the torque would twist off."""
+    for i, (gear, one) in enumerate(zip(GEARS, drawing.pair.gears, strict=True)):
+        paths = f"{gear}.shaft_diameter", f"{gear}.bore"
+        entry = next((stated[path] for path in paths if path in stated), None)
+        if entry is None:
+            continue
+        size, root = entry.number, one.root_diameter
+        torque = abs(drawing.torque or 0.0) * (drawing.pair.ratio if i else 1.0)
+        shear = 16.0 * torque / (pi * size**3)
+        if size >= root:
+            yield Note(
+                entry.path,
+                f"{1e3 * size:.4g} mm, not below the root diameter of the {gear}, {1e3 * root:.4g} mm; "
+                "bearings are estimated from it",
+            )
+        elif shear > MOST_SHEAR or size < LEAST_SHAFT * root:
+            twisted = f", in which its torque makes {1e-6 * shear:.3g} MPa of shear" if torque else ""
+            yield Note(
+                entry.path,
+                f"a shaft of {1e3 * size:.4g} mm for a root diameter of {1e3 * root:.4g} mm{twisted}; "
+                f"hardened steel bears about {1e-6 * MOST_SHEAR:g} MPa, and bearings are estimated from it",
             )
 
 
