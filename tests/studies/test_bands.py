@@ -74,6 +74,21 @@ def test_periodic_motion_without_a_branch_meets_the_back_side_where_its_label_sa
     assert living_at(met, 0.72) == ()
 
 
+def test_motion_that_was_followed_without_a_branch_is_called_by_its_own_label(sweep: Sweep):
+    """Not by that of its last point; and what settled to nothing all the way is no motion."""
+    found = _zones(_reaching(sweep, -0.8), MotionKind.APERIODIC)
+    (zone,) = found.wider
+    (motion,) = zone.motions
+    lost = ZoneEnd(LOW, SEEN, inside=MotionKind.UNRESOLVED), ZoneEnd(HIGH, "fold", inside=motion.label)
+
+    def named(label: Label) -> tuple[Label, ...]:
+        other = replace(motion, label=label, stable=Interval(*lost))
+        return living_at(replace(found, wider=(replace(zone, motions=(other,)),)), 0.78)
+
+    assert named(MotionKind.APERIODIC) == (MotionKind.APERIODIC,)
+    assert named(MotionKind.UNRESOLVED) == ()
+
+
 def test_a_soft_stop_is_met_by_chaos_that_was_also_followed():
     """Its branch begins at 0.716; down and cold sweeps see it at 0.724 with X = -1.45."""
     case = gl.load_case(CASES / "soft-stop.toml")

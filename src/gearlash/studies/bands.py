@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 from math import inf
 
@@ -108,10 +108,10 @@ def _loud(found: Zones) -> list[Interval]:
         if arc.stable and not found.quiet.holds_signature(arc.label)
     ]
     beside = [
-        motion.stable
+        Interval(*(replace(end, inside=motion.label) for end in (motion.stable.lower, motion.stable.upper)))
         for zone in found.wider
         for motion in zone.motions
-        if motion.branch is None and motion.stable is not None and not found.quiet.holds_label(motion.label)
+        if motion.branch is None and motion.stable is not None and _known_loud(found, motion.label)
     ]
     return [*arcs, *beside]
 

@@ -89,14 +89,14 @@ def chased(followed: Followed, seen: Iterable[Stretch]) -> list[ZoneMotion]:
 
 
 def _motion(end: ZoneEnd, points: Sequence[Point], other: Point | None) -> ZoneMotion:
-    """From the end of the arc to where the motion was lost: periodic where all points on the way have one
-    label. Whether it is quiet, a zone says that is asked for one kind of quiet."""
-    last, labels = points[-1], {point.label if point.periodic else None for point in points}
-    label = last.label if len(labels) == 1 and last.periodic and last.label else MotionKind.APERIODIC
+    """From the end of the arc to where the motion was lost, with the label of all points on the way, or
+    aperiodic. Whether it is quiet, a zone says that is asked for one kind of quiet."""
+    last, labels = points[-1], {point.label for point in points}
+    label = last.label if len(labels) == 1 and last.label else MotionKind.APERIODIC
     if other is None:
         lost = ZoneEnd(last.value, RANGE, inside=label, direction=BEYOND_END)
     else:
-        lost = halved(other, last, BEYOND_END)
+        lost = replace(halved(other, last, BEYOND_END), inside=label)
     here = replace(end, inside=label, outside=end.inside)
     low, high = sorted((here, lost), key=lambda one: one.value)
     seen = low.value + low.uncertainty, high.value - high.uncertainty
