@@ -195,8 +195,13 @@ def test_the_rule_for_agreement_and_the_label_alone_are_both_counted():
         found = replace(kept(), ways=(one,))
         assert len(conclusion.by_label(found)) == count
         said = text_of(found)
-        assert "with 1 of 1 ways to hold the inputs (“absolute” at ω " in said
-        assert f"By the label alone, the rule at first, {count} of 1 agree." in said
+        assert (
+            "with 1 of 1 ways to hold the inputs, begun with teeth pressed together (“absolute” at ω " in said
+        )
+        assert (
+            f"By the label alone, the rule at first, {count} of 1 agree as mesh cycles are compared now"
+            in said
+        )
 
 
 def test_what_was_fixed_after_something_was_seen_is_what_the_data_have():
@@ -238,7 +243,7 @@ def test_a_motion_whose_impacts_do_not_repeat_parts_and_has_no_label():
     assert seen.parts("uneven", 0.14)
     assert not seen.has_label("uneven")
     point = replace(named("absolute").points[0], label="uneven", apart=0.14, returns=0.004)
-    assert section_of._seen(point)[0] == "parts, impacts not repeating"
+    assert section_of._seen(point)[0] == "parts, impacts not repeating (mean forces come back within 0.4 %)"
 
 
 def test_a_share_of_time_apart_is_not_denied_by_a_label():
@@ -359,7 +364,7 @@ def test_the_table_of_settings_says_how_long_motions_settle():
     """Also where those that do not come back go on."""
     planned = next(each for each in kept().settings if each["name"] == "as planned")
     planned = {**planned, "settle": "80", "read": "20"}
-    for more, words_ in (({"longest": "12"}, " (up to 981 where"), ({"longest": "1"}, " and ")):
+    for more, words_ in (({"longest": "12"}, " (more, 981 at most, where"), ({"longest": "1"}, " and ")):
         (table,) = settings_beside.blocks(replace(kept(), settings=({**planned, **more},)))
         assert isinstance(table, Table)
         assert f"80 mesh cycles to settle{words_}" in str(table.caption)

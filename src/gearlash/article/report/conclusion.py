@@ -12,7 +12,7 @@ from gearlash.report.blocks import Block, Bullets, Note, Text
 from gearlash.report.numbers import number
 
 from . import lumped_beside, window, with_settings
-from .seen import HELD, MODIFIED, parts, share
+from .seen import HELD, MODIFIED, UNEVEN, parts, read_by_means, share
 from .when_fixed import when_fixed
 from .words import joined
 
@@ -28,6 +28,10 @@ END = (
     "The article leaves torque, error and backlash open, and states a stiffness that unmodified teeth of "
     "the stated size do not have: so this neither confirms nor refutes its simulation, whose inputs are "
     "not known."
+)
+READ_ANEW = (
+    " as mesh cycles are compared now (by mean forces); as they were compared in the data before (at single "
+    "places), none did"
 )
 NEAR = 0.05
 """Relative, of the dimensionless numbers of a way to those of the case: what is worth telling."""
@@ -69,7 +73,7 @@ def in_short(found: Verified) -> str:
     held = [way for way in found.ways if way.name in HELD]
     said = (
         f"real teeth part and stay in contact as the article reports with {len(agree)} of {len(found.ways)} "
-        "ways to hold the inputs"
+        "ways to hold the inputs, begun with teeth pressed together"
     )
     if elsewhere:
         said += f" ({joined(elsewhere)}, not at the reported ω)"
@@ -88,7 +92,8 @@ def _conclusion(found: Verified) -> Text:
     agree = agreeing(found)
     said = [
         f"In short: {in_short(found)}.",
-        f"By the label alone, the rule at first, {len(by_label(found))} of {len(found.ways)} agree.",
+        f"By the label alone, the rule at first, {len(by_label(found))} of {len(found.ways)} agree"
+        f"{READ_ANEW if read_by_means(found) else ''}.",
         _with_numbers_held(found),
         with_settings.both_motions(found),
         with_settings.both_bending(found, agree),
@@ -115,8 +120,18 @@ def _how(points: Sequence[VerifiedPoint]) -> str:
     return joined([_how([point]) for point in points])
 
 
+def _uneven(point: VerifiedPoint) -> str:
+    """Of a motion whose force comes back, and not the number of its impacts."""
+    if point.label != UNEVEN or point.returns is None:
+        return ""
+    return (
+        f" (mean forces come back within {share(point.returns)}, but with {number(point.impacts, 3)} "
+        "beginnings of contact a mesh cycle: no label)"
+    )
+
+
 def _moves(way: VerifiedWay) -> str:
-    return joined([f"{_how([point])} at {point.speed:.0f} rpm" for point in way.points])
+    return joined([f"{_how([point])} at {point.speed:.0f} rpm{_uneven(point)}" for point in way.points])
 
 
 def _with_numbers_held(found: Verified) -> str:
@@ -216,7 +231,8 @@ def _otherwise(found: Verified, way: VerifiedWay, case: Case) -> str:
     """A way that was not made to hold dimensionless numbers, and that does not agree."""
     near = _near(found, way, case)
     return (
-        f"With “{way.name}”{near} the reported pair of motions was not found: {_moves(way)}."
+        f"With “{way.name}”{near} the reported pair of motions was not found from teeth pressed together: "
+        f"{_moves(way)}."
         f"{window.coexisting(way)}"
     )
 
@@ -227,13 +243,15 @@ def _near(found: Verified, way: VerifiedWay, case: Case) -> str:
     if itself is None:
         return ""
     pairs = [(way.numbers[name], itself.numbers[name]) for name in (ERROR, PLAY)]
+    pairs.append((bearings_beside_mesh(way), bearings_beside_mesh(itself)))
     pairs += [(one.omega, other.omega) for one, other in zip(way.points, itself.points, strict=True)]
     off = max(abs(one / other - 1.0) for one, other in pairs)
     if off > NEAR:
         return ""
     twice = way.ripples[1] > max(way.ripples[0], way.ripples[2])
     ripple = (
-        f" and whose stiffness varies mostly twice a mesh cycle ({lumped_beside.second(way, case)})"
+        f" and whose stiffness varies most twice a mesh cycle ({lumped_beside.second(way, case)}; "
+        f"{share(way.ripples[0])} once and {share(way.ripples[2])} three times)"
         if twice
         else ""
     )
@@ -241,8 +259,8 @@ def _near(found: Verified, way: VerifiedWay, case: Case) -> str:
 
 
 def ripples(way: VerifiedWay) -> str:
-    """The first two harmonics of the stiffness."""
-    return f"{share(way.ripples[0])} and {share(way.ripples[1])}"
+    """The first three harmonics of the stiffness."""
+    return joined([share(each) for each in way.ripples[:3]])
 
 
 def _harmonics(found: Verified) -> Text:

@@ -52,9 +52,22 @@ def _counts(found: Verified) -> str:
     labels = ", ".join(f"{sum(p.lumped.get(rule) == p.label for p in points)}" for rule in RULES)
     return (
         "The lumped model, given what real teeth have, agrees with them on whether teeth part at so many of "
-        f"{len(points)} points: {parting}; on the full label at {labels} (a motion without a label agrees "
-        "with none)."
+        f"{len(points)} points: {parting}{_differing(found)}; on the full label at {labels} (a motion "
+        "without a label agrees with none)."
     )
+
+
+def _differing(found: Verified) -> str:
+    """Points at which they differ under every rule; where other starts of real teeth agree, that."""
+    said = []
+    for way in found.ways:
+        for point in way.points:
+            if any(agree(point, rule) for rule in RULES):
+                continue
+            other = window.other_motion(way, point)
+            also = f", where real teeth begun from the neighbouring speed, {other}, agree" if other else ""
+            said.append(f"“{way.name}” at {point.speed:.0f} rpm{also}")
+    return f" (not with {'; '.join(said)})" if said else ""
 
 
 def _in_contact(found: Verified) -> str:

@@ -43,6 +43,11 @@ def parts(label: str, apart: float | None) -> bool:
     return label == "aperiodic" or bool(apart)
 
 
+def read_by_means(found: Verified) -> bool:
+    """Whether mesh cycles were compared by mean forces; older data, without `returns`, at single places."""
+    return all(point.returns is not None for way in found.ways for point in way.points)
+
+
 def rounded(found: Verified) -> bool:
     """Whether a label was rounded: it has another number of impacts than were counted in the cycles read."""
     read = next((int(each["read"]) for each in found.settings if each["name"] == PLANNED.name), PLANNED.read)

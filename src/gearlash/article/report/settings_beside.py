@@ -67,4 +67,7 @@ def _longer(each: dict[str, str]) -> str:
     if times == 1:
         return ""
     most = times * int(each["settle"]) + int(each["read"]) + 1  # what is read in between is one cycle longer
-    return f" (up to {most} where a motion does not come back after one)"
+    return (
+        f" (more, {most} at most, where a motion does not come back after one and the slowest vibration of "
+        "bodies has not faded yet)"
+    )

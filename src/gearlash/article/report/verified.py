@@ -14,7 +14,7 @@ from gearlash.studies.verification.plan import AT_WINDOW
 from gearlash.studies.verification.settings import PLANNED
 
 from . import conclusion, settings_beside, teeth, window
-from .seen import KEPT, NONE, RULES, parts, rounded, share, told
+from .seen import KEPT, NONE, RULES, UNEVEN, parts, rounded, share, told
 
 STEM = "verified-forces"
 
@@ -81,7 +81,7 @@ def _ways(found: Verified) -> Bullets:
                 Strong(way.name),
                 f": {way.held}. Face width {number(way.face_width, 3)} mm, mean stiffness "
                 f"{number(way.stiffness / 1e8, 3)}·10⁸ N/m, ripple {conclusion.ripples(way)} at the first "
-                f"two mesh orders, torque {number(way.torque, 4)} N·m, error {number(way.error, 4)} µm.",
+                f"three mesh orders, torque {number(way.torque, 4)} N·m, error {number(way.error, 4)} µm.",
             )
             for way in found.ways
         )
@@ -121,6 +121,8 @@ def _seen(point: VerifiedPoint) -> list[str]:
     label, apart = told(point.label), f"apart {share(point.apart)} of the time"
     if point.label in (NONE, KEPT) and point.returns is not None:
         label = f"{label} (misses itself by {share(point.returns)})"
+    if point.label == UNEVEN and point.returns is not None:
+        label = f"{label} (mean forces come back within {share(point.returns)})"
     if not parts(point.label, point.apart):
         return [label, apart, forces]
     back = f", {number(point.back_impacts, 3)} on the back side" if point.back_impacts else ""
@@ -172,7 +174,8 @@ def _limits(found: Verified) -> Note:
         Text.of(
             "Each motion of real teeth in ",
             Ref("table-verified"),
-            " begins with teeth pressed together: others may coexist. Neither model has friction, a film of "
+            ", and with every setting beside, begins with teeth pressed together: others may coexist, and "
+            "with settings none were looked for. Neither model has friction, a film of "
             "oil, housings or, but with a flexible pinion, shafts that bend. Labels are those of motions "
             "that repeat after at most 8 mesh cycles, within 1 % in the mean forces of every 1/64 of a mesh "
             "cycle, over the range of these means; at single places they may miss more. In the balance of "

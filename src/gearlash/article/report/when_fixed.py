@@ -5,7 +5,7 @@ from __future__ import annotations
 from gearlash.article.verified import Verified
 from gearlash.report.blocks import Bullets, Text
 
-from .seen import rounded
+from .seen import read_by_means, rounded
 
 FIXED = (
     (
@@ -13,7 +13,8 @@ FIXED = (
         "flanks, masses, bearings across and along the shafts, torque, error, backlash and damping of the "
         "case; the inputs “stiffness”, “dimensionless” and “absolute”; both speeds; bearings along the line "
         "of centres as stiff as across it, 150 mm between the bearings of a shaft; the settings of bearings, "
-        "centre line, phase of the error, damping, step and solver; what a label means",
+        "centre line, phase of the error, damping, step and solver; the notation P-Q-R and its 1 % (how a "
+        "motion is read for it was changed later, see below)",
     ),
     (
         "After motions with a rigid gear had been seen",
@@ -46,20 +47,21 @@ FIXED = (
 LATEST = (
     "After the findings of a referee",
     "mesh cycles compared by the mean force of every 1/64 of them (before by the force at 64 places, with "
-    "which by the label alone no inputs agreed); more cycles to settle where a motion does not come back "
-    "after one, until the slowest vibration of bodies has faded",
+    "which, in the data just before, by the label alone no inputs agreed); more cycles to settle where a "
+    "motion does not come back after one and the slowest vibration of bodies has not faded yet",
 )
 """Of data that have `VerifiedPoint.returns`; older ones were read as before."""
 LABELS = (
-    "; a label only where every period has as many impacts (before, they were rounded in the mean: 1.3 "
-    "impacts a mesh cycle were told as one)"
+    "; a label only where every period has as many impacts, and 1-0-0 only where contact was never lost "
+    "(before, they were rounded in the mean: 1.3 impacts a mesh cycle were told as one, which made "
+    "“modified” 1-1-0 at 3600 rpm)"
 )
 """Of data no label of which is rounded."""
 
 
 def when_fixed(found: Verified) -> Bullets:
     """What was fixed before what was seen."""
-    latest = all(point.returns is not None for way in found.ways for point in way.points)
+    latest = read_by_means(found)
     when, what = LATEST
     steps = [*FIXED, (when, what if rounded(found) else what + LABELS)] if latest else FIXED
     return Bullets(tuple(Text.of(f"{when}, these were fixed: {what}.") for when, what in steps))

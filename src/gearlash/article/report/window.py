@@ -132,10 +132,16 @@ def coexisting(way: VerifiedWay) -> str:
         f" Begun from the motion at the neighbouring speed, {direction}, teeth stay in contact at "
         f"{point.speed:.0f} rpm: both motions exist there."
         for point in way.points
-        for direction, told, _ in _both(way)
-        if parts(point.label, point.apart) and _within(told, point.speed)
+        if (direction := other_motion(way, point))
     ]
     return "".join(said)
+
+
+def other_motion(way: VerifiedWay, point: VerifiedPoint) -> str:
+    """Directions of the grid in which teeth that part, begun pressed together, stay in contact."""
+    if not parts(point.label, point.apart):
+        return ""
+    return joined([direction for direction, told, _ in _both(way) if _within(told, point.speed)])
 
 
 def _within(told: str, speed: float) -> bool:

@@ -109,8 +109,8 @@ def configurations(
     return (
         Configuration(
             "stiffness",
-            f"{width}: all numbers, dimensionless and absolute, are those of the case, but the ripple of the "
-            "stiffness, which is that of these teeth",
+            f"{width}: all numbers of the lumped model, dimensionless and absolute, are those of the case, "
+            "but the ripple of the stiffness, which is that of these narrower teeth",
             *matched,
             inputs.torque,
             inputs.error,
