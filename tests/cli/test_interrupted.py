@@ -27,7 +27,7 @@ def ctrl_c(monkeypatch: pytest.MonkeyPatch) -> Callable[[str, int], None]:
         sent = []
 
         @contextmanager
-        def interrupting(title: str) -> Iterator[Tell]:
+        def interrupting(title: str, steady: bool = True) -> Iterator[Tell]:
             def tell(done: int, total: int) -> None:
                 if title == where and done >= at and not sent:
                     sent.append(done)
