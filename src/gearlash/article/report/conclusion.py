@@ -25,13 +25,13 @@ FITTED = (
     "solid discs, so the speeds in rpm, too. The tooth profile is a standard one, not shifted."
 )
 END = (
-    "The article leaves torque, error and backlash open, and states a stiffness that unmodified teeth of "
-    "the stated size do not have: so this neither confirms nor refutes its simulation, whose inputs are "
-    "not known."
+    "The article leaves torque, error and backlash open, and states a stiffness that unmodified teeth as "
+    "wide as its masses ask for do not have here: so this neither confirms nor refutes its simulation, whose "
+    "inputs are not known."
 )
 READ_ANEW = (
-    " as mesh cycles are compared now (by mean forces); as they were compared in the data before (at single "
-    "places), none did"
+    " as mesh cycles are compared now (by mean forces); as they were compared before (at single places), "
+    "none did in the data just before, and “absolute” did in the first ones"
 )
 NEAR = 0.05
 """Relative, of the dimensionless numbers of a way to those of the case: what is worth telling."""
@@ -242,20 +242,27 @@ def _near(found: Verified, way: VerifiedWay, case: Case) -> str:
     itself = _case_itself(found)
     if itself is None:
         return ""
-    pairs = [(way.numbers[name], itself.numbers[name]) for name in (ERROR, PLAY)]
-    pairs.append((bearings_beside_mesh(way), bearings_beside_mesh(itself)))
-    pairs += [(one.omega, other.omega) for one, other in zip(way.points, itself.points, strict=True)]
-    off = max(abs(one / other - 1.0) for one, other in pairs)
+    off = max(abs(one / other - 1.0) for one, other in _compared(way, itself))
     if off > NEAR:
         return ""
-    twice = way.ripples[1] > max(way.ripples[0], way.ripples[2])
-    ripple = (
-        f" and whose stiffness varies most twice a mesh cycle ({lumped_beside.second(way, case)}; "
-        f"{share(way.ripples[0])} once and {share(way.ripples[2])} three times)"
-        if twice
-        else ""
+    said = (
+        ", whose error on the flanks and backlash over static deflection, bearings over the mesh and ω are "
+        f"within {share(off)} of those of “{itself.name}”,"
     )
-    return f", whose dimensionless numbers are within {share(off)} of those of the case{ripple},"
+    if way.ripples[1] > max(way.ripples[0], way.ripples[2]):
+        said += (
+            f" whose stiffness varies most twice a mesh cycle ({lumped_beside.second(way, case)}; "
+            f"{share(way.ripples[0])} once and {share(way.ripples[2])} three times),"
+        )
+    relief = " and whose relief makes an error of its own under load, which these numbers leave out,"
+    return said + (relief if way.name == MODIFIED else "")
+
+
+def _compared(way: VerifiedWay, itself: VerifiedWay) -> list[tuple[float, float]]:
+    """Dimensionless numbers of a way, and of the one that has those of the case."""
+    pairs = [(way.numbers[name], itself.numbers[name]) for name in (ERROR, PLAY)]
+    pairs.append((bearings_beside_mesh(way), bearings_beside_mesh(itself)))
+    return pairs + [(one.omega, other.omega) for one, other in zip(way.points, itself.points, strict=True)]
 
 
 def ripples(way: VerifiedWay) -> str:

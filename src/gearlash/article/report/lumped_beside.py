@@ -186,4 +186,8 @@ def _by_little(ways: list[VerifiedWay], index: int) -> str:
 def _nearest(found: Verified, case: Case) -> str:
     """The way whose second harmonic comes nearest to that of the case."""
     ways = [way for way in found.ways if way.name == MODIFIED]
-    return "".join(f"; “{way.name}” comes nearest ({second(way, case)} twice a mesh cycle)" for way in ways)
+    return "".join(
+        f"; “{way.name}” comes nearest in that harmonic ({second(way, case)}), with others and an error made "
+        "by relief beside it"
+        for way in ways
+    )

@@ -175,10 +175,10 @@ def _limits(found: Verified) -> Note:
             "Each motion of real teeth in ",
             Ref("table-verified"),
             ", and with every setting beside, begins with teeth pressed together: others may coexist, and "
-            "with settings none were looked for. Neither model has friction, a film of "
-            "oil, housings or, but with a flexible pinion, shafts that bend. Labels are those of motions "
-            "that repeat after at most 8 mesh cycles, within 1 % in the mean forces of every 1/64 of a mesh "
-            "cycle, over the range of these means; at single places they may miss more. In the balance of "
+            "with settings none were looked for. Neither model has friction, a film of oil, housings or, "
+            "but with a flexible pinion, shafts that bend. Labels of real teeth are those of motions that "
+            "repeat after at most 8 mesh cycles, within 1 % in the mean forces of every 1/64 of a mesh cycle, "
+            "over the range of these means; at single places they may miss more. In the balance of "
             f"energy of these {sum(len(way.points) for way in found.ways)} motions at most "
             f"{scientific(_missing(found))} of what dampers take is missing; of settings and the window none "
             f"is kept.{_bearings(found)} No setting lets more of the bodies below the teeth give way; "

@@ -53,8 +53,8 @@ LATEST = (
 """Of data that have `VerifiedPoint.returns`; older ones were read as before."""
 LABELS = (
     "; a label only where every period has as many impacts, and 1-0-0 only where contact was never lost "
-    "(before, they were rounded in the mean: 1.3 impacts a mesh cycle were told as one, which made "
-    "“modified” 1-1-0 at 3600 rpm)"
+    "(before, they were rounded in the mean: with mean forces 1.3 impacts a mesh cycle were told as one, and "
+    "“modified” as 1-1-0 at 3600 rpm, in runs whose data are not kept)"
 )
 """Of data no label of which is rounded."""
 
