@@ -236,7 +236,7 @@ def test_stopped_before_its_verdict_it_tells_no_band(
         "At 4200 rpm and 150 N·m teeth stay in contact in the motion from the cold start (1-0); the search "
         "for other motions was stopped (interrupted)."
     )
-    assert answer["separating"] == answer["back_side"] == []
+    assert answer["separating"] == answer["not_told"] == answer["back_side"] == []
     lines = {line["title"]: line["text"] for line in answer["lines"]}
     for title in ("Teeth separate", "Back side", "Margin"):
         assert lines[title].startswith("Not looked for to the end")

@@ -12,6 +12,7 @@ import pytest
 
 import gearlash as gl
 from gearlash.case.rating import band_of_grades, grades_of, method_b, pair_of
+from gearlash.cli.answers.report import ReportPart, report_answer
 from gearlash.gears import flank_tolerances, mesh_stiffness
 from gearlash.orbits import motion_statistics
 from gearlash.orbits.signals import Signal
@@ -28,7 +29,7 @@ from gearlash.studies.bands import Band, back_bands, bands
 from gearlash.studies.ranges import AcrossRanges, Corner, Varied
 from gearlash.studies.speed_run import SpeedRun, speed_run, with_modes
 from gearlash.studies.speeds_across import SpeedsAcross
-from gearlash.studies.zone_end import ZoneEnd
+from gearlash.studies.zone_end import Interval, ZoneEnd
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
 
@@ -92,6 +93,14 @@ def window() -> tuple[Assessment, SpeedRun]:
     low, high = (float(case.scales.omega_from_rpm(rpm)) for rpm in (3500.0, 4400.0))
     axis = Axis.even("omega", low, high, 10)
     return assess(case, axis), speed_run(case, axis)
+
+
+def test_what_no_motion_tells_stands_in_the_answer_too(window: tuple[Assessment, SpeedRun]):
+    """A reader of bands alone would take the rest for quiet."""
+    found = replace(window[0])
+    assert report_answer(found).not_told == ()
+    vars(found)["not_told"] = (Interval(ZoneEnd(0.95, "fold"), ZoneEnd(0.96, "seen")),)
+    assert report_answer(found).not_told == (ReportPart(0.95, 0.96),)
 
 
 def test_impact_free_is_not_quiet_and_the_report_says_so(window: tuple[Assessment, SpeedRun]):

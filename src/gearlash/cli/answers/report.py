@@ -45,6 +45,14 @@ class ReportBand:
 
 
 @dataclass(frozen=True)
+class ReportPart:
+    """A part of the range of which no motion tells whether teeth separate."""
+
+    lower: Annotated[float, "ω"]
+    upper: Annotated[float, "ω"]
+
+
+@dataclass(frozen=True)
 class ReportAnswer:
     """A verdict on a gear pair at its speed and torque (gearlash report)."""
 
@@ -59,6 +67,11 @@ class ReportAnswer:
     parameters: Annotated[dict[str, float], "every parameter by short name"]
     lines: Annotated[tuple[ReportLine, ...], "the first lines of the report, after its sentence"]
     separating: Annotated[tuple[ReportBand, ...], "where teeth separate"]
+    not_told: Annotated[
+        tuple[ReportPart, ...],
+        "neither free of impacts nor where teeth separate: no motion was followed through it, and no sweep "
+        "shows teeth that separate",
+    ]
     back_side: Annotated[tuple[ReportBand, ...], "where the back side is met"]
     report: Annotated[str, "path of the page; empty where it is not made yet"]
     missing: Annotated[tuple[str, ...], "what was not computed, as the report was stopped"]
@@ -80,6 +93,7 @@ def report_answer(found: Assessment, contents: Contents | None = None, page: str
         parameters=dict(found.values),
         lines=tuple(ReportLine(line.title, line.text) for line in said.lines[1:]),
         separating=tuple(map(_band, found.separating)),
+        not_told=tuple(ReportPart(one.lower.value, one.upper.value) for one in found.not_told),
         back_side=tuple(map(_band, found.back_side)),
         report=page,
         missing=missing,
