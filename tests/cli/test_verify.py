@@ -73,6 +73,12 @@ def test_helical_case_as_json_with_figures_and_tables(gearlash: Gearlash, tmp_pa
         model for teeth in (2, 3, 2, 2) for model in ["real teeth"] * teeth + ["lumped model"] * 3
     ]
     assert float(rows[0]["mean_force [N]"]) == ways[0]["points"][0]["mean_force"]
+    assert rows[0]["settled"] == str(ways[0]["points"][0]["settled"])
+    meshes = list(csv.DictReader((out / "meshes.csv").read_text(encoding="utf-8").splitlines()))
+    for row, mesh in zip(meshes, answer["meshes"], strict=True):
+        assert float(row["errors_under_load_2 [um]"]) == mesh["errors_under_load"][1]
+    *_, wide, relieved = (mesh["errors_under_load"][0] for mesh in answer["meshes"])
+    assert relieved > 2.0 * wide
     assert "dB re its mean" in (out / "orders.svg").read_text(encoding="utf-8")
 
 

@@ -134,9 +134,13 @@ class VerifiedWay:
         Dimensionless, that are held or not.
     ripples : tuple of float
         Of the mesh orders 1, 2, 3 of the stiffness.
+    errors_under_load : tuple of float
+        What the flanks themselves make beside that stiffness: amplitudes of the same orders, µm.
     points : tuple of VerifiedPoint
     beside : tuple of (str, float, str, float)
         Setting, speed, label, share of time without contact.
+    settled : tuple of (str, float, int)
+        Setting, speed, mesh cycles before those that were read; of the plan and of every setting beside.
     breathing : tuple of VerifiedBreathing
         At each speed.
     up, down : str
@@ -168,6 +172,8 @@ class VerifiedWay:
     lumped_down: dict[str, str]
     apart_differs: dict[str, list[list[float]]]
     window: dict[str, Any] = field(default_factory=dict)
+    errors_under_load: tuple[float, ...] = ()
+    settled: tuple[tuple[str, float, int], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -275,6 +281,7 @@ def _way(data: dict[str, Any]) -> VerifiedWay:
         "points": tuple(map(_point, data["points"])),
         "breathing": tuple(VerifiedBreathing(**_with_tuples(each)) for each in data.get("breathing", ())),
         "beside": tuple(tuple(row) for row in data["beside"]),
+        "settled": tuple(tuple(row) for row in data.get("settled", ())),
     }
     return VerifiedWay(**_with_tuples({**data, **more}))
 

@@ -39,6 +39,7 @@ UNITS_OF_MESH = {
     "face_width": "mm",
     "stiffness": "N/m",
     "transmission_error": "µm",
+    **{f"errors_under_load_{order}": "µm" for order in (1, 2, 3)},
     "backlash": "µm",
     "torque": "N·m",
 }
@@ -53,17 +54,17 @@ def _motions(ways: Sequence[ConfigurationCompared]) -> list[Column]:
         speeds = {p.omega: p.speed for p in way.points}
         for p in (*way.points, *way.beside):
             forces = p.least_force, p.mean_force, p.greatest_force
-            steps = p.settle_steps, p.read_steps
+            steps = p.settled, p.settle_steps, p.read_steps
             read = p.impacts, p.back_impacts, *forces, p.returns, p.energy_residual, *steps
             rows.append((way.name, REAL, p.setting, p.speed, p.omega, p.label, p.apart, *read))
         for p in way.lumped:
             head = way.name, "lumped model", p.rule, speeds.get(p.omega), p.omega
-            rows.append((*head, p.label, p.apart, *(None,) * 9))
+            rows.append((*head, p.label, p.apart, *(None,) * 10))
     heads = (
         ("inputs", ""), ("model", ""), ("setting_or_rule", ""), ("speed", "rpm"), ("omega", ""),
         ("label", ""), ("apart", ""), ("impacts", ""), ("back_impacts", ""), ("least_force", "N"),
         ("mean_force", "N"), ("greatest_force", "N"), ("returns", ""), ("energy_residual", ""),
-        ("settle_steps", ""), ("read_steps", ""),
+        ("settled", ""), ("settle_steps", ""), ("read_steps", ""),
     )  # fmt: skip
     return [Column(name, [row[i] for row in rows], unit) for i, (name, unit) in enumerate(heads)]
 

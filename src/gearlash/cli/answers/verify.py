@@ -43,6 +43,11 @@ class MeshComputed:
         tuple[float, ...], "amplitudes of the mesh orders 1, 2, 3 of the stiffness over its mean"
     ]
     transmission_error: Annotated[float, "of perfect flanks under the torque, peak to peak, µm"]
+    errors_under_load: Annotated[
+        tuple[float, ...],
+        "what flanks without error make beside their stiffness under the torque (by relief, crowning, "
+        "contact beyond the path of contact): amplitudes of the mesh orders 1, 2, 3, µm",
+    ]
     transverse_contact_ratio: float
     overlap_ratio: float
     total_contact_ratio: Annotated[float, "mean number of pairs of teeth that carry under the torque"]
@@ -236,6 +241,7 @@ def _mesh(mesh: Mesh) -> MeshComputed:
         stiffness=mesh.stiffness,
         ripples=mesh.ripples,
         transmission_error=float(np.ptp(mesh.static.transmission_error)) * 1e6,
+        errors_under_load=tuple(abs(each) * 1e6 for each in mesh.static_errors),
         transverse_contact_ratio=mesh.pair.transverse_contact_ratio,
         overlap_ratio=mesh.pair.overlap_ratio,
         torque=mesh.static.torque,
