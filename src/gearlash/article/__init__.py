@@ -42,8 +42,8 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .reproduction import Stretch as Stretch
     from .reproduction import Table2Row as Table2Row
     from .reproduction import Together as Together
-    from .study import STAGES as STAGES
-    from .study import Scope as Scope
+    from .scope import Scope as Scope
+    from .stages import STAGES as STAGES
     from .study import reproduce as reproduce
 
 _WHERE = {
@@ -78,7 +78,9 @@ _WHERE = {
         "RuleGrazing",
         "ReportedZone",
     ),
-    "study": ("STAGES", "Scope", "reproduce"),
+    "scope": ("Scope",),
+    "stages": ("STAGES",),
+    "study": ("reproduce",),
 }
 
 __all__ = [

@@ -171,7 +171,7 @@ def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], N
 def _expecting_results(progress: StageCallback) -> StageCallback:
     """Shows the same progress. When the sweeps begin, it also says that from now on there is something that
     is worth keeping."""
-    from gearlash.article.study import STAGES
+    from gearlash.article.stages import STAGES
 
     def tell(stage: str, state: Progress | None) -> None:
         if state is None and stage in STAGES[:2]:
