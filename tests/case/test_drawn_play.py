@@ -81,6 +81,47 @@ def test_a_designation_is_told_with_what_it_is_taken_for_and_own_values_are_used
     assert values["mesh.mean_stiffness"] > listed["mesh.mean_stiffness"]
 
 
+@pytest.mark.parametrize(
+    ("mesh", "own", "listed"),
+    [
+        ("", 'thermal_expansion = "23 um/(m*K)"', 'material = "aluminium"'),
+        ("", 'thermal_expansion = "23e-6/K"', 'material = "aluminium"'),
+        ('housing_thermal_expansion = "12.7777777778 uin/in/°F"', "", 'housing_material = "aluminium"'),
+    ],
+)
+def test_an_own_thermal_expansion_stands_for_that_of_the_material(mesh: str, own: str, listed: str):
+    """Steel with the expansion of aluminium has the backlash at work of aluminium."""
+    warm = '[mesh]\ntemperature = "80 degC"\nbacklash = "100 um"\nmean_stiffness = "3e8 N/m"\n'
+    housing = listed if mesh else ""
+
+    def play(text: str) -> float:
+        values = loads(text.replace("[mesh]", warm)).values()
+        return next(float(v.value) for v in values if v.path == "mesh.backlash_at_work")
+
+    plain = play(TEXT)
+    stated = play(TEXT.replace("[mesh]", f"[mesh]\n{mesh}").replace("[gear]", f"[gear]\n{own}"))
+    named = play(
+        TEXT.replace("[mesh]", f"[mesh]\n{housing}").replace("[gear]", f"[gear]\n{'' if mesh else listed}")
+    )
+    assert stated == pytest.approx(named, rel=1e-9)
+    assert abs(stated - plain) > 1.0  # µm
+
+
+def test_bearings_are_as_far_apart_as_the_size_of_the_pair_has_it_or_as_stated():
+    helical = TEXT.replace("spur-1dof", "helical-pair").replace(
+        "[mesh]\nmodule", '[mesh]\nhelix_angle = "10 deg"\nnormal_module'
+    )
+    case = loads(helical.replace("[gear]", '[gear]\nbearing_span = "300 mm"'))
+    found = {v.path: v for v in case.values() if v.path.endswith("bearing_span")}
+    assert found["gear.bearing_span"].text == "300 mm"
+    estimated = found["pinion.bearing_span"]
+    assert (estimated.provenance, estimated.least) == ("assumed", None)
+    assert "half to twice as far" in estimated.reason
+    drawing = case.numbers.body.teeth
+    assert drawing is not None
+    assert 1e3 * drawing.face_width + 30.0 < float(estimated.value) < 1e3 * drawing.face_width + 80.0
+
+
 def test_a_speed_that_looks_like_thousands_is_told_as_it_is_read():
     case = loads(TEXT.replace("3000 rpm", "3.000 rpm"))
     told = {note.path: note.text for note in case.notes()}

@@ -185,13 +185,35 @@ IN_PINT = {"mil": "thou", "PS": "metric_horsepower"}
 
 
 @pytest.mark.parametrize(
-    "word", [w for w in units.UNIT_WORDS if w not in ("%", "rev", "U", "r", "degC", "DP")]
+    "word", [w for w in units.UNIT_WORDS if w not in ("%", "ppm", "rev", "U", "r", "degC", "DP")]
 )
 def test_every_known_word_is_what_pint_makes_of_it(word):
     found = units.ask_pint(IN_PINT.get(word, word))
     assert found is not None
     assert found.dimension == units.UNIT_WORDS[word].dimension
     assert float(found.ratio) == pytest.approx(units.UNIT_WORDS[word].convert(Fraction(1)), rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "11.5e-6 1/K", "11.5e-6/K", "11.5e-6 K^-1", "11,5·10⁻⁶ 1/K", "11.5×10⁻⁶ K⁻¹", "11.5 µm/(m·K)",
+        "11.5 µm/m·K", "11.5 um/m/K", "11.5 µm/m-K", "11.5 ppm/K", "11.5 ppm/°C", "11.5 µm/m°C",
+        "6.3888888889 µin/in·°F",
+        "6.3888888889e-6 in/in/°F",
+    ],
+)  # fmt: skip
+def test_thermal_expansion_as_data_sheets_have_it(text: str):
+    """A degree of a difference is as large in K as in °C, and 9/5 °F."""
+    number, unit = read(text)
+    assert unit.dimension == units.EXPANSION
+    assert unit.convert(number) == pytest.approx(11.5e-6, rel=1e-9)
+
+
+@pytest.mark.parametrize("text", ["333 K", "140 °F", "11.5 K", "11.5 m*K"])
+def test_a_degree_that_stands_above_the_stroke_is_no_unit(text: str):
+    with pytest.raises(UnitError, match="no unit"):
+        read(text)
 
 
 @pytest.mark.parametrize("text", ["60 °C", "60 degC", "60℃", "60° C"])

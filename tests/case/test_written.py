@@ -200,7 +200,7 @@ def test_a_material_that_is_not_known_is_answered_with_how_to_state_it():
     with pytest.raises(ValueRefusedError) as refused:
         read_stated("aluminium bronze", PLACES["gear.material"])
     assert refused.value.nearest == "tin-bronze"
-    assert "youngs_modulus, poisson_ratio and density" in refused.value.expected
+    assert "youngs_modulus, poisson_ratio, density and thermal_expansion" in refused.value.expected
     assert read_stated("EN-GJL-250", PLACES["mesh.housing_material"]).value == "EN-GJL-250"
 
 

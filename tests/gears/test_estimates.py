@@ -8,6 +8,7 @@ from math import cos, pi, radians, sqrt
 import pytest
 
 from gearlash.gears import CylindricalGear, CylindricalPair, backlash, equivalent_mass, materials
+from gearlash.gears.bearings import bearing_span
 from gearlash.gears.estimates import Drawing, estimates, natural_frequency
 from gearlash.gears.gear_body import GearBody
 from gearlash.gears.mesh_stiffness import SOLID
@@ -31,7 +32,7 @@ POM = materials.named("POM")
 )
 def test_every_estimate_lies_in_its_range_and_tells_its_source(drawing):
     found = estimates(drawing)
-    assert len(found) == 6 + 8 + 8 + 4 + 4
+    assert len(found) == 6 + 8 + 8 + 4 + 4 + 2
     for name, one in found.items():
         assert one.least <= one.value <= one.greatest, name
         assert one.source, name
@@ -77,3 +78,13 @@ def test_the_natural_frequency_is_that_of_the_torsional_model():
     frequency = natural_frequency(found, PAIR)
     assert frequency.value == pytest.approx(expected, rel=1e-12)
     assert frequency.least < expected < frequency.greatest
+
+
+@pytest.mark.parametrize(
+    ("d", "width"), [(10, 9), (20, 14), (30, 16), (50, 20), (80, 26), (100, 34), (200, 58)]
+)
+def test_bearings_are_as_wide_as_series_62_of_iso_15(d: int, width: int):
+    """6200, 6204 … 6240; beyond the teeth a span has one width and both walls."""
+    both = [bearing_span(face, 0.2, 1e-3 * d) for face in (0.02, 0.1)]
+    assert both[1] - both[0] == pytest.approx(0.08)
+    assert both[0] - 0.02 - 2.0 * (8e-3 + 4e-3) == pytest.approx(1e-3 * width, rel=1.0 / 7.0)

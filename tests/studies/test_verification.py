@@ -465,7 +465,8 @@ def test_a_light_gear_in_stiff_bearings_is_integrated_with_steps_as_short_as_it_
     assert inputs.bearing_y is not None
     across = inputs.masses[0] * (3.0 * inputs.radii[0] ** 2 + inputs.body_widths[0] ** 2) / 12.0
     period = 2.0 * np.pi / (inputs.speeds[0] * inputs.natural_frequency(mesh.stiffness))
-    stiff = replace(setting, bearing_span=2.0 * 3.0 * 64.0 / period * np.sqrt(across / inputs.bearing_y[0]))
+    span = 2.0 * 3.0 * 64.0 / period * np.sqrt(across / inputs.bearing_y[0])
+    stiff = replace(setting, tilt=(span / inputs.bearing_spans[0]) ** 2)
     soft, hard = (
         run_point(
             inputs,

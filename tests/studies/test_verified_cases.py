@@ -80,6 +80,21 @@ def test_what_is_stated_and_says_nothing_is_taken():
     assert inputs_of(gl.load_case("article", same), (1.0,)) == plain
 
 
+def test_bearings_are_as_far_apart_as_stated_or_as_the_size_has_it():
+    """Tilt stiffness k_y span²/4; a stated span makes no drawing of the case, and all else stays."""
+    plain = inputs_of(gl.load_case("article"), (1.0,))
+    assert all(0.07 + 0.03 < span < 0.15 for span in plain.bearing_spans)
+    stated = inputs_of(gl.load_case("article", {"pinion.bearing_span": "200 mm"}), (1.0,))
+    assert stated == replace(plain, bearing_spans=(0.2, plain.bearing_spans[1]))
+    tilt = [
+        machine_of(one, Setting(tilt=tilt), one.torque, 100.0, 1e-3, Modes()).bearings[0].stiffness[3]
+        for one, tilt in ((plain, 1.0), (stated, 1.0), (stated, 4.0))
+    ]
+    assert plain.bearing_y is not None
+    assert tilt[0] == pytest.approx(0.25 * plain.bearing_y[0] * plain.bearing_spans[0] ** 2)
+    assert tilt[1:] == pytest.approx([0.01 * plain.bearing_y[0], 0.04 * plain.bearing_y[0]])
+
+
 @pytest.mark.parametrize(
     ("name", "told"),
     [

@@ -9,7 +9,7 @@ from gearlash.gears import CylindricalGear, CylindricalPair, equivalent_mass, me
 from gearlash.gears.basic_rack import ISO53_A, BasicRack
 from gearlash.gears.drawing import COARSEST, GRADE_SPREAD
 from gearlash.gears.dynamic_factor import DynamicFactor, EffectiveErrors, dynamic_factor
-from gearlash.gears.materials import Material, named, with_own
+from gearlash.gears.materials import OF_DATA_SHEETS, Material, named, with_own
 from gearlash.system import GearlashError
 
 from .case import Case
@@ -113,7 +113,7 @@ def materials_of(case: Case) -> tuple[Material, Material]:
     def chosen(gear: str) -> Material:
         stated = found.get(f"{gear}.material")
         listed = named("steel" if stated is None else str(stated.value))
-        return with_own(listed, *(own(gear, leaf) for leaf in ("youngs_modulus", "poisson_ratio", "density")))
+        return with_own(listed, *(own(gear, leaf) for leaf in OF_DATA_SHEETS))
 
     return chosen("pinion"), chosen("gear")
 

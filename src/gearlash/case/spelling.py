@@ -18,8 +18,9 @@ _SUPERSCRIPT = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻]+")
 _POWER = re.compile(
     r"([+-]?)(?:(\d+(?:\.\d*)?|\.\d+)\s*[*xX]\s*)?10\s*(?:\^|\*\*)\s*(\(?)([+-]?\d+)(\)?)", re.ASCII
 )
-_PER = re.compile(r"/\s*(?=(?:min|s|h)$)")
+_PER = re.compile(r"/\s*(?=(?:min|s|h|K|deg[CF])$)")
 _CELSIUS = re.compile(r"℃|(?:[°º˚]|deg\b)\s*C\b")
+_FAHRENHEIT = re.compile(r"℉|(?:[°º˚]|deg\b)\s*F\b")
 _INCHES = re.compile(r"""(?<=[\d.])\s*(?:["″”]|''|′′)$""", re.ASCII)
 _MINUTES = re.compile(
     r"""([+-]?)(\d+)\s*deg\s*(\d{1,2}(?:\.\d*)?)\s*['′´’](?:\s*(\d{1,2}(?:\.\d*)?)\s*(?:["″”]|''|′′))?""",
@@ -31,8 +32,8 @@ _HYPHEN = re.compile(r"(?<=[A-Za-z])[-.](?=[A-Za-z])")
 
 def plain(text: str) -> str:
     """A text with ASCII signs: superscripts as ``^2``, products as ``*``, spaces as such."""
-    celsius = _CELSIUS.sub("degC", text)
-    raised = _SUPERSCRIPT.sub(lambda m: f"^{m[0].translate(_RAISED)}", celsius)
+    degrees = _FAHRENHEIT.sub(" degF", _CELSIUS.sub(" degC", text))
+    raised = _SUPERSCRIPT.sub(lambda m: f"^{m[0].translate(_RAISED)}", degrees)
     return raised.translate(_SIGNS).strip()
 
 

@@ -33,6 +33,8 @@ DENSITY = Dimension(-3, 1)
 PITCH = Dimension(length=-1)
 TEMPERATURE = Dimension(temperature=1)
 """Read off a thermometer: in °C everywhere, as a drawing counts from 20 °C."""
+EXPANSION = Dimension(temperature=-1)
+"""Per degree of a difference, which is as large in K as in °C."""
 
 DIMENSION_NAMES = {
     NUMBER: "a number without unit",
@@ -50,6 +52,7 @@ DIMENSION_NAMES = {
     DENSITY: "a density",
     PITCH: "teeth per length",
     TEMPERATURE: "a temperature in °C",
+    EXPANSION: "a thermal expansion",
 }
 
 
@@ -80,6 +83,7 @@ _POUND, _GRAVITY, _INCH = Fraction("0.45359237"), Fraction("9.80665"), Fraction(
 
 UNIT_WORDS: dict[str, Unit] = {
     "%": _unit("1/100", NUMBER),
+    "ppm": _unit("1e-6", NUMBER),
     "m": _unit(1, LENGTH),
     "cm": _unit("1/100", LENGTH),
     "mm": _unit("1/1000", LENGTH),
@@ -128,6 +132,12 @@ UNIT_WORDS: dict[str, Unit] = {
 }
 """Unit words that need no library; a test holds every one against pint."""
 
+PER_DEGREE = {
+    **dict.fromkeys(("K", "degC"), _unit(1, TEMPERATURE)),
+    **dict.fromkeys(("degF", "F"), _unit("5/9", TEMPERATURE)),
+}
+"""Words that say how large a degree is, and may stand below a stroke: 333 K is no temperature in °C."""
+
 OTHER_WORDS = {
     **{word.upper(): word for word in ("mm", "cm", "kg", "rpm", "deg", "rad", "in", "ft", "mil", "thou")},
     **{word.upper(): word for word in ("lb", "lbf", "oz", "ozf", "hp")},
@@ -162,5 +172,6 @@ USUAL: dict[Dimension, tuple[str, ...]] = {
     DENSITY: ("kg/m^3", "g/cm^3", "lb/in^3"),
     PITCH: ("1/in", "DP"),
     TEMPERATURE: ("degC",),
+    EXPANSION: ("um/(m*K)", "1/K", "ppm/K", "1/degC"),
 }
 """Units that drawings have for a dimension, to be told where another one stands there."""

@@ -18,13 +18,14 @@ from .spelling import plain_unit, plain_value
 from .unit_words import ANGLE as ANGLE
 from .unit_words import DENSITY as DENSITY
 from .unit_words import DIMENSION_NAMES as DIMENSION_NAMES
+from .unit_words import EXPANSION as EXPANSION
 from .unit_words import FORCE as FORCE
 from .unit_words import FREQUENCY as FREQUENCY
 from .unit_words import INERTIA as INERTIA
 from .unit_words import LENGTH as LENGTH
 from .unit_words import MASS as MASS
 from .unit_words import NUMBER as NUMBER
-from .unit_words import OTHER_WORDS, UNIT_WORDS, Dimension, Unit
+from .unit_words import OTHER_WORDS, PER_DEGREE, UNIT_WORDS, Dimension, Unit
 from .unit_words import PITCH as PITCH
 from .unit_words import POWER as POWER
 from .unit_words import PRESSURE as PRESSURE
@@ -95,7 +96,9 @@ def unit(text: str) -> Unit:
     result = Unit(Fraction(1), 0, NUMBER)
     if not words:
         return result
+    below = False
     for sign, part in _terms(words):
+        below = below or sign < 0
         if part == "1" and sign == 1:
             continue
         match = _TERM.fullmatch(part)
@@ -106,7 +109,11 @@ def unit(text: str) -> Unit:
                 "; digits are written without anything between them" if re.match(r"['_]?\d", part) else ""
             )
             raise UnitError(f"{part!r} is no unit{grouped}")
-        word, exponent = _word(match[1]), sign * int(match[2] or 1)
+        exponent = sign * int(match[2] or 1)
+        if match[1] in PER_DEGREE and (below or exponent < 0):  # µm/m·K: below the stroke all the same
+            word, exponent = PER_DEGREE[match[1]], -abs(exponent)
+        else:
+            word = _word(match[1])
         result = Unit(
             result.ratio * word.ratio**exponent,
             result.pi_power + word.pi_power * exponent,
@@ -200,7 +207,15 @@ def _registry():
     return pint.UnitRegistry(cache_folder=None)
 
 
-PRETTY = {"um": "µm", "N*m": "N·m", "kg*m^2": "kg·m²", "deg": "°", "degC": "°C", "N/mm/um": "N/(mm·µm)"}
+PRETTY = {
+    "um": "µm",
+    "N*m": "N·m",
+    "kg*m^2": "kg·m²",
+    "deg": "°",
+    "degC": "°C",
+    "N/mm/um": "N/(mm·µm)",
+    "um/(m*K)": "µm/(m·K)",
+}
 
 
 def pretty(unit: str) -> str:

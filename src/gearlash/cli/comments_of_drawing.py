@@ -10,6 +10,8 @@ from gearlash.case import Case
 from gearlash.case.kinds import Choice, Quantity
 from gearlash.case.rating import materials_of
 from gearlash.gears import CylindricalGear, CylindricalPair, gear_fits, inspection
+from gearlash.gears.bearings import bearing_span
+from gearlash.gears.materials import OF_DATA_SHEETS
 
 from .words_of_drawing import GEARS
 
@@ -53,7 +55,7 @@ def comments_of(case: Case) -> Comments:
 def _of_lists(case: Case) -> Iterator[tuple[str, str]]:
     """What is a value of a material or a rack, and not computed."""
     for gear, one in zip(GEARS, materials_of(case), strict=True):
-        for leaf in ("youngs_modulus", "poisson_ratio", "density"):
+        for leaf in OF_DATA_SHEETS:
             yield f"{gear}.{leaf}", f"of {one.name}, from the list"
         for leaf in ("addendum", "dedendum", "root_radius"):
             yield f"{gear}.{leaf}", "as its rack has"
@@ -81,6 +83,7 @@ def _in_other_words(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, s
         yield f"{gear}.youngs_modulus", f"{1e-9 * one.youngs_modulus:.6g} GPa"
         yield f"{gear}.poisson_ratio", f"{one.poisson_ratio:.6g}"
         yield f"{gear}.density", f"{one.density:.6g} kg/m^3"
+        yield f"{gear}.thermal_expansion", f"{1e6 * one.expansion:.6g} um/(m*K)"
     first = teeth.pinion
     yield "mesh.transverse_module", f"{1e3 * first.transverse_module:.7g} mm"
     yield "mesh.transverse_pressure_angle", f"{degrees(first.transverse_pressure_angle):.7g} deg"
@@ -123,6 +126,8 @@ def _fitting(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, str]]:
         hole = 0.4 * one.root_diameter if bore is None else 1e-3 * float(bore.value)
         yield f"{gear}.bore", _millimetres(hole)
         yield f"{gear}.shaft_diameter", _millimetres(hole)
+        span = bearing_span(teeth.face_width, teeth.centre_distance, hole)
+        yield f"{gear}.bearing_span", _millimetres(span)
         yield f"{gear}.rim_diameter", _millimetres(_rim(one, hole))
         yield f"{gear}.web_width", _millimetres(0.3 * teeth.face_width)
         yield f"{gear}.thickness_allowance", f"{-0.5 * play * cos(one.helix_angle):.2g} um"

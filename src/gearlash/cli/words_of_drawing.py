@@ -136,6 +136,12 @@ WORDS = (
         "25mm/",
         "Diameter of the shaft in its bearings; the bore where none is given.",
     ),
+    Word(
+        "bearing_span",
+        "{gear}.bearing_span",
+        "120mm/",
+        "Distance of the two bearings of the shaft; `verify` takes it.",
+    ),
     Word("rim_diameter", "{gear}.rim_diameter", "/140mm", "Inner diameter of the rim."),
     Word("web_width", "{gear}.web_width", "/15mm", "Width of the web."),
     Word(
@@ -146,6 +152,12 @@ WORDS = (
     ),
     Word("poisson_ratio", "{gear}.poisson_ratio", "/0.35", "Poisson's ratio ν, likewise."),
     Word("density", "{gear}.density", "/8800kg/m^3", "Density ρ, likewise."),
+    Word(
+        "thermal_expansion",
+        "{gear}.thermal_expansion",
+        "/18um/(m*K)",
+        "Coefficient of linear thermal expansion, likewise.",
+    ),
     Word("quality", "{gear}.quality", "7", "Flank tolerance class of ISO 1328-1.", True),
     Word(
         "tip_relief",
@@ -188,6 +200,12 @@ WORDS = (
     Word("temperature", "{gear}.temperature", "60degC", "Temperature at work; 20 °C where none is given."),
     Word("housing_temperature", "mesh.housing_temperature", "50degC", "Temperature of the housing at work."),
     Word("housing_material", "mesh.housing_material", "aluminium", "Material of the housing."),
+    Word(
+        "housing_thermal_expansion",
+        "mesh.housing_thermal_expansion",
+        "23um/(m*K)",
+        "Its coefficient of linear thermal expansion, in place of its material's.",
+    ),
     Word(
         "centre_distance_deviation",
         "mesh.centre_distance_deviation",

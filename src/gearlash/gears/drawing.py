@@ -72,6 +72,8 @@ class Drawing:
         Which of the grades nobody stated: those may be `GRADE_SPREAD` classes finer or coarser.
     shafts : (float or None, float or None)
         Diameters of the shafts in their bearings, m; those of the bores where None.
+    spans : (float or None, float or None)
+        Distance of the two bearings of a shaft, m; an estimate where None.
 
     Examples
     --------
@@ -96,6 +98,7 @@ class Drawing:
     stated_stiffness: float | None = None
     assumed_grades: tuple[bool, bool] = (False, False)
     shafts: tuple[float | None, float | None] = (None, None)
+    spans: tuple[float | None, float | None] = (None, None)
 
     @property
     def meshing(self) -> CylindricalPair:

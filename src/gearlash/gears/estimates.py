@@ -32,11 +32,12 @@ ERROR_PHASE = Estimate(
 ALONE = "of the gear alone; what turns rigidly with it is stated as added_inertia"
 USUAL_BORE = 0.6
 """Of the root diameter: of a shaft that is not known."""
+GEARS = ("pinion", "gear")
 
 
 NAMES = (
     "mean_stiffness", "ripple", "error", "error_phase", "backlash", "mesh_damping", "bodies", "bearings",
-    "bearing_damping",
+    "bearing_damping", "bearing_span",
 )  # fmt: skip
 """What can be estimated."""
 
@@ -60,7 +61,8 @@ def estimates(drawing: Drawing, harmonics: int = 8, names: Collection[str] = NAM
         mesh frequency along the normal, m),
         ``error_phase`` (rad, not known), ``backlash`` (normal, m), ``mesh_damping``, ``pinion_mass``,
         ``gear_mass`` (kg), ``pinion_inertia``, ``gear_inertia`` (kg·m²), ``pinion_bearing_y`` …
-        ``gear_bearing_z`` (N/m, radial and axial), ``bearing_damping``.
+        ``gear_bearing_z`` (N/m, radial and axial), ``bearing_damping``, ``pinion_bearing_span`` and
+        ``gear_bearing_span`` (m, from middle to middle of the two bearings of a shaft).
     """
     found: dict[str, Estimate] = {}
     if "mean_stiffness" in names:
@@ -81,6 +83,8 @@ def estimates(drawing: Drawing, harmonics: int = 8, names: Collection[str] = NAM
         found |= _bearings(drawing)
     if "bearing_damping" in names:
         found["bearing_damping"] = BEARING_DAMPING
+    if "bearing_span" in names:
+        found |= _spans(drawing)
     return found
 
 
@@ -136,14 +140,7 @@ def _bearings(drawing: Drawing) -> dict[str, Estimate]:
     force = 0.0
     if drawing.torque is not None:
         force = 2.0 * abs(drawing.torque) / pair.pinion.base_diameter / cos(pair.pinion.base_helix_angle)
-    smaller = "gear" if pair.gear.root_diameter < pair.pinion.root_diameter else "pinion"
-    least = min(one.root_diameter for one in pair.gears)
-    for name, body, own in zip(("pinion", "gear"), drawing.bodies, drawing.shafts, strict=True):
-        shaft, whose = USUAL_BORE * least, f"{USUAL_BORE} of the {smaller}'s root diameter"
-        if own is not None:
-            shaft, whose = own, "as stated"
-        elif body is not None and body.bore > 0.0:
-            shaft, whose = body.bore, "the stated bore"
+    for name, (shaft, whose) in zip(GEARS, _shafts(drawing), strict=True):
         source = (
             f"two deep groove ball bearings on a shaft of {shaft * 1e3:.3g} mm ({whose}), A. Palmgren; "
             f"range: a factor of {bearings.SPREAD:g} either way for rollers, shaft and housing, an estimate"
@@ -154,11 +151,43 @@ def _bearings(drawing: Drawing) -> dict[str, Estimate]:
     return found
 
 
+def _shafts(drawing: Drawing) -> list[tuple[float, str]]:
+    """Diameter of each shaft in its bearings, and where it is from."""
+    pair, found = drawing.pair, []
+    smaller = "gear" if pair.gear.root_diameter < pair.pinion.root_diameter else "pinion"
+    usual = USUAL_BORE * min(one.root_diameter for one in pair.gears)
+    for body, own in zip(drawing.bodies, drawing.shafts, strict=True):
+        if own is not None:
+            found.append((own, "as stated"))
+        elif body is not None and body.bore > 0.0:
+            found.append((body.bore, "the stated bore"))
+        else:
+            found.append((usual, f"{USUAL_BORE} of the {smaller}'s root diameter"))
+    return found
+
+
+def _spans(drawing: Drawing) -> dict[str, Estimate]:
+    """Of bearings in the walls of a housing on both sides of the pair, or as stated."""
+    width, distance = drawing.pair.face_width, drawing.pair.centre_distance
+    found: dict[str, Estimate] = {}
+    for name, stated, (shaft, whose) in zip(GEARS, drawing.spans, _shafts(drawing), strict=True):
+        span, factor = stated, 1.0
+        source = "as stated"
+        if span is None:
+            span, factor = bearings.bearing_span(width, distance, shaft), bearings.SPAN_FACTOR
+            source = (
+                f"bearings in the walls beside {width * 1e3:.3g} mm of face, on a shaft of {shaft * 1e3:.3g} "
+                f"mm ({whose}), by the practice of gear units; an estimate, half to twice as far"
+            )
+        found[f"{name}_bearing_span"] = Estimate(span, span / factor, span * factor, source)
+    return found
+
+
 def _masses(drawing: Drawing) -> dict[str, Estimate]:
     """Mass and inertia of the stated bodies, or of solid discs with a bore that is not known."""
     found = {}
     for name, gear, body, material in zip(
-        ("pinion", "gear"), drawing.pair.gears, drawing.bodies, drawing.chosen_materials, strict=True
+        GEARS, drawing.pair.gears, drawing.bodies, drawing.chosen_materials, strict=True
     ):
         if body is not None:
             exact = "rings of the stated body"

@@ -24,6 +24,8 @@ _PLASTIC = (
     "E, density: Encyclopedia of Physical Science and Technology, 3rd ed., Plastics Engineering; expansion: "
     "R. J. Crawford, Plastics Engineering; ν: handbook; ranges, dry to moist and cold to warm: estimates"
 )
+OF_DATA_SHEETS = "youngs_modulus", "poisson_ratio", "density", "thermal_expansion"
+"""What a case may state of a gear in place of values of its material, in the order of `with_own`."""
 _DATA_SHEETS = "E: data sheets; density, expansion: R. J. Crawford, Plastics Engineering; ranges: estimates"
 
 
@@ -160,14 +162,15 @@ def with_own(
     youngs_modulus: float | None = None,
     poisson_ratio: float | None = None,
     density: float | None = None,
+    expansion: float | None = None,
 ) -> Material:
     """A material with values of a data sheet in place of those of the list.
 
     Parameters
     ----------
     material : Material
-    youngs_modulus, poisson_ratio, density : float, optional
-        In SI units. A stated modulus is its whole range.
+    youngs_modulus, poisson_ratio, density, expansion : float, optional
+        In SI units. A stated modulus or expansion is its whole range.
 
     Returns
     -------
@@ -180,13 +183,20 @@ def with_own(
     >>> own.youngs_range, own.density
     ((195000000000.0, 195000000000.0), 7830.0)
     """
-    own = {"youngs_modulus": youngs_modulus, "poisson_ratio": poisson_ratio, "density": density}
+    own = {
+        "youngs_modulus": youngs_modulus,
+        "poisson_ratio": poisson_ratio,
+        "density": density,
+        "expansion": expansion,
+    }
     stated: dict[str, Any] = {name: value for name, value in own.items() if value is not None}
     if not stated:
         return material
     if youngs_modulus is not None:
         stated["youngs_range"] = (youngs_modulus, youngs_modulus)
-    names = {"youngs_modulus": "E", "poisson_ratio": "ν", "density": "density"}
+    if expansion is not None:
+        stated["expansion_range"] = (expansion, expansion)
+    names = {"youngs_modulus": "E", "poisson_ratio": "ν", "density": "density", "expansion": "expansion"}
     told = ", ".join(names[name] for name in own if own[name] is not None)
     return replace(material, source=f"{told}: stated; {material.source}", **stated)
 

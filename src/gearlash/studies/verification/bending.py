@@ -10,7 +10,6 @@ from gearlash.multibody import Modes
 from gearlash.multibody.contact import MeshContact, RimModes
 
 from .inputs import Inputs
-from .settings import PLANNED
 
 MODES = 5
 """Of a body, at least."""
@@ -92,7 +91,7 @@ def bending_pinion(inputs: Inputs, contact: MeshContact) -> Bending:
 
     pair, body = contact.flanks.pair, inputs.bodies[0]
     thick = body.bore or SHAFT * pair.pinion.reference_diameter
-    length = max(PLANNED.bearing_span, body.face_width)
+    length = max(inputs.bearing_spans[0], body.face_width)
     found = flexible_shaft(
         body.outer_diameter,
         body.face_width,

@@ -16,6 +16,7 @@ from gearlash.case.kinds.gears.kind import GearContent
 from gearlash.case.kinds.gears.teeth import Teeth
 from gearlash.gears import CylindricalPair, backlash
 from gearlash.gears.drawing import Drawing
+from gearlash.gears.estimates import estimates
 from gearlash.gears.flank_modification import PairModification
 from gearlash.gears.gear_body import GearBody
 from gearlash.gears.materials import Material, named
@@ -53,6 +54,8 @@ class Inputs:
     bearing_y, bearing_z : (float, float) or None
         Of bearings with what is in series, N/m; None where the model has none, and nothing moves but the
         shafts' rotations.
+    bearing_spans : (float, float)
+        Distance of the two bearings of a shaft, m: tilt stiffness = k_y span²/4.
     bearing_damping : ((float, float), (float, float))
         ξ of pinion and of gear, along y and along z.
     mean_stiffness, mesh_damping : float
@@ -82,6 +85,7 @@ class Inputs:
     modification: PairModification
     bearing_y: tuple[float, float] | None
     bearing_z: tuple[float, float] | None
+    bearing_spans: tuple[float, float]
     bearing_damping: tuple[tuple[float, float], tuple[float, float]]
     mean_stiffness: float
     mesh_damping: float
@@ -177,6 +181,7 @@ def inputs_of(case: Case, speeds: tuple[float, ...]) -> Inputs:
         modification=PairModification() if drawing is None else drawing.modification,
         bearing_y=bearing_y,
         bearing_z=bearing_z,
+        bearing_spans=_spans(content, pair),
         bearing_damping=_bearing_damping(values),
         mean_stiffness=scales.mean_stiffness,
         mesh_damping=values["mesh_damping"],
@@ -227,6 +232,15 @@ def _bearings(
 
     lateral, axial = ((stiffness("pinion", axis), stiffness("gear", axis)) for axis in "yz")
     return lateral, axial
+
+
+def _spans(content: GearContent, pair: CylindricalPair) -> tuple[float, float]:
+    """As stated, or estimated from the size of the pair, m."""
+    entries, drawing = content.completed.entries, content.completed.drawing or Drawing(pair)
+    keys = [f"{gear}.bearing_span" for gear in GEARS]
+    stated = [entries[key].number if key in entries else None for key in keys]
+    found = estimates(replace(drawing, spans=(stated[0], stated[1])), names=("bearing_span",))
+    return found["pinion_bearing_span"].value, found["gear_bearing_span"].value
 
 
 def _bearing_damping(values: Mapping[str, float]) -> tuple[tuple[float, float], tuple[float, float]]:

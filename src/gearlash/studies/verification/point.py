@@ -148,7 +148,7 @@ def machine_of(
         bodies.append(body)
         lateral = 0.0 if inputs.bearing_y is None else scale * inputs.bearing_y[i]
         axial = 0.0 if inputs.bearing_z is None else scale * inputs.bearing_z[i]
-        tilt = 0.25 * lateral * setting.bearing_span**2
+        tilt = 0.25 * setting.tilt * lateral * inputs.bearing_spans[i] ** 2
         stiffness = (setting.bearing_x * lateral, lateral, axial, tilt, tilt)
         bearings.append(_bearings(stiffness, body, setting.bearing_damping, inputs.bearing_damping[i]))
     return Machine(

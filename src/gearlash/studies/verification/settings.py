@@ -23,8 +23,8 @@ class Setting:
         Stiffness along the line of centres over that across it.
     bearings_as_stated : bool
         Whether bearings stay as stated where the inputs are held so that they would grow with the mesh.
-    bearing_span : float
-        Distance of the two bearings of a shaft, m: tilt stiffness = k_y span²/4.
+    tilt : float
+        Stiffness against tilt over that of two bearings as far apart as in the inputs.
     held : {"", "centre distance", "centre-line", "lumped"}
         Directions that are held: none; the line of centres; it and all tilts; all but rotation.
     error, torque : float
@@ -56,7 +56,7 @@ class Setting:
     name: str = "as planned"
     bearing_x: float = 1.0
     bearings_as_stated: bool = False
-    bearing_span: float = 0.15
+    tilt: float = 1.0
     held: str = ""
     error: float = 1.0
     torque: float = 1.0
@@ -98,8 +98,8 @@ def sensitivity(planned: Setting = PLANNED) -> tuple[Setting, ...]:
     changes: tuple[tuple[str, dict[str, object]], ...] = (
         ("bearing x stiffness / 4", {"bearing_x": 0.25}),
         ("bearing x stiffness × 4", {"bearing_x": 4.0}),
-        ("tilt stiffness / 4", {"bearing_span": 0.5 * planned.bearing_span}),
-        ("tilt stiffness × 4", {"bearing_span": 2.0 * planned.bearing_span}),
+        ("tilt stiffness / 4", {"tilt": 0.25}),
+        ("tilt stiffness × 4", {"tilt": 4.0}),
         ("centre line and tilts held", {"held": "centre-line"}),
         ("error − 10 %", {"error": 0.9}),
         ("error + 10 %", {"error": 1.1}),

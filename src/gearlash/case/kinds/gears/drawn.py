@@ -12,7 +12,7 @@ from gearlash.gears.mesh import harmonic_name
 
 from . import relief, written
 from .keys import GEARS
-from .shared import HIGHEST_HARMONIC, NO_RING, RIGHT_ANGLE, number, positive, speed
+from .shared import HIGHEST_HARMONIC, NO_RING, RIGHT_ANGLE, expansion, number, positive, speed
 
 RACKS = {
     "ISO53-A": basic_rack.ISO53_A,
@@ -108,6 +108,8 @@ def of_gear(gear: str) -> Iterator[Quantity]:
     yield positive(f"{gear}.bore", LENGTH, "mm", "30 mm", what, 50)
     what = f"diameter of the shaft of the {gear} in its bearings; the bore where none is stated"
     yield positive(f"{gear}.shaft_diameter", LENGTH, "mm", "25 mm", what, 50)
+    what = f"distance of the two bearings of the {gear}'s shaft, from middle to middle"
+    yield positive(f"{gear}.bearing_span", LENGTH, "mm", "120 mm", what, 50)
     what = f"inner diameter of the rim of the {gear}"
     yield positive(f"{gear}.rim_diameter", LENGTH, "mm", "140 mm", what, 50)
     yield positive(f"{gear}.web_width", LENGTH, "mm", "15 mm", f"width of the web of the {gear}", 5)
@@ -117,6 +119,8 @@ def of_gear(gear: str) -> Iterator[Quantity]:
     yield number(f"{gear}.poisson_ratio", "0.3", what, 0.0, 0.499)
     what = f"density ρ of the {gear}, likewise"
     yield positive(f"{gear}.density", DENSITY, "kg/m^3", "7830 kg/m^3", what, 1e5)
+    what = f"coefficient of linear thermal expansion of the {gear}, likewise"
+    yield expansion(f"{gear}.thermal_expansion", what)
     yield number(
         f"{gear}.quality",
         "7",
@@ -175,5 +179,8 @@ KEYS = frozenset(
     for place in (*(q for gear in GEARS for q in of_gear(gear)), *of_mesh(), *of_operation(), *options())
 )
 """Words of a drawing."""
-GEOMETRY = KEYS - {GEAR_SPEED, GEAR_TORQUE, POWERED, WIDTH, *SPEED_RANGE, *GEAR_RANGE}
+BEARING_SPANS = tuple(f"{gear}.bearing_span" for gear in GEARS)
+GEOMETRY = KEYS - {
+    GEAR_SPEED, GEAR_TORQUE, POWERED, WIDTH, *SPEED_RANGE, *GEAR_RANGE, *BEARING_SPANS
+}  # fmt: skip
 """Those that say something of the teeth or their bodies."""

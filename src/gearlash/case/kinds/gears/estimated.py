@@ -16,7 +16,7 @@ from gearlash.gears.cylindrical_pair import shift_sum
 from gearlash.gears.drawing import COARSEST, GRADE_SPREAD, USUAL_GRADE, Drawing, Estimate
 from gearlash.gears.estimates import estimates
 from gearlash.gears.gear_body import GearBody, mean_tooth_diameter
-from gearlash.gears.materials import named, with_own
+from gearlash.gears.materials import OF_DATA_SHEETS, named, with_own
 from gearlash.gears.mesh_stiffness import SOLID, Rim
 from gearlash.system import GearlashError
 
@@ -194,6 +194,8 @@ def _wanted(
         found.add("bearings")
     if any(f"bearing_damping_{b}" not in entries for b in rules.bearings):
         found.add("bearing_damping")
+    if rules.bearings and has_drawing and any(f"{gear}.bearing_span" not in entries for gear in GEARS):
+        found.add("bearing_span")
     return frozenset(found)
 
 
@@ -233,7 +235,7 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
     materials = [
         with_own(
             named(rules.places.chosen(entries, f"{gear}.material")),
-            *(stated(f"{gear}.{leaf}") for leaf in ("youngs_modulus", "poisson_ratio", "density")),
+            *(stated(f"{gear}.{leaf}") for leaf in OF_DATA_SHEETS),
         )
         for gear in GEARS
     ]
@@ -251,6 +253,7 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
         assumed_grades=(open_[0], open_[1]),
         stated_stiffness=stated("mesh.mean_stiffness"),
         shafts=(stated("pinion.shaft_diameter"), stated("gear.shaft_diameter")),
+        spans=(stated("pinion.bearing_span"), stated("gear.bearing_span")),
     )
 
 
@@ -330,15 +333,15 @@ def _entries(rules: PairRules, found: Mapping[str, Estimate]) -> Iterator[Entry]
             path = "mesh.ripple_phase" if name == "ripple_phase_1" else f"mesh.{name}"
         elif name.startswith("ripple_"):
             path = "mesh.ripple" if leaf == "1" else f"mesh.{name}"
-        elif leaf.startswith("bearing_"):
+        elif leaf.startswith("bearing_") and leaf != "bearing_span":
             path = f"{table}.bearing_stiffness_{leaf[-1]}"
         place = rules.places.quantities.get(path)
         if place is None:
             continue  # a value that this kind of pair has no place for
         for key in rules.places.keys(place):
-            ends = (
-                (None, None) if "phase" in name and one.least == one.greatest else (one.least, one.greatest)
-            )
+            ends = one.least, one.greatest
+            if leaf == "bearing_span" or ("phase" in name and ends[0] == ends[1]):
+                ends = None, None  # no number of this model follows from it; its source tells the range
             yield Entry(key, path, one.value, "", Provenance.ASSUMED, one.source, *ends)
 
 

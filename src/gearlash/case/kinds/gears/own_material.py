@@ -47,6 +47,8 @@ def _of_another_name(stated: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
             "poisson_ratio": f"ν {one.poisson_ratio:g}",
             "density": f"{one.density:g} kg/m³",
         }
+        if f"{gear}.temperature" in stated or "mesh.temperature" in stated:
+            values["thermal_expansion"] = f"{1e6 * one.expansion:g} µm/(m·K)"
         left = [leaf for leaf in values if f"{gear}.{leaf}" not in stated]
         if left and one.name.casefold() != str(entry.value).casefold():
             yield Note(

@@ -15,11 +15,13 @@ from gearlash.gears.materials import MATERIALS, named
 from .keys import GEARS
 from .places import Places
 from .rules import EntriesByKey
+from .shared import expansion
 from .written import material
 
 OF_DRAWINGS = 20.0
 """°C."""
 ALL, HOUSING, HOUSING_MATERIAL = "mesh.temperature", "mesh.housing_temperature", "mesh.housing_material"
+OWN_EXPANSIONS = "pinion.thermal_expansion", "gear.thermal_expansion", "mesh.housing_thermal_expansion"
 STATED, AT_WORK = "mesh.backlash", "mesh.backlash_at_work"
 FORMULA = "mesh.backlash, and what expansion and centre distance add (ISO 21771-1)"
 DEVIATION = "mesh.centre_distance_deviation"
@@ -35,6 +37,8 @@ def of_mesh() -> Iterator[Quantity]:
     """What the table [mesh] may hold."""
     yield _temperature(ALL, "temperature at work of gears and housing, where none of their own is stated")
     yield _temperature(HOUSING, "temperature of the housing at work")
+    what = "coefficient of linear thermal expansion of the housing, in place of that of its material"
+    yield expansion(OWN_EXPANSIONS[2], what)
     what = "whole normal backlash at work, in place of the stated one at 20 °C"
     yield Quantity(AT_WORK, LENGTH, "um", "100 um", what, 0.0, 0.02)
     what = "how much the centre distance is above its nominal value, at 20 °C"
@@ -81,7 +85,10 @@ def at_work(places: Places, entries: EntriesByKey, pair: CylindricalPair) -> Cyl
 def _growth(places: Places, entries: EntriesByKey) -> Growth:
     rises = [_rise(entries, key) for key in (*(f"{gear}.temperature" for gear in GEARS), HOUSING)]
     materials = (*(f"{gear}.material" for gear in GEARS), HOUSING_MATERIAL)
-    expansions = [named(places.chosen(entries, key)).expansion for key in materials]
+    expansions = [
+        entries[own].number if own in entries else named(places.chosen(entries, key)).expansion
+        for own, key in zip(OWN_EXPANSIONS, materials, strict=True)
+    ]
     return Growth(*(a * rise for a, rise in zip(expansions, rises, strict=True)))
 
 
@@ -127,4 +134,5 @@ def act_on(entries: EntriesByKey) -> bool:
 
 def inputs(entries: EntriesByKey) -> tuple[str, ...]:
     """What the backlash at work follows from."""
-    return "D", *stated(entries), *(f"{gear}.material" for gear in GEARS), HOUSING_MATERIAL
+    own = (key for key in OWN_EXPANSIONS if key in entries)
+    return "D", *stated(entries), *(f"{gear}.material" for gear in GEARS), HOUSING_MATERIAL, *own

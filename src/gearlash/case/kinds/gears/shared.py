@@ -9,6 +9,7 @@ from typing import Any
 from gearlash.case.quantity import LARGEST_VALUE, Choice, Quantity
 from gearlash.case.units import (
     ANGLE,
+    EXPANSION,
     FREQUENCY,
     INERTIA,
     LENGTH,
@@ -171,6 +172,11 @@ def speed(path: str, example: str, what: str) -> Quantity:
     """A speed of a shaft."""
     turn = "no sense of rotation is stated here, only the amount"
     return Quantity(path, SPEED, "rpm", example, what, 0.0, 1e6, above=True, below=turn)
+
+
+def expansion(path: str, what: str) -> Quantity:
+    """A coefficient of linear thermal expansion; of carbon fibres it is below 0."""
+    return Quantity(path, EXPANSION, "um/(m*K)", "11.5 um/(m*K)", what, -1e-4, 1e-3)
 
 
 def positive(path: str, dimension: Dimension, unit: str, example: str, what: str, upper: float) -> Quantity:

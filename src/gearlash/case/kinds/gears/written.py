@@ -145,7 +145,8 @@ def material(text: str) -> str:
     except GearlashError:
         expected = (
             f"a material of the list ({', '.join(materials.MATERIALS)}) or a designation with the modulus of "
-            "one; for another one the nearest of these, beside it youngs_modulus, poisson_ratio and density"
+            "one; for another one the nearest of these, beside it youngs_modulus, poisson_ratio, "
+            "density and thermal_expansion"
         )
         raise ValueRefusedError(expected, materials.nearest_name(text)) from None
     return text.strip()
