@@ -17,6 +17,7 @@ from gearlash.system.readout import Readout
 
 from .measured import readouts_of, trace_of
 from .motion import Motion
+from .order_lines import order_lines
 
 Array = NDArray[np.float64]
 
@@ -136,11 +137,6 @@ class Spectrum:
 def spectrum(found: History) -> Spectrum:
     """The order spectrum of a history: of an orbit its Fourier series; of another motion with a Hann window,
     whose lines are right for single tones and lie 1.5 lines wide."""
-    m = len(found.phase)
-    weight = np.ones(m) if found.period else 2.0 * np.sin(np.pi * np.arange(m) / m) ** 2
-    mean = found.values.mean(axis=1, keepdims=True)
-    lines = np.fft.rfft((found.values - mean) * weight, axis=1)[:, : m // 2] / m
-    rms = np.sqrt(2.0) * np.abs(lines)
-    rms[:, 0] = np.abs(mean[:, 0])
-    order = np.arange(m // 2) / found.cycles
-    return Spectrum(order, rms, np.angle(lines), "" if found.period else "Hann")
+    rms, phase = order_lines(found.values, bool(found.period))
+    order = np.arange(rms.shape[-1]) / found.cycles
+    return Spectrum(order, rms, phase, "" if found.period else "Hann")

@@ -20,6 +20,7 @@ from gearlash.system.readout import Readout
 
 from .history import CYCLES, LEAST, MOST, PER_CYCLE
 from .measured import readouts_of
+from .order_lines import order_lines
 
 Array = NDArray[np.float64]
 REFERENCES = {"N": (1e-6, "1 uN"), "µm": (1e-6, "1 pm"), "mm/s": (1e-6, "1 nm/s")}
@@ -68,19 +69,14 @@ def spectrum_of(series: list[Column], periodic: bool) -> list[Column]:
     Hann window is taken, whose lines are right for single tones."""
     phase = np.asarray(next(each.values for each in series if each.name == "mesh_cycle"))
     m, cycles = len(phase), len(phase) * (phase[1] - phase[0])
-    weight = np.ones(m) if periodic else 2.0 * np.sin(np.pi * np.arange(m) / m) ** 2
     columns = [Column("order", np.arange(m // 2) / cycles, "", "of the mesh frequency")]
     for column in series:
         if column.name in TIMES:
             continue
-        values = np.asarray(column.values)
-        mean = values.mean()
-        lines = np.fft.rfft((values - mean) * weight)[: m // 2] / m
-        rms = np.sqrt(2.0) * np.abs(lines)
-        rms[0] = abs(mean)
+        rms, angle = order_lines(np.asarray(column.values), periodic)
         told = column.description
         columns.append(Column(f"{column.name}_rms", rms, column.unit, f"{told}, rms; of order 0 its mean"))
-        columns.append(Column(f"{column.name}_phase", np.angle(lines), "rad", f"{told}, phase of the cosine"))
+        columns.append(Column(f"{column.name}_phase", angle, "rad", f"{told}, phase of the cosine"))
         size, reference = REFERENCES.get(column.unit, (1.0, "1"))
         level = np.full_like(rms, np.nan)
         np.log10(rms / size, where=rms > 0.0, out=level)
