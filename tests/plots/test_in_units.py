@@ -96,3 +96,20 @@ def test_a_map_has_bands_narrower_than_its_pixels_over_them():
     assert "teeth separate, at the present point's height" in said
     bare = plots.plane(dataset, present=present).legends[0]
     assert not any("separate" in text.get_text() for text in bare.get_texts())
+
+
+def test_a_map_shows_what_is_not_told_with_a_look_of_its_own():
+    case = gl.load_case("kahraman-singh")
+    done = gl.map_plane(case, gl.Axis.even("omega", 0.5, 0.9, 3), gl.Axis.even("load", 0.1, 0.2, 2))
+    look = {"present": (0.6, 0.15), "bands": [(0.651, 0.652)], "not_told": [(0.7, 0.72)]}
+    figure = plots.plane(gl.plane_dataset(case, done), **look)
+    bars = {
+        tuple(np.asarray(line.get_xdata()).tolist()): line
+        for line in figure.axes[0].lines
+        if line.get_marker() == "|"
+    }
+    assert set(bars) == {(0.651, 0.652), (0.7, 0.72)}
+    one, other = bars.values()
+    assert one.get_color() != other.get_color()
+    assert one.get_linestyle() != other.get_linestyle()
+    assert "not told whether teeth separate" in [t.get_text() for t in figure.legends[0].get_texts()]

@@ -16,6 +16,7 @@ from gearlash.cli.answers.report import ReportPart, report_answer
 from gearlash.gears import flank_tolerances, mesh_stiffness
 from gearlash.orbits import motion_statistics
 from gearlash.orbits.signals import Signal
+from gearlash.report.pair import Contents, document
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
 from gearlash.report.pair.orders import exciting, meetings, meetings_within, natural_frequencies
 from gearlash.report.pair.verdict import verdict
@@ -101,6 +102,17 @@ def test_what_no_motion_tells_stands_in_the_answer_too(window: tuple[Assessment,
     assert report_answer(found).not_told == ()
     vars(found)["not_told"] = (Interval(ZoneEnd(0.95, "fold"), ZoneEnd(0.96, "seen")),)
     assert report_answer(found).not_told == (ReportPart(0.95, 0.96),)
+
+
+def test_what_no_motion_tells_is_drawn_in_the_panels_over_speed(window: tuple[Assessment, SpeedRun]):
+    found = replace(window[0])
+    vars(found)["not_told"] = (Interval(ZoneEnd(0.95, "fold"), ZoneEnd(0.96, "seen")),)
+    _, pictures = document(Contents(found, window[1], ()))
+    axes = [one.arguments[0] for one in pictures if one.stem in ("speed-forces", "speed-errors")]
+    expected = [float(found.case.scales.pinion_rpm(omega)) for omega in (0.95, 0.96)]
+    assert len(axes) == 2
+    for axis in axes:
+        assert axis.not_told == (pytest.approx(expected),)
 
 
 def test_impact_free_is_not_quiet_and_the_report_says_so(window: tuple[Assessment, SpeedRun]):

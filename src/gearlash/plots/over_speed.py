@@ -26,7 +26,8 @@ WIDTH = 150.0  # mm of the panels, beside the labels
 LEAST_ABOVE = 6.0  # mm above the panels, where there is no resonance
 SEPARATING = {"facecolor": "#f6c9ae", "edgecolor": "none", "lw": 0.0}
 BESIDE = {"facecolor": "white", "edgecolor": "#d98a5b", "hatch": "....", "lw": 0.0}
-"""Two looks, told apart without colour: one is plain, the other dotted on white."""
+NOT_TOLD = {"facecolor": "#ededeb", "edgecolor": "#8f8f8f", "hatch": "\\\\\\", "lw": 0.0}
+"""Three looks, told apart without colour: one is plain, one dotted on white, one hatched on grey."""
 LOOKS = (
     (style.BLUE, "o"),
     (style.VERMILION, "s"),
@@ -91,6 +92,8 @@ class SpeedAxis:
     resonances : tuple of Mark
     beside : tuple of (float, float)
         Bands in which teeth separate in one motion and stay in contact in another.
+    not_told : tuple of (float, float)
+        Parts of which no motion tells whether teeth separate.
     """
 
     values: Array
@@ -101,6 +104,7 @@ class SpeedAxis:
     present: float
     resonances: tuple[Mark, ...] = ()
     beside: tuple[tuple[float, float], ...] = ()
+    not_told: tuple[tuple[float, float], ...] = ()
 
 
 @style.styled
@@ -137,7 +141,8 @@ def over_speed(axis: SpeedAxis, stacks: Sequence[Stack], title: str = "") -> Fig
 
 
 def _shade(panel: Axes, axis: SpeedAxis) -> None:
-    for spans, look in ((axis.separating, SEPARATING), (axis.beside, BESIDE)):
+    looks = (axis.separating, SEPARATING), (axis.beside, BESIDE), (axis.not_told, NOT_TOLD)
+    for spans, look in looks:
         for low, high in spans:
             panel.axvspan(low, high, zorder=0.1, **look)
     for low, high in axis.back:
@@ -209,7 +214,10 @@ def _key(axis: SpeedAxis, both: bool) -> Iterator[Line2D | Patch]:
     if axis.separating:
         yield Patch(label="teeth separate in every motion found", **SEPARATING)
     if axis.beside:
-        yield Patch(label="in one motion, in another not", **BESIDE)
+        subject = "" if axis.separating else "teeth separate "
+        yield Patch(label=f"{subject}in one motion, in another not", **BESIDE)
+    if axis.not_told:
+        yield Patch(label="not told whether teeth separate", **NOT_TOLD)
     if axis.back:
         yield Patch(facecolor="white", edgecolor=style.PURPLE, hatch="////", lw=0.0, label="back side met")
     if axis.resonances:

@@ -39,6 +39,7 @@ PRESENT: dict[str, Any] = {
 BAND: dict[str, Any] = {
     "color": style.VERMILION, "lw": 1.6, "marker": "|", "ms": 8.0, "mew": 1.2, "solid_capstyle": "butt",
 }  # fmt: skip
+NOT_TOLD = {**BAND, "color": style.INK, "ls": (0, (1, 1)), "lw": 2.4}
 Array = NDArray[np.float64]
 
 
@@ -52,6 +53,7 @@ def plane(
     along: Sequence[Twin | None] = (None, None),
     physical: bool = False,
     bands: Sequence[tuple[float, float]] = (),
+    not_told: Sequence[tuple[float, float]] = (),
 ) -> Figure:
     """A map of two parameters: a region for every label, named where there is room.
 
@@ -74,6 +76,8 @@ def plane(
     bands : sequence of (float, float)
         Intervals of the first parameter, at the second one's present value, in which teeth separate: drawn
         over the pixels, however narrow. They need ``present``.
+    not_told : sequence of (float, float)
+        Likewise: those of which no motion tells whether teeth separate.
 
     Returns
     -------
@@ -111,7 +115,8 @@ def plane(
     panel.set_title(literal(title) if title else _title(dataset, said, (x, y)), loc="left", fontsize=7.5)
     handles: list[Patch | Line2D] = [_patch(fill) for fill in legend_order(looks)]
     if present is not None:
-        handles += _bands(panel, bands, present[1])
+        handles += _bands(panel, bands, present[1], BAND, "teeth separate, at the present point's height")
+        handles += _bands(panel, not_told, present[1], NOT_TOLD, "not told whether teeth separate")
         panel.plot(*([at] for at in present), clip_on=False, zorder=6, **PRESENT)
         handles.append(Line2D([], [], label="present point", **PRESENT))
     alone = [physical and own is not None for own in along]  # such a scale is as it was asked for
@@ -125,11 +130,13 @@ def plane(
     return made
 
 
-def _bands(panel: Axes, bands: Sequence[tuple[float, float]], height: float) -> list[Patch | Line2D]:
+def _bands(
+    panel: Axes, bands: Sequence[tuple[float, float]], height: float, look: dict[str, Any], words: str
+) -> list[Patch | Line2D]:
     """Intervals as bars with upright ends, so that the narrowest is seen, too; returns the legend."""
     for low, high in bands:
-        panel.plot([low, high], [height, height], zorder=5, **BAND)
-    return [Line2D([], [], label="teeth separate, at the present point's height", **BAND)] if bands else []
+        panel.plot([low, high], [height, height], zorder=5, **look)
+    return [Line2D([], [], label=words, **look)] if bands else []
 
 
 def fill_plane(panel: Axes, dataset: xr.Dataset, names: tuple[str, str], strength: float) -> list[Patch]:

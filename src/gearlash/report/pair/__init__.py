@@ -33,6 +33,7 @@ def render(
         "values": dict(found.values),
         "signals": found.signals,
         "separating": found.separating,
+        "not_told": found.not_told,
         "back_side": found.back_side,
         "ranges": found.ranges,
         "missing": contents.missing,

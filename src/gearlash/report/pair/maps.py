@@ -37,18 +37,28 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
             "height": HEIGHT,
             "physical": True,
             "bands": [(band.lower.value, band.upper.value) for band in found.separating],
+            "not_told": [(part.lower.value, part.upper.value) for part in found.not_told],
             "title": f"{found.case.name}: {words}, {_fixed(contents, name)}",
         }
         pictures.append(Picture(stem, plots.plane, (dataset, units), look))
         caption = f"Motions over {words}, each from the cold start; the star is the present point. "
         caption += _pixel(contents, dataset, name)
-        if found.separating:
-            caption += (
-                " The bars beside the star are the bands of the first lines, in which teeth of a motion that "
-                "was found separate: their ends do not depend on pixels."
-            )
+        caption += _bars(contents)
         blocks.append(Figure(f"figure-{stem}", Text.of(caption), caption, stem))
     return Section("maps", "Maps", tuple(blocks)), pictures
+
+
+def _bars(contents: Contents) -> str:
+    """What the bars at the height of the star are."""
+    found, said = contents.found, ""
+    if found.separating:
+        said += (
+            " The bars beside the star are the bands of the first lines, in which teeth of a motion that "
+            "was found separate: their ends do not depend on pixels."
+        )
+    if found.not_told:
+        said += " Dotted bars there: no motion tells whether teeth separate."
+    return said
 
 
 def _given(contents: Contents, units: plots.Units, name: str) -> plots.Twin | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -17,6 +18,7 @@ from gearlash.results.pair_units import PairUnits, Unit
 from gearlash.results.sweep import Sweep
 from gearlash.studies.bands import Band
 from gearlash.studies.speed_run import SpeedRun
+from gearlash.studies.zone_end import Interval
 
 from .contents import Contents
 from .noise import loudest
@@ -83,6 +85,7 @@ def _axis(contents: Contents, run: SpeedRun) -> SpeedAxis:
         present=unit.factor * found.here,
         resonances=resonances(contents, run),
         beside=_spans(tuple(band for band in found.separating if not band.every), unit),
+        not_told=_spans(found.not_told, unit),
     )
 
 
@@ -90,7 +93,7 @@ def _label(words: str, unit: Unit) -> str:
     return f"{words}  [{unit.name}]" if unit.name else rf"{words}  $\omega$"
 
 
-def _spans(bands: tuple[Band, ...], unit: Unit) -> tuple[tuple[float, float], ...]:
+def _spans(bands: Sequence[Band | Interval], unit: Unit) -> tuple[tuple[float, float], ...]:
     return tuple((unit.factor * band.lower.value, unit.factor * band.upper.value) for band in bands)
 
 
