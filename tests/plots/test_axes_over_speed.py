@@ -43,10 +43,12 @@ def test_what_is_not_told_has_a_look_of_its_own_in_every_panel():
     none, values = np.zeros(len(SPEEDS), dtype=np.bool_), np.linspace(1.0, 2.0, 50)
     open_ = ((1100.0, 1200.0), (1700.0, 1710.0))
     stack = Stack("force  [N]", (Curve("peak", values, values),))
-    spans = {"separating": ((1300.0, 1400.0),), "beside": ((1500.0, 1600.0),)}
+    separating, beside = ((1300.0, 1400.0),), ((1500.0, 1600.0),)
     shown = {}
     for not_told in (open_, ()):
-        axis = SpeedAxis(SPEEDS, "speed", (none, none), back=(), present=1500.0, not_told=not_told, **spans)
+        axis = SpeedAxis(
+            SPEEDS, "speed", (none, none), separating, (), 1500.0, beside=beside, not_told=not_told
+        )
         figure = over_speed(axis, [stack, stack])
         shown[not_told] = {text.get_text() for text in figure.legends[0].get_texts()}
         for panel in figure.axes[1:3]:

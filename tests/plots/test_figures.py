@@ -215,6 +215,11 @@ def test_nothing_written_lies_outside(figure: Figure) -> None:
                     assert extent.x1 <= box.x1 + 6 * pixel, text.get_text()
                     assert extent.y0 >= box.y0 - pixel, text.get_text()
                     assert extent.y1 <= box.y1 + pixel, text.get_text()
+    for legend in figure.legends:
+        extent = legend.get_window_extent(renderer)
+        assert box.x0 - pixel <= extent.x0
+        assert extent.x1 <= box.x1 + pixel
+        assert extent.y0 >= box.y0 - pixel
 
 
 def test_an_svg_asks_no_host_and_carries_no_date(figure: Figure) -> None:

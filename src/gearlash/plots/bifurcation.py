@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from gearlash.system import Signature
 
 from . import style
+from .legends import legend_below
 from .marks import LINES, OTHER_LINE, OTHER_TICK, TICKS, Mark, height, lines, texts
 from .regimes import FREE
 from .strip import key, strip
@@ -31,6 +32,7 @@ DIRECTION_STYLES = {
     "down": (style.VERMILION, "v", 3.2, 3.0),
 }
 WIDTH = 146.0  # mm of the panels of a figure of page width: what is left beside the labels
+LEGEND = 15.0  # mm: height of it that the figure is made for
 DENSE = 700  # values of an axis from which points are smallest, and not joined
 LARGEST_DOT = 14.0  # times that size, of the points of a coarse axis
 JUMP = 0.4  # of all values of a panel: neighbours farther apart are not joined
@@ -123,10 +125,8 @@ def diagram(
     second(rest[3], twin if asked is None else None, below=9.5)
     style.align_labels(rest)
     handles = [*directions(rows, shown), *_mark_kinds(marks), *here, *key(seen)]
-    figure.legend(
-        handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4,
-        title=ASSUMED if rests(twin, scales.length, scales.force) else None, title_fontsize=6.5,
-    )  # fmt: skip
+    told = ASSUMED if rests(twin, scales.length, scales.force) else None
+    legend_below(figure, handles, told, columns=4, room=LEGEND)
     return figure
 
 

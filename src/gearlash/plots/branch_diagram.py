@@ -33,6 +33,7 @@ from .branch_lines import (
     special_heights,
 )
 from .followed import MEASURES, Array, Followed, parameter
+from .legends import legend_below
 from .regimes import FREE, regime
 from .room import Room
 from .scales import scales
@@ -50,6 +51,7 @@ WIDE = 4.0  # the modulus from which moduli are drawn over a logarithmic axis
 IN_CLOUD = {"extremes": ("minimum", "maximum")}
 ROOM = 0.012  # of the width, left and right
 TALL, LOW = 84.0, 34.0  # mm: heights of the panels
+LEGEND = 15.0  # mm: height of it that the figure is made for
 INNER = 158.0  # mm: width of a panel without its words, at least
 
 
@@ -134,12 +136,9 @@ def branch_diagram(
     if title:
         panels[0].set_title(literal(title))
     assumed = any(each is not None and each.assumed for each in (twin, up))
-    figure.legend(
-        handles=[*_styles(every), *_labels(colours), *_kinds(every), *_cloud_key(cloud)],
-        loc="outside lower center", ncols=4, columnspacing=1.4,
-        title=" ".join([_said(shown, several=len(every) > 1), *([ASSUMED] if assumed else [])]) or None,
-        title_fontsize=6.5,
-    )  # fmt: skip
+    handles = [*_styles(every), *_labels(colours), *_kinds(every), *_cloud_key(cloud)]
+    told = " ".join([_said(shown, several=len(every) > 1), *([ASSUMED] if assumed else [])])
+    legend_below(figure, handles, told or None, columns=4, room=LEGEND)
     return figure
 
 

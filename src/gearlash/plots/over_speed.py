@@ -24,10 +24,11 @@ PANEL = 33.0  # mm of a panel
 LOW_PANEL = 27.0  # of three or more
 WIDTH = 150.0  # mm of the panels, beside the labels
 LEAST_ABOVE = 6.0  # mm above the panels, where there is no resonance
-SEPARATING = {"facecolor": "#f6c9ae", "edgecolor": "none", "lw": 0.0}
-BESIDE = {"facecolor": "white", "edgecolor": "#d98a5b", "hatch": "....", "lw": 0.0}
-NOT_TOLD = {"facecolor": "#ededeb", "edgecolor": "#8f8f8f", "hatch": "\\\\\\", "lw": 0.0}
-"""Three looks, told apart without colour: one is plain, one dotted on white, one hatched on grey."""
+SEPARATING = {"facecolor": "#f6c9ae", "edgecolor": "#f6c9ae", "lw": 0.6}
+BESIDE = {"facecolor": "white", "edgecolor": "#d98a5b", "hatch": "....", "lw": 0.5}
+NOT_TOLD = {"facecolor": "#ededeb", "edgecolor": "#8f8f8f", "hatch": "\\\\\\", "lw": 0.5}
+"""Three looks, told apart without colour: plain, dotted on white, hatched on grey. Edges are lines, so that
+the narrowest is seen."""
 LOOKS = (
     (style.BLUE, "o"),
     (style.VERMILION, "s"),

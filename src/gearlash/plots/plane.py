@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
+from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 from scipy import ndimage
 
@@ -23,6 +24,7 @@ from gearlash.system import GearlashError, Label, Signature, UnknownNameError, r
 
 from . import style
 from .fills import NONE, Fill, fills, legend_order
+from .legends import legend_below
 from .regimes import short
 from .scales import scales
 from .units import ASSUMED, Twin, Units, literal, rests
@@ -31,6 +33,7 @@ from .words import GEARS, Words, words
 WIDTH, HEIGHT = 146.0, 104.0  # mm of the panel
 KEY = "P-Q-R: P cycles with Q impacts on the drive side, R on the back side; R = 0 is left out."
 KEY_OF_SEVERAL = "P-Q-R/Q-R…: P cycles; of every gap in turn Q impacts on the drive side, R on the back side."
+LEGEND = 15.0  # mm: what the figure is made for
 STAR = 3.0  # mm around the present point that its star takes
 CHARACTER = 1.25  # mm of a character of a region's label
 PRESENT: dict[str, Any] = {
@@ -39,7 +42,9 @@ PRESENT: dict[str, Any] = {
 BAND: dict[str, Any] = {
     "color": style.VERMILION, "lw": 1.6, "marker": "|", "ms": 8.0, "mew": 1.2, "solid_capstyle": "butt",
 }  # fmt: skip
-NOT_TOLD = {**BAND, "color": style.INK, "ls": (0, (1, 1)), "lw": 2.4}
+EDGE = {"path_effects": [withStroke(linewidth=3.6, foreground="white")]}
+"""Bars stand on white, as what is below them may be as dark as they are."""
+NOT_TOLD = {**BAND, "color": style.INK, "ls": (0, (1, 1)), "lw": 2.0}
 Array = NDArray[np.float64]
 
 
@@ -123,10 +128,7 @@ def plane(
     marked = any(rests(twin) for twin, bare in zip(twins, alone, strict=True) if not bare)
     key = KEY_OF_SEVERAL if any(isinstance(each, Signature) and each.others for each in names) else KEY
     key = sided(key, said is GEARS)
-    made.legend(
-        handles=handles, loc="outside lower center", ncols=5, columnspacing=1.4,
-        title=f"{key} {ASSUMED}" if marked else key, title_fontsize=6.5,
-    )  # fmt: skip
+    legend_below(made, handles, f"{key} {ASSUMED}" if marked else key, columns=5, room=LEGEND)
     return made
 
 
@@ -135,7 +137,7 @@ def _bands(
 ) -> list[Patch | Line2D]:
     """Intervals as bars with upright ends, so that the narrowest is seen, too; returns the legend."""
     for low, high in bands:
-        panel.plot([low, high], [height, height], zorder=5, **look)
+        panel.plot([low, high], [height, height], zorder=5, **EDGE, **look)
     return [Line2D([], [], label=words, **look)] if bands else []
 
 

@@ -19,6 +19,7 @@ from gearlash.studies.zone_end import Quiet, ZoneEnd
 
 from . import style
 from .bifurcation import along, directions, dot_size, new_points, scatter
+from .legends import legend_below
 from .marks import OTHER_TICK, TICKS
 from .regimes import DRIVE, FREE
 from .strip import key, strip
@@ -27,6 +28,7 @@ from .units import ASSUMED, Twin, Units, literal, rests, second
 from .words import words
 
 WIDTH = 140.0  # mm of the panels: what is left beside the labels
+LEGEND = 15.0  # mm: height of it that the figure is made for
 ROW = 6.0  # mm of a band
 THICK = 0.62  # of a band, of its row
 SOME = "/////"  # hatch, on white, of where only some attractors are quiet: a colour alone says every
@@ -114,11 +116,9 @@ def zone_bands(
     if title:
         upper.set_title(literal(f"{title} (every, some: of the attractors found)"), pad=6.0)
     here = list(_present(panels, None if present is None else factor * present))
-    figure.legend(
-        handles=[*directions(rows, shown), *key(seen), *_key(bands), *marks, *here],
-        loc="outside lower center", ncols=3, columnspacing=1.6,
-        title=ASSUMED if rests(twin, (units or Units()).length) else None, title_fontsize=6.5,
-    )  # fmt: skip
+    told = ASSUMED if rests(twin, (units or Units()).length) else None
+    handles = [*directions(rows, shown), *key(seen), *_key(bands), *marks, *here]
+    legend_below(figure, handles, told, columns=3, room=LEGEND)
     return figure
 
 
