@@ -13,14 +13,15 @@ from gearlash.flow import tables
 from oracles.members import random_member
 
 building = sys.modules["gearlash.flow.propagators"]
+responding = sys.modules["gearlash.flow.responses"]
 
 
 @pytest.mark.parametrize("states", [2, 5, 12])
 def test_any_pieces_give_the_same_bytes(states: int, monkeypatch: pytest.MonkeyPatch):
     calls = []
-    for name in ("respond", "assemble"):
-        kernel = getattr(building, name)
-        monkeypatch.setattr(building, name, lambda *a, of=kernel: calls.append(1) or of(*a))
+    for room, name in ((responding, "respond"), (building, "assemble")):
+        kernel = getattr(room, name)
+        monkeypatch.setattr(room, name, lambda *a, of=kernel: calls.append(1) or of(*a))
     system, _ = random_member(np.random.default_rng(states), states, 2)
     heavier = dataclasses.replace(system, forcing=1.5 * system.forcing)
     found, counts = [], []
@@ -37,11 +38,22 @@ def test_any_pieces_give_the_same_bytes(states: int, monkeypatch: pytest.MonkeyP
     assert counts[1] > 5 * counts[0]
 
 
+def test_a_linear_motion_is_the_same_bytes_in_any_pieces(monkeypatch: pytest.MonkeyPatch):
+    system, _ = random_member(np.random.default_rng(7), 6, 1)
+    found = []
+    for numbers in (10**9, 1):
+        monkeypatch.setattr(tables, "NUMBERS_PER_CALL", numbers)
+        motion = flow.linear_motion(system, flow.PLUS)
+        assert motion is not None
+        found.append((motion.map.tobytes(), motion.beyond.tobytes(), motion.stiffness.tobytes()))
+    assert found[0] == found[1]
+
+
 def test_no_call_writes_more_than_it_may(monkeypatch: pytest.MonkeyPatch):
     """Of a slow system, which has many cells a period."""
     widths = []
-    kernel = building.respond
-    monkeypatch.setattr(building, "respond", lambda *a: widths.append(a[12] - a[11]) or kernel(*a))
+    kernel = responding.respond
+    monkeypatch.setattr(responding, "respond", lambda *a: widths.append(a[12] - a[11]) or kernel(*a))
     monkeypatch.setattr(tables, "NUMBERS_PER_CALL", 100_000)
     system, _ = random_member(np.random.default_rng(3), 4, 1)
     props = flow.propagators(dataclasses.replace(system, omega=1e-2))

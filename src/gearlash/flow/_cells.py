@@ -2,14 +2,15 @@
 
 A column is the response to a unit start in one state, or from rest to one unit input: a harmonic of the
 forcing on one state, the edge of a gap, or a harmonic of a gap's offset. Load, error and gap are amplitudes
-of such inputs, so changing them rebuilds nothing (`_assemble`). Columns lie side by side in the lanes of
-vectors, and all are carried through the recurrence of a cell at once."""
+of such inputs, so changing them rebuilds nothing (`_assemble`). Where nobody will change them, an input is a
+whole series of harmonics (`responses.summed`), and there are few columns. Columns lie side by side in the
+lanes of vectors, and all are carried through the recurrence of a cell at once."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from gearlash._kernel.jit import allocating, array_of, float64, inner, int64, kernel, tuple_of, void
+from gearlash._kernel.jit import allocating, array_of, boolean, float64, inner, int64, kernel, tuple_of, void
 
 from ._blocks import LANES, padded
 from ._remainder import eta_bounds, majorant
@@ -101,7 +102,7 @@ def _zeros(size):
 
 
 @inner
-def _start(n, cells, lanes, states, units, centres, z, new, total):
+def _start(n, cells, lanes, states, units, series, centres, z, new, total):
     """Unit starts in the first lanes of every cell, n of them or none; the centre that undoes an edge or a
     constant offset in theirs (``total`` is told from there)."""
     width = cells * lanes
@@ -113,9 +114,9 @@ def _start(n, cells, lanes, states, units, centres, z, new, total):
             z[i * width + k * lanes + i] = 1.0
             total[i * width + k * lanes + i] = 1.0
         for u in range(len(units)):
-            if units[u, 0] <= OFFSET and units[u, 2] == 0:
+            if units[u, 0] <= OFFSET:
                 for i in range(n):
-                    z[i * width + k * lanes + states + u] = centres[units[u, 1], i]
+                    z[i * width + k * lanes + states + u] = series[u, 0] * centres[units[u, 1], i]
 
 
 @inner
@@ -216,7 +217,7 @@ def _is_steady(shape: Shape, memory, sides):
 
 
 @inner
-def _inputs(shape: Shape, memory, sides, units, cell, k, one, eta, sources):
+def _inputs(shape: Shape, memory, sides, units, series, cell, k, one, eta, sources):
     """eta (cells, gaps, TERMS), sources (cells, u, TERMS) ← Taylor coefficients over a cell, as the ``k``th:
     of the stiffness that acts, in falling order, and of every unit input."""
     count, width = shape.clearances, memory[shape.scalars + 2]
@@ -226,7 +227,8 @@ def _inputs(shape: Shape, memory, sides, units, cell, k, one, eta, sources):
             eta[(k * count + c) * TERMS + ORDER - j] = memory[place + j]
     for u in range(len(units)):
         fill(one, 0.0)
-        one[units[u, 2]] = 1.0  # an edge is a constant (slot 0)
+        for slot in range(units[u, 2] + 1):
+            one[slot] = series[u, slot]
         at = (k * len(units) + u) * TERMS
         fourier_taylor(one, 0, (units[u, 2] + 1) // 2, cell * width, width, sources, at)
 
@@ -242,8 +244,8 @@ def _highest(units):
 
 @allocating
 def _through_cells(
-    shape: Shape, memory, at, equations, filled, reads, sides, active, units, centres, back, ends, gaps,
-    first, until, last, read, bound,
+    shape: Shape, memory, at, equations, filled, reads, sides, active, units, series, centres, back, ends,
+    gaps, first, until, last, read, bound,
 ):  # fmt: skip
     """Carries all columns through the cells from ``first`` on and before ``until``, forward or ``back`` (the
     transposed system in reversed time), and keeps them, with the largest of what the remainder is bounded
@@ -267,10 +269,10 @@ def _through_cells(
     while cell < until:
         cells = 1 if cell == first else min(TOGETHER, until - cell)
         for k in range(cells):
-            _inputs(shape, memory, sides, units, cell + k, k, one, eta, sources)
+            _inputs(shape, memory, sides, units, series, cell + k, k, one, eta, sources)
         if cell == first or not steady:
             width = cells * lanes
-            _start(n, cells, lanes, n, units, centres, z, new, total)
+            _start(n, cells, lanes, n, units, series, centres, z, new, total)
             _recurrence(
                 n, count, cells, lanes, n, equations, filled, reads, active, eta, step, units, sources, z,
                 new, total, x, last, read,
@@ -278,7 +280,7 @@ def _through_cells(
             for k in range(cells):
                 _keep_units(cell + k, width, k * lanes + n, total, x, ends, gaps)
         elif own > 0:
-            _start(n, cells, few, 0, units, centres, z, new, few_ends)
+            _start(n, cells, few, 0, units, series, centres, z, new, few_ends)
             _recurrence(
                 n, count, cells, few, 0, equations, filled, reads, active, eta, step, units, sources, z, new,
                 few_ends, few_x, last, read,
@@ -304,24 +306,24 @@ def _through_cells(
 @kernel(
     tuple_of(float64, 2)(
         SIZES, MUTABLE, int64, MATRIX, MATRIX, MATRIX, MATRIX, INTS, TABLE, CUBE, array_of(float64, 4),
-        int64, int64, MATRIX, CUBE, float64,
+        int64, int64, MATRIX, CUBE, float64, MATRIX, boolean,
     ),
     allocates=True,
 )  # fmt: skip
 def respond(
     sizes, memory, at, matrix, readers, actors, centres, sides, units, ends, gaps, first, until, last, read,
-    bound,
+    bound, series, backward,
 ):  # fmt: skip
-    """Fills, for the cells from ``first`` on and before ``until``, the columns of unit starts of `step`,
-    `gap` and `pull` in the slot at ``at``, and the unit responses ends (cells, u, n), gaps (cells,
-    clearances, u, TERMS). With the last cell it returns the Taylor remainders of a unit column (of its
-    states; with every term times its order), or infinity where that is above ``bound``; before, zeros. last
-    (2, n) and read (2, clearances, ORDER+1), zeros at first, carry what they are bounded by from call to
-    call, forward and backward.
+    """Fills, for the cells from ``first`` on and before ``until``, the columns of unit starts of `step` and
+    `gap` in the slot at ``at``, with ``backward`` those of `pull`, and the unit responses ends (cells, u, n),
+    gaps (cells, clearances, u, TERMS). With the last cell it returns the Taylor remainders of a unit column
+    (of its states; with every term times its order), or infinity where that is above ``bound``; before,
+    zeros. last (2, n) and read (2, clearances, ORDER+1), zeros at first, carry what they are bounded by from
+    call to call, forward and backward.
 
     matrix (n, n) with its damping; readers, actors, centres (clearances, n): h, g, c with h_j·c_k = 1 for
-    j = k, else 0; sides (clearances): `PLUS`, `FREE` or `MINUS`; units (u, 3): kind, clearance or state, slot
-    of the series."""
+    j = k, else 0; sides (clearances): `PLUS`, `FREE` or `MINUS`; units (u, 3): kind, clearance or state, the
+    last slot of the series; series (u, slots): those series, whose absolute values sum up to 1 at most."""
     shape = shape_of(sizes)
     n, count = shape.n, shape.clearances
     equations, reads, active = np.zeros(n * (n + count)), np.zeros(count * n), np.zeros(count, np.int64)
@@ -330,16 +332,18 @@ def respond(
         active[c] = 0 if sides[c] == FREE else 1
     _equations(n, count, matrix, readers, actors, False, equations, filled, reads)
     value, derived = _through_cells(
-        shape, memory, at, equations, filled, reads, sides, active, units, centres, False, ends, gaps,
+        shape, memory, at, equations, filled, reads, sides, active, units, series, centres, False, ends, gaps,
         first, until, last[0], read[0], bound,
     )  # fmt: skip
     if not value <= bound:
         return np.inf, np.inf
+    if not backward:
+        return value, derived
     _equations(n, count, matrix, readers, actors, True, equations, filled, reads)
     none, no_ends, no_gaps = np.zeros((0, 3), np.int64), np.zeros((0, 0, 0)), np.zeros((0, 0, 0, 0))
     back, _ = _through_cells(
-        shape, memory, at, equations, filled, reads, sides, active, none, centres, True, no_ends, no_gaps,
-        first, until, last[1], read[1], bound,
+        shape, memory, at, equations, filled, reads, sides, active, none, series, centres, True, no_ends,
+        no_gaps, first, until, last[1], read[1], bound,
     )  # fmt: skip
     return max(value, back), derived
 

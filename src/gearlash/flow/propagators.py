@@ -14,13 +14,11 @@ from gearlash.system import ContactRule, GearlashError, Record, System, given, p
 from gearlash.system.piecewise import MOST_CLEARANCES
 
 from ._assemble import assemble, laps
-from ._cells import EDGE, OFFSET, respond, stiffness_series
+from ._cells import EDGE, OFFSET, stiffness_series
 from ._tables import (
     ALWAYS,
     IN_CONTACT,
     NO_TENSION,
-    ORDER,
-    TERMS,
     Array,
     Shape,
     aligned,
@@ -36,9 +34,8 @@ from .budget import (
     regions_likely,
     regions_possible,
 )
-from .equations import left_out, write_region, write_system
+from .equations import left_out, write_system
 from .regions import (
-    Sides,
     centres_of,
     code_of,
     edges_of,
@@ -51,6 +48,7 @@ from .regions import (
     twin,
     units_of,
 )
+from .responses import Responses, each_alone, responses
 from .tables import Tables, calls, copy_in_pieces
 
 TRUNCATION = 1e-15  # bound on the Taylor remainder of every unit column of every cell map
@@ -108,7 +106,7 @@ class Propagators(Record):
     centres: Array
     key: tuple
     store: dict[str, Tables]
-    responses: dict[int, tuple[Array, Array, float, float]]
+    responses: dict[int, Responses]
     lock: threading.Lock = field(default_factory=threading.Lock)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -275,38 +273,16 @@ def _with_regions(props: Propagators, codes: list[int], bound: float) -> Tables 
             copy_in_pieces(memory[place : place + shape.slot], memory[at : at + shape.slot])
             props.responses[code] = props.responses[like]
         else:
-            responses = _responses(props, memory, at, sides_of(code, shape.clearances), bound)
-            if not responses[2] <= bound:
+            inputs = each_alone(props.units, props.centres, shape)
+            sides = sides_of(code, shape.clearances)
+            found = responses(system, shape, memory, at, sides, inputs, bound)
+            if not found.remainder <= bound:
                 return None
-            props.responses[code] = responses
+            props.responses[code] = found
         _assemble(system, shape, props, memory, at, code, everything=True)
         slot_of[code] = (at - shape.slots) // shape.slot
         at += shape.slot
     return Tables(memory, at, slot_of)
-
-
-def _responses(
-    props: Propagators, memory: Array, at: int, sides: Sides, bound: float
-) -> tuple[Array, Array, float, float]:
-    """Writes the homogeneous tables of a region into its slot; returns the responses to unit inputs (at the
-    ends of cells, in the gaps) and the Taylor remainders, infinite ones where they are above the bound."""
-    system, shape = props.system, props.shape
-    ends = np.zeros((shape.cells, len(props.units), shape.n))
-    gaps = np.zeros((shape.cells, shape.clearances, len(props.units), TERMS))
-    matrix = matrix_of(system, sides).copy()
-    readers = np.array([c.h for c in system.clearances], dtype=np.float64)
-    actors = np.array([c.g for c in system.clearances], dtype=np.float64)
-    last, read = np.zeros((2, shape.n)), np.zeros((2, shape.clearances, ORDER + 1))
-    value = derived = 0.0
-    for first, until in calls(shape):
-        value, derived = respond(
-            sizes_of(shape), memory, at, matrix, readers, actors, props.centres,
-            np.array(sides, dtype=np.int64), props.units, ends, gaps, first, until, last, read, bound,
-        )  # fmt: skip
-        if not value <= bound:
-            break
-    write_region(system, shape, memory, at, matrix)
-    return ends, gaps, value, derived
 
 
 def _with_amplitudes(system: System, reuse: Propagators) -> Propagators:

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from gearlash import flow
 from gearlash.case import Case
+from gearlash.flow import MINUS, PLUS, linear_motion
 from gearlash.orbits import Orbit, orbit_at
-from gearlash.orbits.contact_force import force_extrema
 from gearlash.orbits.sign_change import SignChange, first_sign_change
 from gearlash.results.impact_free import Ending, ImpactFree
 from gearlash.system import ContactRule, Family, GearlashError, Parameter, System, given, plain_values
@@ -114,31 +114,24 @@ def impact_free_speeds(
     )
 
 
-@dataclass
+@dataclass(frozen=True)
 class ClosedMesh:
-    """The pair whose mesh never opens, at any value of a parameter; ``beside``: state of the last motion that
-    was found."""
+    """The pair whose mesh never opens, at any value of a parameter."""
 
     family: Family
     parameters: Mapping[str, float]
     side: int
-    beside: NDArray[np.float64] | None = None
     name: str = "omega"
 
     def system(self, value: float) -> System:
         return self.family.system({**self.parameters, self.name: value})
 
     def orbit(self, omega: float) -> Orbit | None:
-        return self._orbit_of(self.system(omega))
+        closed = _closed(self.system(omega), self.side)
+        return _orbit(closed, _at_rest(closed))
 
-    def _orbit_of(self, system: System) -> Orbit | None:
-        found = _orbit(_closed(system, self.side), self.beside)
-        self.beside = None if found is None else found.state
-        return found
-
-    def margin(self, omega: float) -> float:
-        system = self.system(omega)
-        return _margin(system, self.side, self._orbit_of(system))
+    def margin(self, value: float) -> float:
+        return closed_margin(self.system(value), self.side)
 
     def error(self, change: SignChange) -> float:
         """Of the speed at a change: what lies between its two sides, and how far an error of the margin, or
@@ -151,9 +144,7 @@ class ClosedMesh:
         if change.beyond == -inf:
             rise, error = abs(orbit.leading) - abs(inner.leading), MULTIPLIER_ERROR
         else:
-            here, there = (_margin(self.system(w), self.side, o) for w, o in
-                           ((change.value, orbit), (within, inner)))  # fmt: skip
-            rise, error = here - there, orbit.shot.error
+            rise, error = self.margin(change.value) - self.margin(within), orbit.shot.error
         slope = abs(rise) / abs(within - change.value)
         return between + (error / slope if slope > 0.0 else abs(within - change.value))
 
@@ -168,20 +159,16 @@ def closed_margin(system: System, side: int) -> float:
     -inf where that motion is unstable, NaN where it was not solved for. With the rule `no-tension` contact
     ends with its force: the least force instead.
     """
-    closed = _closed(system, side)
-    return _margin(system, side, _orbit(closed, _at_rest(closed)))
-
-
-def _margin(system: System, side: int, orbit: Orbit | None) -> float:
-    if orbit is None:
+    try:
+        motion = linear_motion(system, PLUS if side > 0 else MINUS)
+    except GearlashError:  # too many cells, or too much memory
         return nan
-    if not orbit.stable:
+    if motion is None:
+        return nan
+    if not motion.stable:
         return -inf
-    if system.clearances[0].contact is ContactRule.NO_TENSION:
-        return float((side * force_extrema(orbit.trace, 0).force).min(initial=inf))
-    gap = system.clearances[0].gap_plus if side > 0 else -system.clearances[0].gap_minus
-    positions = orbit.extrema.displacement if len(orbit.extrema) else orbit.trace.samples(2).displacement
-    return float((side * (positions - gap)).min())
+    pressed = system.clearances[0].contact is ContactRule.NO_TENSION
+    return motion.least(motion.force if pressed else motion.beyond, side)
 
 
 def linear_states(system: System) -> Iterator[NDArray[np.float64]]:
@@ -197,11 +184,10 @@ def linear_states(system: System) -> Iterator[NDArray[np.float64]]:
             yield state
 
 
-def _orbit(system: System, beside: NDArray[np.float64] | None = None) -> Orbit | None:
-    """The periodic motion of a linear system, if it has one. From ``beside``, that of a system like it,
-    Newton does not leave the contact, and what lies beyond needs no tables."""
+def _orbit(system: System, near: NDArray[np.float64] | None = None) -> Orbit | None:
+    """The periodic motion of a linear system, if it has one, by Newton's method from a state ``near`` it."""
     try:
-        guess = [0.0] * system.size if beside is None else beside
+        guess = [0.0] * system.size if near is None else near
         return orbit_at(flow.propagators(system), guess, 1)
     except GearlashError:
         return None

@@ -69,7 +69,15 @@ def worst_together(
     teeth would have to pull: so few values are named where few suffice. Ranges that take nothing alone are
     moved as well: a mesh a little stiffer matters once a bearing is near its resonance.
     """
-    values, least = dict(begin), margin_of(case, begin)
+    looked: dict[frozenset[tuple[str, str]], float] = {}  # a later round meets many combinations again
+
+    def margin(of: Mapping[str, str]) -> float:
+        key = frozenset(of.items())
+        if key not in looked:
+            looked[key] = margin_of(case, of)
+        return looked[key]
+
+    values, least = dict(begin), margin(begin)
     least = inf if isnan(least) else least
     for count in range(ROUNDS):
         before = least
@@ -77,7 +85,7 @@ def worst_together(
             if not least > 0.0:
                 return values, least
             for text in _tried(one, values.get(one.path), FIRST if count == 0 else 2):
-                found = margin_of(case, {**values, one.path: text})
+                found = margin({**values, one.path: text})
                 if found < least - WORSE:
                     values, least = {**values, one.path: text}, found
         if least == before:
