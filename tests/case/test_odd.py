@@ -100,6 +100,15 @@ def test_shafts_that_no_such_gear_has_are_told(values: dict[str, str], told: str
     assert [told in text for text in notes] == [True] * bool(told)
 
 
+@pytest.mark.parametrize(
+    ("text", "hand"), [("L15°", "left"), ("15° (RH)", "right"), ("15 LH", "left"), ("15 deg", "")]
+)
+def test_the_hand_that_stands_beside_an_angle_is_told(text: str, hand: str):
+    found = gl.load_case(DRAWING, {"helix_angle": text}).notes()
+    told = [n.text for n in found if n.path == "mesh.helix_angle" and "hand helix" in n.text]
+    assert [f"a {hand}-hand helix of the pinion" in each for each in told] == [True] * bool(hand)
+
+
 def test_a_name_in_other_letters_is_no_other_name():
     path = "gear.material"
     for name, own, told in (
@@ -123,7 +132,8 @@ def test_a_rotor_without_its_mass_is_told():
         "the mass on its bearings is that of the pinion alone",
     )
     light, massive = {"pinion.added_inertia": "1e-5 kg*m^2"}, rotor | {"pinion.mass": "60 kg"}
-    for values, expected in ((rotor, True), (light, False), (massive, False)):
+    beside = rotor | {"pinion.added_mass": "55 kg"}
+    for values, expected in ((rotor, True), (light, False), (massive, False), (beside, False)):
         notes = [n.text for n in gl.load_case(DRAWING, values).notes() if n.path == "pinion.added_inertia"]
         assert [told in text for text in notes] == [True] * expected
 

@@ -188,6 +188,22 @@ def test_what_turns_with_a_gear_counts_with_its_inertia(text: str):
     assert "of the gear alone" in reasons["pinion.inertia"]
 
 
+def test_what_bearings_carry_with_a_gear_counts_with_its_mass():
+    """Frequencies of the sum; the inertia of the gear stays its own; without bearings it is refused."""
+    mass = next(float(v.value) for v in loads(KHK).values() if v.path == "gear.mass")
+    inertia = next(float(v.value) for v in loads(KHK).values() if v.path == "gear.inertia")
+    added = told(KHK.replace("[gear]", '[gear]\nadded_mass = "2 kg"'))
+    own = f'[gear]\nmass = "{mass + 2.0!r} kg"\ninertia = "{inertia!r} kg m^2"'
+    whole, bare = told(KHK.replace("[gear]", own)), told(KHK)
+    names = [name for name in bare if name.startswith("natural_frequency")]
+    assert [added[name] for name in names] == pytest.approx([whole[name] for name in names], rel=1e-9)
+    assert any(added[name] < 0.9 * bare[name] for name in names)
+    assert added["equivalent_mass"] == bare["equivalent_mass"]
+    spur = KHK.replace("helical-pair", "spur-1dof").replace('helix_angle = "30 deg"', "")
+    with pytest.raises(CaseError, match=r"this kind of pair has no bearings"):
+        loads(spur.replace("[gear]", '[gear]\nadded_mass = "2 kg"'))
+
+
 def test_what_turns_with_a_gear_is_no_part_of_a_stated_equivalent_mass():
     text = """
 kind = "spur-1dof"

@@ -1,5 +1,7 @@
 """What drawings write beside numbers: standards beside classes, hands, pitches, fits; and what is refused."""
 
+from math import degrees
+
 import pytest
 
 from gearlash.case.kinds import kind_named
@@ -66,7 +68,12 @@ def test_what_is_no_class(text: str):
 @pytest.mark.parametrize(
     ("text", "degrees"),
     [("15° RH", 15.0), ("15° LH", -15.0), ("LH 15°30'", -15.5), ("15 deg left hand", -15.0),
-     ("15° rechts", 15.0), ("-15 deg L", -15.0), ("15,5° links", -15.5), ("15°", 15.0)],
+     ("15° rechts", 15.0), ("-15 deg L", -15.0), ("15,5° links", -15.5), ("15°", 15.0),
+     ("15° (LH)", -15.0), ("L15°", -15.0), ("15 LH", -15.0), ("RH 15°", 15.0), ("15L", -15.0),
+     ("[R] 15°", 15.0),
+     ("15° L.H.", -15.0), ("15 deg, left-hand helix", -15.0), ("左旋15°", -15.0),
+     ("15° linkssteigend", -15.0),
+     ("15° RH/LH", 15.0), ("15° LH / 15° RH", -15.0), ("R/L 15°", 15.0), ("0.2 rad R", degrees(0.2))],
 )  # fmt: skip
 def test_a_left_hand_helix_is_below_0(text: str, degrees: float):
     assert read_stated(text, HELIX).value == pytest.approx(degrees * 3.141592653589793 / 180.0, rel=1e-14)
@@ -76,6 +83,22 @@ def test_a_left_hand_helix_is_below_0(text: str, degrees: float):
 def test_a_hand_against_its_sign_is_refused(text: str):
     with pytest.raises(ValueRefusedError, match="by its sign or its hand, which are two here: 15"):
         read_stated(text, HELIX)
+
+
+@pytest.mark.parametrize("text", ["15° LH/LH", "15° LH/16° RH", "15° L / 15° L"])
+def test_hands_of_both_gears_that_parallel_shafts_cannot_have_are_refused(text: str):
+    with pytest.raises(ValueRefusedError, match="one is left and one right"):
+        read_stated(text, HELIX)
+
+
+@pytest.mark.parametrize(
+    ("text", "near"), [("1 LH", "-1 deg"), ("15", "15 deg"), ("LH", None), ("15° L R", None)]
+)
+def test_an_angle_that_a_hand_does_not_tell_is_refused(text: str, near: str | None):
+    """1 may be a degree or a radian, and two hands of one gear say neither."""
+    with pytest.raises(ValueRefusedError) as refused:
+        read_stated(text, HELIX)
+    assert refused.value.nearest == near
 
 
 @pytest.mark.parametrize("text", ["8", "8/in", "8 DP", "DP 8", "P8", "Pnd 8", "8 per inch", "8 in^-1", "8,0"])
@@ -154,7 +177,6 @@ def test_a_diameter_with_its_sign():
         ("operation.torque", "20000", "20000 N*m"),
         ("mesh.helix_angle", "0.2618", None),
         ("mesh.helix_angle", "β = 15", "15 deg"),
-        ("mesh.helix_angle", "L15°", None),
         ("mesh.helix_angle", "15° sinistral", None),
         ("mesh.helix_angle", "15° à gauche", None),
         ("mesh.helix_angle", "minus 15°", None),

@@ -230,6 +230,17 @@ def test_an_interval_in_a_wrong_form_is_shown_one_of_the_quantity_that_was_named
         (("new", "x.toml", "--material", "cast", "iron", "--teeth", "9/9"), "--material 'cast iron'"),
         (("run", "article", "--set", "torque=150", "Nm", "more"), "--set 'torque=150 Nm'"),
         (("new", "x.toml", "--teeth", "25", "57"), "--teeth 25/57"),
+        (("new", "--teeth", "25", "/", "57", "x.toml"), "--teeth '25 / 57'"),
+        (("new", "--teeth", "25/57", "--torque", "150", "Nm"), "--torque '150 Nm'"),
+        (("new", "x.toml", "--profile-shift", "0.3", "/", "-0.1"), "--profile-shift '0.3 / -0.1'"),
+        (("new", "x.toml", "--bore", "30", "mm", "/", "50", "mm"), "--bore '30 mm / 50 mm'"),
+        (("new", "--helix-angle", "15", "deg", "LH", "x.toml"), "--helix-angle '15 deg LH'"),
+        (("run", "--set", "torque", "150", "Nm", "b.toml"), "--set 'torque=150 Nm'"),
+        (("run", "--set", "torque=150", "Nm", "b.toml"), "--set 'torque=150 Nm'"),
+        (
+            ("sweep", "--over", "pinion_speed", "2100", "6300rpm", "21", "b.toml"),
+            "--over pinion_speed=2100:6300rpm:21",
+        ),
         (("new", "x.toml", "--torque", "150", "N", "m", "more"), "--torque '150 N m'"),
         (("new", "x.toml", "--bore", "1", "1/4", "in"), "--bore '1 1/4 in'"),
         (("new", "x.toml", "--fit", "25", "cd"), "--fit '25 cd'"),
@@ -242,7 +253,9 @@ def test_words_left_over_are_given_back_to_their_option(
 ):
     ran = gearlash(*typed)
     assert ran.code == 2
-    assert f"takes one word: {instead}" in " ".join(ran.err.split())
+    between = "=" in instead and not any("=" in word for word in typed)
+    how = "takes a name, a = and a value in one word" if between else "takes one word"
+    assert f"{how}: {instead}" in " ".join(ran.err.split())
 
 
 @pytest.mark.parametrize(

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from shlex import quote
 from typing import TYPE_CHECKING, Any
 
-from typer.core import TyperCommand
+from typer.core import TyperArgument, TyperCommand, TyperOption
 
 from .terminal import harmless
 
@@ -22,16 +23,44 @@ class Command(TyperCommand):
     ``--torque 150 Nm``."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Fails as a wrong use of the command where words are left."""
-        typed, ctx.allow_extra_args = list(args), True
+        """Fails as a wrong use of the command where words are left, and where a unit stands for the case."""
+        typed, taken, ctx.allow_extra_args = list(args), self._taken(), True
+        negative = [typed[at] for at in sorted(_loose(typed, taken.valued)) if typed[at][:1] == "-"]
+        if negative and not ctx.resilient_parsing:  # would be read as options
+            _fail(ctx, negative, meant(typed, negative, taken))
         left = super().parse_args(ctx, args)
-        if left and not ctx.resilient_parsing:
-            texts = [each for each in self.params if not getattr(each, "is_flag", False) and _is_text(each)]
-            valued = {name: each.metavar or "" for each in texts for name in each.opts}
-            ctx.fail(
-                harmless(f"Got unexpected extra argument(s) ({' '.join(left)}){meant(typed, left, valued)}")
-            )
+        if ctx.resilient_parsing:
+            return left
+        if left:
+            _fail(ctx, left, meant(typed, left, taken))
+        alone = meant(typed, (), replace(taken, needed=0))
+        if alone and len(_loose(typed, taken.valued)) <= taken.needed:
+            ctx.fail(harmless(f"Missing argument, as the words are those of an option{alone}"))
         return left
+
+    def _taken(self) -> Taken:
+        """What the words of a command line may be."""
+        options = [each for each in self.params if isinstance(each, TyperOption)]
+        values = [each for each in options if not each.is_flag]
+        return Taken(
+            {name: each.metavar or "" for each in values if _is_text(each) for name in each.opts},
+            frozenset(name for each in values for name in each.opts),
+            sum(each.required for each in self.params if isinstance(each, TyperArgument)),
+        )
+
+
+@dataclass(frozen=True)
+class Taken:
+    """Options that take a text, and what help has in its place (NAME=VALUE, 25/57 …); all that take a value;
+    and how many words a command needs that are no options."""
+
+    texts: Mapping[str, str]
+    valued: frozenset[str]
+    needed: int
+
+
+def _fail(ctx: Any, words: Sequence[str], told: str) -> None:
+    ctx.fail(harmless(f"Got unexpected extra argument(s) ({' '.join(words)}){told}"))
 
 
 def _is_text(parameter: Any) -> bool:
@@ -39,31 +68,43 @@ def _is_text(parameter: Any) -> bool:
     return parameter.metavar not in NUMBERS_ALONE
 
 
-def meant(typed: Sequence[str], left: Sequence[str], valued: Mapping[str, str]) -> str:
-    """What to type instead, where an option that takes a text stands just before words that are left, and
-    they go on with its value.
+def meant(typed: Sequence[str], left: Sequence[str], taken: Taken) -> str:
+    """What to type instead, where an option that takes a text stands just before words that go on with its
+    value: words that are left, or that were taken for the case.
 
     Parameters
     ----------
     typed, left : sequence of str
         All words, and those that are left over.
-    valued : mapping
-        Options that take a text, and what help has in its place: NAME=VALUE, 25/57 …
+    taken : Taken
     """
+    loose = _loose(typed, taken.valued)
     for at, option in enumerate(typed):
-        if option not in valued:
+        if option not in taken.texts or at + 1 == len(typed):
             continue
-        words: list[str] = []
-        for word in typed[at + 1 :]:
-            if words and (word not in left or _is_case(word)):
-                break
-            words.append(word)
-        parts = [words[:end] for end in range(len(words), 1, -1)]  # the last ones may be too much
-        parts.sort(key=lambda part: not _reads(" ".join(part)))  # values with their unit before other texts
-        joined = next(filter(None, (_joined(part, valued[option]) for part in parts)), "")
-        if joined:
-            return f"; {option} takes one word: {option} {quote(joined)}"
+        end = at + 2
+        while end in loose and not _is_case(typed[end]):
+            end += 1
+        most = min(end - at - 1, len(loose) - taken.needed + 1)  # the words that the command needs stay
+        parts = [typed[at + 1 : at + 1 + count] for count in range(most, 1, -1)]
+        parts.sort(key=lambda part: not _are_values(" ".join(part)))  # before other texts
+        for part in parts:
+            joined = _joined(part, taken.texts[option])
+            if joined and (set(part[1:]) <= set(left) or _are_values(joined.rpartition("=")[2])):
+                between = "=" in joined and not any("=" in word for word in part)
+                how = "takes a name, a = and a value in one word" if between else "takes one word"
+                return f"; {option} {how}: {option} {quote(joined)}"
     return ""
+
+
+def _loose(typed: Sequence[str], valued: frozenset[str]) -> set[int]:
+    """Places of words that are neither options nor the one word that is the value of one."""
+    before = ["", *typed]
+    return {at for at, word in enumerate(typed) if not _is_option(word) and before[at] not in valued}
+
+
+def _is_option(word: str) -> bool:
+    return word[:1] == "-" and not word[1:2].isdigit()
 
 
 def _is_case(word: str) -> bool:
@@ -77,7 +118,7 @@ def _joined(words: Sequence[str], form: str) -> str:
     """The words as one value of this form; empty where they are none."""
     text = " ".join(words)
     if "=" in form:
-        return _named(words)
+        return _named(words, ":" if ":" in form else " ")
     if _reads(text):
         return text
     if all(_reads(word) for word in words):  # several values
@@ -85,13 +126,17 @@ def _joined(words: Sequence[str], form: str) -> str:
     return "" if _begins_number(text) and _is_whole(words[0]) else text
 
 
-def _named(words: Sequence[str]) -> str:
-    """``a b c`` and ``a = b c`` as ``a=b c``; empty where that would be no name with its value."""
+def _named(words: Sequence[str], between: str) -> str:
+    """``a b c`` and ``a = b c`` as ``a=b c``, several values with what is ``between`` them; empty where that
+    would be no name with its value."""
     name, equals, value = (part.strip() for part in " ".join(words).partition("="))
     if not equals:
         name, value = words[0], " ".join(words[1:])
         if not name[:1].isalpha() or not (_begins_number(value) or "." in name):
             return ""
+    values = value.split()
+    if between == ":" and len(values) > 1 and ":" not in value and all(map(_reads, values)):
+        value = between.join(values)
     return f"{name}={value}" if not _begins_number(value) or _reads(value) else ""
 
 
@@ -106,15 +151,22 @@ def _begins_number(text: str) -> bool:
     return text[:1] in tuple("0123456789+-.−")
 
 
+def _are_values(text: str) -> bool:
+    """Whether it is a value, or those of pinion and gear."""
+    return all(_reads(part) for part in text.split("/"))
+
+
 def _reads(text: str) -> bool:
     """Whether it is a number with its unit, or several with colons between."""
     return all(_dimension(part) is not None for part in text.split(":"))
 
 
 def _dimension(text: str) -> Dimension | None:
-    from gearlash.case.units import UnitError, read  # late: help needs none of it
+    from gearlash.case.kinds.gears.written import handed_angle  # late: help needs none of it
+    from gearlash.case.quantity import ValueRefusedError
+    from gearlash.case.units import UnitError, read
 
     try:
-        return read(text)[1].dimension
-    except UnitError:
+        return read(handed_angle(text))[1].dimension
+    except (UnitError, ValueRefusedError):
         return None

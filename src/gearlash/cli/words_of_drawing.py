@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from .strokes import names, quantities
 
 GEARS = ("pinion", "gear")
-_OF_BEARINGS = re.compile(r"\.(bearing|shaft|housing)_stiffness_")
+_OF_BEARINGS = re.compile(r"\.((bearing|shaft|housing)_stiffness_|added_mass)")
 
 
 @dataclass(frozen=True)
@@ -217,7 +217,15 @@ WORDS = (
         "added_inertia",
         "{gear}.added_inertia",
         "0.002kg*m^2/",
-        "Inertia of what turns rigidly with the gear, such as shaft, rotor or hub, beside its own.",
+        "Inertia of what turns rigidly with the gear, such as shaft, rotor or pulley, beside its own.",
+        True,
+    ),
+    Word(
+        "added_mass",
+        "{gear}.added_mass",
+        "2kg/",
+        "Mass of it on the bearings of the gear; makes the bearings part of a spur pair too.",
+        True,
     ),
     Word("inertia", "{gear}.inertia", "0.001kg*m^2/0.03kg*m^2", "Moment of inertia."),
     Word("mean_stiffness", "mesh.mean_stiffness", "8e8N/m", "Mean mesh stiffness along the normal."),
@@ -273,7 +281,7 @@ EITHER = {
 """Words that stand in for a needed one."""
 NAMES = ("material", "fit")
 """Words that are no quantities."""
-ONLY_BESIDE = {"span_teeth": "span", "ball_diameter": "over_balls"}
+ONLY_BESIDE = {"span_teeth": "span", "ball_diameter": "over_balls", "added_mass": "added_inertia"}
 """Words that are asked for only where another one was answered."""
 
 

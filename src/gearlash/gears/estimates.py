@@ -29,7 +29,7 @@ BEARING_DAMPING = Estimate(0.02, 0.01, 0.05, "practice: 0.01 to 0.05 for rolling
 ERROR_PHASE = Estimate(
     0.5 * pi, -pi, pi, "not known; a quarter of a cycle after the stiffness, so that neither hides the other"
 )
-ALONE = "of the gear alone; what turns rigidly with it is stated as added_inertia"
+ALONE = "of the gear alone; what turns rigidly with it is stated as added_inertia, its mass as added_mass"
 USUAL_BORE = 0.6
 """Of the root diameter: of a shaft that is not known."""
 GEARS = ("pinion", "gear")

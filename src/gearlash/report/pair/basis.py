@@ -21,8 +21,8 @@ CURVES = "Stiffness and error as the case states them, and the series that the m
 
 GEARS_ALONE = (
     "Estimated masses and inertias are those of the gears alone. What turns rigidly with a gear is in the "
-    "model only as far as added_inertia states it; motor, load and whatever is behind a coupling or a shaft "
-    "that twists are no part of it, nor are their torsional frequencies."
+    "model only as far as added_inertia and added_mass state it; motor, load and whatever is behind a "
+    "coupling or a shaft that twists are no part of it, nor are their torsional frequencies."
 )
 
 

@@ -208,7 +208,7 @@ def _masses(
     """As stated; where nothing but rotation moves, that of a disc if nothing is, which plays no part."""
     entries = content.completed.entries
     first, second = (
-        entries[f"{gear}.mass"].number if f"{gear}.mass" in entries else 2.0 * inertia / radius**2
+        supports.mass(entries, gear) if f"{gear}.mass" in entries else 2.0 * inertia / radius**2
         for gear, inertia, radius in zip(GEARS, inertias, radii, strict=True)
     )
     return first, second

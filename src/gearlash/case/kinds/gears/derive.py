@@ -16,7 +16,8 @@ from .records import Derived
 from .rules import EntriesByKey
 
 FREQUENCY_INPUTS = (
-    "derived.equivalent_mass", "pinion.mass", "gear.mass", "mesh.mean_stiffness", "derived.c_t",
+    "derived.equivalent_mass", "pinion.mass", "gear.mass", "pinion.added_mass", "gear.added_mass",
+    "mesh.mean_stiffness", "derived.c_t",
 )  # fmt: skip
 
 

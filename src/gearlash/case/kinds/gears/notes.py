@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import degrees
 
 import numpy as np
 
@@ -21,7 +22,9 @@ from .odd import odd
 from .pair import GearPair
 from .shared import HIGHEST_HARMONIC
 from .thousands import looking_like_thousands
+from .written import hand_of
 
+HELIX_ANGLE = "mesh.helix_angle"
 TOLERATED = 1.5  # times what the standard gives
 
 
@@ -30,6 +33,7 @@ def notes(pair: GearPair) -> Iterator[Note]:
     yield from _stiffness(pair)
     yield from _cycles(pair)
     yield from _relief(pair)
+    yield from _hand(pair)
     yield from _teeth(pair)
     yield from _jamming(pair)
     for clearance in pair.family().system().clearances:
@@ -58,6 +62,19 @@ def _teeth(pair: GearPair) -> Iterator[Note]:
         torque = float(pair.scales.torque(pair.numbers.parameters["load"]))
         yield from unusual(pair.entries, drawing, normal_force(drawing.pair, torque))
         yield from odd(pair.stated, pair.entries, drawing)
+
+
+def _hand(pair: GearPair) -> Iterator[Note]:
+    """Whose helix the hand beside the angle is, and what it is taken for."""
+    entry = pair.stated.get(HELIX_ANGLE)
+    hand = None if entry is None else hand_of(entry.text)
+    if entry is not None and hand is not None:
+        other = "right" if hand == "left" else "left"
+        yield Note(
+            entry.path,
+            f"{entry.text} is read as {degrees(entry.number):.6g}°: a {hand}-hand helix of the pinion, and a "
+            f"{other}-hand one of the gear",
+        )
 
 
 def _jamming(pair: GearPair) -> Iterator[Note]:

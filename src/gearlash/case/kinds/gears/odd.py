@@ -164,11 +164,12 @@ def _added(stated: EntriesByKey, entries: EntriesByKey) -> Iterator[Note]:
         added, own = stated.get(f"{gear}.added_inertia"), entries.get(f"{gear}.inertia")
         if added is None or own is None or added.number <= MOST_ADDED * own.number:
             continue
-        if f"bearing_frequency_y{gear[0]}" in entries and f"{gear}.mass" not in stated:
+        known = any(f"{gear}.{leaf}" in stated for leaf in ("mass", "added_mass"))
+        if f"bearing_frequency_y{gear[0]}" in entries and not known:
             mass = entries[f"{gear}.mass"].number
             yield Note(
                 added.path,
                 f"{added.number / own.number:.3g} times the inertia of the {gear} itself turns with it, but "
-                f"the mass on its bearings is that of the {gear} alone, {mass:.3g} kg: state as mass all "
-                "that moves with it on these bearings; without it their natural frequencies are too high",
+                f"the mass on its bearings is that of the {gear} alone, {mass:.3g} kg: state as added_mass "
+                "what else they carry; without it their natural frequencies are too high",
             )

@@ -1,4 +1,4 @@
-"""What carries a gear: bearings, and shaft and housing in series with them."""
+"""What carries a gear: bearings, and shaft and housing in series with them; and the mass that they carry."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from gearlash.case.quantity import Quantity
-from gearlash.case.units import STIFFNESS
+from gearlash.case.units import MASS, STIFFNESS
 
 from .keys import GEARS
 from .places import Places
@@ -18,7 +18,7 @@ WAYS = {"y": "lateral", "z": "axial"}
 IN_SERIES = ("shaft", "housing")
 FORMULA = "1/k = 1/k_bearing + 1/k_shaft + 1/k_housing, of those stated"
 _OF_BEARINGS = re.compile(
-    r"((pinion|gear)\.)?(bearing|shaft|housing)_(stiffness|damping)_[yz]|bearings(\..*)?|"
+    r"((pinion|gear)\.)?((bearing|shaft|housing)_(stiffness|damping)_[yz]|added_mass)|bearings(\..*)?|"
     r"(dimensionless\.)?bearing_(damping|frequency)(_[yz][pg])?"
 )
 
@@ -28,6 +28,18 @@ def of_gear(gear: str, axis: str) -> Iterator[Quantity]:
     for part in IN_SERIES:
         what = f"{WAYS[axis]} stiffness of the {part} of the {gear}, in series with its bearing"
         yield positive(f"{gear}.{part}_stiffness_{axis}", STIFFNESS, "N/m", "5e8 N/m", what, 1e13)
+
+
+def added_mass(gear: str) -> Quantity:
+    """What else moves with a gear on its bearings."""
+    what = f"mass beside that of the {gear} itself, of what its bearings carry with it: shaft, rotor, pulley"
+    return Quantity(f"{gear}.added_mass", MASS, "kg", "2 kg", what, 0.0, 1e6)
+
+
+def mass(entries: EntriesByKey, gear: str) -> float:
+    """On the bearings of a gear: its own and what is added, kg."""
+    keys = f"{gear}.mass", f"{gear}.added_mass"
+    return sum(entries[key].number for key in keys if key in entries)
 
 
 def stiffness(entries: EntriesByKey, gear: str, axis: str) -> float:

@@ -7,8 +7,10 @@ that is mostly taken for it: whoever knows the sheet decides.
 from __future__ import annotations
 
 import re
+from math import pi
 
 from gearlash.case.quantity import ValueRefusedError
+from gearlash.case.units import NUMBER, UnitError, read
 from gearlash.gears import gear_fits, materials
 from gearlash.gears.material_names import of_two_materials
 from gearlash.system import GearlashError
@@ -34,10 +36,16 @@ _FIT = re.compile(
 _OF_FITS = re.compile(r"\(?din\s*3967(?:\s*[:-]\s*19\d\d(?:-\d\d)?)?\)?[\s:,;-]*")
 _CLASS_BEFORE = re.compile(r"(?:[1-9]|1[0-2])(?:[\s,;-]+|(?=[a-h]))")
 """The quality that drawings set before a fit: 7 cd 25, 8e26."""
+_LEFT = r"l\.?\s?h\.?|l|left|links(?:steigend|gängig)?|linkss?teigung|gauche|sinistra|izquierda|左旋?"
+_RIGHT = r"r\.?\s?h\.?|r|right|rechts(?:steigend|gängig)?|rechtss?teigung|droite|destra|derecha|右旋?"
 _HAND = re.compile(
-    r"(?:\b|(?<=deg))(r|l|rh|lh|right|left|rechts|links)(?:[\s-]?hand(?:ed)?)?$|^(rh?|lh?|right|left)\b",
+    rf"[(\[]?(?:(?<![^\W\d_])|(?<=deg))(?:(?P<left>{_LEFT})|(?P<right>{_RIGHT}))"
+    r"(?:[\s-]?hand(?:ed)?)?(?:\s+helix)?(?![^\W\d_])\.?[)\]]?",
     re.IGNORECASE,
 )
+_OF_BOTH = re.compile(r"\s*(?:/|;|\band\b|\bund\b)\s*")
+_LARGEST = pi / 2.0
+"""rad: an angle of more without a unit is in degrees, as a hand stands at no other number."""
 _PITCH = re.compile(
     r"(?:d\.?p\.?|p_?(?:nd|[nd])?)?\s*=?\s*(\d[\d.,]*)\s*"
     r"(?:d\.?p\.?|(?:teeth\s*)?(?:/|per)\s*in(?:ch)?|1/in|in\^?-1|in⁻¹)?",
@@ -89,21 +97,59 @@ _TAKEN_FOR = {
 
 
 def handed_angle(text: str) -> str:
-    """An angle with the hand of the pinion's helix beside it, left-hand as below 0. Raises
-    `ValueRefusedError`."""
+    """An angle with the hand of the pinion's helix beside it, left-hand as below 0; or with the hands of both
+    gears, of which one is the other's reverse. Raises `ValueRefusedError`."""
     plain = text.strip()
-    found = _HAND.search(plain)
-    if found is None:
+    if hand_of(plain) is None:
         return text
-    angle = (plain[: found.start()] + plain[found.end() :]).strip(" ,;:()")
-    left = (found[1] or found[2]).casefold().startswith("l")
+    both = [_parted(part) for part in _OF_BOTH.split(plain)]
+    if None in both or len(both) > 2:
+        return text
+    hands, angles = [left for left, _ in filter(None, both)], [angle for _, angle in filter(None, both)]
+    if len(both) == 2 and (hands[0] == hands[1] or len({a.lstrip("+-−–") for a in angles if a}) > 1):
+        raise ValueRefusedError(
+            "the hand of the pinion, or those of pinion and gear, of which one is left and one right and "
+            "whose angles are the same where shafts are parallel"
+        )
+    angle, left = next(filter(None, angles), ""), hands[0]
     size, sign = angle.lstrip("+-−–").strip(), angle[:1]
     if sign in ("+", "-", "−", "–") and left != (sign != "+"):
         expected = (
             f"an angle by its sign or its hand, which are two here: {size} is right-hand, -{size} left-hand"
         )
         raise ValueRefusedError(expected)
-    return f"-{size}" if left else angle
+    return f"-{_in_degrees(size)}" if left else _in_degrees(size)
+
+
+def hand_of(text: str) -> str | None:
+    """``left`` or ``right``: the first hand that stands in a text; None where there is none.
+
+    Examples
+    --------
+    >>> from gearlash.case.kinds.gears.written import hand_of
+    >>> hand_of("L15°"), hand_of("15 deg")
+    ('left', None)
+    """
+    found = _HAND.search(text)
+    return None if found is None else str(found.lastgroup)
+
+
+def _parted(text: str) -> tuple[bool, str] | None:
+    """Whether the one hand that stands there is left, and the angle without it; None of none or several."""
+    found = list(_HAND.finditer(text))
+    if len(found) != 1:
+        return None
+    at = found[0]
+    return at.lastgroup == "left", (text[: at.start()] + text[at.end() :]).strip(" ,;:")
+
+
+def _in_degrees(size: str) -> str:
+    """With its unit, where only degrees can be meant."""
+    try:
+        number, found = read(size)
+    except UnitError:
+        return size
+    return f"{size} deg" if found.dimension == NUMBER and number > _LARGEST else size
 
 
 def diametral_pitch(text: str) -> str:

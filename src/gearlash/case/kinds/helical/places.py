@@ -24,6 +24,7 @@ def _quantities() -> Iterator[Quantity]:
         yield from shared.of_gear(gear)
         yield from drawn.of_gear(gear)
         yield from play.of_gear(gear)
+        yield supports.added_mass(gear)
         for axis, way in supports.WAYS.items():
             what = f"{way} bearing stiffness of the {gear}"
             yield positive(f"{gear}.bearing_stiffness_{axis}", STIFFNESS, "N/m", "8e8 N/m", what, 1e13)

@@ -51,7 +51,7 @@ class HelicalRules(PairRules):
             frequencies = [entry.number for entry in kappa]
         else:
             c_t2, c_y, c_z = body.line.c_t**2, body.line.c_y, body.line.c_z
-            m_p, m_g = entries["pinion.mass"].number, entries["gear.mass"].number
+            m_p, m_g = (supports.mass(entries, gear) for gear in GEARS)
             ratios = scales.equivalent_mass / m_p, scales.equivalent_mass / m_g
             sides = [
                 (gear, mass, axis) for gear, mass in zip(GEARS, (m_p, m_g), strict=True) for axis in "yz"
