@@ -106,6 +106,8 @@ def _page(folder: Path) -> None:
         "This is an analysis of a model",
         "refer to 1 µN and 1 pm (ISO 1683)",
         "model.body",
+        "25/57 teeth, normal module 3 mm",
+        "What the case states, in its units.",
     ):
         assert said in words
     links = [value for tag, name, value in page.attributes if name in ("src", "href") and tag != "a"]

@@ -16,10 +16,12 @@ from gearlash.cli.answers.report import ReportPart, report_answer
 from gearlash.gears import flank_tolerances, mesh_stiffness
 from gearlash.orbits import motion_statistics
 from gearlash.orbits.signals import Signal
+from gearlash.report.blocks import Marked
 from gearlash.report.pair import Contents, document
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
 from gearlash.report.pair.orders import exciting, meetings, meetings_within, natural_frequencies
-from gearlash.report.pair.verdict import verdict
+from gearlash.report.pair.stated import in_brief, pair_tables
+from gearlash.report.pair.verdict import Verdict, verdict
 from gearlash.report.pair.words import Words
 from gearlash.results import Axis
 from gearlash.results.pair_question import carrying_forwards, speeds_around
@@ -33,6 +35,11 @@ from gearlash.studies.speeds_across import SpeedsAcross
 from gearlash.studies.zone_end import Interval, ZoneEnd
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
+
+
+def line_of(said: Verdict, title: str) -> str:
+    """The line of a verdict with this title."""
+    return next(line.text for line in said.lines if line.title == title)
 
 
 def test_k_v_of_the_standard_by_hand():
@@ -274,7 +281,7 @@ def test_a_verdict_must_hold_across_the_ranges_of_estimates(window: tuple[Assess
     assert "not for all together: with gear.mass = 7 kg, mesh.error = 16.3 µm" in line
     kind, first, line = said(_ranges(-0.1, replace(harmful, broken=((4.0, 16.3),))))
     assert "a motion without impacts exists if mesh.error is below 4 µm" in line
-    assert "no value of this case is an estimate" in verdict(found).lines[1].text.lower()
+    assert "no value of this case is an estimate" in line_of(verdict(found), "Across its ranges").lower()
 
 
 def test_where_the_back_side_carries_the_mirror_image_is_examined():
@@ -383,7 +390,7 @@ def test_estimates_at_the_ends_of_their_ranges_are_held_against_the_stated_range
 
     def told(ranges: AcrossRanges) -> tuple[str, str, str]:
         said = verdict(replace(ranged, ranges=ranges))
-        return said.kind, said.lines[0].text, said.lines[1].text
+        return said.kind, said.lines[0].text, line_of(said, "Over its speed range")
 
     kind, _, line = told(quiet)
     assert kind == "good"
@@ -396,6 +403,44 @@ def test_estimates_at_the_ends_of_their_ranges_are_held_against_the_stated_range
     said = verdict(replace(found, case=found.case.with_overrides(narrow), ranges=quiet))
     assert (said.kind, said.short) == ("doubt", "not over its range of speed")
     assert "Not at every speed from" in said.lines[0].text
+    beyond = {"operation.least_speed": "29000 rpm", "operation.greatest_speed": "30000 rpm"}
+    said = verdict(replace(found, case=found.case.with_overrides(beyond), ranges=quiet))
+    assert (said.kind, said.short) == ("doubt", "not told over its range of speed")
+
+
+def test_what_is_unusual_about_the_case_stands_before_what_was_computed(
+    window: tuple[Assessment, SpeedRun],
+):
+    """The article states a stiffness that is a quarter of what the standard gives."""
+    second = verdict(window[0]).lines[1]
+    assert second.title == "Remarks on the case"
+    assert second.text.startswith("mesh.mean_stiffness: stated 3.2e+08 N/m; ISO 6336-1:2019")
+    plain = replace(window[0], case=window[0].case.with_overrides({"mesh.mean_stiffness": "1.4e9 N/m"}))
+    assert verdict(plain).lines[1].title != "Remarks on the case"
+
+
+def test_a_page_tells_the_pair_that_it_is_of():
+    """Stated values in their units, of either gear in its column; what rests on estimates is marked."""
+    case = gl.load_case(CASES / "drawing.toml")
+    assert in_brief(case).startswith("25/57 teeth, normal module 3 mm, helix angle 15°")
+    stated, follows = pair_tables(case)
+    rows = {row[0]: row[1:] for row in stated.rows}
+    assert rows["teeth"] == ("25", "57")
+    assert rows["normal module m_n"] == ("3 mm", "")
+    given = {value.path for value in case.values() if value.provenance == "given"}
+    count = sum(cell != "" for row in stated.rows for cell in row[1:])
+    assert count == len(given - {"model.reference_length"})
+    derived = {str(row[0]).partition(" (")[0]: row[1:] for row in follows.rows}
+    base = [
+        3.0 * z / cos(radians(15.0)) * cos(atan(tan(radians(20.0)) / cos(radians(15.0)))) for z in (25, 57)
+    ]
+    assert [float(str(cell).split()[0]) for cell in derived["base diameter d_b"]] == pytest.approx(
+        base, rel=1e-4
+    )
+    assert isinstance(
+        derived["mean mesh stiffness c_γ per common face width, transverse, as in ISO 6336-1"][0], Marked
+    )
+    assert [table.id for table in pair_tables(gl.load_case("kahraman-singh"))] == ["stated"]
 
 
 def test_the_order_of_the_mesh_that_meets_a_natural_frequency_in_a_band_is_named():

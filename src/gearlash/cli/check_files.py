@@ -27,22 +27,12 @@ def write_check(
     write_file(answer, folder.file("check.json"))
     csv.keep(folder, TABLES, tables)
     _write_curves(case, folder.file("curves"))
-    numbers = case.numbers
-    pair = None if numbers is None else numbers.body.drawn
-    if pair is None:
-        return
     from gearlash.plots import mesh_drawing, save
+    from gearlash.plots.teeth_of_case import teeth_of_case
 
-    play = float(case.scales.backlash_m(case.family()[0].defaults["D"]))
-    title = f"{case.name}: {pair.pinion.teeth}/{pair.gear.teeth} teeth in the transverse section"
-    save(mesh_drawing(pair, title, play, _widths(case)), folder.file("teeth"))
-
-
-def _widths(case: Case) -> tuple[float, float] | None:
-    """Face widths of both gears, m."""
-    found = {value.path: value.value for value in case.values()}
-    first, second = (found.get(f"{gear}.face_width") for gear in ("pinion", "gear"))
-    return None if first is None or second is None else (1e-3 * float(first), 1e-3 * float(second))
+    teeth = teeth_of_case(case)
+    if teeth is not None:
+        save(mesh_drawing(*teeth), folder.file("teeth"))
 
 
 def _write_curves(case: Case, stem: Path) -> None:

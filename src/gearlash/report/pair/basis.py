@@ -1,11 +1,11 @@
-"""What a report rests on: values that were assumed, remarks on the case, how was looked."""
+"""What a report rests on: values that were assumed, how was looked."""
 
 from __future__ import annotations
 
 from gearlash.case import Value
 from gearlash.case.units import pretty
 from gearlash.plots.stated_curves import curves_of, stated_curves
-from gearlash.report.blocks import Block, Bullets, Cell, Figure, Section, Table, Text
+from gearlash.report.blocks import Block, Cell, Figure, Section, Table, Text
 from gearlash.report.numbers import number
 from gearlash.report.pictures import Picture
 from gearlash.results.provenance import package_version
@@ -33,7 +33,7 @@ def pictures(contents: Contents) -> list[Picture]:
 
 
 def section(contents: Contents) -> Section:
-    """Assumed values with their sources, remarks, method."""
+    """Assumed values with their sources, method."""
     case, found = contents.found.case, contents.found
     rows: list[tuple[Cell, ...]] = []
     last = ""
@@ -58,11 +58,6 @@ def section(contents: Contents) -> Section:
         blocks.append(Text.of("Every value of the case is given."))
     if any(value.path.endswith(".inertia") and value.least is not None for value in case.values()):
         blocks.append(Text.of(GEARS_ALONE))
-    blocks.append(
-        Bullets(tuple(Text.of(f"{note.path}: {note.text}") for note in case.notes()))
-        if case.notes()
-        else Text.of("There are no remarks on values of the case.")
-    )
     blocks.append(
         Text.of(
             f"Bands: from sweeps of {len(found.axis)} speeds upwards and downwards, at each of them from the "

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from gearlash.case import Case
 from gearlash.report.blocks import Badge, Block, Page, Section, Table
 from gearlash.report.pictures import Picture
 
-from . import basis, maps, motions, speed
+from . import basis, maps, motions, speed, stated
 from .contents import Contents
 from .noise import backlash_matters, not_quiet, reversing, unloaded
 from .verdict import NO_APPROVAL, Line, place, verdict
@@ -34,18 +35,25 @@ def document(contents: Contents) -> tuple[Page, list[Picture]]:
         made, drawn = maps.section(contents)
         parts.append(made)
         pictures += drawn
-    parts.append(basis.section(contents))
-    pictures += basis.pictures(contents)
+    for page_part in (stated, basis):
+        parts.append(page_part.section(contents))
+        pictures += page_part.pictures(contents)
     about = f" {found.case.description}." if found.case.description else ""
     page = Page(
         f"{found.case.name}: {place(found.case, units, found.here, load)}",
-        f"What the model of this pair does there and around.{about}",
+        f"What the model of this pair does there and around.{about}{_which(found.case)}",
         tuple(parts),
         f"{NO_APPROVAL} Figures lie beside this file as SVG and PDF, curves, histories and spectra as CSV "
         "and NetCDF, all numbers as report.json.",
         contents_printed=False,
     )
     return page, pictures
+
+
+def _which(case: Case) -> str:
+    """The pair in a line; nothing where the case states none of it."""
+    brief = stated.in_brief(case)
+    return f" {brief[0].upper()}{brief[1:]}." if brief else ""
 
 
 def _noise(contents: Contents, words: Words) -> str:

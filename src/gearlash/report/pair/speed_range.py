@@ -25,6 +25,8 @@ class OverSpeed:
         Whether no motion was found in it in which teeth separate.
     holds : bool
         Whether that is so at the ends of the ranges of estimates, too.
+    told : bool
+        Whether all of it was examined to the end, or motion with impacts was found in it.
     first : str
         A sentence for the first line.
     text : str
@@ -33,6 +35,7 @@ class OverSpeed:
 
     free: bool
     holds: bool
+    told: bool
     first: str
     text: str
 
@@ -47,33 +50,37 @@ def speed_range(found: Assessment, words: Words) -> OverSpeed | None:
     first, last = (float(found.axis.values[i]) for i in (0, -1))
     bands = [b for b in found.separating if b.upper.value > low and b.lower.value < high]
     if not found.searched:
-        return _not_free(f"Not looked for to the end in {reach}.")
+        return _not_told(f"Not looked for to the end in {reach}.")
     if bands:
         return _not_free(f"Not at every speed from {reach}: teeth separate at {words.bands(bands)}.")
     if first > low or last < high:
         seen = words.reach(first, last)
-        return _not_free(f"Not told for all of {reach}: examined was {seen}, where none separate.")
+        return _not_told(f"Not told for all of {reach}: examined was {seen}, where none separate.")
     open_ = [one for one in found.not_told if one.upper.value > low and one.lower.value < high]
     if open_:
         where = " and ".join(words.span(one.lower, one.upper) for one in open_)
-        return _not_free(f"Not told for all of {reach}: at {where} not all was followed or settled.")
+        return _not_told(f"Not told for all of {reach}: at {where} not all was followed or settled.")
     free = f"From {reach} no motion was found in which teeth separate"
     if found.ranges is None or not found.ranges.speeds:
-        return OverSpeed(True, True, f"{free}.", f"{free}.")
+        return OverSpeed(True, True, True, f"{free}.", f"{free}.")
     looked = f"speeds {100.0 * (STEP - 1.0):.0f} % apart, closer where teeth are pressed together least"
     parting = found.ranges.parting
     if not parting:
-        return OverSpeed(True, True, f"{free}.", f"{free}. {_nor(found, looked)}")
+        return OverSpeed(True, True, True, f"{free}.", f"{free}. {_nor(found, looked)}")
     short = f"{free}, as estimated; with an estimate elsewhere in its range they do."
     shown = parting[: NAMED if len(parting) > NAMED + 1 else None]
     more = len(parting) - len(shown)
     text = "; ".join(_parting(one, words) for one in shown) + (f"; with {more} more" if more else "")
     said = f"All else as estimated, no motion without impacts exists {text} ({looked})."
-    return OverSpeed(True, False, short, f"{free}, as estimated. {said}")
+    return OverSpeed(True, False, True, short, f"{free}, as estimated. {said}")
 
 
 def _not_free(text: str) -> OverSpeed:
-    return OverSpeed(False, False, text, text)
+    return OverSpeed(False, False, True, text, text)
+
+
+def _not_told(text: str) -> OverSpeed:
+    return OverSpeed(False, False, False, text, text)
 
 
 def _nor(found: Assessment, looked: str) -> str:

@@ -81,13 +81,15 @@ def verdict(found: Assessment) -> Verdict:
         answer += f" {speeds.first}"
     if kind == "good":
         if speeds is not None and not speeds.free:
-            kind, text = "doubt", "not over its range of speed"
+            kind = "doubt"
+            text = "not over its range of speed" if speeds.told else "not told over its range of speed"
         elif over is not None and not over.holds:
             kind, text = "doubt", "not across the ranges of its estimates"
         elif speeds is not None and not speeds.holds:
             kind, text = "doubt", "over its range of speed not across the ranges of its estimates"
     lines = (
         Line("May it run there", answer),
+        *_remarks(found),
         *([] if speeds is None else [Line("Over its speed range", speeds.text)]),
         Line("Across its ranges", NO_RANGES if over is None else over.text),
         *([Line("Turned round", TURNED)] if found.turned else []),
@@ -109,6 +111,12 @@ def place(case: Case, units: PairUnits, omega: float, load: float) -> str:
     speed = units.speed.text(omega, 5) if units.speed.name else f"omega = {omega:.5g}"
     torque = units.torque.text(load, 5) if units.torque.name else f"load = {load:.5g}"
     return f"{_both(case, 'omega', omega, speed)} and {_both(case, 'load', load, torque)}"
+
+
+def _remarks(found: Assessment) -> list[Line]:
+    """What is unusual about the case, before anything that is computed from it."""
+    told = " ".join(f"{note.path}: {note.text.rstrip('.')}." for note in found.case.notes())
+    return [Line("Remarks on the case", told)] if told else []
 
 
 def _shaft(found: Assessment) -> list[Line]:

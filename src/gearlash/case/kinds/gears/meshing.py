@@ -220,8 +220,9 @@ def _soft(entries: EntriesByKey, drawing: Drawing, force: float) -> Iterator[Not
         bent = force / stiffness.number
         text = (
             f"teeth give way by {1e6 * bent:.3g} µm under this torque, {bent / module:.2g} m_n (along the "
-            "normal, in the mean): they touch before and behind the path of contact, which raises contact "
-            "ratio and stiffness and is not in the estimates"
+            "normal, in the mean): they touch well before and behind the path of contact. Of that the "
+            "estimated variation of the stiffness has what pairs of teeth under this torque tell; the mean "
+            "stiffness, of the path of contact alone, has it not, and is rather too low"
         )
         yield Note("operation.torque", text)
 

@@ -90,7 +90,7 @@ def of_mesh() -> Iterator[Quantity]:
     what = "mean mesh stiffness k_m along the line of action"
     yield positive("mesh.mean_stiffness", STIFFNESS, "N/m", "3.2e8 N/m", what, 1e13)
     yield ratio("mesh.damping_ratio", "mesh damping ratio ξ_m")
-    what = "whole normal backlash b along the line of action"
+    what = "whole normal backlash j_n along the line of action"
     yield Quantity("mesh.backlash", LENGTH, "um", "100 um", what, 0.0, 0.02)
     yield from _shared("mesh")
     for name in harmonic_names():

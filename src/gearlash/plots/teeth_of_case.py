@@ -1,0 +1,29 @@
+"""What the drawing of a case's teeth is made from."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+from gearlash.case import Case
+from gearlash.gears import CylindricalPair
+
+TeethOfCase: TypeAlias = tuple[CylindricalPair, str, float, tuple[float, float] | None]
+
+
+def teeth_of_case(case: Case) -> TeethOfCase | None:
+    """Arguments of `mesh_drawing`: the pair at work, a title, its backlash and face widths in m; None where
+    the teeth are not known."""
+    numbers = case.numbers
+    pair = None if numbers is None else numbers.body.drawn
+    if pair is None:
+        return None
+    play = float(case.scales.backlash_m(case.family()[0].defaults["D"]))
+    title = f"{case.name}: {pair.pinion.teeth}/{pair.gear.teeth} teeth in the transverse section"
+    return pair, title, play, _widths(case)
+
+
+def _widths(case: Case) -> tuple[float, float] | None:
+    """Face widths of both gears, m."""
+    found = {value.path: value.value for value in case.values()}
+    first, second = (found.get(f"{gear}.face_width") for gear in ("pinion", "gear"))
+    return None if first is None or second is None else (1e-3 * float(first), 1e-3 * float(second))
