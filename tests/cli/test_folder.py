@@ -10,6 +10,8 @@ from cli.conftest import Gearlash
 from gearlash.cli.folder import MARKER, claim
 from gearlash.system import GearlashError
 
+CASES = Path(__file__).resolve().parents[1] / "cases"
+
 
 def test_own_files_may_be_written_again(tmp_path: Path):
     folder = claim(tmp_path / "deep" / "out", ["run.json"])
@@ -67,3 +69,45 @@ def test_halves_of_files_that_a_killed_command_left_go(tmp_path: Path):
     claim(tmp_path, ["run.json"])
     left = sorted(path.name for path in tmp_path.iterdir())
     assert left == sorted([MARKER, halves[1].name, "run.json.part"])
+
+
+CASE = ("run", "kahraman-singh")
+
+
+def test_the_same_question_takes_the_place_of_its_own_answer(gearlash: Gearlash, tmp_path: Path):
+    for more in ((), ("--json",), ("--csv",)):  # how it is told changes no question
+        assert gearlash(*CASE, *more, "--out", str(tmp_path)).code == 0
+    assert not list(tmp_path.glob("earlier-*"))
+
+
+def test_answers_to_other_questions_are_kept_each_whole(gearlash: Gearlash, tmp_path: Path):
+    answers = []
+    for speed in ("0.5", "0.6", "0.7"):
+        ran = gearlash(*CASE, "--set", f"omega={speed}", "--out", str(tmp_path))
+        assert ran.code == 0
+        assert ("is kept in" in ran.complaint) == (speed != "0.5")
+        answers.append({name: (tmp_path / name).read_bytes() for name in ("run.json", "history.nc")})
+    assert {path.name for path in tmp_path.glob("earlier-*")} == {"earlier-1", "earlier-2"}
+    for number, answer in enumerate(answers[:-1], 1):
+        for name, content in answer.items():
+            assert (tmp_path / f"earlier-{number}" / name).read_bytes() == content
+    assert gearlash(*CASE, "--set", "omega=0.7", "--out", str(tmp_path)).code == 0
+    assert len(list(tmp_path.glob("earlier-*"))) == 2
+
+
+def test_a_file_that_says_something_else_makes_another_question(gearlash: Gearlash, tmp_path: Path):
+    case, out = tmp_path / "case.toml", tmp_path / "out"
+    text = (CASES / "drive.toml").read_text(encoding="utf-8")
+    for torque in ("150 N m", "160 N m"):
+        case.write_text(text.replace("150 N m", torque), encoding="utf-8")
+        assert gearlash("check", str(case), "--out", str(out)).code == 0
+    assert (out / "earlier-1" / "check.json").is_file()
+    assert (out / "check.json").is_file()
+
+
+def test_a_folder_of_the_user_is_not_taken_for_what_is_kept(gearlash: Gearlash, tmp_path: Path):
+    (tmp_path / "earlier-1").write_text("mine", encoding="utf-8")
+    for speed in ("0.5", "0.6"):
+        assert gearlash(*CASE, "--set", f"omega={speed}", "--out", str(tmp_path)).code == 0
+    assert (tmp_path / "earlier-1").read_text(encoding="utf-8") == "mine"
+    assert (tmp_path / "earlier-2" / "run.json").is_file()

@@ -13,6 +13,7 @@ from typing import Any
 import typer
 
 from .interrupt import all_is_kept, keeping, signalled, signals_answered
+from .question import ask
 from .terminal import complain, discard, tell
 
 
@@ -76,6 +77,7 @@ def command(function: Callable[..., ExitCode]) -> Callable[..., None]:
     @functools.wraps(function)
     def framed(*args: Any, **kwargs: Any) -> None:
         with signals_answered():
+            ask(function.__name__, kwargs)
             code = _code(functools.partial(function, *args, **kwargs), bool(kwargs.get("as_json")))
         if signalled() and code not in (ExitCode.INPUT, ExitCode.UNWRITTEN):
             code = ExitCode(128 + signalled())

@@ -1,5 +1,5 @@
-"""The folder of --out: gearlash writes over what it wrote itself, never over anything else, and one command
-at a time."""
+"""The folder of --out: gearlash writes over its own answer to the same question, moves what it answered to
+others out of the way, touches nothing else, and lets one command write at a time."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import json
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,8 @@ from gearlash.system import GearlashError, given
 
 from .hold import HeldError, Hold, hold
 from .jsonio import write_text
+from .question import fingerprint
+from .terminal import tell
 
 MOTION_FILES = ("portrait.svg", "portrait.pdf", "history.svg", "history.pdf", "history.nc", "spectrum.nc")
 MARKER = ".gearlash.json"
@@ -47,7 +50,8 @@ def claim_if(path: Path | None, names: Iterable[str]) -> OutFolder | None:
 def claim(path: Path, names: Iterable[str]) -> OutFolder:
     """The folder, made if it is missing, with these names (files or folders) listed as this program's own
     *before* anything is computed. Raises `GearlashError` if one of them is there and is not, or is a link, if
-    another command writes there, or nothing can be written.
+    another command writes there, or nothing can be written. Answers to other questions that have these names
+    are moved into a folder of their own.
     """
     from gearlash.results.store import unfinished  # late: checking a case writes nothing
 
@@ -66,7 +70,16 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
         for name in wanted:
             for part in path.glob(unfinished(name)):  # of a command that was killed
                 part.unlink(missing_ok=True)
-        content = {"written by": "gearlash", "process": os.getpid(), "files": sorted({*own, *wanted})}
+        asked = _asked(marker)
+        moved = _set_aside(path, [name for name in wanted if name in own], asked)
+        asked = {name: one for name, one in asked.items() if name not in moved}
+        asked |= dict.fromkeys(wanted, fingerprint())
+        content = {
+            "written by": "gearlash",
+            "process": os.getpid(),
+            "files": sorted({*own, *wanted}),
+            "asked": asked,
+        }
         write_text(json.dumps(content, indent=2) + "\n", path / MARKER)
     except HeldError:
         raise GearlashError(
@@ -76,6 +89,30 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
     except OSError as error:
         raise GearlashError(f"--out {path}: cannot be written ({error.strerror or error})") from None
     return OutFolder(path, held, frozenset({*own, *wanted}))
+
+
+def _asked(marker: dict[str, Any]) -> dict[str, str]:
+    """The question that each name is an answer to."""
+    found = marker.get("asked", {})
+    return {str(name): str(one) for name, one in found.items()} if isinstance(found, dict) else {}
+
+
+def _set_aside(path: Path, wanted: Iterable[str], asked: dict[str, str]) -> list[str]:
+    """Moves answers to other questions away that have a wanted name, each whole, and says where they are."""
+    others = {asked.get(name, "") for name in wanted if (path / name).exists()} - {fingerprint()}
+    names = {name for name, one in asked.items() if one in others}
+    names |= {name for name in wanted if asked.get(name, "") in others}  # of a version that noted no question
+    moved = sorted(name for name in names if (path / name).exists())
+    if not moved:
+        return []
+    aside = next(
+        one for one in map(path.joinpath, map("earlier-{}".format, count(1))) if not os.path.lexists(one)
+    )
+    aside.mkdir()
+    for name in moved:
+        (path / name).rename(aside / name)
+    tell(f"what was answered there before, with other values or options, is kept in {aside}")
+    return moved
 
 
 def _make(path: Path) -> None:

@@ -82,7 +82,7 @@ Out = Annotated[
         parser=folder,
         metavar="DIR",
         help="Also writes the results into this folder, made if missing. Files there that gearlash did not "
-        "write are never overwritten.",
+        "write are never overwritten; results of another question are moved into earlier-1 there.",
     ),
 ]
 ReportOut = Annotated[
@@ -92,7 +92,8 @@ ReportOut = Annotated[
         parser=folder,
         metavar="DIR",
         help="Folder of the report, made if missing. Files there that gearlash did not write are never "
-        "overwritten, nor is a report of another command or of a case of another name.",
+        "overwritten; a report of another case, or with other values or options, is moved into earlier-1 "
+        "there.",
     ),
 ]
 Workers = Annotated[

@@ -64,7 +64,6 @@ def report(
     keeps what there is by then. It is an analysis, and no approval.
     """
     from gearlash.cli.frame import StudyInputs
-    from gearlash.cli.report_folder import RECORDS, keep_others
     from gearlash.cli.tables import CsvAsked
     from gearlash.results.pair_question import check_pair
 
@@ -73,7 +72,6 @@ def report(
     check_pair(asked.case)
     from gearlash.cli.answers.report import FILES
 
-    keep_others(out, "report", asked.case)
     place = asked.made_ready(out, FILES)
     assert place is not None  # there is a default
 
@@ -94,7 +92,7 @@ def report(
             answer = report_answer(found, contents, str(page))
             from gearlash.cli.jsonio import write_file
 
-            write_file(answer, place.file(RECORDS["report"]))
+            write_file(answer, place.file("verdict.json"))
             if as_json:
                 show_answer(answer, True)
             else:

@@ -69,7 +69,6 @@ def reproduce(
     from gearlash.cli.jsonio import write_file
     from gearlash.cli.notice import load_engine
     from gearlash.cli.record_tables import reproduce_tables
-    from gearlash.cli.report_folder import RECORDS, keep_others
     from gearlash.cli.tables import CsvAsked
 
     csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
@@ -77,16 +76,15 @@ def reproduce(
     check_pair(chosen)
     if verify:
         _check_teeth(chosen)
-    keep_others(out, "reproduce", chosen)
     sweeps = [f"sweep-{name}{ending}" for name in ("omega", "D") for ending in (".nc", ".json")]
     folder = claim(
-        out, ["report.html", "report.json", "figures", RECORDS["reproduce"], *sweeps, *csv.files(*TABLES)]
+        out, ["report.html", "report.json", "figures", "reproduce.json", *sweeps, *csv.files(*TABLES)]
     )
     load_engine(data=True)
 
     answer = _answer(chosen, points, workers, folder, verify)
     with delivery():
-        write_file(answer, folder.file(RECORDS["reproduce"]))
+        write_file(answer, folder.file("reproduce.json"))
         csv.keep(folder, TABLES, lambda: reproduce_tables(answer))
         show_answer(answer, as_json)
     return code_of(answer.status)
