@@ -230,11 +230,10 @@ def test_impacts_and_the_balance_of_energy_are_told_where_they_are_kept():
     assert "of these 1 motions at most 2.0 × 10⁻³ of what dampers take" in said
 
 
-def test_how_nearly_a_motion_without_a_label_repeats_is_told_where_it_is_kept():
+def test_how_nearly_a_motion_without_a_label_repeats_is_told():
     point = replace(named("absolute").points[1], label="kept", apart=0.0, returns=0.011)
     assert section_of._seen(point)[0].endswith("not repeating within 1 % (misses itself by 1.1 %)")
     assert section_of._seen(replace(point, label="1-0-0"))[0] == "1-0-0"
-    assert section_of._seen(replace(point, label="none", returns=None))[0].endswith("within 1 %")
 
 
 def test_a_motion_whose_impacts_do_not_repeat_parts_and_has_no_label():
@@ -251,27 +250,6 @@ def test_a_share_of_time_apart_is_not_denied_by_a_label():
     assert seen.motion("1-0-0", 0.023) == "1-0-0, apart 2.3 %"
     assert not seen.parts("1-0-0", 0.0)
     assert not seen.parts("1-0-0", None)
-
-
-@pytest.mark.parametrize(
-    ("label", "impacts", "said"),
-    [
-        ("1-1-0", 1.0, False),
-        ("1-1-0", 1.3, True),
-        ("1-0-0", 0.4, True),
-        ("3-2-0", 0.7, False),
-        ("3-2-0", 0.9, True),
-    ],
-)
-def test_labels_of_older_data_are_said_to_be_rounded_where_they_are(label: str, impacts: float, said: bool):
-    """Of 20 cycles, which are six periods of three and a part of one."""
-    way = named("absolute")
-    point = replace(way.points[0], label=label, apart=0.1, impacts=impacts, back_impacts=0.0)
-    points = tuple(replace(each, returns=0.002) for each in (point, way.points[1]))
-    found = replace(kept(), ways=(replace(way, points=points),))
-    assert ("rounded in the mean" in section_of._table(found).caption) == said
-    last = words(when_fixed.when_fixed(found).items[-1])
-    assert ("a label only where every period has as many impacts" in last) == (not said)
 
 
 def test_contact_as_reported_without_its_period_is_said_to_lack_it():
@@ -361,26 +339,35 @@ def test_every_setting_of_the_plan_has_its_row():
 
 
 def test_the_table_of_settings_says_how_long_motions_settle():
-    """Also where those that do not come back go on."""
+    """How many that did not come back went on, and for how long, of all that the table has."""
     planned = next(each for each in kept().settings if each["name"] == "as planned")
-    planned = {**planned, "settle": "80", "read": "20"}
-    for more, words_ in (({"longest": "12"}, " (more, 981 at most, where"), ({"longest": "1"}, " and ")):
-        (table,) = settings_beside.blocks(replace(kept(), settings=({**planned, **more},)))
+    planned, way = {**planned, "settle": "80", "read": "20", "longest": "12"}, named("absolute")
+    for cycles, said in (
+        ((80, 187, 80, 133), " (more, 187 at most, for 2 of the 4 motions of this table, which had not come"),
+        ((80, 80), " (enough for all 2 motions of this table) and 20 that are read"),
+    ):
+        one = replace(way, settled=tuple(("as planned", 3600.0, each) for each in cycles))
+        (table,) = settings_beside.blocks(replace(kept(), settings=(planned,), ways=(one,)))
         assert isinstance(table, Table)
-        assert f"80 mesh cycles to settle{words_}" in str(table.caption)
+        assert f"80 mesh cycles to settle{said}" in str(table.caption)
 
 
-def test_what_a_later_reading_changed_is_listed_with_data_that_have_it():
-    new = tuple(
-        replace(way, points=tuple(replace(point, returns=0.002) for point in way.points))
-        for way in kept().ways
+def test_what_flanks_make_of_the_error_under_load_is_said_where_relief_is_spoken_of():
+    made = (6.149, 2.217, 0.931)
+    modified = replace(named("modified"), errors_under_load=made)
+    found = replace(kept(), ways=(named("stiffness"), modified))
+    assert "beside it the flanks make 6.15, 2.22 and 0.931 µm at these orders" in words(
+        section_of._ways(found).items[1]
     )
-    old = tuple(
-        replace(way, points=tuple(replace(point, returns=None) for point in way.points))
-        for way in kept().ways
+    assert "an error of their own under load (6.15, 2.22 and 0.931 µm at the first three mesh" in text_of(
+        found
     )
-    counts = [len(when_fixed.when_fixed(replace(kept(), ways=ways)).items) for ways in (new, old)]
-    assert counts == [len(when_fixed.FIXED) + 1, len(when_fixed.FIXED)]
+
+
+def test_relief_makes_more_error_under_load_than_flanks_without_it():
+    plain, relieved = named("absolute").errors_under_load, named("modified").errors_under_load
+    assert len(plain) == len(relieved) == 3
+    assert max(relieved) > 2.0 * max(plain)
 
 
 def test_the_summary_tells_with_how_many_inputs_both_reported_motions_were_found():

@@ -19,23 +19,7 @@ from cli.signalled import MARK, marked, still_running
 
 FILES = {f"{name}.{form}" for name in ("force", "orders", "lines", "frames") for form in ("svg", "pdf")}
 TABLES = {f"{name}.csv" for name in ("verify", "forces", "orders", "window", "breathing", "meshes")}
-SPUR = """
-kind = "KIND"
-name = "spurs"
-[pinion]
-teeth = 25
-face_width = "20 mm"
-[gear]
-teeth = 57
-face_width = "20 mm"
-[mesh]
-normal_module = "2 mm"
-pressure_angle = "20 deg"
-backlash = "80 um"
-[operation]
-pinion_speed = "4200 rpm"
-torque = "50 N m"
-"""
+CASES = Path(__file__).parents[1] / "cases"
 WAYS = ["stiffness", "dimensionless", "absolute"]
 
 
@@ -107,9 +91,10 @@ def test_real_teeth_are_computed_for_the_article_alone(gearlash: Gearlash, tmp_p
 @pytest.mark.parametrize("kind", ["spur-1dof", "helical-pair"])
 def test_spur_cases(gearlash: Gearlash, tmp_path: Path, kind: str):
     """With rotations alone, where nothing breathes, and with bearings, where it does."""
-    case, helix = tmp_path / "spurs.toml", 'helix_angle = "0 deg"\n[operation]'
-    text = SPUR.replace("KIND", kind)
-    case.write_text(text if kind == "spur-1dof" else text.replace("[operation]", helix), encoding="utf-8")
+    case, text = tmp_path / "spurs.toml", (CASES / "spurs.toml").read_text(encoding="utf-8")
+    if kind == "helical-pair":
+        text = text.replace("spur-1dof", kind).replace("[operation]", 'helix_angle = "0 deg"\n[operation]')
+    case.write_text(text, encoding="utf-8")
     ran = gearlash("verify", str(case), "--speed", "4200rpm", "--quick", "--workers", "1", "--json")
     assert ran.code == 0, ran.complaint
     assert {mesh["overlap_ratio"] for mesh in ran.answer["meshes"]} == {0.0}

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.gears import CylindricalGear
+from gearlash.gears import CylindricalGear, CylindricalPair
 
 Reals = NDArray[np.float64]
 
@@ -32,3 +32,10 @@ def standin(gear: CylindricalGear, width: float, single: float = 1.6e10, slope: 
     rim = 0.1 / (single * width) * np.exp(-np.abs(axial[:, None] - axial[None, :]) / (4.0 * spread))
     rim = np.einsum("i,j,kl->ikjl", np.ones(7), np.ones(7), rim).reshape(tooth.shape)
     return Standin(roll, axial, np.array([rim, tooth + rim, rim]), 0.5 * gear.normal_module)
+
+
+def standins(
+    pair: CylindricalPair, widths: tuple[float, float], materials: object = None
+) -> tuple[Standin, Standin]:
+    """Of both gears, in place of `gearlash.multibody.compliance.pair_compliances`."""
+    return standin(pair.pinion, widths[0]), standin(pair.gear, widths[1])

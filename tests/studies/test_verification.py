@@ -47,14 +47,10 @@ from gearlash.studies.verification.lumped import lumped_family
 from gearlash.studies.verification.mesh import modified
 from gearlash.studies.verification.point import _fine_enough, _to_fade, fastest, machine_of, run_point
 from gearlash.studies.verification.whole import all_errors, errors_of
-from multibody.standin import standin
+from multibody.standin import standins
 
 SHORT = Setting(steps=64, finer=1, finest=1, settle=4, read=16, longest=1)
 CASES = Path(__file__).parents[1] / "cases"
-
-
-def _soft(pair, widths, materials=None):
-    return tuple(standin(gear, width) for gear, width in zip(pair.gears, widths, strict=True))
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +66,7 @@ def found() -> Verification:
         window_over=(0.95, 1.0, 2),
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("gearlash.multibody.compliance.pair_compliances", _soft)
+        patch.setattr("gearlash.multibody.compliance.pair_compliances", standins)
         return verification(gl.load_case("article"), plan=plan)
 
 
@@ -298,11 +294,8 @@ def test_stated_relief_materials_and_bodies_are_used():
     assert inputs.modification == drawing.modification
     assert inputs.modification.modified
     assert inputs.materials == drawing.chosen_materials
-    soft = (
-        standin(inputs.pair.pinion, inputs.pair.face_width),
-        standin(inputs.pair.gear, inputs.pair.face_width),
-    )
-    plain = MeshContact.of(inputs.pair, soft, slices=3)
+    width = inputs.pair.face_width
+    plain = MeshContact.of(inputs.pair, standins(inputs.pair, (width, width)), slices=3)
     shaped = plain.with_(topography=Topography(modification=inputs.modification))
     off = shaped.tables.relief - plain.tables.relief
     width, x = inputs.pair.face_width, plain.tables.scalars

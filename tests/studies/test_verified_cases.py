@@ -18,26 +18,10 @@ from gearlash.studies.verification import NotVerifiableError, Setting, inputs_of
 from gearlash.studies.verification.lumped import LumpedInputs, lumped_family
 from gearlash.studies.verification.mesh import matched_mesh, mesh_of
 from gearlash.studies.verification.point import machine_of
-from multibody.standin import standin
+from multibody.standin import standins
 
 CASES = Path(__file__).parents[1] / "cases"
-SPUR = """
-kind = "spur-1dof"
-name = "spurs"
-[pinion]
-teeth = 25
-face_width = "20 mm"
-[gear]
-teeth = 57
-face_width = "20 mm"
-[mesh]
-normal_module = "2 mm"
-pressure_angle = "20 deg"
-backlash = "80 um"
-[operation]
-pinion_speed = "4200 rpm"
-torque = "50 N m"
-"""
+SPUR = (CASES / "spurs.toml").read_text(encoding="utf-8")
 
 
 def _refused(case: gl.Case, *told: str) -> None:
@@ -233,7 +217,7 @@ def test_the_matched_width_has_the_stiffness_of_the_case(
     width: str, share: float, monkeypatch: pytest.MonkeyPatch
 ):
     """Of a narrow face, too: widths are told to a hundredth of themselves or finer."""
-    monkeypatch.setattr("gearlash.multibody.compliance.pair_compliances", _soft)
+    monkeypatch.setattr("gearlash.multibody.compliance.pair_compliances", standins)
     widths = {"pinion.face_width": width, "gear.face_width": width}
     inputs = inputs_of(loads(SPUR, widths), (1.0,))
     full = mesh_of(inputs, inputs.pair.face_width, inputs.torque)
@@ -259,7 +243,3 @@ def test_the_width_is_found_of_teeth_that_bear_on_a_part_of_their_face(share: fl
     beyond = replace(inputs, mean_stiffness=1.2e9)  # no width is so stiff
     assert matched_mesh(beyond, full).width == max(tried)
     assert max(tried) <= 16.0 * full.width
-
-
-def _soft(pair, widths, materials=None):
-    return tuple(standin(gear, width) for gear, width in zip(pair.gears, widths, strict=True))

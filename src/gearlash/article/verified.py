@@ -7,7 +7,7 @@ is not shown.
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -36,9 +36,9 @@ class VerifiedPoint:
         Beginnings of contact a mesh cycle, of the drive side and of the back side.
     energy_residual : float
         What is missing in the balance of energy, over what dampers take.
-    returns : float or None
+    returns : float
         How far the mean forces of every 1/64 of a mesh cycle miss themselves after its period, or at the
-        least after 1 to 8 mesh cycles, over the range of these means; None where it was not kept.
+        least after 1 to 8 mesh cycles, over the range of these means.
     lumped, lumped_apart, lumped_peak : dict
         Label of the lumped model at the same inputs by contact rule; share of time without contact, None
         where it has no orbit; greatest force over the mean one.
@@ -73,7 +73,7 @@ class VerifiedPoint:
     impacts: float
     back_impacts: float
     energy_residual: float
-    returns: float | None = None
+    returns: float
 
 
 @dataclass(frozen=True)
@@ -140,7 +140,8 @@ class VerifiedWay:
     beside : tuple of (str, float, str, float)
         Setting, speed, label, share of time without contact.
     settled : tuple of (str, float, int)
-        Setting, speed, mesh cycles before those that were read; of the plan and of every setting beside.
+        Setting, speed, mesh cycles before those that were read; of the plan and of every setting beside;
+        empty in a file that has none.
     breathing : tuple of VerifiedBreathing
         At each speed.
     up, down : str
@@ -163,6 +164,7 @@ class VerifiedWay:
     error: float
     numbers: dict[str, float]
     ripples: tuple[float, ...]
+    errors_under_load: tuple[float, ...]
     points: tuple[VerifiedPoint, ...]
     beside: tuple[tuple[str, float, str, float], ...]
     breathing: tuple[VerifiedBreathing, ...]
@@ -171,8 +173,7 @@ class VerifiedWay:
     lumped_up: dict[str, str]
     lumped_down: dict[str, str]
     apart_differs: dict[str, list[list[float]]]
-    window: dict[str, Any] = field(default_factory=dict)
-    errors_under_load: tuple[float, ...] = ()
+    window: dict[str, Any]
     settled: tuple[tuple[str, float, int], ...] = ()
 
 
@@ -279,7 +280,7 @@ def from_data(data: dict[str, Any], in_run: bool = False) -> Verified:
 def _way(data: dict[str, Any]) -> VerifiedWay:
     more: dict[str, Any] = {
         "points": tuple(map(_point, data["points"])),
-        "breathing": tuple(VerifiedBreathing(**_with_tuples(each)) for each in data.get("breathing", ())),
+        "breathing": tuple(VerifiedBreathing(**_with_tuples(each)) for each in data["breathing"]),
         "beside": tuple(tuple(row) for row in data["beside"]),
         "settled": tuple(tuple(row) for row in data.get("settled", ())),
     }
@@ -287,10 +288,8 @@ def _way(data: dict[str, Any]) -> VerifiedWay:
 
 
 def _point(data: dict[str, Any]) -> VerifiedPoint:
-    more: dict[str, Any] = dict.fromkeys(("orders", "lumped_orders", "lumped_amplitudes"), ())
-    more["frames"] = ()
-    more |= _with_tuples(data)
-    return VerifiedPoint(**{**more, "frames": tuple(tuple(frame) for frame in more["frames"])})
+    frames = tuple(tuple(frame) for frame in data["frames"])
+    return VerifiedPoint(**_with_tuples({**data, "frames": frames}))
 
 
 def _with_tuples(data: dict[str, Any]) -> dict[str, Any]:

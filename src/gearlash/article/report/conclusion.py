@@ -12,7 +12,7 @@ from gearlash.report.blocks import Block, Bullets, Note, Text
 from gearlash.report.numbers import number
 
 from . import lumped_beside, window, with_settings
-from .seen import HELD, MODIFIED, UNEVEN, parts, read_by_means, share
+from .seen import HELD, MODIFIED, UNEVEN, parts, share
 from .when_fixed import when_fixed
 from .words import joined
 
@@ -48,7 +48,7 @@ def blocks(found: Verified, done: Reproduction) -> list[Block]:
         *lumped_beside.blocks(found, done),
         _harmonics(found),
         Text.of("The run was not strictly blind:"),
-        when_fixed(found),
+        when_fixed(),
     ]
 
 
@@ -93,7 +93,7 @@ def _conclusion(found: Verified) -> Text:
     said = [
         f"In short: {in_short(found)}.",
         f"By the label alone, the rule at first, {len(by_label(found))} of {len(found.ways)} agree"
-        f"{READ_ANEW if read_by_means(found) else ''}.",
+        f"{READ_ANEW}.",
         _with_numbers_held(found),
         with_settings.both_motions(found),
         with_settings.both_bending(found, agree),
@@ -122,7 +122,7 @@ def _how(points: Sequence[VerifiedPoint]) -> str:
 
 def _uneven(point: VerifiedPoint) -> str:
     """Of a motion whose force comes back, and not the number of its impacts."""
-    if point.label != UNEVEN or point.returns is None:
+    if point.label != UNEVEN:
         return ""
     return (
         f" (mean forces come back within {share(point.returns)}, but with {number(point.impacts, 3)} "
@@ -215,14 +215,13 @@ def _unsettled(way: VerifiedWay) -> str:
     for point, reported in zip(way.points, REPORTED, strict=True):
         if parts(reported, None) or parts(point.label, point.apart) or point.label == reported:
             continue
-        missed = "" if point.returns is None else f" (it misses itself by {share(point.returns)})"
         rows = with_settings.rows_at(way, point)
         have = sum(row[2] == reported for row in rows)
         began = window.from_neighbours(way, point, reported)
         said.append(
             f" The reported force repeats every mesh cycle; as planned that at {point.speed:.0f} rpm does "
-            f"not within 1 %{missed}. {reported} was found there {began and f'{began} and '}with {have} "
-            f"of {len(rows)} settings."
+            f"not within 1 % (it misses itself by {share(point.returns)}). {reported} was found there "
+            f"{began and f'{began} and '}with {have} of {len(rows)} settings."
         )
     return "".join(said)
 
@@ -254,8 +253,12 @@ def _near(found: Verified, way: VerifiedWay, case: Case) -> str:
             f" whose stiffness varies most twice a mesh cycle ({lumped_beside.second(way, case)}; "
             f"{share(way.ripples[0])} once and {share(way.ripples[2])} three times),"
         )
-    relief = " and whose relief makes an error of its own under load, which these numbers leave out,"
-    return said + (relief if way.name == MODIFIED else "")
+    if way.name == MODIFIED:
+        said += (
+            f" and whose flanks make an error of their own under load ({in_um(way.errors_under_load)} at the "
+            "first three mesh orders), which these numbers leave out,"
+        )
+    return said
 
 
 def _compared(way: VerifiedWay, itself: VerifiedWay) -> list[tuple[float, float]]:
@@ -263,6 +266,11 @@ def _compared(way: VerifiedWay, itself: VerifiedWay) -> list[tuple[float, float]
     pairs = [(way.numbers[name], itself.numbers[name]) for name in (ERROR, PLAY)]
     pairs.append((bearings_beside_mesh(way), bearings_beside_mesh(itself)))
     return pairs + [(one.omega, other.omega) for one, other in zip(way.points, itself.points, strict=True)]
+
+
+def in_um(amplitudes: Sequence[float]) -> str:
+    """Of the first three mesh orders."""
+    return f"{joined([number(each, 3) for each in amplitudes])} µm"
 
 
 def ripples(way: VerifiedWay) -> str:

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from gearlash.article.verified import Verified
-from gearlash.studies.verification.settings import PLANNED
-from gearlash.system import Signature, read_label
-
 NOT_COMPUTED = "—"
 NONE, KEPT, UNEVEN = "none", "kept", "uneven"
 """Instead of P-Q-R: of motions that do not come back within 8 mesh cycles, with teeth apart and always in
@@ -41,25 +37,6 @@ def parts(label: str, apart: float | None) -> bool:
     if has_label(label) and not label.endswith("-0-0"):
         return True
     return label == "aperiodic" or bool(apart)
-
-
-def read_by_means(found: Verified) -> bool:
-    """Whether mesh cycles were compared by mean forces; older data, without `returns`, at single places."""
-    return all(point.returns is not None for way in found.ways for point in way.points)
-
-
-def rounded(found: Verified) -> bool:
-    """Whether a label was rounded: it has another number of impacts than were counted in the cycles read."""
-    read = next((int(each["read"]) for each in found.settings if each["name"] == PLANNED.name), PLANNED.read)
-    for point in (point for way in found.ways for point in way.points if has_label(point.label)):
-        label = read_label(point.label)
-        if isinstance(label, Signature):
-            whole, more = divmod(read, label.period)
-            for count, each in ((label.drive, point.impacts), (label.back, point.back_impacts)):
-                most = (whole + bool(more)) * count + 1  # one may lie at an end of what is read
-                if not whole * count - 1 <= round(each * read) <= most:
-                    return True
-    return False
 
 
 def motion(label: str, apart: float) -> str:

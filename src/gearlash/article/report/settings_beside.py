@@ -50,7 +50,7 @@ def _plan(found: Verified) -> str:
     """Steps and cycles of the plan, and those of the window."""
     said = [
         f" {words}: {each['solver']}, {each['steps']} steps a mesh cycle{_finer(each)}, "
-        f"{each['settle']} mesh cycles to settle{_longer(each)} and {each['read']} that are read."
+        f"{each['settle']} mesh cycles to settle{_longer(found, each)} and {each['read']} that are read."
         for name, words in ((PLANNED.name, "The plan"), (AT_WINDOW.name, "The window"))
         for each in found.settings
         if each["name"] == name
@@ -62,12 +62,18 @@ def _finer(each: dict[str, str]) -> str:
     return "" if each["finer"] == "1" else f" ({each['finer']} times as many in those that are read)"
 
 
-def _longer(each: dict[str, str]) -> str:
-    times = int(each.get("longest", "1"))
-    if times == 1:
+def _longer(found: Verified, each: dict[str, str]) -> str:
+    """How many motions had not come back after one mesh cycle and were given more, and how many at most."""
+    if int(each["longest"]) == 1:
         return ""
-    most = times * int(each["settle"]) + int(each["read"]) + 1  # what is read in between is one cycle longer
+    cycles = [row[2] for way in found.ways for row in way.settled]
+    if not cycles:
+        most = int(each["longest"]) * int(each["settle"]) + int(each["read"]) + 1  # read once in between
+        return f" (more, {most} at most, where a motion does not come back after one)"
+    longer = sum(count > int(each["settle"]) for count in cycles)
+    if not longer:
+        return f" (enough for all {len(cycles)} motions of this table)"
     return (
-        f" (more, {most} at most, where a motion does not come back after one and the slowest vibration of "
-        "bodies has not faded yet)"
+        f" (more, {max(cycles)} at most, for {longer} of the {len(cycles)} motions of this table, which had "
+        "not come back after one cycle)"
     )

@@ -14,7 +14,7 @@ from gearlash.studies.verification.plan import AT_WINDOW
 from gearlash.studies.verification.settings import PLANNED
 
 from . import conclusion, settings_beside, teeth, window
-from .seen import KEPT, NONE, RULES, UNEVEN, parts, rounded, share, told
+from .seen import KEPT, NONE, RULES, UNEVEN, parts, share, told
 
 STEM = "verified-forces"
 
@@ -81,7 +81,9 @@ def _ways(found: Verified) -> Bullets:
                 Strong(way.name),
                 f": {way.held}. Face width {number(way.face_width, 3)} mm, mean stiffness "
                 f"{number(way.stiffness / 1e8, 3)}·10⁸ N/m, ripple {conclusion.ripples(way)} at the first "
-                f"three mesh orders, torque {number(way.torque, 4)} N·m, error {number(way.error, 4)} µm.",
+                f"three mesh orders, torque {number(way.torque, 4)} N·m, error {number(way.error, 4)} µm; "
+                f"beside it the flanks make {conclusion.in_um(way.errors_under_load)} at these orders under "
+                "load.",
             )
             for way in found.ways
         )
@@ -108,8 +110,7 @@ def _table(found: Verified) -> Table:
         "lumped model at the same inputs under three contact rules, and what the article reports of its own "
         "simulation; shares of time without contact, forces over their mean. ω is the mesh frequency over "
         "√(k/m_e) with the stiffness of these teeth. The article names ω 0.942 and 1.047, which are 3600 and "
-        "4000 rpm with the stiffness of the case. Of a label P-Q-R, Q are the impacts in P mesh cycles"
-        f"{', rounded in the mean where not all such cycles have as many' if rounded(found) else ''}.",
+        "4000 rpm with the stiffness of the case. Of a label P-Q-R, Q are the impacts in P mesh cycles.",
         ("inputs", "speed", "real teeth", "rigid gear", *(f"lumped, {rule}" for rule in RULES), "reported"),
         tuple(rows),
         widths=(12, 12, 19, 11, 12, 12, 12, 10),
@@ -119,9 +120,9 @@ def _table(found: Verified) -> Table:
 def _seen(point: VerifiedPoint) -> list[str]:
     forces = f"force {number(point.least, 2)} to {number(point.peak, 3)} of its mean"
     label, apart = told(point.label), f"apart {share(point.apart)} of the time"
-    if point.label in (NONE, KEPT) and point.returns is not None:
+    if point.label in (NONE, KEPT):
         label = f"{label} (misses itself by {share(point.returns)})"
-    if point.label == UNEVEN and point.returns is not None:
+    if point.label == UNEVEN:
         label = f"{label} (mean forces come back within {share(point.returns)})"
     if not parts(point.label, point.apart):
         return [label, apart, forces]

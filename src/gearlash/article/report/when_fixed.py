@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from gearlash.article.verified import Verified
 from gearlash.report.blocks import Bullets, Text
-
-from .seen import read_by_means, rounded
 
 FIXED = (
     (
@@ -42,26 +39,18 @@ FIXED = (
         "setting with each of the inputs that are not modified; error and torque changed by a tenth; up to "
         "2304 steps where the balance of energy needs them",
     ),
+    (
+        "After the findings of a referee",
+        "mesh cycles compared by the mean force of every 1/64 of them (before by the force at 64 places, "
+        "with which, in the data just before, by the label alone no inputs agreed); more cycles to settle "
+        "where a motion does not come back after one and the slowest vibration of bodies has not faded yet; "
+        "a label only where every period has as many impacts, and 1-0-0 only where contact was never lost "
+        "(before, they were rounded in the mean: with mean forces 1.3 impacts a mesh cycle were told as one, "
+        "and “modified” as 1-1-0 at 3600 rpm, in runs whose data are not kept)",
+    ),
 )
 
-LATEST = (
-    "After the findings of a referee",
-    "mesh cycles compared by the mean force of every 1/64 of them (before by the force at 64 places, with "
-    "which, in the data just before, by the label alone no inputs agreed); more cycles to settle where a "
-    "motion does not come back after one and the slowest vibration of bodies has not faded yet",
-)
-"""Of data that have `VerifiedPoint.returns`; older ones were read as before."""
-LABELS = (
-    "; a label only where every period has as many impacts, and 1-0-0 only where contact was never lost "
-    "(before, they were rounded in the mean: with mean forces 1.3 impacts a mesh cycle were told as one, and "
-    "“modified” as 1-1-0 at 3600 rpm, in runs whose data are not kept)"
-)
-"""Of data no label of which is rounded."""
 
-
-def when_fixed(found: Verified) -> Bullets:
+def when_fixed() -> Bullets:
     """What was fixed before what was seen."""
-    latest = read_by_means(found)
-    when, what = LATEST
-    steps = [*FIXED, (when, what if rounded(found) else what + LABELS)] if latest else FIXED
-    return Bullets(tuple(Text.of(f"{when}, these were fixed: {what}.") for when, what in steps))
+    return Bullets(tuple(Text.of(f"{when}, these were fixed: {what}.") for when, what in FIXED))
