@@ -3,12 +3,16 @@
 import json
 from collections.abc import Sequence
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
 
 import gearlash as gl
 from cli.conftest import Gearlash
+from gearlash.cli.answers.compare import CompareAnswer, ComparedSpeed, JumpFound
+from gearlash.cli.show.compare import rows_shown
 from gearlash.jobs import Outcome
 from gearlash.orbits.figures import Figure, figure_of
 from gearlash.studies import comparison
@@ -48,6 +52,10 @@ def test_what_the_pair_does_itself_leaves_nothing(case: gl.Case, gearlash: Gearl
     ran = gearlash("compare", str(DRIVE), str(tmp_path / "te.csv"), "--workers", "1", "--out", str(out))
     assert ran.code == 0, ran.err
     answer = json.loads((out / "compare.json").read_text())
+    at, largest = int(np.argmax(values)), answer["peaks"][0]
+    assert (largest["curve"], largest["speed"]) == ("measured", pytest.approx(RPM[at]))
+    assert largest["measured"] == pytest.approx(values[at]) == pytest.approx(largest["up"])
+    assert largest["mesh_frequency"] == pytest.approx(25 * RPM[at] / 60.0)  # 25 teeth
     assert answer["rms"] < 1e-9 * answer["span"]
     assert (answer["unit"], answer["speed_unit"]) == ("µm", "rpm")
     assert (out / "compare.svg").exists()
@@ -113,6 +121,22 @@ def test_lines_and_rms_agree_with_samples(case: gl.Case):
     peak = figure_of(trace, readouts, known["acceleration_yp"], Figure.PEAK)
     assert np.abs(slope).max() <= peak * (1.0 + 1e-6)
     assert np.abs(slope).max() > 0.5 * peak
+
+
+def test_the_rows_that_are_shown_have_the_largest_of_all():
+    """Of 101 rows a fifth is shown: a peak of one row would fall between."""
+    speed = np.linspace(1000.0, 2000.0, 101)
+    measured, up = np.ones(101), 2.0 * np.ones(101)
+    measured[43], up[57] = 9.0, 8.0
+    points = tuple(
+        ComparedSpeed(float(n), float(m), float(u), float(u), "1-0-0", "1-0-0", float(m - u), "up", None)
+        for n, m, u in zip(speed, measured, up, strict=True)
+    )
+    answer = SimpleNamespace(points=points, jumps=(JumpFound(1120.0, 1130.0, 1.0, "up", ()),))
+    shown = [each.speed for each in rows_shown(cast(CompareAnswer, answer))]
+    assert {1000.0, 1120.0, 1130.0, 1430.0, 1570.0, 2000.0} <= set(shown)
+    assert len(shown) < 35
+    assert shown == sorted(shown)
 
 
 @pytest.mark.parametrize(

@@ -39,6 +39,16 @@ def test_a_flank_that_climbs_in_several_steps_is_no_jump():
         assert len(jumps_of(gl.measurement(case, UP, values, "mesh_force"), [])) == count
 
 
+def test_a_peak_of_a_resonance_is_no_jump_nor_is_a_row_that_stands_out():
+    """On a resonance that few rows lie on both flanks are steep; a jump stays up, or falls more slowly."""
+    case = gl.load_case("kahraman-singh")
+    resonance = np.array([1.0, 1.0, 1.01, 1.1, 1.4, 2.2, 1.4, 1.1, 1.01, 1.0, 1.0])
+    outlier = np.array([1.0, 1.0, 1.01, 1.02, 1.05, 1.9, 1.06, 1.02, 1.03, 1.03, 1.04])
+    jump = np.array([1.0, 1.0, 1.01, 1.02, 1.05, 1.9, 1.7, 1.6, 1.5, 1.45, 1.4])
+    for values, count in ((resonance, 0), (outlier, 0), (jump, 1)):
+        assert len(jumps_of(gl.measurement(case, UP, values, "mesh_force"), [])) == count
+
+
 def test_a_curve_that_climbs_over_missing_rows_is_no_jump():
     """The same flank, with seven rows left out of it; a jump there is one all the same."""
     case, omega = gl.load_case("kahraman-singh"), np.linspace(0.70, 0.90, 41)

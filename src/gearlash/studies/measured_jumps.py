@@ -16,7 +16,9 @@ from .transition import Transition
 
 JUMP = 5.0  # times the median change from one measured speed to the next: a larger one is a jump
 SMALLEST_JUMP = 0.1  # of the span of what was measured
-APART = 2.0  # times the change beside it, the same way: a flank climbs in several steps, a jump in one
+APART = (
+    2.0  # times the change beside it: a flank climbs in several steps, a peak goes back, a jump does neither
+)
 NEAR = 2  # usual measured steps: so far from a jump an event may lie that it is put down to
 LEAST_OF_A_RUN = 4  # rows one way; shorter ones are how a speed wanders
 Array = NDArray[np.float64]
@@ -129,7 +131,7 @@ def _jumps(
 
 
 def _alone(changed: Array, at: int, missing: float) -> bool:
-    """Whether a change, over so many missing steps, stands out from those beside it that go the same way."""
-    beside = [changed[i] for i in (at - 1, at + 1) if 0 <= i < len(changed)]
-    same = [abs(each) for each in beside if each * changed[at] > 0.0]
-    return abs(changed[at]) > (APART + missing) * max(same, default=0.0)
+    """Whether a change, over so many missing steps, stands out from those beside it: from ones that go the
+    same way, as on a flank, and from ones that take it back, as behind a peak of one row."""
+    beside = [abs(changed[i]) for i in (at - 1, at + 1) if 0 <= i < len(changed)]
+    return abs(changed[at]) > (APART + missing) * max(beside, default=0.0)

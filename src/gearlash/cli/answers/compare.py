@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -67,6 +68,18 @@ class JumpFound:
 
 
 @dataclass(frozen=True)
+class ComparedPeak:
+    """Where a curve over speed is largest, and what the others have there."""
+
+    curve: Annotated[str, "measured, or computed with speed rising (up) or falling (down)"]
+    speed: float
+    measured: float
+    up: float | None
+    down: float | None
+    mesh_frequency: Annotated[float | None, "Hz, where the case has a unit of time"]
+
+
+@dataclass(frozen=True)
 class CompareAnswer:
     """A measurement over speed beside this pair (gearlash compare)."""
 
@@ -86,6 +99,7 @@ class CompareAnswer:
     rms: Annotated[float | None, "root mean square of the residuals"]
     largest: Annotated[float | None, "residual of the largest modulus"]
     rms_nearer: Annotated[float | None, "root mean square of the residuals to the nearer of both"]
+    peaks: Annotated[tuple[ComparedPeak, ...], "where what was measured and computed is largest"]
     span: Annotated[float, "from the least to the largest measured value"]
     jumps: tuple[JumpFound, ...]
     result: Literal["compare"] = "compare"
@@ -141,9 +155,28 @@ def compare_answer(case: Case, found: Comparison) -> CompareAnswer:
         rms=rms,
         largest=largest,
         rms_nearer=rms_nearer,
+        peaks=tuple(_peaks(case, found, points)),
         span=span,
         jumps=jumps,
     )
+
+
+def _peaks(case: Case, found: Comparison, points: tuple[ComparedSpeed, ...]) -> Iterator[ComparedPeak]:
+    """One of every curve that has values; of both ways one where they agree."""
+    from gearlash.results.pair_units import PairUnits
+
+    known, physical = None, bool(PairUnits.of(case).time.name)
+    for curve in ("measured", "up", "down"):
+        values = np.array([getattr(point, curve) for point in points], dtype=np.float64)
+        if not np.isfinite(values).any():
+            continue
+        at = int(np.nanargmax(values))
+        point = points[at]
+        if curve == "down" and known == (at, f"{point.down:.9g}"):
+            continue
+        known = (at, f"{values[at]:.9g}")
+        frequency = float(case.scales.mesh_hz(float(found.omega[at]))) if physical else None
+        yield ComparedPeak(curve, point.speed, point.measured, point.up, point.down, frequency)
 
 
 def _known(value: float) -> float | None:

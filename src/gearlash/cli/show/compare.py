@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from gearlash.case.units import pretty
-from gearlash.cli.answers.compare import WORDS, CompareAnswer, EventNear
+from gearlash.cli.answers.compare import WORDS, CompareAnswer, ComparedPeak, ComparedSpeed, EventNear
 
 from .layout import facts, headline, note, table
 
@@ -22,6 +22,7 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
         yield from facts("", [("status", answer.status), ("message", answer.message)], width)
     unit = f" {pretty(answer.unit)}" if answer.unit else ""
     speed = f" {pretty(answer.speed_unit)}" if answer.speed_unit else ""
+    yield from facts("Largest", [_peak(each, unit, speed) for each in answer.peaks], width)
     if answer.jumps:
         rows = [
             (
@@ -35,7 +36,7 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
     numbers = ("measured", "rising", "falling", "residual")
     columns = [(answer.speed_unit or "omega", "right"), ("way", "left")]
     columns += [*((name, "right") for name in numbers), ("motions", "left")]
-    step = max(1, -(-len(answer.points) // SHOWN))
+    shown = rows_shown(answer)
     rows_ = [
         [
             f"{p.speed:.6g}",
@@ -46,12 +47,12 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
             _number(p.residual),
             p.label_up if p.label_up == p.label_down else f"{p.label_up} | {p.label_down}",
         ]
-        for p in answer.points[::step]
+        for p in shown
     ]
     order = f" {answer.order:g}" if answer.order is not None else ""
     title = f"{answer.quantity}, {answer.figure}{order}{f' [{pretty(answer.unit)}]' if answer.unit else ''}"
-    if step > 1:
-        title += f": {len(rows_)} of {len(answer.points)} rows (--csv has all)"
+    if len(shown) < len(answer.points):
+        title += f": {len(rows_)} of {len(answer.points)} rows, the largest among them (--csv has all)"
     yield from table(title, columns, rows_, width)
     if any(answer.columns):
         yield from note(f"Columns taken: {answer.columns[0]} (speed) and {answer.columns[1]}.", width)
@@ -62,6 +63,59 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
         "within two usual steps of it. That an event made a jump is not shown by that.",
         width,
     )
+
+
+def _peak(peak: ComparedPeak, unit: str, speed: str) -> tuple[str, str]:
+    """Where a curve is largest, and what the others have at that speed."""
+    at = f"{peak.speed:.6g}{speed}"
+    if peak.mesh_frequency is not None and "Hz" not in speed:
+        at += f" ({peak.mesh_frequency:.5g} Hz of the mesh)"
+    computed = _both(peak, unit)
+    if peak.curve == "measured":
+        return "measured", f"{peak.measured:.4g}{unit} at {at}; computed there: {computed}"
+    own = peak.up if peak.curve == "up" else peak.down
+    name = "computed" if _number(peak.up) == _number(peak.down) else f"computed, {WORDS[peak.curve]}"
+    return name, f"{_number(own)}{unit} at {at}; measured there: {peak.measured:.4g}{unit}"
+
+
+def _both(peak: ComparedPeak, unit: str) -> str:
+    """What is computed at a speed, once where both ways of speed have it."""
+    known = [(value, way) for value, way in ((peak.up, "up"), (peak.down, "down")) if value is not None]
+    if not known:
+        return "nothing was found"
+    if len({_number(value) for value, _ in known}) == 1:
+        return f"{_number(known[0][0])}{unit}"
+    return ", ".join(f"{_number(value)}{unit} with {WORDS[way]}" for value, way in known)
+
+
+def rows_shown(answer: CompareAnswer) -> list[ComparedSpeed]:
+    """All rows where they are few; else even ones, and those that even ones may miss: the largest measured
+    and computed values and the largest residual, and both ends of every jump."""
+    points = answer.points
+    step = max(1, -(-len(points) // SHOWN))
+    kept = set(range(0, len(points), step)) | {len(points) - 1}
+    for read in (_measured, _up, _down, _off):
+        sizes = [(value, at) for at, point in enumerate(points) if (value := read(point)) is not None]
+        kept |= {max(sizes)[1]} if sizes else set()
+    ends = {end for jump in answer.jumps for end in (jump.lower, jump.upper)}
+    kept |= {at for at, point in enumerate(points) if point.speed in ends}
+    return [points[at] for at in sorted(kept)]
+
+
+def _measured(point: ComparedSpeed) -> float | None:
+    return point.measured
+
+
+def _up(point: ComparedSpeed) -> float | None:
+    return point.up
+
+
+def _down(point: ComparedSpeed) -> float | None:
+    return point.down
+
+
+def _off(point: ComparedSpeed) -> float | None:
+    return None if point.residual is None else abs(point.residual)
 
 
 def _way(direction: str) -> str:
