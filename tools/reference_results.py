@@ -50,7 +50,7 @@ of every curve N `curve-N.json` (for `--resume`), `curve-N.nc`, `curve-N.csv` |
 | graze | `graze.json` |
 | zones | `zones.json`, `zones.nc`, and of complete sweeps `zones.svg`, `zones.pdf`; \
 of two axes `zone.json`, the boundary as `zone.csv`, `zone.svg`, `zone.pdf` |
-| tolerance | `tolerance.json`, `tolerance.csv`, and of complete work `tolerance.svg`, `tolerance.pdf` |
+| tolerance | `tolerance.json`, `tolerance.csv`, `tolerance.svg`, `tolerance.pdf` |
 | compare | `compare.json`, `compare.csv`, and of complete work `compare.svg`, `compare.pdf` |
 | verify | `verify.json`, and of complete work, each as SVG and PDF, `force` (over time beside the lumped \
 model), `orders` (order spectra, 0 dB is the mean force), `lines` (of contact on a tooth as wide as the case \

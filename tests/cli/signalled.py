@@ -17,7 +17,7 @@ from pathlib import Path
 import gearlash as gl
 
 PATIENCE = 8.0  # s, on a machine that does other things too; a quiet one takes less than 2
-DRAWING = 30.0  # s: a report draws what it has before it ends
+DRAWING = 30.0  # s: a report or a tolerance study draws what it has before it ends
 MARK = "GEARLASH_TEST_MARK"
 PROGRAM = """
 import _signal
@@ -152,7 +152,7 @@ def marked(mark: str) -> list[str]:
 def check(ended: Ended) -> None:
     """Whatever the signal and its moment."""
     number, told = ended.sent.number, ended.told
-    assert ended.seconds < (PATIENCE if ended.sent.name != "report" else DRAWING), told
+    assert ended.seconds < (DRAWING if ended.sent.name in ("report", "tolerance") else PATIENCE), told
     # before Python reads the first line of gearlash, the signal does what it does to any process
     assert not re.search("Traceback.*gearlash", ended.said.replace(str(ended.out), ""), re.DOTALL), told
     if not ended.finished:

@@ -103,6 +103,9 @@ def test_a_tolerance_study_says_that_only_a_part_was_tried(tmp_path: Path, worke
         answer = json.loads((ended.out / "tolerance.json").read_text(encoding="utf-8"))
         assert answer["status"] == "incomplete"
         assert (ended.out / "tolerance.csv").exists()
+        assert (ended.out / "tolerance.pdf").exists()
+        picture = (ended.out / "tolerance.svg").read_text(encoding="utf-8")
+        assert f"incomplete: stopped when {answer['tried']} combinations were done" in picture
         return
     pytest.fail("no tolerance study was kept")
 

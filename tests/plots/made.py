@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from threading import Event
 
 import numpy as np
 import xarray as xr
@@ -10,6 +11,7 @@ import xarray as xr
 from gearlash.branches import locate_grazing
 from gearlash.branches.curves import Curve
 from gearlash.case import Case, load
+from gearlash.jobs import Execution
 from gearlash.orbits import Orbit, attractor, grazing_checks
 from gearlash.results import Axis, plane_dataset, sweep_dataset
 from gearlash.results.branch_dataset import branch_dataset
@@ -112,6 +114,18 @@ def tolerated() -> Tolerance:
     case = load("kahraman-singh")
     limits = {"load": (0.1, 0.3), "error": (0.05, 0.1)}
     return tolerance(case, Axis.even("omega", 0.5, 0.9, 5), limits, samples=2, replicates=2)
+
+
+@cache
+def begun(combinations: int) -> Tolerance:
+    """The same, stopped when so many combinations were done."""
+    case, cancel = load("kahraman-singh"), Event()
+    limits = {"load": (0.1, 0.3), "error": (0.05, 0.1)}
+    stopping = Execution(
+        chunk=1, cancel=cancel, progress=lambda at: cancel.set() if at.done >= combinations else None
+    )
+    speeds = Axis.even("omega", 0.5, 0.9, 5)
+    return tolerance(case, speeds, limits, samples=4, replicates=4, execution=stopping)
 
 
 @cache

@@ -180,6 +180,17 @@ def test_ranges_of_what_a_drawing_leaves_open_are_taken_by_themselves():
     assert all(one.reason for one in found.inputs)
 
 
+def test_what_does_not_depend_on_a_value_is_looked_at_once_each():
+    looked: list[float] = []
+
+    def flat(at: float) -> float:
+        looked.append(at)
+        return 0.9 + 1e-15 * (len(looked) % 3)  # and its rounding
+
+    assert positive_bands(flat, [0.0, 1.0, 2.0, 3.0, 4.0]) == ((0.0, 4.0),)
+    assert looked == [0.0, 1.0, 2.0, 3.0, 4.0]
+
+
 def test_bands_of_a_function_with_a_dip_between_two_values():
     def height(x: float) -> float:
         return (x - 0.5031) ** 2 - 1e-6

@@ -170,3 +170,11 @@ def draw_if(folder: OutFolder, name: str, complete: bool, figure: Callable[[Any]
 
     if complete:
         optional(drawn)
+
+
+def draw_stopped(folder: OutFolder, name: str, figure: Callable[[Any], Figure]) -> None:
+    """The figure of what was computed before the work was stopped, as SVG and PDF. All else is kept before: a
+    second signal gives up the figure alone."""
+    from gearlash import plots
+
+    plots.save(figure(plots), folder.file(name))

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from gearlash.case import Case
 from gearlash.results.store import write_together
 
-from .files import draw_if
+from .files import draw_if, draw_stopped
 from .folder import OutFolder
 from .jsonio import text
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from gearlash.results.tolerance import Tolerance
 
     from .answers.tolerance import ToleranceAnswer
@@ -20,15 +22,18 @@ if TYPE_CHECKING:
 def write_tolerance(
     folder: OutFolder, case: Case, found: Tolerance, answer: ToleranceAnswer, table: bytes
 ) -> None:
-    """The answer (JSON), the probability as a table (CSV) and, where all was computed, the figure."""
+    """The answer (JSON), the probability as a table (CSV), and the figure, which says what it lacks where the
+    work was stopped."""
     contents = {
         folder.file("tolerance.json"): text(answer).encode("utf-8"),
         folder.file("tolerance.csv"): table,
     }
     write_together(contents, instead_of=[folder.file(f"tolerance.{kind}") for kind in ("svg", "pdf")])
-    draw_if(
-        folder,
-        "tolerance",
-        found.complete,
-        lambda plots: plots.tolerance_bands(found, f"Tolerances of {case.name} (dashed: its own value)"),
-    )
+
+    def figure(plots: Any) -> Figure:
+        return plots.tolerance_bands(found, f"Tolerances of {case.name} (dashed: its own value)")
+
+    if found.complete:
+        draw_if(folder, "tolerance", True, figure)
+    else:
+        draw_stopped(folder, "tolerance", figure)

@@ -32,7 +32,8 @@ def tolerance_bands(found: Tolerance, title: str = "") -> Figure:
     """The probability of impact-free motion, the bands under it, and what each value makes of the margin.
 
     Values that make less than 1 % of its variance are named without a bar; without any other, or where the
-    work was stopped before, there is no such panel.
+    work was stopped before, there is no such panel. Of work that was stopped the figure says so, and how many
+    combinations were done; before two whole sets of samples are, it has no probability.
 
     Parameters
     ----------
@@ -55,18 +56,31 @@ def tolerance_bands(found: Tolerance, title: str = "") -> Figure:
     2
     """
     shown = _shown(found)
-    heights = [*HEIGHTS, *([6.0 * len(shown.ranked) + 6.0] if shown.ranked else [])]
-    figure = style.figure(style.PAGE, sum(heights) + 44.0 + 4.0 * len(shown.rest))
-    panels = list(figure.subplots(len(heights), 1, height_ratios=heights))
-    _probability(panels[0], found)
-    _bands(panels[1], found)
-    panels[0].sharex(panels[1])
-    panels[0].tick_params(labelbottom=False)
+    likely = found.complete or found.profile is not None
+    heights = [*(HEIGHTS if likely else HEIGHTS[1:])]
+    heights += [6.0 * len(shown.ranked) + 6.0] if shown.ranked else []
+    said = [literal(title)] if title else []
+    said += [] if found.complete else [_incomplete(found)]
+    figure = style.figure(style.PAGE, sum(heights) + 38.0 + 6.0 * len(said) + 4.0 * len(shown.rest))
+    panels = list(np.atleast_1d(figure.subplots(len(heights), 1, height_ratios=heights)))
+    if likely:
+        _probability(panels[0], found)
+        panels[0].sharex(panels[1])
+        panels[0].tick_params(labelbottom=False)
+    _bands(panels[1 if likely else 0], found)
     if shown.ranked:
-        _indices(panels[2], shown)
-    if title:
-        panels[0].set_title(literal(title), pad=6.0)
+        _indices(panels[-1], shown)
+    if said:
+        panels[0].set_title("\n".join(said), pad=6.0)
     return figure
+
+
+def _incomplete(found: Tolerance) -> str:
+    """How much of what was planned is in the figure."""
+    planned = found.corners + found.samples * found.replicates
+    if found.tried >= planned:
+        return "incomplete: stopped in the search for a worse combination, or for the shares of values"
+    return f"incomplete: stopped when {found.tried} combinations were done, of {planned} planned"
 
 
 def _probability(axes: Axes, found: Tolerance) -> None:

@@ -60,7 +60,8 @@ def tolerance(
     Bands of --over in which the motion of teeth that never part exists and is stable: in all combinations of
     values that were tried, in none, and with which probability between; every value between its limits as
     likely as any other. Names the worst combination, as settings to run. --out writes tolerance.json,
-    tolerance.csv, and the probability over the bands as SVG and PDF.
+    tolerance.csv, and the probability over the bands as SVG and PDF. Ctrl-C keeps what was tried, with its
+    figure, marked incomplete.
     """
     from gearlash.cli.frame import deliver
     from gearlash.cli.inputs import read_case

@@ -12,6 +12,9 @@ from gearlash.orbits.minimum import Sample, bracketed_minimum
 from gearlash.results.tolerance import Band
 
 HALVINGS = 60  # where a function has no number on one side
+FLAT = 1e-9
+"""Of a height: three that differ less are rounding of one and the same, and none of them is the least. Values
+that a function does not depend on would be looked at more closely than any other."""
 XTOL, RTOL = 1e-300, 1e-14  # of an end: as near as doubles come
 
 
@@ -46,6 +49,8 @@ def _between(
     """A value of the other sign beside the middle one of three, where that is least or largest."""
     heights = [left[1], middle[1], right[1]]
     if not all(map(isfinite, heights)) or len({height > 0.0 for height in heights}) > 1:
+        return None
+    if max(heights) - min(heights) <= FLAT * abs(middle[1]):
         return None
     sign = 1.0 if middle[1] > 0.0 else -1.0
     if not sign * middle[1] <= min(sign * left[1], sign * right[1]):
