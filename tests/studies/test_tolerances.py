@@ -234,6 +234,37 @@ def test_limits_that_do_not_fit_are_refused(limits: dict[str, tuple[float, float
 
 
 @pytest.mark.parametrize(
+    ("axis", "limits", "message"),
+    [
+        ("pinion_speed=3400:4400rpm", {"omega": (0.5, 0.6)}, "pinion_speed is the axis of the study"),
+        (
+            "pinion_speed=3400:4400rpm",
+            {"gear_speed": "1400:1500rpm"},
+            "pinion_speed is the axis of the study",
+        ),
+        ("omega=0.9:1.1", {"pinion_speed": "3400:4400rpm"}, "omega is the axis of the study"),
+        ("torque=90:110N*m", {"load": (0.08, 0.1)}, "torque is the axis of the study"),
+        ("load=0.08:0.1", {"power": "30:40kW"}, "load is the axis of the study"),
+        ("omega=0.9:1.1", {"D": (0.8, 1.0), "backlash": "60:80um"}, "two that name the same quantity"),
+        ("omega=0.9:1.1", {"torque": "90:110N*m", "load": (0.08, 0.1)}, "two that name the same quantity"),
+        ("omega=0.9:1.1", {"torque": "90:110N*m", "power": "30:40kW"}, "two that name the same quantity"),
+        ("omega=0.9:1.1", {"loaded_error": "1:2um", "error_phase": (0.1, 0.2)}, "loaded_error"),
+    ],
+)
+def test_a_quantity_has_limits_once_under_whatever_name(axis: str, limits: dict[str, str], message: str):
+    name, _, ends = axis.partition("=")
+    low, high = ends.split(":")
+    unit = high.lstrip("0123456789.")
+    values = (
+        gl.Axis.even(name, f"{low} {unit}", high, 3)
+        if unit
+        else gl.Axis.even(name, float(low), float(high), 3)
+    )
+    with pytest.raises(gl.GearlashError, match=message):
+        gl.tolerance(gl.load_case("article"), values, limits, samples=2, replicates=2)
+
+
+@pytest.mark.parametrize(
     ("case", "message"),
     [
         ("shaw-holmes", "is no gear pair"),

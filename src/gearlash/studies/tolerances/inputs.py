@@ -40,9 +40,45 @@ def read_inputs(case: Case, limits: Limits | None) -> tuple[ToleranceInput, ...]
     for one, name in zip(found, limits, strict=False):
         if seen.setdefault(one.path, name) != name:
             problems.append(Problem(name, None, f"one of two that name the same quantity ({seen[one.path]})"))
+    problems = problems or _twice(case, {one.path: one.text(one.lower) for one in found})
     if problems:
         raise CaseError("limits", problems)
     return tuple(found)
+
+
+def _twice(case: Case, stated: Mapping[str, float | str]) -> list[Problem]:
+    """One quantity under two names, such as D and the backlash: no combination could have both."""
+    return case.content.override(stated)[1]
+
+
+def check_axis(case: Case, name: str, value: float | str, inputs: Sequence[ToleranceInput]) -> None:
+    """Raises `GearlashError` where the axis, which has this value somewhere, is no parameter, or is one of
+    the inputs by whatever name."""
+    short = case.resolve(name, value)[0]
+    own = case.entries.get(short)
+    for one in inputs:
+        same = own is not None and own.path == one.path
+        if same or _twice(case, {name: value, one.path: one.text(one.lower)}):
+            raise GearlashError(
+                f"{name} is the axis of the study and cannot have limits as well ({one.path})"
+            )
+
+
+def check_possible(case: Case, inputs: Sequence[ToleranceInput]) -> None:
+    """Raises the `GearlashError` of the least values together where no pair can have these, the middle ones
+    or the greatest: a study would find nothing but combinations that do not exist."""
+    first: GearlashError | None = None
+    for share in (0.0, 0.5, 1.0):
+        try:
+            case.with_overrides(
+                {one.path: one.text(one.lower + share * (one.upper - one.lower)) for one in inputs}
+            ).family()
+        except GearlashError as error:
+            first = first or error
+        else:
+            return
+    if first is not None:
+        raise first
 
 
 def _both(name: str, stated: Sequence[float | str] | str) -> Sequence[float | str]:

@@ -3,7 +3,7 @@ or none of the combinations of values that lie between their limits."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import inf, isnan, nan
 
@@ -20,7 +20,7 @@ from gearlash.system import GearlashError, given
 from .bands import contains, outside, shared
 from .designs import corners, samples
 from .influence import combinations, influences, share_and_error
-from .inputs import Limits, read_inputs
+from .inputs import Limits, check_axis, check_possible, read_inputs
 from .members import Task, present_on, work
 from .profile import profile
 from .worst import Row, worst_from
@@ -94,7 +94,9 @@ def tolerance(
     if len(axis) < 2:
         raise GearlashError("axis: expected at least two values, between which bands are looked for")
     inputs = read_inputs(case, limits)
-    _check_axis(case, axis, inputs)
+    value = axis.values[0].item()
+    check_axis(case, axis.name, f"{value!r} {axis.unit}" if axis.unit else value, inputs)
+    check_possible(case, inputs)
     source = Source.of(case)
     looker = _Looker(source, inputs, axis, present_on(case, axis), checked_execution(source, execution))
     return looker.look(count, sets)
@@ -106,15 +108,6 @@ def _check(case: Case) -> None:
         raise GearlashError(f"{case.name} is no gear pair with one clearance between its teeth")
     if defaults.get("load", 0.0) == 0.0:
         raise GearlashError("load = 0: no side carries, so there is no motion of teeth that never part")
-
-
-def _check_axis(case: Case, axis: Axis, inputs: Iterable[ToleranceInput]) -> None:
-    """Raises `GearlashError` where the axis is one of the inputs, or is no parameter."""
-    value = axis.values[0].item()
-    name = case.resolve(axis.name, f"{value!r} {axis.unit}" if axis.unit else value)[0]
-    for one in inputs:
-        if case.entries.get(name) is not None and one.path == case.entries[name].path:
-            raise GearlashError(f"{axis.name} is the axis of the study and cannot have limits as well")
 
 
 @dataclass
