@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import gearlash as gl
 from gearlash.case.rating import band_of_grades, grades_of, method_b, pair_of
@@ -18,12 +19,13 @@ from gearlash.orbits import motion_statistics
 from gearlash.orbits.signals import Signal
 from gearlash.report.blocks import Marked
 from gearlash.report.pair import Contents, document
+from gearlash.report.pair.maps import other_torques
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
 from gearlash.report.pair.orders import exciting, meetings, meetings_within, natural_frequencies
 from gearlash.report.pair.stated import in_brief, pair_tables
 from gearlash.report.pair.verdict import Verdict, verdict
 from gearlash.report.pair.words import Words
-from gearlash.results import Axis
+from gearlash.results import NO_LABEL, Axis
 from gearlash.results.pair_question import carrying_forwards, speeds_around
 from gearlash.results.pair_units import PairUnits
 from gearlash.results.tolerance import ToleranceInput
@@ -120,6 +122,32 @@ def test_what_no_motion_tells_is_drawn_in_the_panels_over_speed(window: tuple[As
     assert len(axes) == 2
     for axis in axes:
         assert axis.not_told == (pytest.approx(expected),)
+
+
+@pytest.mark.parametrize(
+    ("codes", "said"),
+    [
+        ((0, 0, 0, 0, 0), "Teeth stay in contact at all of 5 torques from 10 N·m to 50 N·m, "),
+        ((0, 1, 1, 0, -1), ": 1-1 at 20 N·m to 30 N·m; nothing settled at 50 N·m; at the others teeth stay"),
+        ((1, 1, 1, 1, 1), ": 1-1 at 10 N·m to 50 N·m."),
+    ],
+)
+def test_what_other_torques_do_at_the_present_speed(
+    window: tuple[Assessment, SpeedRun], codes: tuple[int, ...], said: str
+):
+    """The column of the map that is nearest; the others, which hold the other label, are not asked."""
+    found, run = window
+    loads = [float(found.case.scales.load_from_torque(torque)) for torque in (10, 20, 30, 40, 50)]
+    label = np.ones((2, 5), dtype=np.int64)
+    label[1] = [NO_LABEL if code < 0 else code for code in codes]
+    plane = xr.Dataset(
+        {"label": (("omega", "load"), label)},
+        {"omega": [0.9 * found.here, 1.01 * found.here], "load": loads, "label_name": ["1-0-0", "1-1-0"]},
+    )
+    text = other_torques(Contents(found, run, (), {"load": plane}))
+    assert said in text
+    assert f"{float(found.case.scales.pinion_rpm(1.01 * found.here)):.4g} rpm, from the cold start" in text
+    assert other_torques(Contents(found, run, ())) == ""
 
 
 def test_impact_free_is_not_quiet_and_the_report_says_so(window: tuple[Assessment, SpeedRun]):

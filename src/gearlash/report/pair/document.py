@@ -74,6 +74,8 @@ def _first(contents: Contents) -> Section:
             ("Bearings", reversing(contents.run, words)),
             ("Backlash", backlash_matters(found, contents.run, contents.units)),
         )
+        if contents.maps:
+            more = (*more, ("Other torques", maps.other_torques(contents)))
         lines[-1:-1] = [Line(title, text) for title, text in more if text]
     rows = tuple((line.title, line.text) for line in lines)
     blocks: list[Block] = [Table("verdict-lines", CAPTION, ("", ""), rows, widths=(18, 82))]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import groupby
+
 import numpy as np
 import xarray as xr
 
@@ -46,6 +48,33 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
         caption += _bars(contents)
         blocks.append(Figure(f"figure-{stem}", Text.of(caption), caption, stem))
     return Section("maps", "Maps", tuple(blocks)), pictures
+
+
+def other_torques(contents: Contents) -> str:
+    """Which motions the map over torque has at the speed that is nearest to the present one."""
+    units = contents.units
+    if "load" not in contents.maps or not units.torque.name:
+        return ""
+    dataset = contents.maps["load"]
+    column = int(np.argmin(np.abs(dataset["omega"].values - contents.found.here)))
+    codes = dataset["label"].transpose("load", "omega").values[:, column]
+    torques = [units.torque.text(float(each), 3) for each in dataset["load"].values]
+    speed = Words(units, contents.found.here).speed(float(dataset["omega"].values[column]), 4)
+    looked = f"{len(torques)} torques from {torques[0]} to {torques[-1]}, {speed}, from the cold start"
+    told, quiet, at = [], 0, 0
+    for code, run in groupby(codes.tolist()):
+        count = len(list(run))
+        label = None if code == NO_LABEL else read_label(str(dataset["label_name"].values[code]))
+        if isinstance(label, Signature) and label.impacts == 0:
+            quiet += count
+        else:
+            reach = torques[at] if count == 1 else f"{torques[at]} to {torques[at + count - 1]}"
+            told.append(f"{'nothing settled' if label is None else short(label)} at {reach}")
+        at += count
+    if not told:
+        return f"Teeth stay in contact at all of {looked}."
+    rest = "; at the others teeth stay in contact" if quiet else ""
+    return f"{looked}: {'; '.join(told)}{rest}."
 
 
 def _bars(contents: Contents) -> str:
