@@ -121,6 +121,10 @@ if TYPE_CHECKING:  # the same list for type checkers; a test keeps the two equal
     from .orbits.grazing import (
         Surface as Surface,
     )
+    from .report.pair import (
+        PairReport as PairReport,
+        pair_report as pair_report,
+    )
     from .results import (
         Axis as Axis,
         Direction as Direction,
@@ -454,6 +458,8 @@ _PUBLIC = {
     "gearlash.studies.transitions": ("transitions",),
     "gearlash.studies.zone": ("Physical",),
     "gearlash.studies.zone_end": ("Margin",),
+    # the report of a pair
+    "gearlash.report.pair": ("PairReport", "pair_report"),
     # the claims of a publication, judged
     "gearlash.article": ("reproduce",),
 }

@@ -283,6 +283,8 @@ def calls() -> tuple[Call, ...]:
         Call("plots.gallery", plots.gallery, {"motions": [moving], "parameter": "f"}),
         Call("plots.Units.of", plots.Units.of, {"case": spur}),
         Call("reproduce", gl.reproduce, {"case": None}),
+        Call("pair_report", gl.pair_report, {"case": None, "folder": None, "speeds": None,
+            "settings": QUICK, "execution": None}),
     )  # fmt: skip
 
 

@@ -15,11 +15,20 @@ from api.calls import Call, calls, wrong
 
 SEEDS, EACH = 10, 400
 NEEDS_MORE = ("loads", "load_dataset", "load_branch", "load_curve", "load_measurement",
-              "switch_branch", "reproduce")  # fmt: skip
+              "switch_branch", "reproduce", "pair_report")  # fmt: skip
 """What fits them takes a file, or minutes."""
 HANDED_OUT = {
     *("Beside", "BesideMotion", "ImpactFree", "PassedBifurcation", "FollowedPath", "Progress"),
-    *("Comparison", "Influence", "MeasuredJump", "Profile", "Tolerance", "ToleranceInput", "ToleranceMember"),
+    *(
+        "Comparison",
+        "Influence",
+        "MeasuredJump",
+        "PairReport",
+        "Profile",
+        "Tolerance",
+        "ToleranceInput",
+        "ToleranceMember",
+    ),
     *("Entry", "Excitation", "Note", "Problem", "Provenance", "Value"),
     *("GrazingConditions", "Neutral", "Unresolved", "Transition", "register_kind"),
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -111,3 +112,23 @@ def test_a_folder_of_the_user_is_not_taken_for_what_is_kept(gearlash: Gearlash, 
         assert gearlash(*CASE, "--set", f"omega={speed}", "--out", str(tmp_path)).code == 0
     assert (tmp_path / "earlier-1").read_text(encoding="utf-8") == "mine"
     assert (tmp_path / "earlier-2" / "run.json").is_file()
+
+
+def test_a_marker_from_elsewhere_moves_nothing_outside(gearlash: Gearlash, tmp_path: Path):
+    out = tmp_path / "out"
+    out.mkdir()
+    for place in (tmp_path / "mine.txt", out / "run.json"):
+        place.write_text("mine", encoding="utf-8")
+    asked = {
+        "run.json": "1",
+        "../mine.txt": "1",
+        str(tmp_path / "mine.txt"): "1",
+        MARKER: "1",
+        "..": "1",
+        "": "1",
+    }
+    marker = {"process": 1, "files": ["run.json"], "asked": asked}
+    (out / MARKER).write_text(json.dumps(marker), encoding="utf-8")
+    assert gearlash(*CASE, "--out", str(out)).code == 0
+    assert (tmp_path / "mine.txt").read_text(encoding="utf-8") == "mine"
+    assert [path.name for path in (out / "earlier-1").iterdir()] == ["run.json"]

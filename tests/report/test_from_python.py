@@ -4,25 +4,27 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import threading
 from pathlib import Path
+from typing import Any
 
 import pytest
+
+import gearlash as gl
+from gearlash.report.pair import verdict
+from gearlash.studies.assessment import assess
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
 SCRIPT = f"""
 import gearlash as gl
-from gearlash.report.pair import Contents, render
-from gearlash.studies.assessment import assess
-from gearlash.studies.speed_run import histories, speed_run
 
 case = gl.load_case({str(CASES / "drive.toml")!r})
-low, high = (float(case.scales.omega_from_rpm(rpm)) for rpm in (4150.0, 4250.0))
-axis = gl.Axis.even("omega", low, high, 5)
+low, high = (float(case.scales.omega_from_rpm(rpm)) for rpm in (4050.0, 4250.0))
+speeds = gl.Axis.even("omega", low, high, 5)
 with gl.open_workers(case, 2) as workers:
-    execution = gl.Execution(workers)
-    found = assess(case, axis, execution=execution)
-    run = speed_run(found.case, axis, execution=execution)
-    print(render(Contents(found, run, histories(found, run)), "page", workers))
+    found = gl.pair_report(case, "page", speeds=speeds, execution=gl.Execution(workers))
+print(found.page)
+print(found.verdict, *(round(float(case.scales.pinion_rpm(one.upper.value)), 1) for one in found.separating))
 """
 
 
@@ -37,5 +39,46 @@ def test_no_guard_is_needed(way: str, tmp_path: Path):
         cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False,
     )  # fmt: skip
     assert (ran.returncode, ran.stderr) == (0, "")
-    assert Path(ran.stdout.strip()) == Path("page/report.html")
+    page, said = ran.stdout.splitlines()
+    assert Path(page) == Path("page/report.html")
+    assert said == "good 4114.1"  # as the command says: tests/cli/test_report.py
     assert "no impacts found" in (tmp_path / "page" / "report.html").read_text(encoding="utf-8")
+
+
+def test_a_verdict_alone_writes_nothing_and_says_what_the_page_says(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.chdir(tmp_path)
+    case = gl.load_case("kahraman-singh", {"omega": 0.8})
+    told: list[int] = []
+    axis, execution = (
+        gl.Axis.even("omega", 0.7, 0.9, 5),
+        gl.Execution(progress=lambda one: told.append(one.done)),
+    )
+    found = gl.pair_report(case, speeds=axis, execution=execution)
+    assert (found.verdict, found.page, found.missing) == ("doubt", None, ())
+    assert not list(tmp_path.iterdir())
+    assert told
+    oracle = assess(case, axis)
+    assert found.sentence == verdict(oracle).lines[0].text
+    assert dict(found.lines) == {line.title: line.text for line in verdict(oracle).lines[1:]}
+    bands = sorted((one.lower.value, one.upper.value) for one in (*found.separating, *found.beside))
+    assert bands == sorted((one.lower.value, one.upper.value) for one in oracle.separating)
+
+
+def test_a_report_that_is_stopped_says_what_is_missing(tmp_path: Path):
+    """After the verdict: neither curves nor maps, and a page of what there is."""
+    case, axis = gl.load_case("kahraman-singh", {"omega": 0.8}), gl.Axis.even("omega", 0.7, 0.9, 5)
+    stop = threading.Event()
+    stop.set()
+    found = gl.pair_report(case, tmp_path, speeds=axis, execution=gl.Execution(cancel=stop))
+    assert found.missing == ("curves over speed", "the map over torque", "the map over backlash")
+    assert found.page == tmp_path / "report.html"
+    assert (tmp_path / "report.html").is_file()
+    assert not found.separating
+
+
+@pytest.mark.parametrize("wrong", [{"speeds": [0.7, 0.9]}, {"execution": 2}, {"settings": {}}, {"folder": 3}])
+def test_what_does_not_fit_is_refused_before_anything_is_computed(wrong: dict[str, Any]):
+    with pytest.raises(gl.GearlashError, match=next(iter(wrong))):
+        gl.pair_report(gl.load_case("kahraman-singh"), **wrong)

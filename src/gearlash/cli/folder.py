@@ -94,7 +94,12 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
 def _asked(marker: dict[str, Any]) -> dict[str, str]:
     """The question that each name is an answer to."""
     found = marker.get("asked", {})
-    return {str(name): str(one) for name, one in found.items()} if isinstance(found, dict) else {}
+    if not isinstance(found, dict):
+        return {}
+    own = [
+        name for name in found if name == Path(name).name != MARKER
+    ]  # a folder from elsewhere may name any place
+    return {name: str(found[name]) for name in own}
 
 
 def _set_aside(path: Path, wanted: Iterable[str], asked: dict[str, str]) -> list[str]:
@@ -105,9 +110,8 @@ def _set_aside(path: Path, wanted: Iterable[str], asked: dict[str, str]) -> list
     moved = sorted(name for name in names if (path / name).exists())
     if not moved:
         return []
-    aside = next(
-        one for one in map(path.joinpath, map("earlier-{}".format, count(1))) if not os.path.lexists(one)
-    )
+    places = (path / f"earlier-{number}" for number in count(1))
+    aside = next(place for place in places if not os.path.lexists(place))
     aside.mkdir()
     for name in moved:
         (path / name).rename(aside / name)

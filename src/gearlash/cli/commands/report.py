@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     from gearlash.report.pair import Contents
     from gearlash.studies.assessment import Assessment
 
-POINTS = 201  # speeds at which quantities are measured
-
 
 Speeds = Annotated[
     str | None,
@@ -105,6 +103,7 @@ def report(
 def _over(case: Case, over: str | None) -> Over:
     """The speeds as typed, or the case's range, or those around its own, which may lie anywhere."""
     from gearlash.cli.inputs import Over, read_over
+    from gearlash.report.pair.whole import POINTS
     from gearlash.results.pair_question import SPEED, check_pair, speeds_around
     from gearlash.system import GearlashError
 
@@ -122,14 +121,11 @@ def _assessed(asked: StudyInputs, search: SearchSettings, executor: Executor) ->
     from gearlash.cli.interrupt import end_if_nothing
     from gearlash.cli.progress import stage_bar
     from gearlash.jobs import Execution
-    from gearlash.results import Axis
-    from gearlash.studies.assessment import assess
-    from gearlash.studies.grids import Grids
+    from gearlash.report.pair.whole import assessed
 
-    values, most = asked.axes[0].values, Grids.of_case(asked.case).speeds
-    axis = Axis.even("omega", float(values[0]), float(values[-1]), min(most, len(values)))
+    (axis,) = asked.ranges()
     with stage_bar() as tell:
-        found = assess(asked.case, axis, settings=search, execution=Execution(executor), tell=tell)
+        found = assessed(asked.case, axis, search, Execution(executor), tell)
     end_if_nothing(found.signals is not None)
     return found
 
@@ -141,26 +137,11 @@ def _measured(
     from gearlash.cli.interrupt import signalled
     from gearlash.cli.progress import stage_bar
     from gearlash.jobs import Execution
-    from gearlash.report.pair import Contents
-    from gearlash.report.pair.planes import STAGES, plane_over
-    from gearlash.studies.grids import Grids
-    from gearlash.studies.speed_run import histories, speed_run
+    from gearlash.report.pair.whole import measured
 
-    (axis,), execution, missing, maps = asked.ranges(), Execution(executor), [], {}
-    if usual:
-        axis = Grids.of(found.attractor.propagators).fewer(axis)
-    run = None
+    (axis,) = asked.ranges()
     with stage_bar() as tell:
-        if not signalled():
-            run = speed_run(found.case, axis, settings=search, execution=execution, tell=tell)
-        if run is None or not run.complete:
-            missing.append("curves over speed" if run is None else "part of the curves over speed")
-        for name in (each for each in STAGES if found.values[each] != 0.0):  # of zero there are no multiples
-            if not signalled():
-                done = plane_over(found, name, search, execution, tell)
-                if done is not None:
-                    maps[name] = done
-            if name not in maps:
-                missing.append(f"the {STAGES[name]}")
+        execution = Execution(executor)
+        contents = measured(found, axis, search, execution, tell, lambda: bool(signalled()), usual=usual)
         tell("report", None)
-    return Contents(found, run, histories(found, run), maps, tuple(missing))
+    return contents

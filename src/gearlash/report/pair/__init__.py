@@ -1,41 +1,21 @@
 """The report of a gear pair of one's own: a verdict first, then what it rests on."""
 
-from __future__ import annotations
-
-from concurrent.futures import Executor
-from pathlib import Path
-
-from gearlash.report.folder import write_report
-from gearlash.results.columns import POINTS, CsvStyle
-from gearlash.results.store import write_whole
-
 from .contents import Contents
 from .document import document
 from .files import data_files, file_names
+from .rendering import render
 from .verdict import Line, Verdict, verdict
+from .whole import PairReport, pair_report
 
-__all__ = ["Contents", "Line", "Verdict", "data_files", "document", "file_names", "render", "verdict"]
-
-
-def render(
-    contents: Contents, folder: Path | str, executor: Executor | None = None, style: CsvStyle = POINTS
-) -> Path:
-    """Writes page, figures, numbers and data into a folder; returns the path of the page."""
-    page, pictures = document(contents)
-    target = Path(folder)
-    target.mkdir(parents=True, exist_ok=True)
-    for name, content in data_files(contents, style).items():
-        write_whole(target / name, content)
-    found = contents.found
-    numbers = {
-        "case": found.case,
-        "verdict": verdict(found),
-        "values": dict(found.values),
-        "signals": found.signals,
-        "separating": found.separating,
-        "not_told": found.not_told,
-        "back_side": found.back_side,
-        "ranges": found.ranges,
-        "missing": contents.missing,
-    }
-    return write_report(page, pictures, numbers, target, executor)
+__all__ = [
+    "Contents",
+    "Line",
+    "PairReport",
+    "Verdict",
+    "data_files",
+    "document",
+    "file_names",
+    "pair_report",
+    "render",
+    "verdict",
+]
