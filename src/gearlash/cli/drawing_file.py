@@ -24,6 +24,13 @@ EXAMPLE = """\
 # A template: nothing is stated yet. The lines with "example:" have the values of an example. Put your own in
 # their place, and take their # away.
 """
+ALL_ROUND = """
+[model]
+y_axis = {value = "line-of-action", provenance = "assumed", reason = "bearings that give way alike all \
+round: shafts move along the line of action, and lateral bearing forces are all of the force across a shaft"}
+"""
+"""Of a pair on bearings: along the tangent of the pitch circles, which is the default, the force that pushes
+the shafts apart would have no bearing to give way."""
 ASSUMED_STEEL = '{value = "steel", provenance = "assumed", reason = "not stated"}'
 TEMPLATE = {
     "teeth": "25/57",
@@ -76,7 +83,7 @@ def file_text(
             origin = "example: " if example and stated else ""
             begin = "" if stated and not example else "# "
             lines.append(f"{begin}{leaf} = {_value(place, text)}  # {origin}{place.description}{why}")
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines) + "\n" + (ALL_ROUND if kind.name == "helical-pair" else "")
 
 
 def _paths(kind: Kind, texts: Mapping[str, str]) -> Iterator[str]:
