@@ -307,7 +307,7 @@ def _breathing(found: Verification, one: Compared) -> tuple[BreathingComputed, .
                 centre_distance=_in_um(moved.change),
                 contact_ratio=moved.contact_ratio,
                 backlash=_in_um(moved.backlash),
-                label_held="" if beside is None else _label(beside),
+                label_held="" if beside is None else label_of(beside),
                 peak_share=None if beside is None else point.reading.most / beside.reading.most - 1.0,
             )
         )
@@ -319,11 +319,12 @@ def _in_um(ends: tuple[float, float]) -> tuple[float, float]:
 
 
 def _labels(points: tuple[PointFound, ...], omegas: object) -> tuple[str, ...]:
-    known = {p.omega: _label(p) for p in points}
+    known = {p.omega: label_of(p) for p in points}
     return tuple(known.get(float(omega), "not computed") for omega in omegas)  # pyright: ignore[reportGeneralTypeIssues]
 
 
-def _label(point: PointFound) -> str:
+def label_of(point: PointFound) -> str:
+    """P-Q-R, or what a motion without such a label does."""
     reading = point.reading
     if reading.label is not None:
         return str(reading.label)
@@ -338,7 +339,7 @@ def _point(point: PointFound) -> PointComputed:
         omega=point.omega,
         speed=point.rpm,
         setting=point.setting,
-        label=_label(point),
+        label=label_of(point),
         apart=reading.apart,
         impacts=reading.drive_impacts / reading.cycles,
         back_impacts=reading.back_impacts / reading.cycles,
@@ -373,7 +374,9 @@ def _sentence(found: Verification) -> str:
     told = []
     for i, stated in enumerate(found.stated):
         motions = [(one.configuration.name, _at(one, i)) for one in ways]
-        real = ", ".join(f"{in_words(_label(point))} ({way})" for way, point in motions if point is not None)
+        real = ", ".join(
+            f"{in_words(label_of(point))} ({way})" for way, point in motions if point is not None
+        )
         speed = found.inputs.rpm(found.inputs.speeds[i], found.inputs.mean_stiffness)
         told.append(
             f"at {speed:.0f} rpm {stated.label} by the case, with real teeth {real or 'not computed'}"

@@ -185,7 +185,8 @@ def mesh_of(
     torque : float
         On the pinion, N·m.
     settings : SectorSettings, optional
-        Of the finite elements, as they are in `_compliances` where nothing is given.
+        Of the finite elements, but for a sector deeper than the body; those of a verification where nothing
+        is given.
     slices : int
         Of the face.
 
@@ -227,6 +228,7 @@ def _compliances(
     ratio = OF_BODY * depth / pair.pinion.normal_module
     widths = pair.face_width, pair.face_width
     if settings is not None:
+        settings = replace(settings, rim_depth=min(settings.rim_depth, ratio))
         return pair_compliances(pair, widths, inputs.materials, settings, keep=False)
     if ratio >= RIM_DEPTH:
         return pair_compliances(pair, widths, inputs.materials)
