@@ -371,6 +371,77 @@ def test_a_power_where_a_torque_is_asked_for_is_taken_as_one_and_told():
     assert any("taken as: Power" in text for text in said)
 
 
+def _answers(told: dict[str, list[str]]):
+    """By the beginning of a question, one after the other; Enter alone for all others."""
+    left = {begin: list(texts) for begin, texts in told.items()}
+
+    def answer(question: str) -> str:
+        begin = next((each for each in left if question.startswith(each)), None)
+        return left[begin].pop(0) if begin is not None and left[begin] else ""
+
+    return answer
+
+
+NEEDED = {
+    "Teeth of": ["25/57"],
+    "Normal module": ["3mm"],
+    "Speed of the p": ["9rpm"],
+    "Torque of the p": ["1Nm"],
+}
+
+
+def test_a_value_that_was_offered_is_taken_by_a_letter():
+    """Of both gears at once, too; not where none was offered."""
+    told = NEEDED | {
+        "Normal module": ["y", "3", "y"], "Face width": ["65/60", "y"], "Bore": ["Ø40H7/Ø70 H7", "Ja"],
+        "Flank": ["Q10", "y"], "Profile": ["n.a."], "Helix": ["none"],
+    }  # fmt: skip
+    said: list[str] = []
+    found = questions.asked(_answers(told), said.append)
+    assert found == {
+        "teeth": "25/57", "module": "3 mm", "face_width": "65 mm/60 mm", "bore": "40 mm/70 mm",
+        "quality": "7", "speed": "9rpm", "torque": "1Nm",
+    }  # fmt: skip
+    assert sum("(y takes that)" in text for text in said) == 4
+    assert sum("taken as not known" in text for text in said) == 2
+
+
+def test_a_question_can_be_gone_back_to_and_tells_more_of_itself():
+    told = NEEDED | {
+        "Teeth of": ["?", "25/57", "26/57"], "Normal module": ["<", "3mm"], "Material": ["help"],
+        "Bore": ["?"],
+    }  # fmt: skip
+    said: list[str] = []
+    found = questions.asked(_answers(told), said.append)
+    assert found["teeth"] == "26/57"
+    text = " ".join(said)
+    assert "was 25/57, and is dropped" in text
+    assert "It is needed" in text
+    assert "in mm, µm, m, cm, in, mil" in text
+    assert "nodular-cast-iron" in text
+
+
+def test_a_pitch_that_may_be_two_is_told_as_both():
+    told = NEEDED | {"Normal module": ["8 DP"], "Normal diametral": ["8"]}
+    said: list[str] = []
+    assert questions.asked(_answers(told), said.append)["diametral_pitch"] == "8"
+    assert any("Normal diametral" in text and "or Transverse diametral" in text for text in said)
+
+
+def test_what_was_answered_is_told_as_a_command_when_questions_end():
+    left = ["25/57", "3 mm", "20°"]
+
+    def ended(_: str) -> str:
+        if left:
+            return left.pop(0)
+        raise EOFError
+
+    command = "gearlash new my.toml --teeth 25/57 --module '3 mm' --pressure-angle '20°'"
+    with pytest.raises(GearlashError) as refused:
+        questions.asked(ended, lambda _: None, file="my.toml")
+    assert command in str(refused.value)
+
+
 def test_questions_that_are_interrupted_say_that_nothing_was_written():
     def stopped(_: str) -> str:
         raise KeyboardInterrupt

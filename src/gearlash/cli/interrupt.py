@@ -47,6 +47,7 @@ class _Phase(Enum):
     NOTHING = "nothing to keep, or all is kept"
     STUDY = "results will be kept"
     OPTIONAL = "can be done without"
+    ASKING = "answers, which are told when they end"
     KEEPING = "being kept"
     SHOWING = "kept, and being shown"
 
@@ -150,6 +151,14 @@ def keeping() -> Iterator[None]:
 
 
 @contextmanager
+def asking() -> Iterator[None]:
+    """Around questions at a terminal: a signal ends them by `KeyboardInterrupt`, and what was answered can be
+    told."""
+    with _during(_Phase.ASKING):
+        yield
+
+
+@contextmanager
 def showing() -> Iterator[Callable[[], None]]:
     """Around what is printed when all is kept. The function is to be called after each part of it: a reader
     who takes nothing for a while is not waited for once a signal has come."""
@@ -200,7 +209,7 @@ def _break_off(number: int, _frame: FrameType | None) -> None:
     if _state.met is not None:
         return
     _state.met, _state.number = _state.phase, _state.number or number
-    if _state.phase is _Phase.OPTIONAL:
+    if _state.phase in (_Phase.OPTIONAL, _Phase.ASKING):
         raise KeyboardInterrupt
     if _state.phase is _Phase.STUDY:
         from gearlash.jobs.stop import may_be_interrupted
@@ -274,7 +283,7 @@ def _hear(number: int) -> None:
     phase = _state.met or _state.phase
     if phase is _Phase.NOTHING:
         _end(number)
-    if phase is not _Phase.SHOWING:
+    if phase not in (_Phase.SHOWING, _Phase.ASKING):
         _say(STOPPING)
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
+from shlex import quote
 
-from gearlash.case.kinds import kind_named
+from gearlash.case.kinds import Quantity, kind_named
 from gearlash.case.stated import ValueRefusedError, read_stated
+from gearlash.case.unit_hints import usual_units
 from gearlash.system import GearlashError
 
 from .words_of_drawing import EITHER, ONLY_BESIDE, WORDS, Word, placed
@@ -15,8 +17,26 @@ from .words_of_drawing import EITHER, ONLY_BESIDE, WORDS, Word, placed
 HEAD = (
     "A pair of external spur or helical gears from its drawing. Type values with their units as they stand "
     "there; pinion and gear apart by a stroke, 25/57. Enter alone: not known, to be estimated; of module, "
-    "speed and torque: said otherwise, and asked for next.\n"
+    "speed and torque: said otherwise, and asked for next. ? tells more of a question, < goes back to the "
+    "one before, Ctrl-C stops.\n"
 )
+UNKNOWN = frozenset(
+    {
+        "-", "--", "–", "—", "none", "no", "n/a", "na", "n.a.", "unknown", "not known", "keine", "kein",
+        "keiner", "nein", "unbekannt", "k.a.", "aucun", "aucune", "non", "ninguno", "无", "なし",
+    }
+)  # fmt: skip
+"""What people type where a sheet says nothing: as good as Enter alone."""
+BACK = frozenset(("<", "back", "zurück", "retour"))
+MORE = frozenset(("?", "??", "help", "hilfe", "h", "/?", "-h", "--help"))
+TAKEN = frozenset(("y", "yes", "j", "ja", "ok", "o", "oui", "si", "sí", "はい", "是"))
+"""Of a value that was offered."""
+MOST_NAMED = 20
+"""Names that are told one by one."""
+
+
+class _BackError(Exception):
+    """To the question before."""
 
 
 def at_a_terminal() -> bool:
@@ -37,16 +57,43 @@ def asked(
     ask: Callable[[str], str] = input,
     say: Callable[[str], object] = print,
     words: Iterable[Word] = WORDS,
+    file: str = "FILE",
 ) -> dict[str, str]:
-    """Texts by name of the word. Raises `GearlashError` where the questions end before the needed answers."""
+    """Texts by name of the word. Raises `GearlashError` where the questions end before the needed answers;
+    what was answered by then is told as a command with ``file``."""
     say(HEAD)
     found: dict[str, str] = {}
-    for word in words:
-        beside = ONLY_BESIDE.get(word.name)
-        if word.question and (beside is None or beside in found):
-            name, text = _either(word, ask, say)
+    questions = [word for word in words if word.question]
+    before: list[tuple[int, str]] = []
+    at = 0
+    try:
+        while at < len(questions):
+            beside = ONLY_BESIDE.get(questions[at].name)
+            if beside is not None and beside not in found:
+                at += 1
+                continue
+            try:
+                name, text = _either(questions[at], ask, say)
+            except _BackError:
+                at, name = before.pop() if before else (0, "")
+                say(f"  was {found.pop(name)}, and is dropped" if name in found else "  was not known")
+                continue
+            before.append((at, name))
             found |= {name: text} if text else {}
+            at += 1
+    except EOFError:
+        raise GearlashError(f"the answers ended; nothing was written{as_command(file, found)}") from None
+    except KeyboardInterrupt:
+        say(f"\nnothing was written{as_command(file, found)}")
+        raise
     return found
+
+
+def as_command(file: str, found: Mapping[str, str]) -> str:
+    """What was answered, as options that can be gone on with; empty where nothing was."""
+    options = {word.name: word.option for word in WORDS}
+    told = " ".join(f"{options[name]} {quote(text)}" for name, text in found.items())
+    return f"; what was answered: gearlash new {quote(file)} {told}" if told else ""
 
 
 def _either(word: Word, ask: Callable[[str], str], say: Callable[[str], object]) -> tuple[str, str]:
@@ -64,7 +111,7 @@ def _either(word: Word, ask: Callable[[str], str], say: Callable[[str], object])
                 if taken is not each:
                     say(f"  taken as: {taken.what}")
                 return taken.name, text
-        say(f"  expected one of them: {', '.join(each.what.rstrip('.') for each in words)}")
+        say(f"  one of them is needed: {', '.join(each.what.rstrip('.') for each in words)}")
 
 
 def _meant(word: Word, words: Iterable[Word], text: str) -> Word:
@@ -74,39 +121,73 @@ def _meant(word: Word, words: Iterable[Word], text: str) -> Word:
 
 
 def _answer(
-    word: Word, ask: Callable[[str], str], say: Callable[[str], object], instead: Iterable[Word] = ()
+    word: Word, ask: Callable[[str], str], say: Callable[[str], object], instead: Collection[Word] = ()
 ) -> str:
     """One answer that can be read, as this word or as one ``instead`` of it; asked again until then."""
+    offered: str | None = None
     while True:
-        try:
-            text = ask(f"{word.what.rstrip('.')}, such as {word.example}: ").strip()
-        except EOFError:
-            raise GearlashError("the answers ended; nothing was written") from None
-        except KeyboardInterrupt:
-            say("\nnothing was written")
-            raise
+        text = ask(f"{word.what.rstrip('.')}, such as {word.example}: ").strip()
+        small = text.casefold()
+        if small in BACK:
+            raise _BackError
+        if small in MORE:
+            say(f"  {_more(word, instead)}")
+            continue
+        if offered is not None and small in TAKEN:
+            text = offered
+        elif small in UNKNOWN:
+            say("  taken as not known")
+            text = ""
         if not text and not word.needed:
             return ""
         wrong = _wrong(_meant(word, instead, text), text)
         if wrong is None:
             return text
-        say(f"  {wrong}")
+        told, offered = wrong
+        several = [each for each in instead if each is not word and text and _wrong(each, text) is None]
+        if several and offered is None:
+            names = " or ".join(each.what.partition(",")[0].rstrip(".") for each in several)
+            told = f"that may be {names}: Enter here, and each is asked for"
+        say(f"  {told}" if offered is None else f"  {told} (y takes that)")
 
 
-def _wrong(word: Word, text: str) -> str | None:
-    """What is expected instead of this answer; None where it can be read."""
+def _more(word: Word, instead: Iterable[Word]) -> str:
+    """What is asked for, in which units, and what may be typed."""
+    place = kind_named("helical-pair").places[word.paths[0]]
+    text = place.description[:1].upper() + place.description[1:]
+    if isinstance(place, Quantity):
+        units = usual_units(place)
+        text += f"; in {units}" if units else ""
+    elif len(place.choices) < MOST_NAMED:
+        text += f": {', '.join(place.choices)}"
+    if len(word.paths) > 1:
+        text += "; pinion and gear apart by a stroke, one value stands for both, /b is that of the gear alone"
+    others = [each for each in instead if each is not word]
+    skip = "said otherwise, and asked for next" if others else "not known"
+    return f"{text}. " + ("It is needed." if word.needed else f"Enter alone: {skip}.")
+
+
+def _wrong(word: Word, text: str) -> tuple[str, str | None] | None:
+    """What is expected instead of this answer, and the answer that was probably meant; None where it can be
+    read."""
     places = kind_named("helical-pair").places
     try:
         parts = placed({word.name: text}) if text else {}
     except GearlashError as error:
-        return str(error).removeprefix(f"{word.option} {text}: ")
+        return str(error).removeprefix(f"{word.option} {text}: "), None
     if not parts or (word.needed and len(parts) < len(word.paths)):
-        return f"expected a value, such as {word.example}"
+        return f"expected a value, such as {word.example}", None
+    near, told = dict(parts), ""
     for path, part in parts.items():
         try:
             read_stated(part, places[path])
         except ValueRefusedError as error:
-            return f"expected {error.expected}" + (
-                f"; did you mean {error.nearest!r}?" if error.nearest else ""
-            )
-    return None
+            near[path] = error.nearest or ""
+            told = told or f"expected {error.expected}"
+    if not told:
+        return None
+    if not all(near.values()):
+        return told, None
+    whole = [near.get(path, "") for path in word.paths]
+    nearest = whole[0] if len(set(whole)) == 1 else "/".join(whole)
+    return f"{told}; did you mean {nearest!r}?", nearest

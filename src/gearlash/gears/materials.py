@@ -137,6 +137,26 @@ def named(name: str) -> Material:
     return MATERIALS[key]
 
 
+def is_listed(name: str) -> bool:
+    """Whether `named` knows a name.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> from gearlash.gears import materials
+    >>> materials.is_listed("16MnCr5"), materials.is_listed("X5CrNi18-10")
+    (True, False)
+    """
+    return listed_name(name, tuple(MATERIALS)) is not None
+
+
 def nearest_name(name: str) -> str | None:
     """The name of the list that is next to one it does not have.
 

@@ -54,23 +54,32 @@ def _new(
     from gearlash.cli.comments_of_drawing import comments_of
     from gearlash.cli.drawing_file import file_text, template
     from gearlash.cli.frame import show_answer
+    from gearlash.cli.interrupt import asking
     from gearlash.cli.new_file import checked_place, loaded, write
     from gearlash.cli.other_gears import check_shafts, check_teeth, check_type
-    from gearlash.cli.questions import asked, at_a_terminal, words_of
+    from gearlash.cli.questions import as_command, asked, at_a_terminal, words_of
     from gearlash.cli.words_of_drawing import placed
+    from gearlash.system import GearlashError
 
     teeth = "" if gears is None else check_type(gears)
     if shaft_angle is not None:
         check_shafts(shaft_angle)
     checked_place(file, overwrite)
     stated = {name: text for name, text in words.items() if text is not None}
-    if not stated and at_a_terminal() and not as_json:
-        stated = asked(words=words_of(teeth))
+    questioned = not stated and at_a_terminal() and not as_json
+    if questioned:
+        with asking():
+            stated = asked(words=words_of(teeth), file=str(file))
     example = not stated
     head = file.name, description or ""
     texts = placed(stated or template(teeth))
-    case = loaded(file, file_text(texts, *head), stated)
-    check_teeth(teeth, case)
+    try:
+        case = loaded(file, file_text(texts, *head), stated)
+        check_teeth(teeth, case)
+    except GearlashError:
+        if questioned:  # what was typed is not lost
+            print(f"\nnothing was written{as_command(str(file), stated)}\n")
+        raise
     text = file_text(texts, *head, example, comments_of(case))
     answer = new_answer(str(file), case, example)
     with delivery():
