@@ -226,6 +226,15 @@ def test_a_material_that_is_not_known_is_answered_with_how_to_state_it():
     assert read_stated("EN-GJL-250", PLACES["mesh.housing_material"]).value == "EN-GJL-250"
 
 
+@pytest.mark.parametrize(
+    "text", ["16MnCr5 einsatzgehärtet 60HRC", "case-hardened 16MnCr5", "16MnCr5, nitrided"]
+)
+def test_a_designation_among_other_words_is_offered_alone(text: str):
+    with pytest.raises(ValueRefusedError) as refused:
+        read_stated(text, PLACES["gear.material"])
+    assert refused.value.nearest == "16MnCr5"
+
+
 @pytest.mark.parametrize("text", ["0.08-0.12 mm", "80..120 um", "0.1~0.2 mm", ".004/.006 in", "80 to 120 um"])
 def test_two_values_are_answered_with_where_two_go(text: str):
     with pytest.raises(ValueRefusedError, match="two ends go to gearlash tolerance"):

@@ -194,7 +194,7 @@ def material(text: str) -> str:
             "one; for another one the nearest of these, beside it youngs_modulus, poisson_ratio, "
             "density and thermal_expansion"
         )
-        words = [word for word in re.split(r"[\s,;()]+", text) if materials.is_listed(word)]
+        words = [word for word in re.findall(r"[^\s,;()]*\d[^\s,;()]*", text) if materials.is_listed(word)]
         near = words[0] if len(words) == 1 else materials.nearest_name(text)  # 16MnCr5 case-hardened
         raise ValueRefusedError(expected, near) from None
     return text.strip()
