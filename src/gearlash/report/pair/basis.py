@@ -37,9 +37,7 @@ def section(contents: Contents) -> Section:
     case, found = contents.found.case, contents.found
     rows: list[tuple[Cell, ...]] = []
     last = ""
-    for value in case.values():
-        if value.provenance in ("given", "derived"):
-            continue
+    for value in ranges.not_given(case):
         why = value.reason or value.description
         own = "the same" if why == last else why
         rows.append((value.path, _shown(value.value, value.unit), _range(value), str(value.provenance), own))

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite, isnan
 
+from gearlash.case import Case, Value
 from gearlash.case.units import pretty
 from gearlash.report.blocks import Block, Cell, Table, Text
 from gearlash.report.numbers import number
@@ -32,6 +33,12 @@ class Across:
     holds: bool
     clause: str
     text: str
+
+
+def not_given(case: Case) -> list[Value]:
+    """Values that the case does not give and a report rests on: the distance of bearings is none of them."""
+    values = (value for value in case.values() if value.provenance not in ("given", "derived"))
+    return [value for value in values if not value.path.endswith(".bearing_span")]
 
 
 def across(found: Assessment, words: Words) -> Across | None:

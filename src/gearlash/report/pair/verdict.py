@@ -20,7 +20,7 @@ from gearlash.studies.bands import Band, living_at, zone_with
 from gearlash.system import ContactRule, Label, Signature, Status
 
 from .orders import meetings_within
-from .ranges import across
+from .ranges import across, not_given
 from .speed_range import speed_range
 from .words import Words
 
@@ -365,7 +365,7 @@ def _named(value: Value) -> str:
 
 def rests(found: Assessment) -> str:
     """What was assumed, by name: first what takes most of the margin, then other estimates."""
-    known = [value for value in found.case.values() if value.provenance == "assumed"]
+    known = [value for value in not_given(found.case) if value.provenance == "assumed"]
     if not known:
         return "No value of the case is marked as assumed. " + NO_APPROVAL
     taken = {one.input.path: one.margin for one in found.ranges.varied} if found.ranges else {}
