@@ -29,9 +29,10 @@ def case() -> gl.Case:
 
 
 def compared(case: gl.Case, rpm: Sequence[float] | np.ndarray, values: Sequence[float] | np.ndarray,
-             quantity: str, figure: str = "peak-to-peak", order: float = 1.0) -> gl.Comparison:  # fmt: skip
-    """With dimensionless values."""
-    rows = gl.measurement(case, rpm, values, quantity, speed_unit="rpm")
+             quantity: str, figure: str = "peak-to-peak", order: float = 1.0, unit: str = "",
+             ) -> gl.Comparison:  # fmt: skip
+    """With dimensionless values where no unit is named."""
+    rows = gl.measurement(case, rpm, values, quantity, speed_unit="rpm", unit=unit)
     return gl.compare(case, rows, figure, order=order)
 
 
@@ -100,6 +101,44 @@ def test_levels_and_orders_and_accelerations(case: gl.Case, gearlash: Gearlash, 
     assert ran.code == 0, ran.err
     assert ran.answer["rms"] < 1e-9 * ran.answer["points"][0]["measured"]
     assert ran.answer["unit"] == "m/s^2"
+
+
+@pytest.mark.parametrize(
+    ("told", "size"),
+    [
+        ("dB re 1e-6 m/s²", 1e-6),
+        ("dB re 10⁻⁶ m/s²", 1e-6),
+        ("dB re 1µm/s²", 1e-6),
+        ("dB ref. 1 g", 9.80665),
+        ("dB re 1 in/s^2", 0.0254),
+    ],
+)
+def test_references_of_levels_as_they_are_written(case: gl.Case, tmp_path: Path, told: str, size: float):
+    """Behind the dB and alone, with a blank before the unit and without, as a power of ten."""
+    (tmp_path / "a.csv").write_text(f"n [rpm];a [{told}]\n4200;120\n4100;100")
+    stated = gl.load_measurement(case, tmp_path / "a.csv", "acceleration_yp")
+    alone = told.partition("re")[2].lstrip("f. ")
+    asked = gl.measurement(case, [1.0, 1.1], [120, 100], "acceleration_yp", unit="dB", reference=alone)
+    one = float(case.scales.length_m(1.0)) * float(case.scales.omega_n or 0.0) ** 2
+    for found in (stated, asked):
+        assert found.values * one == pytest.approx([1e6 * size, 1e5 * size])
+
+
+def test_an_orbit_has_no_line_between_its_own(case: gl.Case):
+    """Order 1/2 of a motion that repeats every cycle is 0, and not a motion that was not found."""
+    found = compared(case, RPM[-2:], [1.0, 2.0], "mesh_force", "order", order=0.5)
+    assert [label for label, _ in found.labels] == ["1-0-0", "1-0-0"]
+    assert found.up.tolist() == [0.0, 0.0]
+    assert found.residuals.tolist() == found.measured.tolist()
+
+
+def test_only_a_mean_has_a_sign(case: gl.Case):
+    for figure in ("peak", "peak-to-peak", "rms", "order"):
+        with pytest.raises(gl.GearlashError, match="down to -2 N: expected none below zero"):
+            compared(case, RPM[-2:], [1.0, -2.0], "mesh_force", figure, unit="N")
+    assert compared(case, RPM[-2:], [1.0, -2.0], "mesh_force", "mean", unit="N").figure == "mean"
+    with pytest.raises(gl.GearlashError, match="above zero"):
+        compared(case, RPM[-2:], [1.0, 2.0], "mesh_force", "order", order=0)
 
 
 def test_lines_and_rms_agree_with_samples(case: gl.Case):

@@ -11,8 +11,12 @@ from .units import UNIT_WORDS, plain_unit
 _BRACKETS = re.compile(r"^(?P<name>.*?)\s*[\[({](?P<unit>[^\])}]*)[\])}]\s*$")
 _BEHIND = re.compile(r"^(?P<name>.*?)\s*(?P<unit>[\[(][^\])]*[\])])\s*(?P<tail>[^\[\](){}]+)$")
 _STROKE = re.compile(r"^(?P<name>.*\S)\s*(?:\s/\s*|\s+in\s+)(?P<unit>\S.*)$")
+STANDARD_GRAVITY = 9.80665
 _SUFFIX = re.compile(r"^(?P<name>.*[^_])_(?P<unit>rpm|Hz|kHz|kN|N|um|mm|ms|deg|Nm|m_s2|mm_s)$")
-ACCELERATIONS = ("m/s^2", "m/s²", "m/s2", "mm/s^2", "mm/s²", "g")
+ACCELERATIONS = ("m/s^2", "mm/s^2", "um/s^2", "in/s^2", "ft/s^2", "g")
+_ACCELERATION = re.compile(r"(m|mm|um|cm|in|ft)(?:/s(?:ec)?(?:\^2|\*\*2|2|/s)|[* ]s\^-2)")
+_METRES = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "cm": 1e-2, "in": 0.0254, "ft": 0.3048}
+_GRAVITIES = {"g": STANDARD_GRAVITY, "gn": STANDARD_GRAVITY, "g_n": STANDARD_GRAVITY}
 NO_UNIT = ("", "-", "1")
 
 
@@ -32,6 +36,13 @@ def head_of(lines: Sequence[Sequence[str]], count: int) -> tuple[tuple[str, ...]
         both = [_named(cell) for cell in last]
     names = tuple(name or f"column {i}" for i, (name, _) in enumerate(both, 1))
     return names, tuple(each for _, each in both)
+
+
+def acceleration_in(unit: str) -> float | None:
+    """m/s² in one of these units; None where it is no unit of acceleration."""
+    plain = plain_unit(unit.strip())
+    found = _ACCELERATION.fullmatch(plain)
+    return _METRES[found[1]] if found else _GRAVITIES.get(plain)
 
 
 def _named(cell: str) -> tuple[str, str]:
@@ -61,7 +72,7 @@ def _bare(cell: str) -> str:
 
 def _is_unit(cell: str) -> bool:
     told = _bare(cell)
-    if told in NO_UNIT or told in ACCELERATIONS or told.lower().startswith("db"):
+    if told in NO_UNIT or acceleration_in(told) or told.lower().startswith("db"):
         return True
     words = re.findall(r"[^\W\d_]+|%", plain_unit(told))
     return bool(words) and all(word in UNIT_WORDS or word in ("Nm", "Nmm", "kNm") for word in words)

@@ -14,16 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 from gearlash.system import GearlashError, Record, given
 
 from .case import Case
-from .column_units import ACCELERATIONS as ACCELERATION_UNITS
-from .column_units import NO_UNIT
+from .column_units import ACCELERATIONS, NO_UNIT, acceleration_in
 from .columns import Columns, read_columns
 from .errors import CaseError, Problem
 from .files import UnreadableError
-from .units import FORCE, LENGTH, Dimension, UnitError, in_si, plain_unit, read, takes
+from .units import FORCE, LENGTH, Dimension, UnitError, in_si, number_and_unit, plain_unit, read, takes
 from .words import nearest_name
 
-STANDARD_GRAVITY = 9.80665
-ACCELERATIONS = dict(zip(ACCELERATION_UNITS, (1.0, 1.0, 1.0, 1e-3, 1e-3, STANDARD_GRAVITY), strict=True))
 _LEVEL = re.compile(r"dB\W*(?:re\.?|ref\.?|rel\.?|bez\.?)?\W*(?P<reference>\d.*)$", re.IGNORECASE)
 Array = NDArray[np.float64]
 EXAMPLES = {"force": "N", "length": "um", "acceleration": "m/s^2"}
@@ -271,7 +268,7 @@ def _fits(case: Case, kind: str, unit: str) -> bool:
     """Whether a quantity may have a unit, or a level that says nothing else."""
     behind = _LEVEL.match(unit)
     if behind:
-        unit = behind["reference"].partition(" ")[2].strip()
+        unit = number_and_unit(behind["reference"])[1]
     return (is_level(unit) and not behind) or _reads(_value_factor, case, kind, unit, "")
 
 
@@ -324,16 +321,10 @@ def _reference(text: str, unit: str, kind: str) -> tuple[float, str]:
     behind = _LEVEL.match(unit)
     told = text.strip() or (behind["reference"].strip() if behind else "")
     expected = f'what the levels refer to, such as "1 {EXAMPLES[kind]}"'
-    number, _, unit_of_it = told.partition(" ")
-    try:
-        size = float(number.replace(",", "."))
-    except ValueError:
-        raise CaseError(
-            "--reference", [Problem("--reference", repr(told) if told else None, expected)]
-        ) from None
+    size, unit_of_it = number_and_unit(told)
     if not size > 0.0:
-        raise CaseError("--reference", [Problem("--reference", repr(told), expected)])
-    return size, unit_of_it.strip()
+        raise CaseError("--reference", [Problem("--reference", repr(told) if told else None, expected)])
+    return size, unit_of_it
 
 
 def _value_factor(case: Case, quantity: str, unit: str, where: str) -> float:
@@ -344,12 +335,12 @@ def _value_factor(case: Case, quantity: str, unit: str, where: str) -> float:
     if not scales.physical:
         raise CaseError(where, [Problem(where, repr(unit), "no unit: this case has numbers only")])
     if quantity == "acceleration":
-        plain = unit.strip()
-        if plain not in ACCELERATIONS:
+        one = acceleration_in(unit)
+        if one is None:
             expected = f"a unit of acceleration: {', '.join(ACCELERATIONS)}{_that_of_another(unit)}"
             raise CaseError(where, [Problem(where, repr(unit), expected)])
         size = float(scales.length_m(1.0)) * float(scales.omega_n or 1.0) ** 2
-        return size / ACCELERATIONS[plain]
+        return size / one
     dimension, one = (FORCE, scales.force_N(1.0)) if quantity == "force" else (LENGTH, scales.length_m(1.0))
     return float(one) / _si(unit, dimension, quantity, where)
 
@@ -375,5 +366,5 @@ def _that_of_another(unit: str) -> str:
         kind = next((kind for kind, dimension in kinds.items() if takes(dimension, found)), "")
     except UnitError:
         kind = ""
-    kind = kind or ("acceleration" if unit.strip() in ACCELERATIONS else "")
+    kind = kind or ("acceleration" if acceleration_in(unit) else "")
     return f"; {unit.strip()} is a unit of {kind}: --quantity {QUANTITIES[kind]} has it" if kind else ""

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 from functools import cache, lru_cache
-from math import isfinite
+from math import isfinite, nan
 from typing import Any
 
 from .spelling import plain_unit, plain_value
@@ -69,11 +69,16 @@ def read(text: str, dimension: Dimension = NUMBER) -> tuple[Fraction, Unit]:
 
 def behind_number(text: str) -> str:
     """What stands behind the number of a text: its unit."""
+    return number_and_unit(text)[1]
+
+
+def number_and_unit(text: str) -> tuple[float, str]:
+    """A finite number and what stands behind it; NaN and nothing where no number stands there."""
     try:
         match = _NUMBER.fullmatch(plain_value(text))
     except UnitError:
-        return ""
-    return match[2] if match else ""
+        match = None
+    return (float(match[1]), match[2]) if match else (nan, "")
 
 
 def in_unit_of(other: str, text: str) -> str:

@@ -69,7 +69,13 @@ def quantities(readouts: tuple[Readout, ...], gains: Array, masses: Array) -> di
 
 
 def figure_of(
-    trace: Trace, readouts: tuple[Readout, ...], quantity: Quantity, figure: Figure, order: float = 1.0
+    trace: Trace,
+    readouts: tuple[Readout, ...],
+    quantity: Quantity,
+    figure: Figure,
+    order: float = 1.0,
+    *,
+    repeats: bool = False,
 ) -> float:
     """A figure of a motion.
 
@@ -83,6 +89,9 @@ def figure_of(
         ``rms`` is about the mean; ``order`` the rms of the line of ``order`` times the mesh frequency.
     order : float
         A multiple of one over the length of the motion, where it is asked for.
+    repeats : bool
+        Whether the motion repeats after this length, as an orbit does: then it has no other lines, and their
+        rms is 0.
 
     Returns
     -------
@@ -102,7 +111,10 @@ def figure_of(
     values = reading(phase)
     if figure is Figure.ORDER:
         whole = given.number("order", order) * trace.cycles
-        if abs(whole - round(whole)) > WHOLE * max(1.0, whole) or whole <= 0.0:
+        between = abs(whole - round(whole)) > WHOLE * max(1.0, whole)
+        if repeats and between and whole > 0.0:
+            return 0.0
+        if between or whole <= 0.0:
             raise GearlashError(f"order {order:g}: the motion of {trace.cycles:g} cycles has no such line")
         return float(np.sqrt(2.0) * abs(np.sum(weight * values * np.exp(-2j * np.pi * order * phase))))
     found = signal_of(reading, phase, weight, values)

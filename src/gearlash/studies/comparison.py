@@ -156,7 +156,8 @@ def compare(
     UnknownNameError
         For a quantity that this pair does not have.
     GearlashError
-        For a case that is no gear pair, and for fewer than two different speeds.
+        For a case that is no gear pair, for fewer than two different speeds, for an order that is not above
+        zero, and for values below zero where the figure is not the mean.
 
     Examples
     --------
@@ -171,6 +172,7 @@ def compare(
     given.instance("measurement", measurement, Measurement, "as from gearlash.load_measurement")
     taken, quantity = given.choice(Figure, "figure", figure), known_quantity(case, measurement.quantity)
     line = given.number("order", order)
+    _check_sizes(measurement, taken, line)
     in_order = np.argsort(measurement.omega, kind="stable")
     speeds, values = measurement.omega[in_order], measurement.values[in_order]
     once, place = np.unique(speeds, return_inverse=True)
@@ -202,6 +204,19 @@ def compare(
         jumps=jumps_of(measurement, list(_changes(case, ways))),
         complete=all(way.complete for way in ways) and all(whole for _, whole in figures),
     )
+
+
+def _check_sizes(measurement: Measurement, figure: Figure, order: float) -> None:
+    """Raises `GearlashError` where no motion can have such figures."""
+    if order <= 0.0:
+        raise GearlashError(f"order = {order:g}: expected a multiple of the mesh frequency above zero")
+    below = measurement.values[measurement.values < 0.0]
+    if len(below) and figure is not Figure.MEAN:
+        least = f"{float(below.min()) * measurement.factor:.4g} {measurement.unit}".strip()
+        raise GearlashError(
+            f"values of {measurement.quantity} down to {least}: expected none below zero, as the figure is "
+            f"{figure}; only a mean has a sign (figure mean)"
+        )
 
 
 def _changes(case: Case, ways: Sequence[Sweep]) -> Iterator[tuple[str, Transition]]:
@@ -264,7 +279,8 @@ def _work(task: _Task, _carry: object) -> Part:
                 trace = trace_of(family, values, point, reuse)
                 reuse = trace.propagators
                 readouts = readouts_of(case, values)
-                found.append(figure_of(trace, readouts, form.quantity, form.figure, form.order))
+                how = form.quantity, form.figure, form.order
+                found.append(figure_of(trace, readouts, *how, repeats=point.periodic))
             except (GearlashError, np.linalg.LinAlgError):
                 found.append(np.nan)
     return Part(tuple(found))

@@ -210,7 +210,7 @@ def _sentence(
         rows = "1 row" if given.left_out == 1 else f"{given.left_out} rows"
         told += f" ({rows} without speed or value left out)"
     if bias is None or rms is None or rms_nearer is None:
-        return f"{told}: no motion was found at any of them"
+        return f"{told}: no motion that has this figure was found at any of them"
     part = f" ({100.0 * rms / span:.0f} % of the measured span)" if span > 0.0 else ""
     to = " to the motion computed with speed going the same way" if any(p.direction for p in points) else ""
     told += f": residual{to} {rms:.3g}{unit} rms{part}, {bias:+.3g}{unit} on average"
