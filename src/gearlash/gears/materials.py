@@ -2,6 +2,18 @@
 
 Values at 20 °C. A plastic's modulus depends on temperature, moisture and time more than on its name: its
 range is wide and a data sheet is better.
+
+Where designations are taken for an entry, data sheets have these values (E in GPa; expansion in 10⁻⁶/K):
+
+- steel: AISI 4140 and 4340 (BS 817M40, En 24) 205, ν 0.29, 12.3 (asm.matweb.com, bassnum M434AE); 1020, 1040,
+  4140 and 4340 207 (W. D. Callister, Materials Science and Engineering, table B.2); carbon steels of AS 1442
+  200, 12 (mem50212.com, Materials_ferrous.html); 8620 expansion 13 (makeitfrom.com, whose modulus of 190 is
+  that of every steel there, to two digits); 20CrMnTi 207, 12.6 (duan168.com/sell/show-4694.html); 40CrNiMoA
+  209 (dou03.com/Shownews.asp?ID=8634).
+- nodular cast iron: EN 1563, GJS-350 to 500 169, GJS-600 174, GJS-700 176, 7100 and 7200 kg/m³
+  (iron-foundry.com, equivalent standards EN 1563).
+- grey cast iron: EN 1561, GJL-250 103 to 118, GJL-300 108 to 137, ν 0.26, 7200 and 7250 kg/m³
+  (sn-castiron.nl/?p=2224); ISO 6336-2 has ν 0.3.
 """
 
 from __future__ import annotations
@@ -17,6 +29,7 @@ from gearlash.system import GearlashError
 from .material_names import listed_name, nearest_material
 
 _ISO = "E, ν: ISO 6336-2, elasticity factors; rest: handbook values; ranges: estimates"
+_GREY = "E, ν: ISO 6336-2, elasticity factors; range of E: EN 1561, GJL-250 and 300; rest: handbook values"
 _STEEL = "E, ν: ISO 6336-2, elasticity factors; density: ISO 6336-1; rest: handbook values; ranges: estimates"
 _HANDBOOK = "handbook values; ranges: estimates"
 _BRASS = "CuZn38Pb2 to CuZn39Pb3, EN 12164: data sheets; ν: handbook; ranges: estimates"
@@ -91,10 +104,10 @@ MATERIALS: Mapping[str, Material] = MappingProxyType(
     {
         one.name: one
         for one in (
-            _material("steel", (206, 200, 212), 0.3, 7830, (11.5, 11.0, 12.5), _STEEL),
+            _material("steel", (206, 200, 212), 0.3, 7830, (11.5, 11.0, 13.0), _STEEL),
             _material("cast-steel", (202, 195, 210), 0.3, 7830, (11.5, 11.0, 12.5), _STEEL),
             _material("nodular-cast-iron", (173, 165, 180), 0.3, 7100, (12.0, 10.5, 13.0), _ISO),
-            _material("grey-cast-iron", (118, 100, 130), 0.3, 7200, (10.5, 9.0, 12.0), _ISO),
+            _material("grey-cast-iron", (118, 100, 137), 0.3, 7200, (10.5, 9.0, 12.0), _GREY),
             _material("tin-bronze", (103, 95, 115), 0.3, 8800, (18.0, 17.0, 19.0), _ISO),
             _material("brass", (100, 95, 110), 0.34, 8450, (20.5, 19.0, 21.5), _BRASS),
             _material("aluminium", (70, 68, 75), 0.33, 2700, (23.0, 20.0, 24.0), _HANDBOOK),
