@@ -76,6 +76,8 @@ def test_a_report_that_is_stopped_says_what_is_missing(tmp_path: Path):
     assert found.page == tmp_path / "report.html"
     assert (tmp_path / "report.html").is_file()
     assert not found.separating
+    alone = gl.pair_report(case, speeds=axis, execution=gl.Execution(cancel=stop))
+    assert alone.missing == ("part of the bands of speed and of the ranges",)
 
 
 @pytest.mark.parametrize("wrong", [{"speeds": [0.7, 0.9]}, {"execution": 2}, {"settings": {}}, {"folder": 3}])

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
+import gearlash as gl
 from gearlash import case, results
 from gearlash.results import Axis, Point, Sweep, blank
 from gearlash.system import GearlashError, Status
@@ -168,3 +169,10 @@ def test_the_hash_sees_every_change():
     hashes |= {results.content_hash(renamed), results.content_hash(relabelled)}
     assert len(hashes) == 6
     assert results.content_hash(data.assign_attrs(title="other")) in hashes
+
+
+def test_sweeps_of_a_model_with_other_states_are_refused_in_words():
+    other, case = gl.load_case("article"), gl.load_case("kahraman-singh")
+    found = gl.sweeps(other, gl.Axis.even("omega", 1.0, 1.02, 2), ["up"])
+    with pytest.raises(gl.GearlashError, match="sweeps: their motions have 10 states, those of the model 2"):
+        gl.sweep_dataset(case, found)

@@ -341,3 +341,11 @@ def test_shares_are_possible_ones():
     held = np.repeat([[1.0, 1.0, 1.0, 0.0]], 4, axis=0)
     share, error = share_and_error(held)
     assert (float(share), 0.02 < float(error) < 0.1) == (0.75, True)
+
+
+def test_it_prints_in_a_few_lines():
+    case = gl.load_case("kahraman-singh")
+    limits = {"load": (0.1, 0.3)}
+    found = gl.tolerance(case, gl.Axis.even("omega", 0.5, 0.9, 5), limits, samples=2, replicates=2)
+    assert len(repr(found)) < 500
+    assert "<table>" in found._repr_html_()

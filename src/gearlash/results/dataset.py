@@ -66,6 +66,7 @@ def sweep_dataset(model: Case | Family, sweeps: Sequence[Sweep]) -> xr.Dataset:
     sweeps = given.instances("sweeps", sweeps, Sweep, "sweeps, as from gearlash.sweeps")
     axis = _common_axis(sweeps)
     given.known("parameter", axis.name, family.defaults)
+    _check_states(model, sweeps)
     rows = [_Row.of(sweep.points) for sweep in sweeps]
     dims = ("direction", dimension(axis.name))
     data: dict[str, Any] = {}
@@ -78,6 +79,18 @@ def sweep_dataset(model: Case | Family, sweeps: Sequence[Sweep]) -> xr.Dataset:
     data["coexisting"] = ((dims[1],), coexisting(sweeps), about)
     coords = _coordinates(model, sweeps)
     return xr.Dataset(data, coords, _attributes(model, sweeps))
+
+
+def _check_states(model: Case | Family, sweeps: Sequence[Sweep]) -> None:
+    """Raises `GearlashError` for motions that have another number of states than those of the model."""
+    own = len(family_of(model).states)
+    for sweep in sweeps:
+        for point in sweep.points:
+            if len(point.state) not in (0, own):
+                raise GearlashError(
+                    f"sweeps: their motions have {len(point.state)} states, those of the model {own}; "
+                    "give the case or family that they were computed of"
+                )
 
 
 def family_of(model: Case | Family) -> Family:

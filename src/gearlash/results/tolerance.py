@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from gearlash.system import Record
+
 from .axis import Axis
 
 Band: TypeAlias = tuple[float, float]
@@ -144,8 +146,8 @@ class Profile:
     error: tuple[float, ...]
 
 
-@dataclass(frozen=True)
-class Tolerance:
+@dataclass(frozen=True, repr=False)
+class Tolerance(Record):
     """Where impact-free motion exists in spite of tolerances, as `tolerance` returns it.
 
     It is the motion of teeth that never part, on the side of the load. Nothing is said about other motions at

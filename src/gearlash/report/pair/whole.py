@@ -130,7 +130,9 @@ def pair_report(
     axis = speeds_around(case, POINTS) if speeds is None else speeds
     found = assessed(case, axis, search, how, tell)
     if place is None:
-        return _report(found, None, ())
+        return _report(
+            found, None, () if found.complete else ("part of the bands of speed and of the ranges",)
+        )
     contents = measured(found, axis, search, how, tell, stopped, usual=speeds is None)
     page = render(contents, place, None if contents.missing else how.executor)
     return _report(found, page, contents.missing)
