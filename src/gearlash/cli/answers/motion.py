@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.orbits import Attractor, ForceStatistics, MotionStatistics
+    from gearlash.system.readout import Readout
 
 Side = Literal["drive", "back"]
 
@@ -53,7 +54,7 @@ class ForceNumbers:
 
 @dataclass(frozen=True)
 class ErrorNumbers:
-    """Of the displacement X over the motion."""
+    """Of a displacement over the motion."""
 
     rms: Annotated[float, "root mean square about the mean"]
     peak_to_peak: Annotated[float, "largest minus least value"]
@@ -88,15 +89,18 @@ class MotionNumbers:
         ErrorNumbers, "X, the displacement of the flanks along the line of action, over D_c"
     ]
     transmission_error: Annotated[
-        ErrorNumbers, "the same under its first name; what a report calls so is the rotation of both gears"
+        ErrorNumbers | None,
+        "rotation of both gears along the line of action, over D_c, as `report` and `compare` have it; null "
+        "of other systems than gear pairs",
     ]
     share_without_contact: Annotated[float, "share of time with no tooth in contact, 0 to 1"]
     contact: Annotated[str, "when the contact damping acts: always, in-contact, no-tension"]
     others: Annotated[tuple[OtherClearance, ...], "further clearances; all else here is of the first"]
 
 
-def motion_numbers(attractor: Attractor) -> MotionNumbers:
-    """The numbers of an orbit, or of the stretch kept of another motion."""
+def motion_numbers(attractor: Attractor, error: Readout | None = None) -> MotionNumbers:
+    """The numbers of an orbit, or of the stretch kept of another motion; ``error`` reads the transmission
+    error of a gear pair."""
     from gearlash.orbits import motion_statistics
 
     gaps = attractor.propagators.system.clearances
@@ -110,11 +114,18 @@ def motion_numbers(attractor: Attractor) -> MotionNumbers:
         force=_force(found.force),
         dynamic_factor=_dynamic_factor(found.force),
         displacement=ErrorNumbers(found.error_rms, found.error_peak_to_peak),
-        transmission_error=ErrorNumbers(found.error_rms, found.error_peak_to_peak),
+        transmission_error=None if error is None else _error(attractor, error),
         share_without_contact=found.share_without_contact,
         contact=str(gaps[0].contact),
         others=tuple(_other(attractor, index) for index in range(1, count)),
     )
+
+
+def _error(attractor: Attractor, error: Readout) -> ErrorNumbers:
+    from gearlash.orbits.signals import signals
+
+    (found,) = signals(attractor.trace, (error,)).read
+    return ErrorNumbers(found.rms, found.peak_to_peak)
 
 
 def _other(attractor: Attractor, index: int) -> OtherClearance:

@@ -53,7 +53,9 @@ class PhysicalRun:
     events: tuple[PhysicalEvent, ...]
     force_N: ForceNumbers
     displacement_um: ErrorNumbers
-    transmission_error_um: Annotated[ErrorNumbers, "the same under its first name"]
+    transmission_error_um: Annotated[
+        ErrorNumbers | None, "rotation of both gears along the line of action, as in `numbers`"
+    ]
     impact_free: SpeedWindow | None
     rests_on: Rests
 
@@ -67,7 +69,7 @@ def physical_run(
 ) -> PhysicalRun:
     """Converts with the scales of the case, which must be physical."""
     scales, omega = case.scales, parameters["omega"]
-    back_met = numbers.distances.back.minimum < 0.0
+    error, back_met = numbers.transmission_error, numbers.distances.back.minimum < 0.0
     return PhysicalRun(
         pinion_speed_rpm=float(scales.pinion_rpm(omega)),
         mesh_frequency_Hz=float(scales.mesh_hz(omega)),
@@ -86,7 +88,7 @@ def physical_run(
         ),
         force_N=_scaled(numbers.force, float(scales.force_N(1.0))),
         displacement_um=_um(scales, numbers.displacement),
-        transmission_error_um=_um(scales, numbers.displacement),
+        transmission_error_um=error and _um(scales, error),
         impact_free=_window(scales, impact_free) if impact_free else None,
         rests_on=rests_on(case, back_met),
     )

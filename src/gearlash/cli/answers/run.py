@@ -86,9 +86,13 @@ class RunAnswer:
     result: Literal["run"] = "run"
 
 
-def numbers_of(attractor: Attractor) -> MotionNumbers | None:
+def numbers_of(attractor: Attractor, case: Case, parameters: Mapping[str, float]) -> MotionNumbers | None:
     """The numbers of the motion; None where it ran away."""
-    return motion_numbers(attractor) if attractor.status in TRACEABLE else None
+    from gearlash.studies.measured import readouts_of
+
+    if attractor.status not in TRACEABLE:
+        return None
+    return motion_numbers(attractor, readouts_of(case, parameters)[-1] if case.between_teeth else None)
 
 
 def run_answer(

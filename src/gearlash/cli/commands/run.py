@@ -114,7 +114,7 @@ def _answer(
 
     asked = unexcited(case, found) is None
     speeds_asked = asked and case.between_teeth
-    numbers = optional(lambda: numbers_of(found))
+    numbers = optional(lambda: numbers_of(found, case, parameters))
     beside = optional(other_starts) if asked else None
     quiet = optional(quiet_speeds) if speeds_asked else None
     looked = (

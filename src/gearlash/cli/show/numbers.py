@@ -76,4 +76,21 @@ class Marks:
         """Names the assumed values behind the marks; None if nothing was marked."""
         if not self._used:
             return None
-        return f"{ASSUMED_MARK} rests on assumed values: {', '.join(self._used)} ({where})"
+        return f"{ASSUMED_MARK} rests on assumed values: {', '.join(in_short(self._used))} ({where})"
+
+
+def in_short(paths: Iterable[str]) -> list[str]:
+    """Paths; of three harmonics and more without a gap the first and the last."""
+    rows: dict[str, dict[int, str]] = {}
+    for path in paths:
+        stem, _, end = path.rpartition("_")
+        harmonic = int(end) if end.isdecimal() and stem else 1
+        rows.setdefault(stem if harmonic > 1 else path, {})[harmonic] = path
+    return [text for row in rows.values() for text in _row(row)]
+
+
+def _row(row: Mapping[int, str]) -> list[str]:
+    orders = sorted(row)
+    if len(row) < 3 or orders != list(range(orders[0], orders[0] + len(row))):
+        return list(row.values())
+    return [f"{row[orders[0]]} to {row[orders[-1]]}"]

@@ -65,9 +65,10 @@ def _facts(answer: RunAnswer, marks: Marks) -> Iterator[tuple[str, str]]:
     if answer.status != "ok":
         yield "what to do", answer.advice
     shown = GEAR if set(GEAR) <= set(answer.parameters) else tuple(answer.parameters)
-    yield "parameters", ", ".join(f"{name} {number(answer.parameters[name], 7)}" for name in shown)
+    dimensionless = ", ".join(f"{name} {number(answer.parameters[name], 7)}" for name in shown)
+    yield "parameters", _operation(answer.physical, marks) if answer.physical else dimensionless
     if answer.physical:
-        yield "", _operation(answer.physical, marks)
+        yield "", dimensionless
     if answer.signature:
         counted = GEAR_COUNTS if answer.case.between_teeth else COUNTS
         yield (
@@ -119,7 +120,10 @@ def _amplitudes(answer: RunAnswer, numbers: MotionNumbers, marks: Marks, width: 
     rows.append(("dynamic factor (peak over mean)", number(numbers.dynamic_factor, 4), ""))
     rows += _length_rows(numbers, physical, marks, teeth)
     along = "Along the line of action" if teeth else "Along X"
-    columns = [("", "left"), ("dimensionless", "right"), ("physical" if physical else "", "right")]
+    if physical:  # first, as who states it has a drawing
+        rows = [(name, shown, plain) for name, plain, shown in rows]
+    heads = ("physical", "dimensionless") if physical else ("dimensionless", "")
+    columns = [("", "left"), *((head, "right") for head in heads)]
     yield from table(f"{along}, over {cycles(numbers.cycles, teeth)}", columns, rows, width)
 
 
@@ -138,7 +142,11 @@ def _length_rows(
 ) -> Iterator[tuple[str, str, str]]:
     error, apart = numbers.displacement, numbers.distances
     what = "displacement of the flanks X" if teeth else "X"
-    values = {f"{what}, peak-to-peak": error.peak_to_peak, f"{what}, rms": error.rms}
+    values = {f"{what}, peak-to-peak": error.peak_to_peak, f"{what}, rms about the mean": error.rms}
+    whole = numbers.transmission_error
+    if whole is not None:
+        values |= {"transmission error, peak-to-peak": whole.peak_to_peak}
+        values |= {"transmission error, rms about the mean": whole.rms}
     if "drive" in numbers.sides:
         values |= {"least X − D": apart.drive.minimum, "largest X − D": apart.drive.maximum}
     if "back" in numbers.sides:
