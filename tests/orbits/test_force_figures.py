@@ -59,3 +59,21 @@ def test_the_top_of_a_parabola_is_its_vertex_beside_an_end_too(vertex: float) ->
 
 def test_the_top_of_what_only_rises_is_its_last_value() -> None:
     assert top(3.0 - (np.arange(7.0) - 9.0) ** 2) == -6.0
+
+
+@pytest.mark.parametrize("load", [0.1, -0.1])
+def test_a_rule_without_tension_tells_none(load: float) -> None:
+    """Contact ends where its force falls to zero: rounding there tells neither a pull nor a push."""
+    values = {"contact": "no-tension", "omega": 0.9, "load": load}
+    family, _ = gl.load_case("kahraman-singh", values).family()
+    found = gl.attractor(family.system(), family.start())
+    assert isinstance(found, gl.Orbit)
+    assert (found.signature.drive, found.signature.back) == ((1, 0) if load > 0.0 else (0, 1))
+    sign, told, force = np.sign(load), force_figures(found.trace), gl.motion_statistics(found).force
+    for least, most in (
+        (told["force_min"], told["force_max"]),
+        (force.minimum, force.maximum),
+        (signals(found.trace).force.least, signals(found.trace).force.most),
+    ):
+        assert (least if sign > 0.0 else most) == 0.0
+        assert (most if sign > 0.0 else -least) > 0.15

@@ -214,6 +214,10 @@ def _registry():
 
 PRETTY = {
     "um": "µm",
+    "uN": "µN",
+    "m/s^2": "m/s²",
+    "mm/s^2": "mm/s²",
+    "um/s^2": "µm/s²",
     "N*m": "N·m",
     "kg*m^2": "kg·m²",
     "deg": "°",

@@ -151,7 +151,19 @@ def gap_velocity(system: System, phase: ArrayLike, state: Array, clearance: int 
 def contact_force(
     system: System, phase: ArrayLike, x: Array, velocity: Array, region: Array, clearance: int = 0
 ) -> Array:
-    """Φ of a clearance at given displacements, velocities and regions (0: side +, 1: free, 2: side -)."""
+    """Φ of a clearance at given displacements, velocities and regions (0: side +, 1: free, 2: side -). With
+    the rule `no-tension` it never pulls, not by rounding either where contact ends with its force."""
+    force = force_of_side(system, phase, x, velocity, region, clearance)
+    if system.clearances[clearance].contact is ContactRule.NO_TENSION:
+        force = np.where(region == PLUS, np.maximum(force, 0.0), force)
+        force = np.where(region == MINUS, np.minimum(force, 0.0), force)
+    return force
+
+
+def force_of_side(
+    system: System, phase: ArrayLike, x: Array, velocity: Array, region: Array, clearance: int = 0
+) -> Array:
+    """The same of either sign, whatever the rule: zero of it is where contact ends with `no-tension`."""
     c, theta = system.clearances[clearance], _base_phase(system, phase)
     elastic = np.zeros(np.shape(x))
     for side, series, beyond in (

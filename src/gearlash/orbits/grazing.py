@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.flow import Trace
-from gearlash.flow.events import contact_force, gap_displacement, gap_velocity
+from gearlash.flow.events import force_of_side, gap_displacement, gap_velocity
 from gearlash.system import ContactRule, Record, System, evaluate, given
 
 from .contact_force import force_extrema
@@ -296,7 +296,7 @@ def conditions_at(
         edge = c.gap_plus if boundary > 0 else -c.gap_minus
         return GrazingConditions(float(x[0]) - edge, float(np.linalg.norm(c.h)), float(velocity[0]), a0)
     region = np.array([0 if boundary > 0 else 2])
-    force = float(contact_force(system, at, x, velocity, region, clearance)[0])
+    force = float(force_of_side(system, at, x, velocity, region, clearance)[0])
     gradient = float(np.linalg.norm(force_gradient(system, clearance, phase, boundary)))
     return GrazingConditions(force, gradient, force_rate, a0)
 

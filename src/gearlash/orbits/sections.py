@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.flow.events import contact_force, gap_displacement, gap_velocity
-from gearlash.system import ContactRule, Record, System
+from gearlash.system import Record, System
 
 from .grazing import motion_of
 from .results import Attractor
@@ -152,10 +152,7 @@ def _force(
     c = system.clearances[clearance]
     plus, minus = (x > c.gap_plus) & c.stops(1), (x < -c.gap_minus) & c.stops(-1)
     region = np.where(plus, 0, np.where(minus, 2, 1))
-    force = contact_force(system, phase, x, velocity, region, clearance)
-    if c.contact is ContactRule.NO_TENSION:
-        force = np.where(plus, np.maximum(force, 0.0), np.where(minus, np.minimum(force, 0.0), force))
-    return force
+    return contact_force(system, phase, x, velocity, region, clearance)
 
 
 def _crossings(attractor: Attractor, clearance: int, boundary: int) -> Section:
