@@ -40,9 +40,7 @@ FigureName = Annotated[
 ]
 Order = Annotated[
     float,
-    typer.Option(
-        metavar="ORDER", min=1e-6, max=1e4, help="Of the mesh frequency, for --figure order. [default: 1]"
-    ),
+    typer.Option(metavar="ORDER", min=1e-6, max=1e4, help="Of the mesh frequency, for --figure order."),
 ]
 SpeedColumn = Annotated[
     str,

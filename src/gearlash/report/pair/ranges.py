@@ -141,22 +141,21 @@ def _intervals(one: ToleranceInput, bands: tuple[tuple[float, float], ...]) -> s
 
 
 def _ends(found: Assessment, words: Words) -> str:
-    """How near the ends of the band of speed come to the present speed, at the worst values."""
+    """How near the ends of the band of speed come to the present speed, at the worst values: those within the
+    range of speed that is stated, where there is one; beyond it the pair is not to run."""
     ranges = found.ranges
     assert ranges is not None
     corners = [*ranges.single, *([ranges.together] if ranges.together is not None else [])]
     said, stated = [], stated_speeds(found.case)
     for corner in corners:
         near = _nearest(corner, found.here)
-        if near is None:
+        if near is None or (stated is not None and not stated[0] < near < stated[1]):
             continue
         what = settings(corner.values) if len(corner.values) == 1 else "the worst combination found"
         side = "above" if near > found.here else "below"
         share = percent(100.0 * abs(near - found.here) / found.here)
-        end = f"with {what} at {words.speed(near)}, {share} % {side}"
-        if stated is not None and stated[0] < near < stated[1]:
-            end += ", within the range of speed that is stated"
-        said.append(end)
+        within = "" if stated is None else ", within the range of speed that is stated"
+        said.append(f"with {what} at {words.speed(near)}, {share} % {side}{within}")
     return f" Around the present speed it ends {'; '.join(dict.fromkeys(said))}." if said else ""
 
 

@@ -70,8 +70,9 @@ def speed_range(found: Assessment, words: Words) -> OverSpeed | None:
     short = f"{free}, as estimated; with an estimate elsewhere in its range they do."
     shown = parting[: NAMED if len(parting) > NAMED + 1 else None]
     more = len(parting) - len(shown)
-    text = "; ".join(_parting(one, words) for one in shown) + (f"; with {more} more" if more else "")
-    said = f"All else as estimated, no motion without impacts exists {text} ({looked})."
+    text = "; ".join(_parting(one, words) for one in shown)
+    text += f"; and with {more} more" if more else ""
+    said = f"No motion without impacts exists {text}; all else as estimated, looked at {looked}."
     return OverSpeed(True, False, True, short, f"{free}, as estimated. {said}")
 
 
@@ -94,4 +95,4 @@ def _nor(found: Assessment, looked: str) -> str:
 
 def _parting(one: SpeedsAcross, words: Words) -> str:
     what = settings(one.values) if len(one.values) == 1 else "the combination found at the present speed"
-    return f"with {what} at " + " and ".join(words.reach(low, high) for low, high in one.parting)
+    return "at " + " and ".join(words.reach(low, high) for low, high in one.parting) + f" with {what}"
