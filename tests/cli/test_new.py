@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from cli.conftest import Gearlash
-from gearlash.case import CaseError, load
+from gearlash.case import CaseError, Problem, load
 from gearlash.cli import questions
 from gearlash.cli.words_of_drawing import WORDS, is_helical, placed
 from gearlash.system import GearlashError
@@ -440,6 +440,18 @@ def test_what_was_answered_is_told_as_a_command_when_questions_end():
     with pytest.raises(GearlashError) as refused:
         questions.asked(ended, lambda _: None, file="my.toml")
     assert command in str(refused.value)
+
+
+def test_what_a_pair_is_refused_for_is_asked_for_again():
+    stated = {"teeth": "25/57", "module": "3mm", "centre_distance": "100mm", "bore": "30mm", "speed": "9rpm"}
+    problems = [Problem("mesh.centre_distance", "'100mm'", "teeth that mesh"), Problem("mesh", None, "more")]
+    said: list[str] = []
+    refused, pair = CaseError("my.toml", problems), CaseError("my.toml", problems[1:])
+    found = questions.asked_again(stated, refused, _answers({"Centre": ["1", "128mm"]}), said.append)
+    assert found == {**stated, "centre_distance": "128mm"}
+    assert any("teeth that mesh" in text for text in said)
+    assert questions.asked_again(stated, refused, _answers({"Centre": ["<"]}), said.append) == stated
+    assert questions.asked_again(stated, pair, _answers({}), said.append) is None
 
 
 def test_questions_that_are_interrupted_say_that_nothing_was_written():

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
 from shlex import quote
 
+from gearlash.case import CaseError
 from gearlash.case.kinds import Quantity, kind_named
 from gearlash.case.stated import ValueRefusedError, read_stated
 from gearlash.case.unit_hints import usual_units
@@ -66,7 +68,7 @@ def asked(
     questions = [word for word in words if word.question]
     before: list[tuple[int, str]] = []
     at = 0
-    try:
+    with _told_at_end(file, found, say):
         while at < len(questions):
             beside = ONLY_BESIDE.get(questions[at].name)
             if beside is not None and beside not in found:
@@ -81,12 +83,45 @@ def asked(
             before.append((at, name))
             found |= {name: text} if text else {}
             at += 1
+    return found
+
+
+def asked_again(
+    found: Mapping[str, str],
+    error: CaseError,
+    ask: Callable[[str], str] = input,
+    say: Callable[[str], object] = print,
+    file: str = "FILE",
+) -> dict[str, str] | None:
+    """The answers with new ones in place of those that a pair was refused for; None where it was none of them
+    alone."""
+    paths = {problem.path for problem in error.problems}
+    refused = [word for word in WORDS if word.name in found and not paths.isdisjoint(word.paths)]
+    if not refused:
+        return None
+    kept = dict(found)
+    with _told_at_end(file, kept, say):
+        say(f"\n{error}\n")
+        for word in refused:
+            try:
+                name, text = _either(word, ask, say)
+            except _BackError:
+                continue  # as it was
+            del kept[word.name]
+            kept |= {name: text} if text else {}
+    return kept
+
+
+@contextmanager
+def _told_at_end(file: str, found: Mapping[str, str], say: Callable[[str], object]) -> Iterator[None]:
+    """Says what was answered where questions are interrupted, or nobody answers any more."""
+    try:
+        yield
     except EOFError:
         raise GearlashError(f"the answers ended; nothing was written{as_command(file, found)}") from None
     except KeyboardInterrupt:
         say(f"\nnothing was written{as_command(file, found)}")
         raise
-    return found
 
 
 def as_command(file: str, found: Mapping[str, str]) -> str:

@@ -7,9 +7,9 @@ Where designations are taken for an entry, data sheets have these values (E in G
 
 - steel: AISI 4140 and 4340 (BS 817M40, En 24) 205, ν 0.29, 12.3 (asm.matweb.com, bassnum M434AE); 1020, 1040,
   4140 and 4340 207 (W. D. Callister, Materials Science and Engineering, table B.2); carbon steels of AS 1442
-  200, 12 (mem50212.com, Materials_ferrous.html); 8620 expansion 13 (makeitfrom.com, whose modulus of 190 is
-  that of every steel there, to two digits); 20CrMnTi 207, 12.6 (duan168.com/sell/show-4694.html); 40CrNiMoA
-  209 (dou03.com/Shownews.asp?ID=8634).
+  200, 12 (mem50212.com, Materials_ferrous.html); 8620 expansion 13 (makeitfrom.com, where this steel, C50 and
+  A36 all have 190, to two digits); 20CrMnTi 207, 12.6 (duan168.com/sell/show-4694.html); 40CrNiMoA 209
+  (dou03.com/Shownews.asp?ID=8634).
 - nodular cast iron: EN 1563, GJS-350 to 500 169, GJS-600 174, GJS-700 176, 7100 and 7200 kg/m³
   (iron-foundry.com, equivalent standards EN 1563).
 - grey cast iron: EN 1561, GJL-250 103 to 118, GJL-300 108 to 137, ν 0.26, 7200 and 7250 kg/m³

@@ -50,6 +50,7 @@ def _new(
     open (stiffness and how it varies, error, masses, bearings, damping, backlash) is estimated whenever the
     file is read, with range and source.
     """
+    from gearlash.case import CaseError
     from gearlash.cli.answers.new import new_answer
     from gearlash.cli.comments_of_drawing import comments_of
     from gearlash.cli.drawing_file import file_text, template
@@ -57,7 +58,7 @@ def _new(
     from gearlash.cli.interrupt import asking
     from gearlash.cli.new_file import checked_place, loaded, write
     from gearlash.cli.other_gears import check_shafts, check_teeth, check_type
-    from gearlash.cli.questions import as_command, asked, at_a_terminal, words_of
+    from gearlash.cli.questions import as_command, asked, asked_again, at_a_terminal, words_of
     from gearlash.cli.words_of_drawing import placed
     from gearlash.system import GearlashError
 
@@ -72,14 +73,23 @@ def _new(
             stated = asked(words=words_of(teeth), file=str(file))
     example = not stated
     head = file.name, description or ""
-    texts = placed(stated or template(teeth))
-    try:
-        case = loaded(file, file_text(texts, *head), stated)
-        check_teeth(teeth, case)
-    except GearlashError:
-        if questioned:  # what was typed is not lost
-            print(f"\nnothing was written{as_command(str(file), stated)}\n")
-        raise
+    while True:
+        texts = placed(stated or template(teeth))
+        try:
+            case = loaded(file, file_text(texts, *head), stated)
+            check_teeth(teeth, case)
+            break
+        except GearlashError as error:
+            if not questioned:
+                raise
+            again = None
+            if isinstance(error, CaseError):
+                with asking():
+                    again = asked_again(stated, error, file=str(file))
+            if again is None:  # what was typed is not lost
+                print(f"\nnothing was written{as_command(str(file), stated)}\n")
+                raise
+            stated = again
     text = file_text(texts, *head, example, comments_of(case))
     answer = new_answer(str(file), case, example)
     with delivery():
