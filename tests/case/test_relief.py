@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from math import pi
 from pathlib import Path
 
@@ -80,7 +81,7 @@ def test_a_measured_loaded_error_is_counted_once(torque, curve):
 
 
 def test_what_is_counted_and_what_follows_the_torque_is_said():
-    (note,) = [note for note in CASE.notes() if note.path == "pinion.tip_relief"]
+    note = next(note for note in CASE.notes() if note.path == "pinion.tip_relief")
     assert "static error under load" in note.text
     assert "Left out" in note.text
     assert CASE.held("load").startswith("stiffness, contact ratio and the error of relief")
@@ -88,6 +89,21 @@ def test_what_is_counted_and_what_follows_the_torque_is_said():
     assert "no tip relief is stated" in load(FILE).held("load")
     rippled = load(FILE, {**RELIEVED, "ripple": 0.1})
     assert any("is kept at every torque" in note.text for note in rippled.notes())
+
+
+def test_more_relief_than_the_torque_bends_away_is_told():
+    """By hand: F_bt over c′ b, with c′ as `check` has it. The torque at which both are alike has none."""
+    values = {value.path: value.value for value in CASE.values()}
+    force, helix = (float(values[f"derived.{leaf}"]) for leaf in ("normal_force", "base_helix_angle"))
+    bent = force * np.cos(np.deg2rad(helix)) / (float(values["derived.single_stiffness"]) * 40.0)  # µm
+    (text,) = [note.text for note in CASE.notes() if note.text.startswith("flanks lack")]
+    times, fits = (
+        float(re.findall(pattern, text)[0]) for pattern in (r"([\d.]+) times", r"about ([\d.]+) N")
+    )
+    assert times == pytest.approx(20.0 / bent, rel=0.03)
+    assert fits == pytest.approx(150.0 * 20.0 / bent, rel=0.01)
+    enough = load(FILE, {**RELIEVED, "torque": f"{fits} N m"})
+    assert not [note for note in enough.notes() if note.text.startswith("flanks lack")]
 
 
 def test_a_relief_can_be_varied_and_said_by_its_diameter():

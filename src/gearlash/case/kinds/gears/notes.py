@@ -10,6 +10,8 @@ import numpy as np
 from gearlash.case.kinds.sides import notes_on_sides
 from gearlash.case.note import Note
 from gearlash.gears import mesh_stiffness
+from gearlash.gears.drawing import Drawing
+from gearlash.gears.loaded_mesh import LoadedMesh
 from gearlash.gears.materials import named
 from gearlash.system import evaluate
 
@@ -26,6 +28,7 @@ from .written import hand_of
 
 HELIX_ANGLE = "mesh.helix_angle"
 TOLERATED = 1.5  # times what the standard gives
+RELIEVED = 1.5  # times what one pair of teeth gives way by: more relief than that is for another torque
 
 
 def notes(pair: GearPair) -> Iterator[Note]:
@@ -106,6 +109,7 @@ def _relief(pair: GearPair) -> Iterator[Note]:
         "is that of deviations from the modified flanks. Left out: "
         "contact lines that change while the force swings about that of this torque",
     )
+    yield from _too_much(drawing, mesh, path)
     ripples = [key for key, e in pair.entries.items() if key.startswith("ripple") and e.least is None]
     stated = [key for key in ripples if "phase" not in key]
     if stated or "stiffness" in pair.curves:
@@ -115,6 +119,25 @@ def _relief(pair: GearPair) -> Iterator[Note]:
             "the stated variation of the stiffness is kept at every torque; with the error of the relief, "
             "which is that of the calculated contact lines, it need not make the loaded error",
         )
+
+
+def _too_much(drawing: Drawing, mesh: LoadedMesh, path: str) -> Iterator[Note]:
+    """Flanks that lack far more at the ends of contact than one pair of teeth gives way by."""
+    teeth = drawing.meshing
+    gap = float(np.max(drawing.modification.gap(teeth, teeth.path_of_contact)))
+    rated = mesh_stiffness.method_b(teeth, drawing.chosen_materials, drawing.rims, drawing.line_load)
+    one_pair = rated.single / rated.mean * rated.along_normal(teeth.face_width)
+    bent = mesh.force / one_pair
+    if drawing.torque is None or not 0.0 < RELIEVED * bent < gap:
+        return
+    yield Note(
+        path,
+        f"flanks lack up to {1e6 * gap:.3g} µm where contact begins or ends (along the normal), "
+        f"{gap / bent:.2g} times what one pair of teeth gives way by under this torque ({1e6 * bent:.3g} µm, "
+        f"{mesh_stiffness.REFERENCE}): {mesh.contact_ratio:.3g} pairs of teeth bear in the mean, of "
+        f"ε_α = {teeth.transverse_contact_ratio:.3g}. One pair gives way by as much as they lack at about "
+        f"{float(f'{abs(drawing.torque) * gap / bent:.3g}'):g} N·m of the pinion",
+    )
 
 
 def _stiffness(pair: GearPair) -> Iterator[Note]:
