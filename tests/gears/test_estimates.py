@@ -8,7 +8,7 @@ from math import cos, pi, radians, sqrt
 import pytest
 
 from gearlash.gears import CylindricalGear, CylindricalPair, backlash, equivalent_mass, materials
-from gearlash.gears.bearings import bearing_span
+from gearlash.gears.bearings import bearing_span, shaft_stiffness
 from gearlash.gears.estimates import Drawing, estimates, natural_frequency
 from gearlash.gears.gear_body import GearBody
 from gearlash.gears.mesh_stiffness import SOLID
@@ -88,3 +88,17 @@ def test_bearings_are_as_wide_as_series_62_of_iso_15(d: int, width: int):
     both = [bearing_span(face, 0.2, 1e-3 * d) for face in (0.02, 0.1)]
     assert both[1] - both[0] == pytest.approx(0.08)
     assert both[0] - 0.02 - 2.0 * (8e-3 + 4e-3) == pytest.approx(1e-3 * width, rel=1.0 / 7.0)
+
+
+def test_a_thin_shaft_that_bends_is_in_the_range_of_its_bearings():
+    """A beam on two supports has 48 E I/L³ at its middle: the same without a body that is stiff."""
+    inertia = pi * 0.012**4 / 64.0
+    assert shaft_stiffness(0.012, 0.05) == pytest.approx(48.0 * 206e9 * inertia / 0.1**3)
+    thick, thin = (estimates(Drawing(PAIR, torque=50.0, shafts=(d, 0.03))) for d in (0.03, 0.006))
+    path = "pinion_bearing_y"
+    assert thick[path].least == pytest.approx(0.25 * thick[path].value)
+    assert thin[path].least < 0.2 * thin[path].value
+    assert "which bends between bearings" in thin[path].source
+    assert "which bends" not in thick[path].source + thin["pinion_bearing_z"].source
+    stated = Drawing(PAIR, torque=50.0, shafts=(0.006, 0.03), stated_bending=(True, False))
+    assert estimates(stated)[path].least == pytest.approx(0.25 * thin[path].value)

@@ -11,6 +11,8 @@ them, as of series 62.
 
 from __future__ import annotations
 
+from math import inf, pi
+
 BALLS = 9
 PER_SHAFT = 2
 AXIAL = 0.4
@@ -19,6 +21,8 @@ SPREAD = 4.0
 """Rollers instead of balls make it stiffer, shafts and housings softer: an estimate."""
 LEAST_LOAD = 0.01
 """N for each mm² of d²: the preload that a bearing has at least; an estimate."""
+STEEL = 206e9
+"""Young's modulus of shafts, Pa."""
 GAP = 4e-3
 """m: from the inner wall of a housing to a bearing that oil reaches; practice, an estimate."""
 LEAST_WALL = 8e-3
@@ -111,3 +115,29 @@ def bearing_span(face_width: float, centre_distance: float, shaft_diameter: floa
     """
     wall = max(LEAST_WALL, 0.025 * centre_distance + 1e-3)
     return face_width + 2.0 * (wall + GAP) + 0.27 * shaft_diameter + 7e-3
+
+
+def shaft_stiffness(shaft_diameter: float, free_length: float) -> float:
+    """Lateral stiffness of a steel shaft with a stiff gear body in its middle, at that body.
+
+    Parameters
+    ----------
+    shaft_diameter : float
+        m; above 0.
+    free_length : float
+        On either side, from the body to the middle of the bearing, m; 0 or less: nothing bends.
+
+    Returns
+    -------
+    float
+        N/m, 6 E I/l³: either side is a cantilever with half of the force at its end.
+
+    Examples
+    --------
+    >>> from gearlash.gears.bearings import shaft_stiffness
+    >>> round(shaft_stiffness(0.012, 0.03) / 1e6, 1)
+    46.6
+    """
+    if free_length <= 0.0:
+        return inf
+    return 6.0 * STEEL * pi * shaft_diameter**4 / 64.0 / free_length**3

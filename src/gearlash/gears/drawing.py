@@ -74,6 +74,8 @@ class Drawing:
         Diameters of the shafts in their bearings, m; those of the bores where None.
     spans : (float or None, float or None)
         Distance of the two bearings of a shaft, m; an estimate where None.
+    stated_bending : (bool, bool)
+        Whether the lateral stiffness of a shaft is stated beside that of its bearings.
 
     Examples
     --------
@@ -99,6 +101,7 @@ class Drawing:
     assumed_grades: tuple[bool, bool] = (False, False)
     shafts: tuple[float | None, float | None] = (None, None)
     spans: tuple[float | None, float | None] = (None, None)
+    stated_bending: tuple[bool, bool] = (False, False)
 
     @property
     def meshing(self) -> CylindricalPair:

@@ -140,14 +140,21 @@ def _bearings(drawing: Drawing) -> dict[str, Estimate]:
     force = 0.0
     if drawing.torque is not None:
         force = 2.0 * abs(drawing.torque) / pair.pinion.base_diameter / cos(pair.pinion.base_helix_angle)
-    for name, (shaft, whose) in zip(GEARS, _shafts(drawing), strict=True):
+    spans = _spans(drawing)
+    for name, (shaft, whose), stated in zip(GEARS, _shafts(drawing), drawing.stated_bending, strict=True):
+        span = spans[f"{name}_bearing_span"].value
+        bends = bearings.shaft_stiffness(shaft, 0.5 * (span - pair.face_width))
         source = (
             f"two deep groove ball bearings on a shaft of {shaft * 1e3:.3g} mm ({whose}), A. Palmgren; "
             f"range: a factor of {bearings.SPREAD:g} either way for rollers, shaft and housing, an estimate"
         )
         for axis, value in zip("yz", bearings.shaft_bearings(shaft, force), strict=True):
-            ends = value / bearings.SPREAD, value * bearings.SPREAD
-            found[f"{name}_bearing_{axis}"] = Estimate(value, *ends, source)
+            least, told = value / bearings.SPREAD, source
+            with_shaft = 1.0 / (1.0 / value + 1.0 / bends)
+            if axis == "y" and with_shaft < least and not stated:
+                least = with_shaft
+                told += f", and lower with this shaft, which bends between bearings {span * 1e3:.3g} mm apart"
+            found[f"{name}_bearing_{axis}"] = Estimate(value, least, value * bearings.SPREAD, told)
     return found
 
 

@@ -254,6 +254,7 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
         stated_stiffness=stated("mesh.mean_stiffness"),
         shafts=(stated("pinion.shaft_diameter"), stated("gear.shaft_diameter")),
         spans=(stated("pinion.bearing_span"), stated("gear.bearing_span")),
+        stated_bending=("pinion.shaft_stiffness_y" in entries, "gear.shaft_stiffness_y" in entries),
     )
 
 
