@@ -131,6 +131,15 @@ def test_a_fit_among_other_words_is_refused_with_it_where_it_is_the_only_one(tex
     assert ("several" in refused.value.expected) == (nearest is None)
 
 
+@pytest.mark.parametrize("text", ["0", "0rpm", "0 rpm", "0.0 1/min", "-0", "0,00 U/min"])
+@pytest.mark.parametrize("path", ["operation.least_speed", "operation.least_gear_speed"])
+def test_a_range_from_standstill_is_answered_with_what_to_write(path: str, text: str):
+    with pytest.raises(ValueRefusedError, match="from standstill the least one that is to be examined"):
+        read_stated(text, PLACES[path])
+    for above in ("0,5 rpm", "0.01rpm", "05 rpm"):
+        assert read_stated(above, PLACES[path]).text == above
+
+
 def test_a_diameter_with_its_sign():
     assert read_stated("ø30 mm", BORE).value == 0.03
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from dataclasses import replace
 
 from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.units import ANGLE, DENSITY, LENGTH, POWER, PRESSURE, TORQUE
@@ -159,7 +160,8 @@ def of_operation() -> Iterator[Quantity]:
     yield Quantity(POWERED, POWER, "kW", "45 kW", what, -1e12, 1e12)
     for who, paths in (("pinion", SPEED_RANGE), ("gear", GEAR_RANGE)):
         for path, name, example in zip(paths, ("least", "greatest"), ("1500 rpm", "4500 rpm"), strict=True):
-            yield speed(path, example, f"{name} speed that the {who} is to run at")
+            place = speed(path, example, f"{name} speed that the {who} is to run at")
+            yield replace(place, reader=written.least_speed) if name == "least" else place
 
 
 def options() -> Iterator[Choice]:

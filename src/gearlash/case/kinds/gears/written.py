@@ -96,6 +96,20 @@ _TAKEN_FOR = {
 """Standards with limits of their own: why, and the class that is mostly taken for it."""
 
 
+def least_speed(text: str) -> str:
+    """The least speed of a range. Raises `ValueRefusedError` for standstill, from which a range cannot begin:
+    at a speed of 0 there is no mesh frequency."""
+    if _NOUGHT.match(text):
+        raise ValueRefusedError(
+            "a speed above 0; of a range from standstill the least one that is to be examined, such as a "
+            "twentieth of the greatest"
+        )
+    return text
+
+
+_NOUGHT = re.compile(r"\s*[-+]?0+(?:[.,]0*)?(?![\d.,])")
+
+
 def handed_angle(text: str) -> str:
     """An angle with the hand of the pinion's helix beside it, left-hand as below 0; or with the hands of both
     gears, of which one is the other's reverse. Raises `ValueRefusedError`."""
