@@ -352,6 +352,13 @@ def test_the_table_of_settings_says_how_long_motions_settle():
         assert f"80 mesh cycles to settle{said}" in str(table.caption)
 
 
+def test_every_motion_of_the_table_of_settings_has_the_cycles_that_it_settled():
+    for way in kept().ways:
+        of = [(row[0], row[1]) for row in way.settled]
+        planned = [("as planned", point.speed) for point in way.points]
+        assert sorted(of) == sorted([*planned, *((row[0], row[1]) for row in way.beside)])
+
+
 def test_what_flanks_make_of_the_error_under_load_is_said_where_relief_is_spoken_of():
     made = (6.149, 2.217, 0.931)
     modified = replace(named("modified"), errors_under_load=made)

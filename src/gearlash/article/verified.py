@@ -140,8 +140,7 @@ class VerifiedWay:
     beside : tuple of (str, float, str, float)
         Setting, speed, label, share of time without contact.
     settled : tuple of (str, float, int)
-        Setting, speed, mesh cycles before those that were read; of the plan and of every setting beside;
-        empty in a file that has none.
+        Setting, speed, mesh cycles before those that were read; of the plan and of every setting beside.
     breathing : tuple of VerifiedBreathing
         At each speed.
     up, down : str
@@ -167,6 +166,7 @@ class VerifiedWay:
     errors_under_load: tuple[float, ...]
     points: tuple[VerifiedPoint, ...]
     beside: tuple[tuple[str, float, str, float], ...]
+    settled: tuple[tuple[str, float, int], ...]
     breathing: tuple[VerifiedBreathing, ...]
     up: str
     down: str
@@ -174,7 +174,6 @@ class VerifiedWay:
     lumped_down: dict[str, str]
     apart_differs: dict[str, list[list[float]]]
     window: dict[str, Any]
-    settled: tuple[tuple[str, float, int], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -282,7 +281,7 @@ def _way(data: dict[str, Any]) -> VerifiedWay:
         "points": tuple(map(_point, data["points"])),
         "breathing": tuple(VerifiedBreathing(**_with_tuples(each)) for each in data["breathing"]),
         "beside": tuple(tuple(row) for row in data["beside"]),
-        "settled": tuple(tuple(row) for row in data.get("settled", ())),
+        "settled": tuple(tuple(row) for row in data["settled"]),
     }
     return VerifiedWay(**_with_tuples({**data, **more}))
 

@@ -67,9 +67,6 @@ def _longer(found: Verified, each: dict[str, str]) -> str:
     if int(each["longest"]) == 1:
         return ""
     cycles = [row[2] for way in found.ways for row in way.settled]
-    if not cycles:
-        most = int(each["longest"]) * int(each["settle"]) + int(each["read"]) + 1  # read once in between
-        return f" (more, {most} at most, where a motion does not come back after one)"
     longer = sum(count > int(each["settle"]) for count in cycles)
     if not longer:
         return f" (enough for all {len(cycles)} motions of this table)"
