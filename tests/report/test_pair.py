@@ -18,8 +18,8 @@ from gearlash.cli.answers.report import ReportPart, report_answer
 from gearlash.gears import flank_tolerances, mesh_stiffness
 from gearlash.orbits import motion_statistics
 from gearlash.orbits.signals import Signal
-from gearlash.report.blocks import Marked
-from gearlash.report.pair import Contents, document
+from gearlash.report.blocks import Marked, Table
+from gearlash.report.pair import Contents, document, speed
 from gearlash.report.pair.maps import other_torques
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
 from gearlash.report.pair.orders import exciting, meetings, meetings_within, natural_frequencies
@@ -149,6 +149,23 @@ def test_what_other_torques_do_at_the_present_speed(
     assert said in text
     assert f"{float(found.case.scales.pinion_rpm(1.01 * found.here)):.4g} rpm, from the cold start" in text
     assert other_torques(Contents(found, run, ())) == ""
+
+
+def test_which_part_of_the_force_across_a_shaft_bearings_carry(window: tuple[Assessment, SpeedRun]):
+    """By hand: the mean lateral force is F_wt along the tangent of the pitch circles, and along the line of
+    action F_bt = F_wt / cos α_wt; the page says which of them it is."""
+    case, told = window[0].case, []
+    tangent = atan(tan(radians(20.0)) / cos(radians(18.0)))  # α_wt of the article's pair: no profile shift
+    for axis in ("pitch-tangent", "line-of-action"):
+        turned = case.with_overrides({"model.y_axis": axis})
+        run = speed_run(turned, Axis.even("omega", 0.9 * window[0].here, window[0].here, 2))
+        contents = Contents(replace(window[0], case=turned), run, ())
+        tables = (block for block in speed.section(contents, "")[0].blocks if isinstance(block, Table))
+        caption = next(table.caption for table in tables if table.id == "table-bearings")
+        assert ("what pushes the shafts apart is not in them" in caption) == (axis == "pitch-tangent")
+        assert ("all of the force across a shaft" in caption) == (axis == "line-of-action")
+        told.append(abs(run.column(0, "bearing_force_yp.mean")[0]))
+    assert told[0] / told[1] == pytest.approx(cos(tangent), rel=1e-9)
 
 
 def test_impact_free_is_not_quiet_and_the_report_says_so(window: tuple[Assessment, SpeedRun]):

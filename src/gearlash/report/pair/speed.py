@@ -9,6 +9,7 @@ import numpy as np
 
 from gearlash.case import Case
 from gearlash.case.rating import band_of_grades, values_of_grades
+from gearlash.gears import YAxis
 from gearlash.plots.marks import Mark
 from gearlash.plots.over_speed import Curve, SpeedAxis, Stack, over_speed
 from gearlash.report.blocks import Block, Cell, Figure, Section, Table, Text
@@ -44,7 +45,7 @@ def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
         "peaks, means and rms are those of its exact pieces (peaks to 1e-8 of their span), for motion that "
         "is not periodic of 200 mesh cycles. Ends of bands were solved for, and do not depend on this step."
     )
-    blocks = [*_factor(contents), *_bearing_table(run, units, words)]
+    blocks = [*_factor(contents), *_bearing_table(run, units, words, found.case)]
     forces = "Mesh force and bearing forces" if _bearings(run) else "Mesh force"
     blocks += [
         _figure("speed-forces", f"{forces}{_FORCE_WORDS}"),
@@ -171,7 +172,7 @@ def _curves(run: SpeedRun, wanted: list[tuple[str, str]], unit: Unit) -> tuple[C
     )
 
 
-def _bearing_table(run: SpeedRun, units: PairUnits, words: Words) -> list[Block]:
+def _bearing_table(run: SpeedRun, units: PairUnits, words: Words, case: Case) -> list[Block]:
     rows: list[tuple[Cell, ...]] = []
     for one in loudest(run):
         cells = [
@@ -183,7 +184,19 @@ def _bearing_table(run: SpeedRun, units: PairUnits, words: Words) -> list[Block]
         text = "This model has no bearings: shafts do not move sideways, and carry the mesh force itself."
         return [Text.of(text)]
     head = ("", "largest where teeth stay in contact", "largest where they separate")
-    return [Table("table-bearings", "Peaks of bearing forces over these speeds.", head, tuple(rows))]
+    caption = f"Peaks of bearing forces over these speeds.{_lateral(case)}"
+    return [Table("table-bearings", caption, head, tuple(rows))]
+
+
+def _lateral(case: Case) -> str:
+    """Which part of the force across a shaft the lateral bearing force is."""
+    axis = next((str(value.value) for value in case.values() if value.path == "model.y_axis"), "")
+    if axis == YAxis.LINE_OF_ACTION:
+        return " Lateral ones are along the line of action: all of the force across a shaft."
+    return (
+        " Lateral ones are along the tangent of the pitch circles: what pushes the shafts apart is not in "
+        "them (model.y_axis)."
+    )
 
 
 def _resonance_table(case: Case, units: PairUnits) -> list[Block]:
