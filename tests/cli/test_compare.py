@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import cast
@@ -11,7 +12,7 @@ import pytest
 
 import gearlash as gl
 from cli.conftest import Gearlash
-from gearlash.cli.answers.compare import CompareAnswer, ComparedSpeed, JumpFound
+from gearlash.cli.answers.compare import CompareAnswer, ComparedSpeed, JumpFound, compare_answer
 from gearlash.cli.show.compare import rows_shown
 from gearlash.jobs import Outcome
 from gearlash.orbits.figures import Figure, figure_of
@@ -80,6 +81,11 @@ def test_figures_stay_at_their_speeds_where_some_were_not_computed(
     assert (whole.complete, part.complete) == (True, False)
     np.testing.assert_array_equal(part.up[[0, -2, -1]], whole.up[[0, -2, -1]])
     assert np.isnan(part.up[1:-2]).all()
+    answer = compare_answer(case, part)
+    assert f"{len(speeds)} speeds from 3900 to 4200 rpm: residual at 3 of them" in answer.sentence
+    assert answer.message == "stopped before all speeds were computed"
+    killed = replace(part, sweeps=(replace(part.sweeps[0], message="a worker process died"), part.sweeps[1]))
+    assert compare_answer(case, killed).message.endswith(": a worker process died")
 
 
 def test_a_speed_may_be_measured_several_times_in_any_order(case: gl.Case):

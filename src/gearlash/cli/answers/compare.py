@@ -141,7 +141,7 @@ def compare_answer(case: Case, found: Comparison) -> CompareAnswer:
     return CompareAnswer(
         sentence=_sentence(given, points, (bias, rms, rms_nearer, span), jumps),
         status="ok" if found.complete else "incomplete",
-        message="" if found.complete else "stopped before all speeds were computed",
+        message=_message(found),
         case=case_used(case),
         quantity=given.quantity,
         figure=str(found.figure),
@@ -159,6 +159,14 @@ def compare_answer(case: Case, found: Comparison) -> CompareAnswer:
         span=span,
         jumps=jumps,
     )
+
+
+def _message(found: Comparison) -> str:
+    """Why not all was computed, where that is so."""
+    if found.complete:
+        return ""
+    reason = next((way.message for way in found.sweeps if way.message), "")
+    return "stopped before all speeds were computed" + (f": {reason}" if reason else "")
 
 
 def _peaks(case: Case, found: Comparison, points: tuple[ComparedSpeed, ...]) -> Iterator[ComparedPeak]:
@@ -213,7 +221,9 @@ def _sentence(
         return f"{told}: no motion that has this figure was found at any of them"
     part = f" ({100.0 * rms / span:.0f} % of the measured span)" if span > 0.0 else ""
     to = " to the motion computed with speed going the same way" if any(p.direction for p in points) else ""
-    told += f": residual{to} {rms:.3g}{unit} rms{part}, {bias:+.3g}{unit} on average"
+    known = sum(point.residual is not None for point in points)
+    at = f" at {known} of them" if known < len(points) else ""
+    told += f": residual{at}{to} {rms:.3g}{unit} rms{part}, {bias:+.3g}{unit} on average"
     if to and f"{rms:.3g}" != f"{rms_nearer:.3g}":
         told += f" (to the nearer of both ways {rms_nearer:.3g}{unit})"
     if not to:
