@@ -169,6 +169,7 @@ def test_tip_alteration_is_that_of_shortened_tips():
     ("mesh", "gear", "said"),
     [
         ('module = "2 mm"', "teeth = -60", "internal gear"),
+        ('module = "2 mm"', "teeth = 2", "those of a worm"),
         ('module = "2 mm"\ncentre_distance = "40 mm"', "teeth = 60", "no model of internal gears"),
         ('module = "2 mm"\ndiametral_pitch = 12', "teeth = 60", "one of two that name the same quantity"),
         (

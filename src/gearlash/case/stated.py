@@ -108,7 +108,8 @@ def _number(raw: object, place: Quantity) -> float:
     if place.integer and value != int(value):
         raise ValueRefusedError(place.expected)
     if not place.accepts(value):
-        more = f"; {place.below}" if place.below and value < min(place.lower, 0.0) else ""
+        least = place.lower if place.integer else min(place.lower, 0.0)
+        more = f"; {place.below}" if place.below and value < least else ""
         raise ValueRefusedError(f"{place.expected_in_range}{more}")
     return value
 

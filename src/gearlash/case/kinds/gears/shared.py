@@ -65,7 +65,7 @@ NO_RING = 'of which there is no model here; kind = "piecewise-linear" takes stif
 
 def of_gear(gear: str) -> Iterator[Quantity]:
     """The table [pinion] or [gear]."""
-    inner = f"below 0 they are those of an internal gear, {NO_RING}"
+    inner = f"1 to 4 are mostly those of a worm, below 0 those of an internal gear, {NO_RING}"
     yield number(f"{gear}.teeth", "28", f"teeth of the {gear}", 5, 2000, integer=True, below=inner)
     yield positive(f"{gear}.mass", MASS, "kg", "5.98 kg", f"mass of the {gear}", 1e6)
     yield positive(f"{gear}.inertia", INERTIA, "kg*m^2", "0.01 kg·m²", f"inertia of the {gear}", 1e9)
