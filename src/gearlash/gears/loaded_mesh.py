@@ -12,10 +12,12 @@ give of both bodies that all pairs in contact share, and which the k_j, each fou
 without. δ over the mesh cycle is the static transmission error under load. The model has two excitations in
 its place,
 
-    1/K = c + 1/Σ k_j of the pieces that bear,   e = δ − F/K,
+    1/K = c + 1/Σ k_j w_j,   e = δ − F/K,
 
 so that F/K + e is the loaded error at this load, and K how the force grows about it. For other loads other
-pieces bear, so both are made again for each.
+pieces bear, so both are made again for each. A piece stands for a part of the width and a step of phase, over
+which its gap goes from a least one through g_j, in the middle, to a largest one: w_j is how much of it is
+below u, from 0 to 1. So K is continuous in the load, as that of flanks is.
 
 Left out: that neighbouring slices of a tooth help each other; what changes of the pieces that bear while the
 force swings about the load; pitch and form deviations, which are an error of their own; and that flanks which
@@ -27,6 +29,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from math import ceil, cos, pi
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,6 +51,8 @@ SPUR_POINTS, POINTS = 1024, 512
 SLICES = 64
 BEYOND = 0.35
 """Of p_bt: how far contact beyond either end of the path is followed."""
+NO_CHANGE = 1e-15
+"""m: over what has less the gap does not change."""
 SHARED_GIVE = 0.5
 """c b E/(1 − ν²) of one body under a load all along its face: how far a tooth moves where the next one is
 loaded. Finite elements of solid gears, held 4 m_n below the root, have 0.4 to 0.6."""
@@ -127,6 +132,19 @@ def _as_series(harmonics: NDArray[np.complex128]) -> Fourier:
     return found
 
 
+class _ByGap(NamedTuple):
+    """The pieces of each phase in the order in which they begin to bear, shape (n, pieces); those beyond the
+    path of contact come last, and never do."""
+
+    stiffness: Reals
+    gaps: Reals  # in the middle
+    sums: Reals  # of the stiffness of a piece and all before it
+    weighted: Reals  # the same of stiffness times gap
+    begins: Reals  # the force at which the middle of a piece begins to bear
+    slope_below: Reals  # how much more of a piece bears per deflection, up to its middle
+    slope_above: Reals  # and behind that
+
+
 @dataclass(frozen=True)
 class ContactLines:
     """The contact lines of a pair over a mesh cycle, cut into pieces.
@@ -139,6 +157,8 @@ class ContactLines:
         k_j, N/m; 0 where a piece lies beyond the path of contact.
     gaps : ndarray, shape (n, pieces)
         g_j, m.
+    below, above : ndarray, shape (n, pieces)
+        How much the gap of a piece is less, and more, than g_j somewhere on it, m.
     share : float
         Part of the face width that a piece has.
     mean : float
@@ -151,6 +171,8 @@ class ContactLines:
     total_contact_ratio: float
     stiffness: Reals
     gaps: Reals
+    below: Reals
+    above: Reals
     share: float
     mean: float
     shared: float = 0.0
@@ -174,28 +196,32 @@ class ContactLines:
         GearlashError
             Where at some phase no piece touches.
         """
-        own, g = self._by_gap
-        k = factor * own
-        stiff, weighted = np.cumsum(k, axis=1), np.cumsum(k * g, axis=1)
-        if not (stiff[:, -1] > 0.0).all():
+        pieces = self._by_gap
+        if not (pieces.sums[:, -1] > 0.0).all():
             raise GearlashError("teeth that mesh all round the cycle: at some of it no pair touches")
-        # the force when the next piece begins to bear; pieces beyond the path come last and never do
-        bears = (k > 0.0) & (stiff * g - weighted < force)
-        last = np.count_nonzero(bears, axis=1) - 1
-        rows = np.arange(len(k))
-        bearing, shared = stiff[rows, last], self.shared / factor
-        deflection = (force + weighted[rows, last]) / bearing + shared * force
+        relative = force / factor  # on springs as they are
+        last = np.count_nonzero(pieces.begins < relative, axis=1) - 1
+        rows = np.arange(len(last))
+        u = (relative + pieces.weighted[rows, last]) / pieces.sums[rows, last]
+        over = u[:, None] - pieces.gaps
+        bears = np.clip(0.5 + over * pieces.slope_below, 0.0, 0.5)
+        bears += np.clip(over * pieces.slope_above, 0.0, 0.5)
+        bearing = factor * np.einsum("ij,ij->i", pieces.stiffness, bears)
+        shared = self.shared / factor
+        ratio = float(bears[pieces.stiffness > 0.0].sum()) / len(rows) * self.share
         stiffness = bearing / (1.0 + shared * bearing)
-        ratio = float(np.mean(last + 1)) * self.share
-        return LoadedMesh(force, self.phases, self.total_contact_ratio, stiffness, deflection, ratio)
+        return LoadedMesh(force, self.phases, self.total_contact_ratio, stiffness, u + shared * force, ratio)
 
     @cached_property
-    def _by_gap(self) -> tuple[Reals, Reals]:
-        """Stiffness and gap of the pieces of each phase in the order in which they begin to bear; those
-        beyond the path of contact come last."""
-        order = np.argsort(np.where(self.stiffness > 0.0, self.gaps, np.inf), axis=1, kind="stable")
-        k = np.take_along_axis(self.stiffness, order, axis=1)
-        return k, np.where(k > 0.0, np.take_along_axis(self.gaps, order, axis=1), 0.0)
+    def _by_gap(self) -> _ByGap:
+        places = np.argsort(np.where(self.stiffness > 0.0, self.gaps, np.inf), axis=1, kind="stable")
+        arrays = self.stiffness, self.gaps, self.below, self.above
+        k, gaps, below, above = (np.take_along_axis(each, places, axis=1) for each in arrays)
+        g = np.where(k > 0.0, gaps, 0.0)
+        sums, weighted = np.cumsum(k, axis=1), np.cumsum(k * g, axis=1)
+        begins = np.where(k > 0.0, sums * g - weighted, np.inf)
+        slopes = (0.5 / np.maximum(each, NO_CHANGE) for each in (below, above))
+        return _ByGap(k, g, sums, weighted, begins, *slopes)
 
     def under_with_mean(self, force: float, mean: float) -> LoadedMesh:
         """The mesh under a load whose mean stiffness, as far as it bears, is known.
@@ -261,7 +287,9 @@ def contact_lines(
     """
     start, end = pair.path_of_contact
     ratio = pair.transverse_contact_ratio
-    phases, u, gaps, share = _pieces(pair, modification, BEYOND / ratio if shape is None else 0.0)
+    phases, u, (gaps, below, above), share = _pieces(
+        pair, modification, BEYOND / ratio if shape is None else 0.0
+    )
     nodes, shared = np.linspace(0.0, 1.0, PLACES), 0.0
     if shape is None:
         curve = np.array(
@@ -276,31 +304,52 @@ def contact_lines(
     alone = curve / (1.0 - shared * curve)
     near = (u >= 0.0) & (u <= 1.0) if shape is not None else np.isfinite(gaps)
     stiffness = np.where(near, np.interp(u, nodes, alone), 0.0) * (share * width)
-    return ContactLines(phases, pair.total_contact_ratio, stiffness, gaps, share, mean, shared / width)
+    return ContactLines(
+        phases, pair.total_contact_ratio, stiffness, gaps, below, above, share, mean, shared / width
+    )
 
 
 @lru_cache(maxsize=4)  # the same at every load
 def _pieces(
     pair: CylindricalPair, modification: PairModification, beyond: float
-) -> tuple[Reals, Reals, Reals, float]:
-    """Phases; where each piece lies, 0 to 1 on the path of contact and beyond it, and its gap, shape (n,
-    pieces), infinite where it is not followed; the part of the width that a piece has."""
-    start, end = pair.path_of_contact
-    overlap = pair.overlap_ratio
-    one_slice = overlap < 1e-9 and modification.crowning == 0.0
+) -> tuple[Reals, Reals, tuple[Reals, Reals, Reals], float]:
+    """Phases; where each piece lies, 0 to 1 on the path of contact and beyond it; its gap in the middle,
+    infinite where it is not followed, and how much that is less and more elsewhere on it, all of shape (n,
+    pieces); the part of the width that a piece has."""
+    one_slice = pair.overlap_ratio < 1e-9 and modification.crowning == 0.0
     points, slices = (SPUR_POINTS, 1) if one_slice else (POINTS, SLICES)
     phases = (np.arange(points) + 0.5) / points
     across = (np.arange(slices) + 0.5) / slices - 0.5
+    u, middle = _gaps(pair, modification, beyond, phases, across)
+    edges = [_gaps(pair, modification, beyond, np.arange(points + 1) / points, across)[1]]
+    sides = [(edges[0][:-1], edges[0][1:])]
+    if not one_slice:
+        edges.append(_gaps(pair, modification, beyond, phases, np.arange(slices + 1) / slices - 0.5)[1])
+        sides.append((edges[1][..., :-1], edges[1][..., 1:]))
+    below, above = np.zeros_like(middle), np.zeros_like(middle)
+    known = np.isfinite(middle)
+    for pair_of_edges in sides:  # what it changes along the phase and across the width adds up
+        for edge in (np.minimum(*pair_of_edges), np.maximum(*pair_of_edges)):
+            change = np.subtract(edge, middle, where=known & np.isfinite(edge), out=np.zeros_like(middle))
+            below += np.maximum(-change, 0.0)
+            above += np.maximum(change, 0.0)
+    u, middle, below, above = (each.reshape(points, -1) for each in (u, middle, below, above))
+    for each in (phases, u, middle, below, above):
+        each.setflags(write=False)
+    return phases, u, (middle, below, above), 1.0 / slices
+
+
+def _gaps(
+    pair: CylindricalPair, modification: PairModification, beyond: float, phases: Reals, across: Reals
+) -> tuple[Reals, Reals]:
+    """Places on the path of contact, 0 to 1, and gaps there, shape (phases, pairs, across)."""
+    start, end = pair.path_of_contact
     more = ceil(beyond * pair.transverse_contact_ratio)
     turns = np.arange(-more, ceil(pair.total_contact_ratio) + 1 + more)
-    u = phases[:, None, None] + turns[:, None] - (across + 0.5) * overlap
+    u = phases[:, None, None] + turns[:, None] - (across + 0.5) * pair.overlap_ratio
     u = u / pair.transverse_contact_ratio
     places = start + (end - start) * np.clip(u, 0.0, 1.0)
-    gaps = modification.gap(pair, places, np.broadcast_to(across, u.shape)) + _corners(pair, u, beyond)
-    found = phases, u.reshape(points, -1), gaps.reshape(points, -1)
-    for each in found:
-        each.setflags(write=False)
-    return *found, 1.0 / slices
+    return u, modification.gap(pair, places, np.broadcast_to(across, u.shape)) + _corners(pair, u, beyond)
 
 
 def _corners(pair: CylindricalPair, u: Reals, beyond: float) -> Reals:
