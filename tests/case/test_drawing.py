@@ -223,3 +223,27 @@ def test_a_range_of_speed_has_two_ends_in_order_and_does_not_vary():
         loads(TEXT, {"least_speed": "2000 rpm"})
     with pytest.raises(CaseError, match=r"more than operation\.least_speed = 6000 rpm"):
         loads(TEXT, {**ends, "least_speed": "6000 rpm"})
+
+
+def test_what_does_not_follow_from_an_assumption_is_not_said_to_rest_on_it():
+    """Neither pressure angle nor profile shifts are stated: circles that need neither carry no mark."""
+    case = loads(
+        'kind = "spur-1dof"\n[pinion]\nteeth = 21\nface_width = "80 mm"\n'
+        '[gear]\nteeth = 94\nface_width = "80 mm"\n'
+        '[mesh]\nnormal_module = "8 mm"\ncentre_distance = "461 mm"\n'
+        '[operation]\npinion_speed = "1480 rpm"\ntorque = "1800 N m"\n'
+    )
+    rests = {value.path: value.rests_on for value in case.values() if value.provenance == "derived"}
+    free = (
+        "centre_distance", "transverse_module", "reference_diameter_pinion", "working_diameter_gear",
+        "tangential_force", "working_tangential_force", "line_load", "pitch_line_speed",
+    )  # fmt: skip
+    assert [leaf for leaf in free if rests[f"derived.{leaf}"]] == []
+    for leaf in ("base_diameter_gear", "radial_force", "normal_force", "working_pressure_angle"):
+        assert "mesh.pressure_angle" in rests[f"derived.{leaf}"]
+    turned = case.with_overrides({"mesh.pressure_angle": "22.5 deg"})
+    values, other = ({v.path: v.value for v in each.values()} for each in (case, turned))
+    assert all(
+        values[f"derived.{leaf}"] == pytest.approx(other[f"derived.{leaf}"], rel=1e-12) for leaf in free
+    )
+    assert values["derived.base_diameter_gear"] != other["derived.base_diameter_gear"]

@@ -444,7 +444,7 @@ def test_estimates_at_the_ends_of_their_ranges_are_held_against_the_stated_range
     kind, first, line = told(replace(quiet, speeds=(*quiet.speeds, apart)))
     assert kind == "doubt"
     assert first.endswith("as estimated; with an estimate elsewhere in its range they do.")
-    assert line.endswith("closer where teeth are pressed together least.")
+    assert line.endswith("closer where teeth are pressed together least).")
     assert re.search(r"exists at \d+ to \d+\S* rpm with mesh.error = 16.3 µm; all else as estimated", line)
     narrow = {"operation.least_speed": f"{low - 60} rpm", "operation.greatest_speed": f"{high - 1} rpm"}
     said = verdict(replace(found, case=found.case.with_overrides(narrow), ranges=quiet))

@@ -72,7 +72,7 @@ def speed_range(found: Assessment, words: Words) -> OverSpeed | None:
     more = len(parting) - len(shown)
     text = "; ".join(_parting(one, words) for one in shown)
     text += f"; and with {more} more" if more else ""
-    said = f"No motion without impacts exists {text}; all else as estimated, looked at {looked}."
+    said = f"No motion without impacts exists {text}; all else as estimated ({looked})."
     return OverSpeed(True, False, True, short, f"{free}, as estimated. {said}")
 
 

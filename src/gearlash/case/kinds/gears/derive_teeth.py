@@ -43,15 +43,15 @@ def under_torque(pair: GearPair) -> Iterator[Derived]:
     on_reference, on_working = 2.0 * torque / teeth.pinion.reference_diameter, torque / rolling
     along = tan(abs(teeth.pinion.helix_angle))
     normal = 2.0 * torque / teeth.pinion.base_diameter / cos(teeth.pinion.base_helix_angle)
-    own = ("load", *_angles(pair))
-    mated = (*own, *_centre(pair))
+    own, rolled = ("load", *_reference(pair)), ("load", *_rolling(pair))
+    pressed = ("load", *_angles(pair))
     rows = (
         ("tangential_force", on_reference, "2 T_p/d_p", own, "F_t on the reference circles"),
-        ("working_tangential_force", on_working, "2 T_p/d_wp", mated, "F_wt on the working circles"),
-        ("radial_force", on_working * tan(teeth.working_pressure_angle), "F_wt tan α_wt", mated,
-         "F_r, pushes the shafts apart"),
+        ("working_tangential_force", on_working, "2 T_p/d_wp", rolled, "F_wt on the working circles"),
+        ("radial_force", on_working * tan(teeth.working_pressure_angle), "F_wt tan α_wt",
+         (*pressed, *_centre(pair)), "F_r, pushes the shafts apart"),
         ("axial_force", on_reference * along, "F_t tan β", own, "F_a on each shaft, its size"),
-        ("normal_force", normal, "2 T_p/(d_bp cos β_b)", own, "F_bn, normal to the flanks"),
+        ("normal_force", normal, "2 T_p/(d_bp cos β_b)", pressed, "F_bn, normal to the flanks"),
     )  # fmt: skip
     for leaf, value, formula, inputs, text in rows:
         yield Derived(f"derived.{leaf}", value, "N", formula, inputs, f"{text}, at the mean torque")
@@ -61,7 +61,7 @@ def under_torque(pair: GearPair) -> Iterator[Derived]:
         yield Derived("derived.line_load", load, "N/mm", "F_t/b", (*own, *widths), text)
     speed = float(scales.pinion_speed(pair.numbers.parameters["omega"])) * rolling
     text = "pitch line speed v, of the working circles"
-    inputs = ("omega", *_angles(pair), *_centre(pair))
+    inputs = ("omega", *_rolling(pair))
     yield Derived("derived.pitch_line_speed", speed, "m/s", "π n_p d_wp", inputs, text)
 
 
@@ -113,6 +113,18 @@ def _angles(pair: GearPair) -> tuple[str, ...]:
     return (pair.rules.module, "mesh.pressure_angle", "mesh.helix_angle", "pinion.teeth", "gear.teeth")
 
 
+def _reference(pair: GearPair) -> tuple[str, ...]:
+    """What the reference circles follow from: no pressure angle."""
+    return tuple(path for path in _angles(pair) if path != "mesh.pressure_angle")
+
+
+def _rolling(pair: GearPair) -> tuple[str, ...]:
+    """What the working circles follow from: they share the centre distance by the numbers of teeth."""
+    if CENTRE in pair.entries:
+        return (*_centre(pair), "pinion.teeth", "gear.teeth")
+    return (*_angles(pair), *_centre(pair))
+
+
 def _widths(pair: GearPair) -> tuple[str, ...]:
     return tuple(f"{gear}.face_width" for gear in GEARS)
 
@@ -130,7 +142,8 @@ def _of_pair(pair: GearPair, teeth: CylindricalPair) -> Iterator[Derived]:
     work = bool(play.stated(pair.entries))
     if not work:
         text = "centre distance a_w"
-        yield Derived("derived.centre_distance", MM * teeth.centre_distance, "mm", STANDARD, inputs, text)
+        found = MM * teeth.centre_distance
+        yield Derived("derived.centre_distance", found, "mm", STANDARD, _rolling(pair), text)
     text = "α_wt" if not work else (
         "α_wt at the centre distance at work; contact ratio and stiffness are those of it"
     )  # fmt: skip
@@ -138,14 +151,15 @@ def _of_pair(pair: GearPair, teeth: CylindricalPair) -> Iterator[Derived]:
     yield Derived("derived.working_pressure_angle", angle, "deg", STANDARD, inputs, text)
     gear, start_end = teeth.pinion, teeth.path_of_contact
     rows = (
-        ("transverse_module", MM * gear.transverse_module, "mm", "transverse module m_t"),
-        ("transverse_pressure_angle", degrees(gear.transverse_pressure_angle), "deg",
+        ("transverse_module", MM * gear.transverse_module, "mm", _reference(pair), "transverse module m_t"),
+        ("transverse_pressure_angle", degrees(gear.transverse_pressure_angle), "deg", _angles(pair),
          "transverse pressure angle α_t"),
-        ("base_helix_angle", degrees(gear.base_helix_angle), "deg", "helix angle β_b at the base cylinder"),
-        ("base_pitch", MM * gear.transverse_base_pitch, "mm", "transverse base pitch p_et"),
+        ("base_helix_angle", degrees(gear.base_helix_angle), "deg", _angles(pair),
+         "helix angle β_b at the base cylinder"),
+        ("base_pitch", MM * gear.transverse_base_pitch, "mm", _angles(pair), "transverse base pitch p_et"),
     )  # fmt: skip
-    for leaf, value, unit, text in rows:
-        yield Derived(f"derived.{leaf}", value, unit, STANDARD, _angles(pair), text)
+    for leaf, value, unit, follows, text in rows:
+        yield Derived(f"derived.{leaf}", value, unit, STANDARD, follows, text)
     length = MM * (start_end[1] - start_end[0])
     yield Derived(
         "derived.path_of_contact", length, "mm", STANDARD, inputs, "length of the path of contact g_α"
@@ -157,10 +171,9 @@ def _of_gear(pair: GearPair, name: str, at: int, teeth: CylindricalPair) -> Iter
     gear, own = teeth.gears[at], (*_angles(pair), f"{name}.profile_shift")
     thick = (*own, f"{name}.thickness_allowance", "mesh.rack")
     rows: tuple[tuple[str, float, tuple[str, ...], str], ...] = (
-        ("reference_diameter", gear.reference_diameter, _angles(pair), "reference diameter d"),
+        ("reference_diameter", gear.reference_diameter, _reference(pair), "reference diameter d"),
         ("base_diameter", gear.base_diameter, _angles(pair), "base diameter d_b"),
-        ("working_diameter", teeth.working_diameters[at], (*_angles(pair), *_centre(pair)),
-         "working pitch diameter d_w"),
+        ("working_diameter", teeth.working_diameters[at], _rolling(pair), "working pitch diameter d_w"),
         ("tip_diameter", gear.tip_diameter, (*own, f"{name}.tip_diameter"), "tip diameter d_a"),
         ("root_diameter", gear.root_diameter, (*thick, f"{name}.root_diameter"), "root diameter d_f"),
         ("root_form_diameter", gear.root_form_diameter, thick, "root form diameter d_Ff"),

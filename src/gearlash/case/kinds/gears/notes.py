@@ -104,8 +104,8 @@ def _relief(pair: GearPair) -> Iterator[Note]:
     size = np.ptp(evaluate(series, np.linspace(0.0, 2.0 * np.pi, 720)))
     yield Note(
         path,
-        f"modified flanks at this torque: {1e6 * of_flanks:.3g} um of static error under load, peak to "
-        f"peak, made of the varying stiffness and of {1e6 * size:.3g} um of error beside mesh.error, which "
+        f"modified flanks at this torque: {1e6 * of_flanks:.3g} µm of static error under load, peak to "
+        f"peak, made of the varying stiffness and of {1e6 * size:.3g} µm of error beside mesh.error, which "
         "is that of deviations from the modified flanks. Left out: "
         "contact lines that change while the force swings about that of this torque",
     )
