@@ -104,6 +104,7 @@ def test_numeric_cells_are_marked_and_lines_kept_apart() -> None:
 
 
 def test_indices_are_set_low_but_paths_are_not() -> None:
+    assert subscripts("√(c_γ/m_red)") == "√(c<sub>γ</sub>/m<sub>red</sub>)"
     assert subscripts("F on σ_d, k_m D_c") == "F on σ<sub>d</sub>, k<sub>m</sub> D<sub>c</sub>"
     for path in ("gear.face_width", "derived.c_t", "back_gap", "natural_frequency_1"):
         assert subscripts(path) == path

@@ -11,7 +11,7 @@ from markupsafe import Markup, escape
 from .blocks import Page
 from .svg import inline
 
-_INDEX = re.compile(r"(?<![\w.])([A-Za-zΑ-ω])_([A-Za-zα-ω0-9]{1,2})(?![A-Za-z0-9_])")
+_INDEX = re.compile(r"(?<![\w.])([A-Za-zΑ-ω])_([A-Za-zα-ω0-9]{1,2}|red)(?![A-Za-z0-9_])")
 
 
 def subscripts(text: str) -> Markup:

@@ -213,7 +213,7 @@ def _pressed(found: Assessment) -> str:
         return ""
     several = found.beside is not None and bool(found.beside.others)
     whose = "in that from the cold start" if several else "there"
-    left = at_most(100.0 * share, 2)
+    left = at_most(100.0 * share, 3)
     return f"; {whose} the least mesh force over a cycle is {left} % of the static mesh force"
 
 
