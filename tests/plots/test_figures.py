@@ -446,3 +446,48 @@ def test_a_study_without_motion_is_refused_and_one_with_some_is_drawn() -> None:
     some = gl.sweeps(case, gl.Axis("D", np.array([-1.0, 0.5, 1.0])), ("cold",))
     low, high = plots.diagram(gl.sweep_dataset(case, some)).axes[0].get_xlim()
     assert (low, high) == (0.5, 1.0)
+
+
+def _legend(figure: Figure) -> set[str]:
+    return {
+        text.get_text() for legend in figure.legends for text in (*legend.get_texts(), legend.get_title())
+    }
+
+
+def test_a_legend_names_what_is_in_the_figure_and_no_more() -> None:
+    """Of a motion that stays far from the gap neither that nor its boundaries."""
+    case = gl.load_case("kahraman-singh", {"omega": 0.5})
+    family, _ = case.family()
+    far, near = (
+        gl.motion(gl.attractor(family.system({"load": load}), family.start({"load": load})))
+        for load in (0.8, 0.1)
+    )
+    assert far.displacement.min() > 1.5 * far.gap_plus
+    gap, boundaries = r"gap,  $-D \leq X_n \leq D$", r"boundaries $\pm D$"
+    assert gap not in _legend(plots.portrait(far))
+    assert boundaries not in _legend(plots.history(far))
+    hitting = gl.motion(gl.attractor(family.system({"omega": 0.8}), [3.0, 0.0]))
+    assert hitting.displacement.min() < hitting.gap_plus
+    assert gap in _legend(plots.portrait(hitting))
+    assert boundaries in _legend(plots.history(hitting))
+    assert near.displacement.min() > near.gap_plus
+    assert gap in _legend(plots.gallery([far, hitting]))
+
+
+def test_a_title_stands_in_place_of_value_and_label_and_an_assumed_scale_is_explained() -> None:
+    case = gl.load_case("article")
+    found = gl.motion(gl.attractor(case.family()[0].system(), case.family()[0].start()))
+    for draw in (plots.portrait, plots.history):
+        figure = draw(found, units(), title="drive:  1-0\n4000 rpm, 5 % more")
+        assert figure.axes[0].get_title(loc="left") == r"drive:  1-0" + "\n" + r"4000 rpm, 5 % more"
+        assert any("assumed value" in text for text in _legend(figure))
+        assert not any("assumed value" in text for text in _legend(draw(found)))
+
+
+def test_residuals_have_the_markers_of_what_was_measured() -> None:
+    values = [3.0, 4.0, 3.2, 4.1]
+    figure = plots.overlay(
+        [1, 2, 1, 2], values, values, values, "speed", "force", directions=["up"] * 2 + ["down"] * 2
+    )
+    upper, lower = ({str(line.get_marker()) for line in axes.lines} - {"None", ""} for axes in figure.axes)
+    assert upper == lower == {"^", "v"}

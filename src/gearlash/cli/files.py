@@ -12,6 +12,7 @@ from gearlash.case.units import pretty
 from gearlash.results import PlaneMap, Sweep, plane_dataset, sweep_dataset
 from gearlash.results.dataset import FORMAT_VERSION
 from gearlash.results.store import netcdf, write_together
+from gearlash.system import Signature
 
 from .folder import MOTION_FILES, OutFolder
 from .interrupt import optional
@@ -142,8 +143,14 @@ def write_motion(folder: OutFolder, case: Case, attractor: Attractor, answer: Ru
     if found is None:
         return
     optional(lambda: _write_series(folder, case, attractor, answer))
-    draw_if(folder, "portrait", True, lambda plots: plots.portrait(found, units=plots.Units.of(case)))
-    draw_if(folder, "history", True, lambda plots: plots.history(found, units=plots.Units.of(case)))
+    label = found.label.short if isinstance(found.label, Signature) else str(found.label)
+    title = "\n".join(filter(None, [f"{case.name}:  {label}", at_what(case).removeprefix(", at ")]))
+
+    def drawn(name: str) -> Callable[[Any], Figure]:
+        return lambda plots: getattr(plots, name)(found, units=plots.Units.of(case), title=title)
+
+    draw_if(folder, "portrait", True, drawn("portrait"))
+    draw_if(folder, "history", True, drawn("history"))
 
 
 def _write_series(folder: OutFolder, case: Case, attractor: Attractor, answer: RunAnswer) -> None:

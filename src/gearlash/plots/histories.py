@@ -9,6 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
@@ -17,14 +18,14 @@ from gearlash.studies.motion import Motion
 
 from . import style
 from .portraits import TOUCH, heading, stretches
-from .units import FORCE, PHASE, Units, X, second
+from .units import ASSUMED, FORCE, PHASE, Units, X, literal, rests, second
 
 LONG = 4  # mesh cycles above which a motion needs the width of the page
 MOST_DRAWN_CYCLES = 12  # mesh cycles of a motion that does not repeat
 
 
 @style.styled
-def history(motion: Motion, units: Units | None = None, parameter: str = "omega") -> Figure:
+def history(motion: Motion, units: Units | None = None, parameter: str = "omega", title: str = "") -> Figure:
     """Displacement and mesh force of one motion over time, as wide as a column.
 
     Parameters
@@ -35,6 +36,8 @@ def history(motion: Motion, units: Units | None = None, parameter: str = "omega"
         Second axes in physical units: `Units.of` a case.
     parameter : str
         Short name of the parameter whose value stands in the heading.
+    title : str
+        In place of that heading.
 
     Returns
     -------
@@ -51,7 +54,12 @@ def history(motion: Motion, units: Units | None = None, parameter: str = "omega"
     """
     figure = style.figure(style.COLUMN, 84.0)
     upper, lower = figure.subplots(2, 1, sharex=True)
-    _columns(figure, [(upper, lower)], [motion], units or Units(), parameter)
+    scales = units or Units()
+    _columns(figure, [(upper, lower)], [motion], scales, parameter)
+    if title:
+        upper.set_title(literal(title))
+    if figure.legends and rests(scales.length, scales.force):
+        figure.legends[0].set_title(ASSUMED, prop=FontProperties(size=6.5))
     return figure
 
 
@@ -116,7 +124,9 @@ def _columns(
         pair[0].set_title(letter + heading(motion, parameter))
         pair[1].set_xlabel(PHASE)
         _labels(*pair, units, first=i == 0, last=i == len(motions) - 1)
-    figure.legend(handles=_key(motions), loc="outside lower center", ncols=5 if len(motions) > 1 else 3)
+    handles = _key(motions)
+    if handles or rests(units.length, units.force):
+        figure.legend(handles=handles, loc="outside lower center", ncols=5 if len(motions) > 1 else 3)
 
 
 def _labels(upper: Axes, lower: Axes, units: Units, first: bool, last: bool) -> None:
@@ -145,9 +155,7 @@ def _displacement(axes: Axes, motion: Motion) -> None:
     x = motion.displacement
     low, high = float(x.min()), float(x.max())
     wide = high - low
-    for edge, text in ((motion.gap_plus, "$+D$"), (-motion.gap_minus, "$-D$")):
-        if not low - 0.3 * wide <= edge <= high + 0.3 * wide:
-            continue
+    for edge, text in _edges(motion):
         low, high = min(low, edge), max(high, edge)
         axes.axhline(edge, color=style.BOUNDARY, lw=0.7, zorder=1.0)
         axes.annotate(
@@ -183,6 +191,14 @@ def _displacement(axes: Axes, motion: Motion) -> None:
         mew=0.6,
         zorder=4,
     )
+
+
+def _edges(motion: Motion) -> list[tuple[float, str]]:
+    """The boundaries near the motion, which are drawn, with their names."""
+    low, high = float(motion.displacement.min()), float(motion.displacement.max())
+    reach = 0.3 * (high - low)
+    both = (motion.gap_plus, "$+D$"), (-motion.gap_minus, "$-D$")
+    return [(edge, text) for edge, text in both if low - reach <= edge <= high + reach]
 
 
 def _clearest(motion: Motion, edge: float, wide: float) -> float:
@@ -221,5 +237,6 @@ def _key(motions: Sequence[Motion]) -> list[Line2D | Patch]:
         handles.append(Line2D([], [], ls="none", marker="o", ms=3.0, color=style.BOUNDARY, label="impact"))
     if any(m.touch for m in motions):
         handles.append(Line2D([], [], label="touch", **TOUCH))
-    handles.append(Line2D([], [], color=style.BOUNDARY, lw=0.9, label=r"boundaries $\pm D$"))
+    if any(map(_edges, motions)):
+        handles.append(Line2D([], [], color=style.BOUNDARY, lw=0.9, label=r"boundaries $\pm D$"))
     return handles

@@ -74,9 +74,12 @@ def overlay(
             look = {"color": style.INK, "ms": 2.8, "mfc": "white", "mew": 0.7, "ls": "none"}
             upper.plot(places[rows], values[rows], marker=marker, label=words, **look)
     went_up, went_down = ways != "down", ways != "up"
-    hollow = {"color": style.BLUE, "ms": 4.2, "mfc": "none", "mew": 0.8}
-    lower.plot(places[went_up], (values - rising)[went_up], "o", **hollow)
-    lower.plot(places[went_down], (values - falling)[went_down], "s", color=style.VERMILION, ms=1.8)
+    hollow = {"ls": "none", "mfc": "none", "mew": 0.7}
+    for rows, line, colour, marker, size in (
+        (went_up, rising, style.BLUE, "^" if directions else "o", 3.6),
+        (went_down, falling, style.VERMILION, "v" if directions else "s", 2.8),
+    ):
+        lower.plot(places[rows], (values - line)[rows], marker=marker, color=colour, ms=size, **hollow)
     for low, high in jumps:
         for panel in (upper, lower):
             panel.axvspan(low, high, color=JUMP_SHADE, lw=0, zorder=0.1)

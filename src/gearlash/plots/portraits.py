@@ -19,7 +19,7 @@ from gearlash.studies.motion import Motion
 from . import style
 from .framing import Box, frame, zoom_frame
 from .regimes import short
-from .units import VELOCITY, Units, X, literal, second
+from .units import ASSUMED, VELOCITY, Units, X, literal, rests, second
 from .words import ANY
 
 # Colour, line style and width of a stretch: drive side, free, back side.
@@ -40,7 +40,7 @@ TOUCH: dict[str, Any] = {
 
 
 @style.styled
-def portrait(motion: Motion, units: Units | None = None, parameter: str = "omega") -> Figure:
+def portrait(motion: Motion, units: Units | None = None, parameter: str = "omega", title: str = "") -> Figure:
     """The phase portrait of one motion, as wide as a column.
 
     Parameters
@@ -51,6 +51,8 @@ def portrait(motion: Motion, units: Units | None = None, parameter: str = "omega
         Second axes in physical units: `Units.of` a case.
     parameter : str
         Short name of the parameter whose value stands in the heading.
+    title : str
+        In place of that heading.
 
     Returns
     -------
@@ -69,10 +71,14 @@ def portrait(motion: Motion, units: Units | None = None, parameter: str = "omega
     axes = figure.subplots()
     draw(axes, motion)
     _limits(axes, frame([motion]))
-    axes.set_title(heading(motion, parameter))
+    axes.set_title(literal(title) if title else heading(motion, parameter))
     axes.set(xlabel=X, ylabel=VELOCITY)
-    second(axes, (units or Units()).length)
-    figure.legend(handles=key([motion], units), loc="outside lower center", ncols=2)
+    length = (units or Units()).length
+    second(axes, length)
+    told = ASSUMED if rests(length) else None
+    figure.legend(
+        handles=key([motion], units), loc="outside lower center", ncols=2, title=told, title_fontsize=6.5
+    )
     return figure
 
 
@@ -245,7 +251,7 @@ def draw(axes: Axes, motion: Motion, names: bool = True, strobes: bool = True) -
                 zorder=4,
                 mfc=style.BOUNDARY if engaging else "white",
                 mec=style.BOUNDARY,
-                mew=0.7,
+                mew=0.7 * min(1.0, 1.4 * thin),
             )
     if strobes:
         axes.plot(
@@ -257,7 +263,7 @@ def draw(axes: Axes, motion: Motion, names: bool = True, strobes: bool = True) -
             zorder=5,
             mfc=style.YELLOW,
             mec=style.INK,
-            mew=0.5,
+            mew=0.5 * thin,
         )
     if motion.touch:
         axes.plot(
@@ -346,6 +352,8 @@ def key(motions: Sequence[Motion], units: Units | None = None, plain: bool = Fal
     )
     if any(m.touch for m in motions):
         handles.append(Line2D([], [], label="touch: $X_n'=0$", **TOUCH))
-    gap = "backlash" if plain else r"gap,  $-D \leq X_n \leq D$"
-    handles.append(Patch(facecolor=style.FREE_SHADE, label=gap))
+    left, right, _, _ = frame(motions)
+    if any(left < m.gap_plus and -m.gap_minus < right for m in motions):
+        gap = "backlash" if plain else r"gap,  $-D \leq X_n \leq D$"
+        handles.append(Patch(facecolor=style.FREE_SHADE, label=gap))
     return handles
