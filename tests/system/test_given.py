@@ -207,6 +207,8 @@ def family(**changes: Any) -> gl.Family:
         ({"states": "xv"}, "states of a family = 'xv'"),
         ({"states": ("x", "x")}, "'x' stands there twice"),
         ({"states": ("x", 1)}, "expected a name"),
+        ({"states": {"x", "v"}}, "in order: a set has none"),
+        ({"parameters": frozenset({gl.Parameter("omega", 0.8)})}, "in order: a set has none"),
         ({"parameters": {"omega": 0.8}}, "expected parameters, such as"),
         ({"parameters": [gl.Parameter("omega", 1.0)] * 2}, "'omega' stands there twice"),
         ({"build": system()}, "build of a family"),

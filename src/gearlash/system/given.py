@@ -184,7 +184,10 @@ def unique(name: str, found: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def items(name: str, value: Any, expected: str) -> tuple[Any, ...]:
-    """The elements of a list, a tuple or another collection. A text does not count as a collection."""
+    """The elements of a list, a tuple or another collection that keeps an order. A set does not: in the next
+    process another element may come first. A text does not count as a collection."""
+    if isinstance(value, (set, frozenset)):
+        raise GearlashError(f"{name}: expected {expected}, in order: a set has none")
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
             return tuple(value)
