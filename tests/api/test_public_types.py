@@ -15,7 +15,7 @@ import pytest
 from api.public import GUESTS, NAMESPACES, function_of, members, names
 
 PUBLIC = names(NAMESPACES | GUESTS)
-KERNELS = {"Shape", "Tables"}
+KERNELS = {"Responses", "Shape", "Tables"}
 """Arrays for the kernels, which `Propagators` carries; their content is no part of the interface."""
 
 
