@@ -48,7 +48,7 @@ from .regions import (
     twin,
     units_of,
 )
-from .responses import Responses, each_alone, responses
+from .responses import each_alone, responses
 from .tables import Tables, calls, copy_in_pieces
 
 TRUNCATION = 1e-15  # bound on the Taylor remainder of every unit column of every cell map
@@ -106,7 +106,7 @@ class Propagators(Record):
     centres: Array
     key: tuple
     store: dict[str, Tables]
-    responses: dict[int, Responses]
+    responses: dict[int, tuple[Array, Array, float, float]]
     lock: threading.Lock = field(default_factory=threading.Lock)
 
     def __reduce__(self) -> tuple[Any, ...]:
