@@ -121,5 +121,5 @@ def test_plastics_are_told_what_the_estimates_leave_out():
     found = notes({**plastic, "mesh.temperature": "60 degC", "operation.torque": "60 N m"})
     assert "POM at 60 °C is softer" in found["pinion.temperature"]
     assert "0.9 to 3.4 GPa" in found["gear.temperature"]
-    assert "touch before and behind the path of contact" in found["operation.torque"]
+    assert "touch well before and behind the path of contact" in found["operation.torque"]
     assert "operation.torque" not in notes({**plastic, "operation.torque": "5 N m"})
