@@ -1,6 +1,7 @@
 """gearlash compare: a synthetic measurement with known parameters, units of columns, levels, refusals."""
 
 import json
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -12,8 +13,15 @@ import pytest
 
 import gearlash as gl
 from cli.conftest import Gearlash
-from gearlash.cli.answers.compare import CompareAnswer, ComparedSpeed, JumpFound, compare_answer
-from gearlash.cli.show.compare import rows_shown
+from gearlash.cli.answers.compare import (
+    CompareAnswer,
+    ComparedPeak,
+    ComparedSpeed,
+    JumpFound,
+    compare_answer,
+)
+from gearlash.cli.answers.parts import CaseUsed
+from gearlash.cli.show.compare import compare_view, rows_shown
 from gearlash.jobs import Outcome
 from gearlash.orbits.figures import Figure, figure_of
 from gearlash.studies import comparison
@@ -168,6 +176,35 @@ def test_lines_and_rms_agree_with_samples(case: gl.Case):
     assert np.abs(slope).max() > 0.5 * peak
 
 
+def test_computed_is_said_where_both_ways_of_speed_are_largest():
+    """A value that is alike both ways is not the largest of both where one way has another elsewhere."""
+    up = ComparedPeak("up", 0.84, 0.3, 0.34, 0.34, None)
+    down = ComparedPeak("down", 0.72, 0.3, 0.29, 0.39, None)
+
+    points = (ComparedSpeed(0.84, 0.3, 0.34, 0.34, "1-0-0", "1-0-0", -0.04, "up", None),)
+
+    def names(*peaks: ComparedPeak) -> list[str]:
+        answer = CompareAnswer(
+            "", "ok", "", cast(CaseUsed, None), "mesh_force", "peak-to-peak", None, ("", ""), 0, "", "",
+            points, None, None, None, None, peaks, 1.0, (),
+        )  # fmt: skip
+        text = "\n".join(line.plain for line in compare_view(answer, 100))
+        return re.findall(r"(computed(?:, speed \w+)?) +0\.\d+ at", text)
+
+    assert names(up) == ["computed"]
+    assert names(up, down) == ["computed, speed rising", "computed, speed falling"]
+    assert names(replace(up, down=None)) == ["computed, speed rising"]
+
+
+def test_the_largest_of_a_way_is_told_though_it_equals_the_measured_one(case: gl.Case):
+    """Where nothing was computed with speed rising, there is no curve that falling could repeat."""
+    whole = compared(case, RPM[-2:], [1.0, 2.0], "mesh_force")
+    down = np.array([1.0, 2.0])
+    stopped = replace(whole, up=np.array([np.nan, np.nan]), down=down / whole.measurement.factor)
+    told = [(each.curve, each.down) for each in compare_answer(case, stopped).peaks]
+    assert told == [("measured", pytest.approx(2.0)), ("down", pytest.approx(2.0))]
+
+
 def test_the_rows_that_are_shown_have_the_largest_of_all():
     """Of 101 rows a fifth is shown: a peak of one row would fall between."""
     speed = np.linspace(1000.0, 2000.0, 101)
@@ -193,6 +230,8 @@ def test_the_rows_that_are_shown_have_the_largest_of_all():
         ("n [rpm];x [m/s²]\n1000;2\n2000;4", (), "--quantity acceleration_yp has it"),
         ("n [rpm];x [kN]\n1000;2\n2000;4", ("--quantity", "acceleration_yp"), "--quantity mesh_force has it"),
         ("n [rpm];x [dB]\n1000;2\n2000;4", (), "what the levels refer to"),
+        ("n [rpm];x [dB]\n1000;2\n2000;4", ("--reference", "1e999 um"), "what the levels refer to"),
+        ("n [rpm];x [dB re 1e999 um]\n1000;2\n2000;4", (), "what the levels refer to"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--value", "y"), "the name or number of a column"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--quantity", "mesh_forc"), "did you mean 'mesh_force'"),
         ("n [rpm];x [g]\n1000;2\n2000;4", ("--quantity", "acceleration_y"), "did you mean 'acceleration_yp'"),

@@ -13,6 +13,7 @@ import pytest
 import xarray as xr
 
 import gearlash as gl
+from gearlash.case import loads
 from gearlash.case.rating import band_of_grades, grades_of, method_b, pair_of
 from gearlash.cli.answers.report import ReportPart, report_answer
 from gearlash.gears import flank_tolerances, mesh_stiffness
@@ -23,7 +24,7 @@ from gearlash.report.pair import Contents, document, speed
 from gearlash.report.pair.maps import other_torques
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
 from gearlash.report.pair.orders import exciting, meetings, meetings_within, natural_frequencies
-from gearlash.report.pair.stated import in_brief, pair_tables
+from gearlash.report.pair.stated import in_brief, of_either, pair_tables
 from gearlash.report.pair.verdict import Verdict, verdict
 from gearlash.report.pair.words import Words
 from gearlash.results import NO_LABEL, Axis
@@ -166,6 +167,24 @@ def test_which_part_of_the_force_across_a_shaft_bearings_carry(window: tuple[Ass
         assert ("all of the force across a shaft" in caption) == (axis == "line-of-action")
         told.append(abs(run.column(0, "bearing_force_yp.mean")[0]))
     assert told[0] / told[1] == pytest.approx(cos(tangent), rel=1e-9)
+
+
+def test_factors_alone_do_not_say_which_way_bearings_give():
+    """A model in numbers has no directions of a drawing: the page names no `model.y_axis` that it has not."""
+    whole = gl.load_case("article")
+    pair, numbers = whole.numbers.pair, whole.family()[0].defaults
+    lines = [f"{name} = {value!r}" for name, value in numbers.items() if not name.startswith("bearing_")]
+    lines += [f"{one}_factor = {getattr(pair, f'{one}_factor')!r}" for one in "yz"]
+    lines += [f"mass_ratio_{gear} = {ratio!r}" for gear, ratio in zip("pg", pair.mass_ratios, strict=True)]
+    bearings = zip(("yp", "zp", "yg", "zg"), pair.bearing_frequencies, strict=True)
+    lines += [f"bearing_frequency_{name} = {value!r}" for name, value in bearings]
+    lines.append(f"bearing_damping = {numbers['bearing_damping_yp']!r}")
+    case = loads('kind = "helical-pair"\n[dimensionless]\n' + "\n".join(lines))
+    axis = Axis.even("omega", 0.9, 0.95, 2)
+    contents = Contents(assess(case, axis), speed_run(case, axis), ())
+    tables = (block for block in speed.section(contents, "")[0].blocks if isinstance(block, Table))
+    caption = next(table.caption for table in tables if table.id == "table-bearings")
+    assert caption == "Peaks of bearing forces over these speeds."
 
 
 def test_impact_free_is_not_quiet_and_the_report_says_so(window: tuple[Assessment, SpeedRun]):
@@ -488,6 +507,26 @@ def test_a_page_tells_the_pair_that_it_is_of():
         derived["mean mesh stiffness c_γ per common face width, transverse, as in ISO 6336-1"][0], Marked
     )
     assert [table.id for table in pair_tables(gl.load_case("kahraman-singh"))] == ["stated"]
+
+
+@pytest.mark.parametrize("name", ["drawing.toml", "spurs.toml"])
+def test_words_of_either_gear_are_the_same_in_its_column(name: str):
+    """Every quantity that a case may state of a gear: what is left of its words names neither gear, and is
+    whole. Two rows would stand in the table where one says what the other does."""
+    case = gl.load_case(CASES / name)
+    places = {place.path: place.description for place in case.content.places.values() if "." in place.path}
+    rows = 0
+    for path, words in places.items():
+        table, _, rest = path.partition(".")
+        if table == "pinion":
+            own, other = of_either(words, "pinion"), of_either(places[f"gear.{rest}"], "gear")
+            assert own == other, path
+            assert not re.search(r"'s\b(?! (modulus|ratio))|itself|likewise|  |\b(pinion|gear)\b", own), own
+            rows += 1
+    assert rows > 30
+    assert of_either("mass beside that of the gear itself, of its shaft", "gear") == (
+        "mass beside its own, of its shaft"
+    )
 
 
 def test_the_order_of_the_mesh_that_meets_a_natural_frequency_in_a_band_is_named():

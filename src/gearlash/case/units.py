@@ -73,12 +73,15 @@ def behind_number(text: str) -> str:
 
 
 def number_and_unit(text: str) -> tuple[float, str]:
-    """A finite number and what stands behind it; NaN and nothing where no number stands there."""
+    """A number and what stands behind it: NaN where it is none or not finite, nothing where there is none."""
     try:
         match = _NUMBER.fullmatch(plain_value(text))
     except UnitError:
         match = None
-    return (float(match[1]), match[2]) if match else (nan, "")
+    if match is None:
+        return nan, ""
+    found = float(match[1])
+    return (found if isfinite(found) else nan), match[2]
 
 
 def in_unit_of(other: str, text: str) -> str:

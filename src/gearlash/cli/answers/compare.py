@@ -182,7 +182,7 @@ def _peaks(case: Case, found: Comparison, points: tuple[ComparedSpeed, ...]) -> 
         point = points[at]
         if curve == "down" and known == (at, f"{point.down:.9g}"):
             continue
-        known = (at, f"{values[at]:.9g}")
+        known = (at, f"{values[at]:.9g}") if curve == "up" else None
         frequency = float(case.scales.mesh_hz(float(found.omega[at]))) if physical else None
         yield ComparedPeak(curve, point.speed, point.measured, point.up, point.down, frequency)
 

@@ -22,7 +22,9 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
         yield from facts("", [("status", answer.status), ("message", answer.message)], width)
     unit = f" {pretty(answer.unit)}" if answer.unit else ""
     speed = f" {pretty(answer.speed_unit)}" if answer.speed_unit else ""
-    yield from facts("Largest", [_peak(each, unit, speed) for each in answer.peaks], width)
+    ways = {each.curve for each in answer.peaks} - {"measured"}
+    alike = len(ways) == 1  # the largest value of one way is that of the other, too, or it has none
+    yield from facts("Largest", [_peak(each, unit, speed, alike) for each in answer.peaks], width)
     if answer.jumps:
         rows = [
             (
@@ -65,8 +67,9 @@ def compare_view(answer: CompareAnswer, width: int) -> Iterator[Text]:
     )
 
 
-def _peak(peak: ComparedPeak, unit: str, speed: str) -> tuple[str, str]:
-    """Where a curve is largest, and what the others have at that speed."""
+def _peak(peak: ComparedPeak, unit: str, speed: str, alike: bool) -> tuple[str, str]:
+    """Where a curve is largest, and what the others have at that speed; ``alike`` where the computed curves
+    are not largest at two."""
     at = f"{peak.speed:.6g}{speed}"
     if peak.mesh_frequency is not None and "Hz" not in speed:
         at += f" ({peak.mesh_frequency:.5g} Hz of the mesh)"
@@ -74,7 +77,8 @@ def _peak(peak: ComparedPeak, unit: str, speed: str) -> tuple[str, str]:
     if peak.curve == "measured":
         return "measured", f"{peak.measured:.4g}{unit} at {at}; computed there: {computed}"
     own = peak.up if peak.curve == "up" else peak.down
-    name = "computed" if _number(peak.up) == _number(peak.down) else f"computed, {WORDS[peak.curve]}"
+    both = alike and _number(peak.up) == _number(peak.down)
+    name = "computed" if both else f"computed, {WORDS[peak.curve]}"
     return name, f"{_number(own)}{unit} at {at}; measured there: {peak.measured:.4g}{unit}"
 
 

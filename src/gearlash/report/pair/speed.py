@@ -190,7 +190,9 @@ def _bearing_table(run: SpeedRun, units: PairUnits, words: Words, case: Case) ->
 
 def _lateral(case: Case) -> str:
     """Which part of the force across a shaft the lateral bearing force is."""
-    axis = next((str(value.value) for value in case.values() if value.path == "model.y_axis"), "")
+    axis = next((str(value.value) for value in case.values() if value.path == "model.y_axis"), None)
+    if axis is None:  # numbers of a model alone: their factors say nothing of directions on a drawing
+        return ""
     if axis == YAxis.LINE_OF_ACTION:
         return " Lateral ones are along the line of action: all of the force across a shaft."
     return (

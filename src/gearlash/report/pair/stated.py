@@ -84,7 +84,7 @@ def _table(name: str, caption: str, values: Sequence[Value]) -> Iterator[Table]:
     for value in values:
         gear = _gear(value.path)
         words = value.description.partition(";")[0] or value.path
-        words = words.replace(f" of the {gear}", "") if gear else words
+        words = of_either(words, gear) if gear else words
         formula = value.reason if value.provenance == "derived" else ""
         words = f"{words} ({formula})" if formula else words
         shown = _shown(value)
@@ -93,6 +93,12 @@ def _table(name: str, caption: str, values: Sequence[Value]) -> Iterator[Table]:
     cells = tuple((words, *(found.get(gear, "") for gear in GEARS)) for words, found in rows.items())
     if cells:
         yield Table(name, caption, ("", "pair, or pinion", "gear"), cells, frozenset({1, 2}), (62, 19, 19))
+
+
+def of_either(words: str, gear: str) -> str:
+    """Words of one gear as they are of both: its column says which of them it is."""
+    words = words.replace(f"that of the {gear} itself", "its own").replace(f"the {gear}'s", "its")
+    return re.sub(rf" (?:of|in) the {gear}\b", "", words)
 
 
 def _gear(path: str) -> str:

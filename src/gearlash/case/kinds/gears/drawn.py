@@ -116,11 +116,11 @@ def of_gear(gear: str) -> Iterator[Quantity]:
     yield positive(f"{gear}.web_width", LENGTH, "mm", "15 mm", f"width of the web of the {gear}", 5)
     what = f"Young's modulus E of the {gear}, in place of that of its material"
     yield positive(f"{gear}.youngs_modulus", PRESSURE, "GPa", "206 GPa", what, 1e13)
-    what = f"Poisson's ratio ν of the {gear}, likewise"
+    what = f"Poisson's ratio ν of the {gear}, in place of that of its material"
     yield number(f"{gear}.poisson_ratio", "0.3", what, 0.0, 0.499)
-    what = f"density ρ of the {gear}, likewise"
+    what = f"density ρ of the {gear}, in place of that of its material"
     yield positive(f"{gear}.density", DENSITY, "kg/m^3", "7830 kg/m^3", what, 1e5)
-    what = f"coefficient of linear thermal expansion of the {gear}, likewise"
+    what = f"coefficient of linear thermal expansion of the {gear}, in place of that of its material"
     yield expansion(f"{gear}.thermal_expansion", what)
     yield number(
         f"{gear}.quality",
