@@ -14,6 +14,8 @@ from gearlash.cli.inputs import read_over
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 
+CASES = Path(__file__).parents[1] / "cases"
+
 
 def test_all_problems_of_file_and_overrides_at_once(gearlash: Gearlash, tmp_path: Path):
     path = tmp_path / "bad.toml"
@@ -256,6 +258,15 @@ def test_words_left_over_are_given_back_to_their_option(
     between = "=" in instead and not any("=" in word for word in typed)
     how = "takes a name, a = and a value in one word" if between else "takes one word"
     assert f"{how}: {instead}" in " ".join(ran.err.split())
+
+
+def test_names_that_begin_as_negative_numbers_stand_behind_two_dashes(
+    gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.chdir(tmp_path)
+    Path("-5.toml").write_text((CASES / "drive.toml").read_text())
+    assert gearlash("check", "--", "-5.toml").code == 0
+    assert gearlash("check", "-5.toml").code == 2
 
 
 @pytest.mark.parametrize(

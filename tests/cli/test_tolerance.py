@@ -2,10 +2,14 @@
 
 import json
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
 
 from cli.conftest import Gearlash
+from gearlash.cli.answers.tolerance import always_text
+from gearlash.results.tolerance import Tolerance
 
 DRIVE = str(Path(__file__).parents[1] / "cases" / "drive.toml")
 ASKED = ("tolerance", DRIVE, "--over", "pinion_speed=4150:4250rpm:3", "--samples", "2", "--replicates", "2")
@@ -42,3 +46,23 @@ def test_limits_that_do_not_fit(gearlash: Gearlash, limits: list[str], message: 
     ran = gearlash(*ASKED, *(part for one in limits for part in ("--limits", one)))
     assert ran.code == 2
     assert message in " ".join(ran.err.split())
+
+
+@pytest.mark.parametrize(
+    ("bands", "said"),
+    [
+        ([], "no value of the range holds"),
+        ([(900.0, 1000.0)], "combinations tried from 900 to 1000 rpm"),
+        ([(941.9, 942.4)], "only in a band less wide than 1 % of the range and of its values, from 941.9 to"),
+        ([(850.0, 850.2), (941.9, 942.4)], "only in 2 bands less wide than 1 % of the range and of its "
+                                           "values, the widest from 941.9 to 942.4 rpm"),
+        ([(850.0, 850.2), (900.0, 990.0)], "tried from 900 to 990 rpm, and in a band less wide than 1 %"),
+        ([(800.0, 800.5)], "tried from 800 to 800.5 rpm"),  # goes on below the range for all that is known
+        ([(810.0, 820.0), (900.0, 990.0), (1000.0, 1090.0), (1100.0, 1190.0)],
+         "tried from 900 to 990 and 1000 to 1090 and 1100 to 1190 rpm and 1 less wide"),
+    ],
+)  # fmt: skip
+def test_bands_that_nobody_can_run_in_are_no_headline(bands: list[tuple[float, float]], said: str):
+    axis = SimpleNamespace(name="pinion_speed", unit="rpm", values=[800.0, 1800.0])
+    found = SimpleNamespace(axis=axis, always=tuple(bands))
+    assert said in always_text(cast(Tolerance, found))

@@ -14,6 +14,8 @@ from .terminal import harmless
 if TYPE_CHECKING:
     from gearlash.case.units import Dimension
 
+BEHIND = "--"
+"""No word behind it is an option."""
 NUMBERS_ALONE = "N", "P", "S", "NUMBER", "ORDER", "SHARE"
 """What help texts have in the place of numbers without unit."""
 
@@ -25,7 +27,9 @@ class Command(TyperCommand):
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Fails as a wrong use of the command where words are left, and where a unit stands for the case."""
         typed, taken, ctx.allow_extra_args = list(args), self._taken(), True
-        negative = [typed[at] for at in sorted(_loose(typed, taken.valued)) if typed[at][:1] == "-"]
+        options = typed[: typed.index(BEHIND)] if BEHIND in typed else typed
+        loose = sorted(_loose(options, taken.valued))
+        negative = [options[at] for at in loose if options[at][:1] == "-"]
         if negative and not ctx.resilient_parsing:  # would be read as options
             _fail(ctx, negative, meant(typed, negative, taken))
         left = super().parse_args(ctx, args)

@@ -19,6 +19,8 @@ if TYPE_CHECKING:  # answers are described without the engine
 
 CONFIDENCE = 0.05  # chance that a bound is wrong
 MOST_TOLD = 3  # bands in the sentence
+NARROW = 0.01
+"""Of its own values and of the range: a band that is less wide is no place to run at."""
 SURE = 3.0  # standard errors: what an index is above before the sentence tells it
 
 
@@ -159,9 +161,8 @@ def _inputs(found: Tolerance) -> tuple[InputFound, ...]:
 def _sentence(case: Case, found: Tolerance) -> str:
     """What holds at the present value, then the bands that hold for all and for none."""
     here = f"At {value_text(found, found.present)}: {_here(case, found)}"
-    always = f"teeth stay in contact in all combinations tried {bands_text(found, found.always)}"
     never = f"in none {bands_text(found, found.never)}"
-    said = [here, always if found.always else "no value of the range holds for all combinations tried", never]
+    said = [here, always_text(found), never]
     first = found.influences[0] if found.influences else None
     if first is not None and first.total > SURE * first.total_error:
         said.append(f"the margin there depends most on {first.path} ({variance_text(first)} of its variance)")
@@ -170,6 +171,37 @@ def _sentence(case: Case, found: Tolerance) -> str:
     if not found.complete:
         said.append(f"{found.message}: only a part of all combinations was tried")
     return "; ".join(said)
+
+
+def always_text(found: Tolerance) -> str:
+    """Bands that hold for all that was tried. One that is narrow is told as such; one at an end of the range
+    goes on beyond it for all that is known, and is none of these."""
+    if not found.always:
+        return "no value of the range holds for all combinations tried"
+    said = "teeth stay in contact in all combinations tried"
+    low, high = (float(found.axis.values[i]) for i in (0, -1))
+    narrow = [band for band in found.always if _is_narrow(band, low, high)]
+    wide = [band for band in found.always if band not in narrow]
+    less = "less wide than 1 % of the range and of its values"
+    if wide:
+        more = f", and in {_counted(narrow)} {less}" if narrow else ""
+        return f"{said} {bands_text(found, wide)}{more}"
+    widest = bands_text(found, [max(narrow, key=_width)])
+    which = f"the widest {widest}" if len(narrow) > 1 else widest
+    return f"{said} only in {_counted(narrow)} {less}, {which}"
+
+
+def _counted(bands: Sequence[tuple[float, float]]) -> str:
+    return f"{len(bands)} bands" if len(bands) > 1 else "a band"
+
+
+def _is_narrow(band: tuple[float, float], low: float, high: float) -> bool:
+    most = NARROW * min(high - low, max(map(abs, band)))
+    return low < band[0] and band[1] < high and _width(band) < most
+
+
+def _width(band: tuple[float, float]) -> float:
+    return band[1] - band[0]
 
 
 def _here(case: Case, found: Tolerance) -> str:
@@ -222,9 +254,10 @@ def value_text(found: Tolerance, value: float) -> str:
 
 
 def bands_text(found: Tolerance, bands: Sequence[tuple[float, float]]) -> str:
-    """Bands rounded into them, with their unit."""
+    """Bands rounded into them, with their unit; of many the widest, in their order."""
     unit = f" {_axis_unit(found)}" if found.axis.unit else ""
     name = "" if found.axis.unit else f"{found.axis.name} "
-    told = " and ".join(f"{name}{' to '.join(shown_interval(*band))}" for band in bands[:MOST_TOLD])
-    more = f" and {len(bands) - MOST_TOLD} more" if len(bands) > MOST_TOLD else ""
+    widest = sorted(sorted(bands, key=_width)[-MOST_TOLD:])
+    told = " and ".join(f"{name}{' to '.join(shown_interval(*band))}" for band in widest)
+    more = f" and {len(bands) - MOST_TOLD} less wide" if len(bands) > MOST_TOLD else ""
     return f"from {told}{unit}{more}"
