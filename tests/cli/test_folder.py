@@ -106,6 +106,37 @@ def test_a_file_that_says_something_else_makes_another_question(gearlash: Gearla
     assert (out / "check.json").is_file()
 
 
+@pytest.mark.parametrize("way", ["beside", "deeper", "absolute"])
+def test_a_file_that_the_case_names_belongs_to_its_question(way: str, gearlash: Gearlash, tmp_path: Path):
+    (tmp_path / "deep").mkdir()
+    case, out = tmp_path / "case.toml", tmp_path / "out"
+    named = {"beside": "k.csv", "deeper": "deep/k.csv", "absolute": str(tmp_path / "k.csv")}[way]
+    case.write_text(CURVE.format(named=named), encoding="utf-8")
+    points, answers = tmp_path / named, []
+    for ripple in (0.1, 0.3, 0.3):
+        rows = [f"{turn / 8},{1.0 + ripple * (turn % 2)}" for turn in range(8)]
+        points.write_text("\n".join(["angle [cycle],stiffness", *rows]), encoding="utf-8")
+        ran = gearlash("run", str(case), "--out", str(out))
+        assert ran.code == 0, ran.complaint
+        answers.append((out / "run.json").read_bytes())
+    assert answers[0] != answers[1]
+    assert (out / "earlier-1" / "run.json").read_bytes() == answers[0]
+    assert len(list(out.glob("earlier-*"))) == 1  # the third question was the second one
+
+
+CURVE = """
+kind = "spur-1dof"
+[dimensionless]
+omega = 0.7
+D = 1.0
+load = 0.2
+error = 0.05
+mesh_damping = 0.05
+[curves.stiffness]
+file = '{named}'
+"""
+
+
 def test_a_folder_of_the_user_is_not_taken_for_what_is_kept(gearlash: Gearlash, tmp_path: Path):
     (tmp_path / "earlier-1").write_text("mine", encoding="utf-8")
     for speed in ("0.5", "0.6"):
@@ -114,21 +145,18 @@ def test_a_folder_of_the_user_is_not_taken_for_what_is_kept(gearlash: Gearlash, 
     assert (tmp_path / "earlier-2" / "run.json").is_file()
 
 
-def test_a_marker_from_elsewhere_moves_nothing_outside(gearlash: Gearlash, tmp_path: Path):
+@pytest.mark.parametrize("claimed", [True, False])
+def test_a_marker_from_elsewhere_moves_what_it_wrote_alone(claimed: bool, gearlash: Gearlash, tmp_path: Path):
     out = tmp_path / "out"
     out.mkdir()
-    for place in (tmp_path / "mine.txt", out / "run.json"):
+    for place in (tmp_path / "mine.txt", out / "run.json", out / "thesis.txt"):
         place.write_text("mine", encoding="utf-8")
-    asked = {
-        "run.json": "1",
-        "../mine.txt": "1",
-        str(tmp_path / "mine.txt"): "1",
-        MARKER: "1",
-        "..": "1",
-        "": "1",
-    }
-    marker = {"process": 1, "files": ["run.json"], "asked": asked}
+    named = ["run.json", "../mine.txt", str(tmp_path / "mine.txt"), MARKER, "..", ".", ""]
+    asked = dict.fromkeys([*named, "thesis.txt"], "1")
+    marker = {"process": 1, "files": named if claimed else ["run.json"], "asked": asked}
     (out / MARKER).write_text(json.dumps(marker), encoding="utf-8")
-    assert gearlash(*CASE, "--out", str(out)).code == 0
+    ran = gearlash(*CASE, "--out", str(out))
+    assert ran.code == 0, ran.complaint
     assert (tmp_path / "mine.txt").read_text(encoding="utf-8") == "mine"
+    assert (out / "thesis.txt").read_text(encoding="utf-8") == "mine"
     assert [path.name for path in (out / "earlier-1").iterdir()] == ["run.json"]

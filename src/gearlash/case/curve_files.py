@@ -35,11 +35,8 @@ def with_files(label: str, tables: Mapping[str, object], folder: Path | None) ->
     curves = tables.get(TABLE)
     if folder is None or not isinstance(curves, Mapping):
         return dict(tables)
-    read, problems = {}, []
-    for name, table in curves.items():
-        if not isinstance(table, Mapping) or "file" not in table or "points" in table:
-            read[name] = table
-            continue
+    read, problems = dict(curves), []
+    for name, table in _from_files(curves):
         try:
             columns = _columns(table, folder)
             problems += _contradictions(f"{TABLE}.{name}", table, columns)
@@ -50,6 +47,19 @@ def with_files(label: str, tables: Mapping[str, object], folder: Path | None) ->
     if problems:
         raise CaseError(label, problems)
     return {**tables, TABLE: read}
+
+
+def files_named(tables: Mapping[str, object], folder: Path) -> list[Path]:
+    """The files that `with_files` reads."""
+    named = [table["file"] for _, table in _from_files(tables.get(TABLE))]
+    return [folder / name for name in named if isinstance(name, str) and name.strip()]
+
+
+def _from_files(curves: object) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    """Names and tables of the curves whose points are in files."""
+    for name, table in curves.items() if isinstance(curves, Mapping) else ():
+        if isinstance(table, Mapping) and "file" in table and "points" not in table:
+            yield name, table
 
 
 def _columns(table: Mapping[str, Any], folder: Path) -> Columns:

@@ -70,7 +70,7 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
         for name in wanted:
             for part in path.glob(unfinished(name)):  # of a command that was killed
                 part.unlink(missing_ok=True)
-        asked = _asked(marker)
+        asked = _asked(marker, own)
         moved = _set_aside(path, [name for name in wanted if name in own], asked)
         asked = {name: one for name, one in asked.items() if name not in moved}
         asked |= dict.fromkeys(wanted, fingerprint())
@@ -91,15 +91,18 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
     return OutFolder(path, held, frozenset({*own, *wanted}))
 
 
-def _asked(marker: dict[str, Any]) -> dict[str, str]:
-    """The question that each name is an answer to."""
+def _asked(marker: dict[str, Any], own: set[str]) -> dict[str, str]:
+    """The question that each own name is an answer to. A folder from elsewhere may name any place, and what
+    gearlash did not write: those are no names."""
     found = marker.get("asked", {})
     if not isinstance(found, dict):
         return {}
-    own = [
-        name for name in found if name == Path(name).name != MARKER
-    ]  # a folder from elsewhere may name any place
-    return {name: str(found[name]) for name in own}
+    return {name: str(one) for name, one in found.items() if name in own and _is_name(name)}
+
+
+def _is_name(name: str) -> bool:
+    """Whether this names something in a folder; the marker itself is no answer."""
+    return name == Path(name).name and name not in ("", ".", "..", MARKER)
 
 
 def _set_aside(path: Path, wanted: Iterable[str], asked: dict[str, str]) -> list[str]:
