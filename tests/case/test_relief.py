@@ -158,3 +158,16 @@ def test_a_relief_of_teeth_that_are_not_known_is_told():
             mesh = {mean_stiffness = "3e8 N/m", backlash = "80 um", damping_ratio = 0.05, ripple = 0.1}
             operation = {pinion_speed = "1000 rpm", torque = "100 N m"}
         """)
+
+
+def test_a_relief_is_not_at_fault_where_the_module_is():
+    """A module without a unit is one problem, and not two; where it is not stated at all, both are told."""
+    text = FILE.read_text()
+    module = next(line for line in text.splitlines() if line.startswith("normal_module"))
+    text = text.replace("[gear]", '[gear]\ntip_relief = "10 um"')
+    for written, others in (('normal_module = "3"', []), ("", ["gear.tip_relief"])):
+        with pytest.raises(CaseError) as refused:
+            loads(text.replace(module, written))
+        told = [problem.path for problem in refused.value.problems]
+        assert "mesh.normal_module" in told
+        assert [path for path in told if path != "mesh.normal_module"] == others

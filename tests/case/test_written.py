@@ -52,6 +52,43 @@ def test_a_class_of_another_standard_is_refused_with_the_one_mostly_taken_for_it
     assert read_stated(nearest, CLASS).value == float(nearest)
 
 
+@pytest.mark.parametrize("text", ["DIN 6", "AGMA 2015-A8", "JIS 4", "AGMA Q10"])
+def test_what_is_said_of_another_standard_agrees_with_the_class_offered(text: str):
+    """A class that is offered has to be one that is taken for it: limits of their own alone would speak
+    against the hint behind them."""
+    with pytest.raises(ValueRefusedError) as refused:
+        read_stated(text, CLASS)
+    assert "limits" in refused.value.expected
+    assert "mostly taken for" in refused.value.expected
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("460.0 js7", "the 7 of js7 stands at distance_grade"),
+        ("460 JS7 mm", "the 7 of JS7 stands at distance_grade"),
+        ("460js10", "the 10 of js10 stands at distance_grade"),
+        ("460 mm2", None),
+        ("460 in4", None),
+        ("0x10 mm", None),
+        ("4x1e5 mm", None),
+        ("460 furlog", None),
+    ],
+)
+def test_a_tolerance_zone_behind_a_centre_distance_is_told_where_it_stands(text: str, told: str | None):
+    with pytest.raises(ValueRefusedError) as refused:
+        read_stated(text, PLACES["mesh.centre_distance"])
+    assert ("distance_grade" in refused.value.expected) == (told is not None)
+    assert told is None or told in refused.value.expected
+    assert told is None or refused.value.nearest in ("460.0 mm", "460 mm")
+
+
+def test_a_tolerance_zone_behind_another_length_is_called_one():
+    with pytest.raises(ValueRefusedError, match="H7 is a tolerance zone") as refused:
+        read_stated("30 H7", BORE)
+    assert refused.value.nearest == "30 mm"
+
+
 @pytest.mark.parametrize("text", ["IT13", "AGMA Q3", "DIN 30", "AGMA 2015-A13", "JIS 9", "7-13"])
 def test_no_class_is_offered_that_there_is_not(text: str):
     with pytest.raises(ValueRefusedError) as refused:

@@ -16,7 +16,7 @@ from .errors import shown
 from .quantity import Choice, Quantity
 from .quantity import ValueRefusedError as ValueRefusedError
 from .texts import refused
-from .unit_hints import instead, meant, usual_units
+from .unit_hints import beside, instead, meant, usual_units
 from .units import FREQUENCY, LENGTH, NUMBER, SPEED, UnitError, in_si, read, takes
 from .words import nearest_name
 from .written_numbers import NumberError
@@ -149,7 +149,7 @@ def _from_text(raw: str, place: Quantity) -> float:
             raise ValueRefusedError(f"{place.expected} ({error})") from None
         if _TWO_VALUES.search(raw):
             raise ValueRefusedError(f"{place.expected} ({error}; {RANGE})", meant(text, place)) from None
-        raise _refused(text, place, f" ({error})") from None
+        raise _refused(text, place, f" ({beside(text, place) or error})") from None
     if takes(place.dimension, unit):
         return _in_si(number, in_si(place.dimension, number, unit))
     if place.bare and unit.dimension == NUMBER and unit.ratio == 1:

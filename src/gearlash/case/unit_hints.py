@@ -9,6 +9,7 @@ from .spelling import plain_value
 from .unit_words import (
     ANGLE,
     DENSITY,
+    LENGTH,
     PITCH,
     POWER,
     PRESSURE,
@@ -27,6 +28,10 @@ _WORD = re.compile(r"(?<!\w)[A-Za-zµμ°\"]+(?:[/*·^][A-Za-zµμ]+)*(?!\w)")
 _ASIDE = re.compile(r"\s*(?!x)[A-Za-z]{1,2}\d{1,2}\s|[^(\d]*\([^)]*\)$")
 """A tolerance zone before the unit, or another unit in brackets behind it."""
 _ZONE = re.compile(r"\s*[A-Za-z]{1,2}\d{1,2}\s*")
+_BEHIND = re.compile(
+    r"\d\s*(?P<zone>(?![xX]|(?<=\d)[eE]\d|(?:[µμu]m|[mcdk]m|in|ft)\d)[A-Za-z]{1,2}(?P<grade>[4-9]|1[0-8]))\s*(?:[µμu]m|mm|m|in)?\s*$"
+)
+"""A tolerance zone behind a size: no power of a unit or of ten, and no hexadecimal number."""
 _OTHERS = {
     POWER: {"metrichp": "PS", "hpm": "PS", "metrichorsepower": "PS", "pk": "PS", "hpi": "hp"},
     TORQUE: {"kgm": "kgf m", "kpm": "kgf m", "tm": "", "joule": "N m"},
@@ -86,6 +91,16 @@ def instead(found: Dimension, place: Quantity) -> str:
     if found == PRESSURE and place.dimension == STIFFNESS:
         return "that is a stiffness over the face width: its product with b stands here"
     return f"that is {DIMENSION_NAMES[found]}" if found in DIMENSION_NAMES and found != NUMBER else ""
+
+
+def beside(text: str, place: Quantity) -> str:
+    """Where a tolerance zone stands that is written behind a length, as ``js7``; empty where none is."""
+    zone = _BEHIND.search(text)
+    if zone is None or place.dimension != LENGTH:
+        return ""
+    if place.path == "mesh.centre_distance":
+        return f"the {zone['grade']} of {zone['zone']} stands at distance_grade"
+    return f"{zone['zone']} is a tolerance zone: the size alone stands here"
 
 
 def _says_more(text: str, place: Quantity) -> bool:

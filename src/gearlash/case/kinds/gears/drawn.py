@@ -39,6 +39,10 @@ BOTH_WIDTHS = {WIDTH: ("pinion.face_width", "gear.face_width")}
 CENTRE, SHIFT_SUM = "mesh.centre_distance", "mesh.shift_sum"
 MEASURES = ("span", "over_balls", "over_pins", "tooth_thickness")
 """What is measured on a gear: it tells the profile shift, or the allowance beside a stated shift."""
+MODULES = "mesh.module", "mesh.normal_module", TRANSVERSE_MODULE, PITCH, TRANSVERSE_PITCH
+ANGLES = "mesh.pressure_angle", TRANSVERSE_ANGLE
+TEETH = frozenset(("pinion.teeth", "gear.teeth", "mesh.helix_angle", *MODULES, *ANGLES))
+"""What teeth follow from at least."""
 SAME: tuple[tuple[str, ...], ...] = (
     ("omega", GEAR_SPEED),
     ("load", GEAR_TORQUE, POWERED),
@@ -46,14 +50,13 @@ SAME: tuple[tuple[str, ...], ...] = (
     ("D", PLAY),
     (CENTRE, SHIFT_SUM),
     *(tuple(f"{gear}.{leaf}" for leaf in MEASURES) for gear in GEARS),
-    ("mesh.module", "mesh.normal_module", TRANSVERSE_MODULE, PITCH, TRANSVERSE_PITCH),
-    ("mesh.pressure_angle", TRANSVERSE_ANGLE),
+    MODULES,
+    ANGLES,
     *((f"{gear}.profile_shift", f"{gear}.transverse_profile_shift") for gear in GEARS),
     *((f"{gear}.tip_diameter", f"{gear}.tip_alteration") for gear in GEARS),
     *relief.SAME,
 )
 """Keys of which one is stated; another one takes its place."""
-
 _ORDERS = range(1, HIGHEST_HARMONIC + 1)
 ERRORS = frozenset(harmonic_name("error", n) for n in _ORDERS)
 LOADED = frozenset(harmonic_name("mesh.loaded_error", n) for n in _ORDERS)

@@ -36,12 +36,13 @@ HARMONIC_STEMS = "ripple", "error"
 @dataclass(frozen=True)
 class Completed:
     """Stated values and what was estimated beside them; the pair of teeth where it is known. ``problems`` are
-    why nothing could be estimated, ``refused`` why an error could not be used; ``play_added`` is what the
-    backlash has more at work than as stated, m."""
+    why nothing could be estimated, ``toothless`` the words without the teeth that they are about, ``refused``
+    why an error could not be used; ``play_added`` is what the backlash has more at work than as stated, m."""
 
     entries: EntriesByKey
     drawing: Drawing | None = None
     problems: tuple[Problem, ...] = ()
+    toothless: tuple[Problem, ...] = ()
     refused: tuple[Problem, ...] = ()
     play_added: float = 0.0
 
@@ -97,7 +98,7 @@ def complete(
     entries = teeth_in_other_words(rules, entries)
     geometry = ("pinion.teeth", "gear.teeth", rules.module, *rules.angles)
     if not all(key in entries for key in geometry) or twice:
-        return Completed(entries, problems=(*play.unusable(entries), *relief.unusable(entries)))
+        return Completed(entries, toothless=(*play.unusable(entries), *relief.unusable(entries)))
     widths = all(f"{gear}.face_width" in entries for gear in GEARS) and "mesh.pressure_angle" in entries
     has_drawing = is_drawn(entries)
     known = {**entries, **{e.key: e for e in operation_in_other_words(entries)}}

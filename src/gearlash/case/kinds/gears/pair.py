@@ -15,7 +15,7 @@ from gearlash.case.scales import Scales
 from gearlash.case.units import NUMBER, TORQUE, unit
 from gearlash.system import Family
 
-from . import play
+from . import drawn, play
 from .checks import contradictions, missing
 from .estimated import Completed, complete, is_drawn, is_estimable
 from .excitation import Curves, Reconstructed, reconstructed
@@ -62,11 +62,13 @@ class GearPair:
         """What is missing, and why nothing can be estimated; ``present`` are paths known to be stated, if
         wrongly."""
         found = missing(self.rules, self.entries, present)
-        if self.completed.problems or is_drawn({*self.stated, *present}):
+        needing = self.completed.toothless
+        if self.completed.problems or needing or is_drawn({*self.stated, *present}):
             nothing = "D" in self.stated  # of which half would be D_c
             found = [p for p in found if not is_estimable(p.path) or (p.path == REFERENCE and nothing)]
         refused = [p for p in self.completed.refused if not (p.missing and p.path in present)]
-        return [*self.completed.problems, *refused, *found]
+        told = needing if drawn.TEETH.isdisjoint(present) else ()  # those are at fault
+        return [*self.completed.problems, *told, *refused, *found]
 
     def contradicted(self) -> list[Problem]:
         """What of a pair that lacks nothing contradicts what else it states."""

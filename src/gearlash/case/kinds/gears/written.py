@@ -84,12 +84,12 @@ _OF_AGMA = (
     "Q numbers of AGMA 2000 grow as gears get finer, have other limits, and are mostly taken for 17 - Q"
 )
 _TAKEN_FOR = {
-    "DIN": ("classes of DIN 3961 have limits of their own under the same numbers", int),
+    "DIN": ("classes of DIN 3961 have limits of their own, and are mostly taken for the same number", int),
     "JIS": (
         "grades of JIS B 1702 of 1976 have limits of their own, and are mostly taken for those 4 above",
         lambda number: number + 4,
     ),
-    "A": ("grades A of AGMA 2015 have limits of their own under the same numbers", int),
+    "A": ("grades A of AGMA 2015 have limits of their own, and are mostly taken for the same number", int),
     "Q": (_OF_AGMA, lambda number: 17 - number),
     "AGMA": (_OF_AGMA, lambda number: 17 - number),
 }
