@@ -84,3 +84,50 @@ def test_a_report_that_is_stopped_says_what_is_missing(tmp_path: Path):
 def test_what_does_not_fit_is_refused_before_anything_is_computed(wrong: dict[str, Any]):
     with pytest.raises(gl.GearlashError, match=next(iter(wrong))):
         gl.pair_report(gl.load_case("kahraman-singh"), **wrong)
+
+
+def test_speeds_may_have_any_name_that_a_case_has_for_them():
+    case = gl.load_case(CASES / "drive.toml")
+    low, high = (float(case.scales.omega_from_rpm(rpm)) for rpm in (4050.0, 4250.0))
+    said = gl.pair_report(case, speeds=gl.Axis.even("omega", low, high, 5))
+    named = gl.pair_report(case, speeds=gl.Axis.even("pinion_speed", "4050 rpm", "4250 rpm", 5))
+    assert said.separating
+    assert [(one.lower.value, one.upper.value) for one in named.separating] == [
+        pytest.approx((one.lower.value, one.upper.value), rel=1e-12) for one in said.separating
+    ]
+    assert named.sentence == said.sentence
+
+
+@pytest.mark.parametrize(
+    ("axis", "said"),
+    [
+        (gl.Axis.even("D", 0.5, 1.0, 3), "axis D: a report goes over speed, such as pinion_speed or omega"),
+        (gl.Axis.even("pinion_sped", "1 rpm", "2 rpm", 3), "pinion_speed"),
+        (gl.Axis.even("pinion_speed", 1000.0, 2000.0, 3), "rpm"),
+    ],
+)
+def test_what_is_no_speed_is_refused_with_what_is(axis: gl.Axis, said: str):
+    with pytest.raises(gl.GearlashError, match=said):
+        gl.pair_report(gl.load_case(CASES / "drive.toml"), speeds=axis)
+
+
+@pytest.mark.slow
+def test_nothing_of_an_earlier_report_stays_beside_a_new_one(tmp_path: Path):
+    """And what lies there that no report wrote stays."""
+    axis = gl.Axis.even("omega", 0.5, 0.6, 5)
+    gl.pair_report(gl.load_case("kahraman-singh", {"omega": 0.55}), tmp_path, speeds=axis)
+    assert {"speed.csv", "spectrum-nominal.nc", "speed-forces.svg"} <= _names(tmp_path)
+    for mine in ("thesis.txt", "figures/mine.svg"):
+        (tmp_path / mine).write_text("mine", encoding="utf-8")
+    (tmp_path / "verdict.json").write_text("{}", encoding="utf-8")  # of the command, which owns that name
+    stop = threading.Event()
+    stop.set()
+    case, fresh = gl.load_case("kahraman-singh", {"omega": 0.56}), tmp_path / "fresh"
+    for folder in (tmp_path, fresh):
+        found = gl.pair_report(case, folder, speeds=axis, execution=gl.Execution(cancel=stop))
+        assert found.missing
+    assert _names(tmp_path) == {*_names(fresh), "thesis.txt", "mine.svg"}
+
+
+def _names(folder: Path) -> set[str]:
+    return {path.name for part in (folder, folder / "figures") for path in part.iterdir() if path.is_file()}

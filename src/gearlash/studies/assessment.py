@@ -22,6 +22,7 @@ from gearlash.system.readout import Readout
 from .bands import Band, back_bands, bands, not_told
 from .beside import THROWS, motions_beside, thrown
 from .measured import readouts_of, traceable
+from .named import plain_axis
 from .point import summary
 from .ranges import AcrossRanges, across_ranges
 from .sweep import sweeps
@@ -118,6 +119,14 @@ class Assessment:
         return back_bands(self.drive_side, -system.clearances[0].gap_minus)
 
 
+def speed_axis(case: Case, axis: Axis) -> Axis:
+    """The speeds ω of an axis that names the speed somehow. Raises `GearlashError` for another parameter."""
+    found = plain_axis(case, case.family()[0], axis)
+    if found.name != SPEED:
+        raise GearlashError(f"axis {axis.name}: a report goes over speed, such as pinion_speed or omega")
+    return found
+
+
 def assess(
     case: Case,
     axis: Axis,
@@ -133,7 +142,7 @@ def assess(
     case : Case
         A gear pair under load.
     axis : Axis
-        Speeds ω to sweep; ends of bands are solved for.
+        Speeds to sweep, as ω or by another name of the speed, with its unit; ends of bands are solved for.
     settings : Settings, optional
         How attractors are looked for.
     execution : Execution, optional
@@ -151,8 +160,7 @@ def assess(
         For a case that is no gear pair under load, and an axis of another parameter.
     """
     check_pair(case)
-    if axis.name != SPEED:
-        raise GearlashError(f"axis {axis.name}: a report goes over speed ({SPEED}, pinion_speed)")
+    axis = speed_axis(case, axis)
     asked, case = case, carrying_forwards(case)
     execution, settings = execution or Execution(), settings or Settings()
     say = tell or (lambda _stage, _progress: None)

@@ -22,6 +22,8 @@ from .motions import level, unit_of
 FORMAT_VERSION = 2
 Columns = dict[str, NDArray]
 NAMES = ("nominal", "hardest")
+VERDICT = "verdict.json"
+"""The answer of the command that makes a report, beside its page."""
 
 
 def data_files(contents: Contents, style: CsvStyle = POINTS) -> dict[str, bytes]:

@@ -11,18 +11,20 @@ from gearlash.results.store import write_whole
 
 from .contents import Contents
 from .document import document
-from .files import data_files
+from .files import VERDICT, data_files, file_names
 from .verdict import verdict
 
 
 def render(
     contents: Contents, folder: Path | str, executor: Executor | None = None, style: CsvStyle = POINTS
 ) -> Path:
-    """Writes page, figures, numbers and data into a folder; returns the path of the page."""
+    """Writes page, figures, numbers and data into a folder; returns the path of the page. Of a report that
+    is there already nothing stays beside it."""
     page, pictures = document(contents)
     target = Path(folder)
     target.mkdir(parents=True, exist_ok=True)
-    for name, content in data_files(contents, style).items():
+    data = data_files(contents, style)
+    for name, content in data.items():
         write_whole(target / name, content)
     found = contents.found
     numbers = {
@@ -36,4 +38,5 @@ def render(
         "ranges": found.ranges,
         "missing": contents.missing,
     }
-    return write_report(page, pictures, numbers, target, executor)
+    earlier = {VERDICT, *file_names()} - data.keys()
+    return write_report(page, pictures, numbers, target, executor, instead_of=earlier)

@@ -11,7 +11,7 @@ from gearlash.jobs import Execution, Progress
 from gearlash.orbits import Settings
 from gearlash.results import Axis
 from gearlash.results.pair_question import check_pair, speeds_around
-from gearlash.studies.assessment import Assessment, Tell, assess
+from gearlash.studies.assessment import Assessment, Tell, assess, speed_axis
 from gearlash.studies.bands import Band
 from gearlash.studies.grids import Grids
 from gearlash.studies.speed_run import histories, speed_run
@@ -84,10 +84,12 @@ def pair_report(
     case : Case
         A gear pair under load.
     folder : path, optional
-        Where the page goes, with its figures and numbers; made if it is not there, and a report in it is
-        written over. Without one there is the verdict alone, within seconds.
+        Where the page goes, with its figures and numbers; made if it is not there. A report in it is
+        written over, and no file of it stays. Without one there is the verdict alone, within seconds.
     speeds : Axis, optional
-        Speeds ω to examine; else the range of the case, or from half its speed to half more.
+        Speeds to examine, as ω or by another name of the speed (``pinion_speed``, with its unit); else the
+        range of the case, or from half its speed to half more. Curves over speed go over all of them, the
+        verdict and the maps over as many as they can afford at equal distances between both ends.
     settings : Settings, optional
         How attractors are looked for.
     execution : Execution, optional
@@ -113,7 +115,7 @@ def pair_report(
     check_pair(given.instance("case", case, Case, "a case, as from gearlash.load_case"))
     place = None if folder is None else given.path("folder", folder)
     if speeds is not None:
-        given.instance("speeds", speeds, Axis, "an Axis of omega")
+        speeds = speed_axis(case, given.instance("speeds", speeds, Axis, "an Axis of pinion_speed or omega"))
     if settings is not None:
         given.instance("settings", settings, Settings, "gearlash.Settings")
     if execution is not None:
