@@ -185,6 +185,14 @@ def test_two_bodies_that_bend_are_told_with_what_they_turn_round():
     assert f"1 of the 3 inputs tried has both motions: “stiffness” has the reverse, contact at {low}" in said
     assert f"parting at {high}; “absolute” loses its agreement, contact at both speeds;" in said
     assert f"“other” has parting at {low} and contact at {high}." in said
+    faster = [replace(point, speed=1.5 * point.speed) for point in agreed.points]
+    rows = [(name, point.speed, "1-0-0", 0.0) for point in faster]
+    held = replace(agreed, name="dimensionless", points=tuple(faster), beside=tuple(rows))
+    assert said.count("The shaft of that pinion is assumed. ") == 1
+    assert (
+        "The shaft of that pinion is assumed, and modes of bodies keep their Hz: at the speeds of "
+        "“dimensionless” they are 1.5 times nearer to the mesh frequency than in the case."
+    ) in text_of(replace(kept(), ways=(*ways, held)))
 
 
 def test_the_rule_for_agreement_and_the_label_alone_are_both_counted():
@@ -278,12 +286,19 @@ def test_motions_that_coexist_are_both_told():
     low, high = (point.speed for point in way.points)
     points = tuple(replace(point, label="none", apart=0.3) for point in way.points)
     both = replace(way, points=points, up=f"{high - 100:.0f} to {high:.0f} rpm", down="nowhere on the grid")
-    said = window.coexisting(both)
-    assert f"rising, teeth stay in contact at {high:.0f} rpm" in said
+    said = window.coexisting(kept(), both)
+    assert f"rising, teeth stay in contact at {high:.0f} rpm (not repeating within 1 % after 30 " in said
+    assert "mesh cycles): both motions were found there" in said
     assert f"at {low:.0f} rpm" not in said
-    assert window.coexisting(replace(both, up="nowhere on the grid")) == ""
+    at = int(np.abs(np.array(way.window["speed"]) - high).argmin())
+    labels = [*way.window["up"][:at], "2-0-0", *way.window["up"][at + 1 :]]
+    repeating = replace(both, window={**way.window, "up": labels})
+    assert f"at {high:.0f} rpm (2-0-0 after 30 mesh cycles)" in window.coexisting(kept(), repeating)
+    assert window.coexisting(kept(), replace(both, up="nowhere on the grid")) == ""
     assert (
-        window.coexisting(replace(both, points=tuple(replace(p, label="1-0-0", apart=0.0) for p in points)))
+        window.coexisting(
+            kept(), replace(both, points=tuple(replace(p, label="1-0-0", apart=0.0) for p in points))
+        )
         == ""
     )
 
@@ -327,6 +342,13 @@ def test_ends_of_windows_are_set_beside_the_reported_ones():
             in words(said)
         )
         assert "the upper end with 2 of 2 windows of real teeth" in words(said)
+    one = replace(one, down="nowhere on the grid")
+    *_, said = window.blocks(replace(kept(), ways=(one,)))
+    assert isinstance(said, Text)
+    assert words(said).count("nowhere on the grid") == 1
+    assert "of 2 windows of real teeth (with 1 of them teeth stay in contact nowhere on the grid)" in words(
+        said
+    )
 
 
 def test_every_setting_of_the_plan_has_its_row():
@@ -343,7 +365,12 @@ def test_the_table_of_settings_says_how_long_motions_settle():
     planned = next(each for each in kept().settings if each["name"] == "as planned")
     planned, way = {**planned, "settle": "80", "read": "20", "longest": "12"}, named("absolute")
     for cycles, said in (
-        ((80, 187, 80, 133), " (more, 187 at most, for 2 of the 4 motions of this table, which had not come"),
+        (
+            (80, 187, 80, 133),
+            " (more, 187 at most, for 2 of the 4 motions of this table: of those "
+            "that had not come back after one cycle, the ones in which the slowest vibration of bodies "
+            "had not faded yet) and 20 that are read",
+        ),
         ((80, 80), " (enough for all 2 motions of this table) and 20 that are read"),
     ):
         one = replace(way, settled=tuple(("as planned", 3600.0, each) for each in cycles))

@@ -12,7 +12,7 @@ from gearlash.report.blocks import Block, Bullets, Note, Text
 from gearlash.report.numbers import number
 
 from . import lumped_beside, window, with_settings
-from .seen import HELD, MODIFIED, UNEVEN, parts, share
+from .seen import HELD, MODIFIED, UNEVEN, case_itself, parts, share
 from .when_fixed import when_fixed
 from .words import joined
 
@@ -21,8 +21,9 @@ BEARINGS, STIFFNESS = "bearings over those of the case", "stiffness over that of
 FITTED = (
     "Bearing damping, phase of the error, load and error come from fits of the lumped model to numbers of "
     "the article. The backlash in µm, on which torque and error in SI rest, is assumed, and so are bearings "
-    "along the line of centres and against tilt. Face widths and inertias are inferred from the masses as "
-    "solid discs, so the speeds in rpm, too. The tooth profile is a standard one, not shifted."
+    "along the line of centres and against tilt, and the shaft of a pinion that bends. Face widths and "
+    "inertias are inferred from the masses as solid discs, so the speeds in rpm, too. The tooth profile is a "
+    "standard one, not shifted."
 )
 END = (
     "The article leaves torque, error and backlash open, and states a stiffness that unmodified teeth as "
@@ -31,8 +32,9 @@ END = (
 )
 READ_ANEW = (
     " as mesh cycles are compared now (by mean forces); as they were compared before (at single places), "
-    "none did in the data just before, and “absolute” did in the first ones"
+    "none did in the last data so compared (commit fedb86e), and “absolute” did in the first ones"
 )
+COUNTED = f"Parting counts where the label is {REPORTED[0]}, contact with a label or without."
 NEAR = 0.05
 """Relative, of the dimensionless numbers of a way to those of the case: what is worth telling."""
 
@@ -91,7 +93,7 @@ def _conclusion(found: Verified) -> Text:
     """What disagrees comes first: the ways that hold the article's numbers."""
     agree = agreeing(found)
     said = [
-        f"In short: {in_short(found)}.",
+        f"In short: {in_short(found)}. {COUNTED}",
         f"By the label alone, the rule at first, {len(by_label(found))} of {len(found.ways)} agree"
         f"{READ_ANEW}.",
         _with_numbers_held(found),
@@ -161,7 +163,7 @@ def _at_speed(ways: list[VerifiedWay], index: int, reported: str) -> str:
 def _in_numbers(found: Verified, way: VerifiedWay) -> str:
     """Where a way agrees: in which numbers, and how far its dimensionless ones are from those of the case."""
     said = f"Teeth part and stay in contact as reported with the inputs “{way.name}” ({_moves(way)})"
-    case = _case_itself(found)
+    case = case_itself(found)
     if case is None or way.name in HELD:
         return f"{said}."
     error, play = ((way.numbers[name], case.numbers[name]) for name in (ERROR, PLAY))
@@ -172,11 +174,6 @@ def _in_numbers(found: Verified, way: VerifiedWay) -> str:
         f"{number(play[1], 3)}, and {_omegas(case)}. So {_what_agrees(way)}, not at the reported "
         f"ω{_softer(way)}; which resonance acts there was not examined."
     )
-
-
-def _case_itself(found: Verified) -> VerifiedWay | None:
-    """The way that has the numbers of the case."""
-    return next((each for each in found.ways if each.name == HELD[0]), None)
 
 
 def _what_agrees(way: VerifiedWay) -> str:
@@ -192,7 +189,11 @@ def _what_agrees(way: VerifiedWay) -> str:
 def _softer(way: VerifiedWay) -> str:
     """Bearings that are not, beside the mesh, what they are in the case."""
     over = bearings_beside_mesh(way)
-    return "" if abs(over - 1.0) < NEAR else f", and with bearings {number(over, 2)} as stiff beside the mesh"
+    return (
+        ""
+        if abs(over - 1.0) < NEAR
+        else f", and with bearings {number(over, 2)} times as stiff beside the mesh"
+    )
 
 
 def bearings_beside_mesh(way: VerifiedWay) -> float:
@@ -232,13 +233,13 @@ def _otherwise(found: Verified, way: VerifiedWay, case: Case) -> str:
     return (
         f"With “{way.name}”{near} the reported pair of motions was not found from teeth pressed together: "
         f"{_moves(way)}."
-        f"{window.coexisting(way)}"
+        f"{window.coexisting(found, way)}"
     )
 
 
 def _near(found: Verified, way: VerifiedWay, case: Case) -> str:
     """How far the dimensionless numbers of a way are from those of the case, where that is little."""
-    itself = _case_itself(found)
+    itself = case_itself(found)
     if itself is None:
         return ""
     off = max(abs(one / other - 1.0) for one, other in _compared(way, itself))
@@ -284,7 +285,10 @@ def _harmonics(found: Verified) -> Text:
     said = (
         "The stiffness that the case assumes, found by a fit, varies twice a mesh cycle. That of unmodified "
         "real teeth varies mostly once: "
-        + "; ".join(f"{ripples(way)} at {number(way.face_width, 3)} mm" for way in plain[:2])
+        + "; ".join(
+            f"{ripples(way)} at {number(way.face_width, 3)} mm under {way.torque:.0f} N·m"
+            for way in plain[:2]
+        )
     )
     if not turned:
         return Text.of(f"{said}.")

@@ -39,7 +39,7 @@ def case_ripple(case: Case) -> float:
 
 def second(way: VerifiedWay, case: Case) -> str:
     """The second harmonic of the stiffness of a way, and that of the case."""
-    return f"{share(way.ripples[1])} for {share(case_ripple(case))}"
+    return f"{share(way.ripples[1])}, where the case has {share(case_ripple(case))}"
 
 
 def _parts(point: VerifiedPoint, rule: str) -> bool:
@@ -187,7 +187,7 @@ def _nearest(found: Verified, case: Case) -> str:
     """The way whose second harmonic comes nearest to that of the case."""
     ways = [way for way in found.ways if way.name == MODIFIED]
     return "".join(
-        f"; “{way.name}” comes nearest in that harmonic ({second(way, case)}), with others and an error made "
-        "by relief beside it"
+        f"; “{way.name}” comes nearest in that harmonic ({second(way, case)}), with other harmonics and an "
+        "error that its flanks make under load beside it"
         for way in ways
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from gearlash.article.verified import Verified, VerifiedWay
+
 NOT_COMPUTED = "—"
 NONE, KEPT, UNEVEN = "none", "kept", "uneven"
 """Instead of P-Q-R: of motions that do not come back within 8 mesh cycles, with teeth apart and always in
@@ -13,6 +15,11 @@ HELD = ("stiffness", "dimensionless")
 """The ways in which all dimensionless numbers but the ripple of the stiffness are those of the case."""
 MODIFIED = "modified"
 """The way with flanks that are relieved and crowned."""
+
+
+def case_itself(found: Verified) -> VerifiedWay | None:
+    """The way that has the numbers of the case."""
+    return next((way for way in found.ways if way.name == HELD[0]), None)
 
 
 def told(label: str) -> str:

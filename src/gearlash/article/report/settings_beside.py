@@ -71,6 +71,7 @@ def _longer(found: Verified, each: dict[str, str]) -> str:
     if not longer:
         return f" (enough for all {len(cycles)} motions of this table)"
     return (
-        f" (more, {max(cycles)} at most, for {longer} of the {len(cycles)} motions of this table, which had "
-        "not come back after one cycle)"
+        f" (more, {max(cycles)} at most, for {longer} of the {len(cycles)} motions of this table: of those "
+        "that had not come back after one cycle, the ones in which the slowest vibration of bodies had not "
+        "faded yet)"
     )

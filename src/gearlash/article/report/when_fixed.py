@@ -42,11 +42,11 @@ FIXED = (
     (
         "After the findings of a referee",
         "mesh cycles compared by the mean force of every 1/64 of them (before by the force at 64 places, "
-        "with which, in the data just before, by the label alone no inputs agreed); more cycles to settle "
-        "where a motion does not come back after one and the slowest vibration of bodies has not faded yet; "
-        "a label only where every period has as many impacts, and 1-0-0 only where contact was never lost "
-        "(before, they were rounded in the mean: with mean forces 1.3 impacts a mesh cycle were told as one, "
-        "and “modified” as 1-1-0 at 3600 rpm, in runs whose data are not kept)",
+        "with which, in the last data so compared, by the label alone no inputs agreed); more cycles to "
+        "settle where a motion does not come back after one and the slowest vibration of bodies has not "
+        "faded yet; a label only where every period has as many impacts, and 1-0-0 only where contact was "
+        "never lost (before, they were rounded in the mean: with mean forces 1.3 impacts a mesh cycle were "
+        "told as one, and “modified” as 1-1-0 at 3600 rpm, in runs whose data are not kept)",
     ),
 )
 

@@ -8,12 +8,15 @@ from functools import cache
 from gearlash.article.claims import load
 from gearlash.article.verified import Verified, VerifiedPoint, VerifiedWay
 from gearlash.report.blocks import Block, Cell, Table, Text
+from gearlash.studies.verification.plan import AT_WINDOW
 
-from .seen import HELD, NOT_COMPUTED, RULES, parts, share
+from .seen import HELD, NOT_COMPUTED, RULES, case_itself, has_label, parts, share
 from .words import joined
 
 RUN = re.compile(r"(\d+) to (\d+) rpm")
 DIRECTIONS = ("rising", "falling")
+KEPT_AS: dict[str, str] = dict(zip(DIRECTIONS, ("up", "down"), strict=True))
+"""Their labels in the window of a way."""
 ZONE = "frequency-zone"
 """The claim of the window without impacts of the article's lumped model."""
 
@@ -76,7 +79,7 @@ def reported_window() -> tuple[float, float]:
 
 def reported_ends(found: Verified, way: VerifiedWay) -> tuple[float, float] | None:
     """The article's window in rpm at the inputs of a way; None without the way that has the ω of the case."""
-    case = next((each for each in found.ways if each.name == HELD[0]), None)
+    case = case_itself(found)
     if case is None:
         return None
     scale, (low, high) = way.points[-1].speed / case.points[-1].omega, reported_window()
@@ -85,7 +88,7 @@ def reported_ends(found: Verified, way: VerifiedWay) -> tuple[float, float] | No
 
 def _met(found: Verified, ways: list[VerifiedWay]) -> str:
     """At how many windows an end lies within the step of the grid in which the reported one lies."""
-    said = []
+    said, nowhere = [], (_nowhere(ways), "")
     for end, which in enumerate(("lower", "upper")):
         real = [_end_met(found, way, told, end) for way in ways for _, told, _ in _both(way)]
         lumped = [
@@ -93,7 +96,7 @@ def _met(found: Verified, ways: list[VerifiedWay]) -> str:
             for rule in RULES
         ]
         said.append(
-            f"the {which} end with {sum(real)} of {len(real)} windows of real teeth, and with "
+            f"the {which} end with {sum(real)} of {len(real)} windows of real teeth{nowhere[end]}, and with "
             f"{', '.join(map(str, lumped))} of {len(real)} of the lumped model"
         )
     rules = ", ".join(f"“{rule}”" for rule in RULES)
@@ -101,6 +104,12 @@ def _met(found: Verified, ways: list[VerifiedWay]) -> str:
         f"The computed end and the reported one lie in the same step of the grid: {'; '.join(said)} (under "
         f"{rules})."
     )
+
+
+def _nowhere(ways: list[VerifiedWay]) -> str:
+    """Windows of real teeth that have no end which could be met."""
+    none = sum(not runs(speeds) for way in ways for _, speeds, _ in _both(way))
+    return f" (with {none} of them teeth stay in contact nowhere on the grid)" if none else ""
 
 
 def _end_met(found: Verified, way: VerifiedWay, told: str, end: int) -> bool:
@@ -126,22 +135,37 @@ def _differing(ways: list[VerifiedWay]) -> str:
     )
 
 
-def coexisting(way: VerifiedWay) -> str:
+def coexisting(found: Verified, way: VerifiedWay) -> str:
     """Speeds at which teeth begun pressed together part, and begun from a neighbour stay in contact."""
     said = [
-        f" Begun from the motion at the neighbouring speed, {direction}, teeth stay in contact at "
-        f"{point.speed:.0f} rpm: both motions exist there."
+        f" Begun from the motion at the neighbouring speed, {joined(directions)}, teeth stay in contact at "
+        f"{point.speed:.0f} rpm{_settled(found, way, point, directions)}: both motions were found there."
         for point in way.points
-        if (direction := other_motion(way, point))
+        if (directions := _in_contact(way, point))
     ]
     return "".join(said)
 
 
 def other_motion(way: VerifiedWay, point: VerifiedPoint) -> str:
     """Directions of the grid in which teeth that part, begun pressed together, stay in contact."""
+    return joined(_in_contact(way, point))
+
+
+def _in_contact(way: VerifiedWay, point: VerifiedPoint) -> list[str]:
     if not parts(point.label, point.apart):
+        return []
+    return [direction for direction, speeds, _ in _both(way) if _within(speeds, point.speed)]
+
+
+def _settled(found: Verified, way: VerifiedWay, point: VerifiedPoint, directions: list[str]) -> str:
+    """What those motions are after the cycles that the window gives them; nothing between its speeds."""
+    at = _index(way, point.speed)
+    if at is None:
         return ""
-    return joined([direction for direction, told, _ in _both(way) if _within(told, point.speed)])
+    labels = dict.fromkeys(way.window[KEPT_AS[direction]][at] for direction in directions)
+    each = [label if has_label(label) else "not repeating within 1 %" for label in labels]
+    cycles = next(one["settle"] for one in found.settings if one["name"] == AT_WINDOW.name)
+    return f" ({joined(each)} after {cycles} mesh cycles)"
 
 
 def _within(told: str, speed: float) -> bool:
@@ -153,11 +177,7 @@ def from_neighbours(way: VerifiedWay, point: VerifiedPoint, label: str) -> str:
     at = _index(way, point.speed)
     if at is None:
         return ""
-    began = [
-        direction
-        for direction, labels in zip(DIRECTIONS, (way.window["up"], way.window["down"]), strict=True)
-        if labels[at] == label
-    ]
+    began = [direction for direction in DIRECTIONS if way.window[KEPT_AS[direction]][at] == label]
     if len(began) == len(DIRECTIONS):
         return "from both neighbours on the grid"
     return f"from its neighbour on the grid ({began[0]})" if began else ""

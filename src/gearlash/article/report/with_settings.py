@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from gearlash.article.verified import REPORTED, Verified, VerifiedPoint, VerifiedWay
+from gearlash.report.numbers import number
 
-from .seen import has_label, motion, parts
+from .seen import HELD, case_itself, has_label, motion, parts
 from .words import joined
 
 Row = tuple[str, float, str, float]
 """Setting, speed, label, share of time apart."""
+FASTER = 1.05
+"""Speed over that of the case: what is worth telling."""
 FEW = 3
 """Names that may stand in a bracket where nothing differs."""
 
@@ -63,7 +66,23 @@ def both_bending(found: Verified, agree: list[VerifiedWay]) -> str:
     )
     return (
         "The article’s simulation has flexible bodies. With a pinion that bends, too, "
-        f"{has} of the {len(tried)} inputs tried {'has' if has == 1 else 'have'} both motions: {moves}."
+        f"{has} of the {len(tried)} inputs tried {'has' if has == 1 else 'have'} both motions: {moves}. "
+        f"The shaft of that pinion is assumed{_nearer(found, [way for way, _ in tried])}."
+    )
+
+
+def _nearer(found: Verified, tried: list[VerifiedWay]) -> str:
+    """Ways that hold ω and run faster than the case, whose bodies ring as before."""
+    case = case_itself(found)
+    if case is None:
+        return ""
+    times = [(way.name, way.points[0].speed / case.points[0].speed) for way in tried if way.name in HELD]
+    faster = [f"“{name}” they are {number(ratio, 3)} times" for name, ratio in times if ratio > FASTER]
+    if not faster:
+        return ""
+    return (
+        f", and modes of bodies keep their Hz: at the speeds of {joined(faster)} nearer to the mesh "
+        "frequency than in the case"
     )
 
 
