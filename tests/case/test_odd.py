@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import pi
 from pathlib import Path
 
 import pytest
@@ -30,6 +31,31 @@ def test_it_is_told(values: dict[str, str], path: str, said: str):
     told = [note.text for note in gl.load_case(DRAWING, values).notes() if note.path == path]
     assert len(told) == 1
     assert said in told[0]
+
+
+THIN = {"pinion.shaft_diameter": "20 mm", "pinion.bearing_span": "300 mm"}
+
+
+@pytest.mark.parametrize(
+    ("values", "told"),
+    [
+        (THIN, True),
+        ({**THIN, "pinion.shaft_stiffness_y": "4e6 N/m"}, False),
+        ({**THIN, "pinion.bearing_stiffness_y": "4e6 N/m"}, False),
+        ({**THIN, "pinion.bearing_span": "80 mm"}, False),
+        ({"pinion.shaft_diameter": "20 mm"}, False),
+    ],
+)
+def test_a_thin_shaft_that_is_not_part_of_its_bearings_is_told(values: dict[str, str], told: bool):
+    """By hand: 48 E I over the cube of the 260 mm that are beside the 40 mm of face, E = 206 GPa."""
+    texts = [
+        note.text for note in gl.load_case(DRAWING, values).notes() if note.path == "pinion.bearing_span"
+    ]
+    assert len(texts) == told
+    bends = 48.0 * 206e9 * pi * 0.02**4 / 64.0 / 0.26**3
+    assert all(
+        f"bends with {bends:.3g} N/m" in text and "state pinion.shaft_stiffness_y" in text for text in texts
+    )
 
 
 THOUSANDS = (

@@ -7,6 +7,8 @@ from dataclasses import fields, replace
 from itertools import pairwise
 from math import atan, cos, radians, sin, sqrt, tan
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
@@ -24,10 +26,12 @@ from gearlash.report.pair import Contents, document, speed
 from gearlash.report.pair.maps import other_torques
 from gearlash.report.pair.noise import backlash_matters, loudest, not_quiet, unloaded
 from gearlash.report.pair.orders import exciting, meetings, meetings_within, natural_frequencies
+from gearlash.report.pair.ranges import speed_ends
 from gearlash.report.pair.stated import in_brief, of_either, pair_tables
 from gearlash.report.pair.verdict import Verdict, verdict
 from gearlash.report.pair.words import Words
 from gearlash.results import NO_LABEL, Axis
+from gearlash.results.impact_free import ImpactFree
 from gearlash.results.pair_question import carrying_forwards, speeds_around
 from gearlash.results.pair_units import PairUnits
 from gearlash.results.tolerance import ToleranceInput
@@ -472,6 +476,25 @@ def test_estimates_at_the_ends_of_their_ranges_are_held_against_the_stated_range
     beyond = {"operation.least_speed": "29000 rpm", "operation.greatest_speed": "30000 rpm"}
     said = verdict(replace(found, case=found.case.with_overrides(beyond), ranges=quiet))
     assert (said.kind, said.short) == ("doubt", "not told over its range of speed")
+
+
+def test_an_end_of_the_band_within_the_stated_range_is_told_though_another_is_nearer(
+    window: tuple[Assessment, SpeedRun],
+):
+    """Stated from 0.9 to 2 times the present speed; the band goes from 0.85 to 1.5 times. The nearer end is
+    beyond the stated range."""
+    found = window[0]
+    rpm = float(found.case.scales.pinion_rpm(found.here))
+    stated = {"operation.least_speed": f"{0.9 * rpm} rpm", "operation.greatest_speed": f"{2.0 * rpm} rpm"}
+    speeds = SimpleNamespace(here=True, lower=0.85 * found.here, upper=1.5 * found.here)
+    corner = Corner({"mesh.error": "12 um"}, 0.1, cast(ImpactFree, speeds))
+    words = Words(PairUnits.of(found.case), found.here)
+    for case, expected in (
+        (found.case, f"{0.85 * rpm:.4g}"),
+        (found.case.with_overrides(stated), f"{1.5 * rpm:.4g}"),
+    ):
+        assessed = replace(found, case=case, ranges=AcrossRanges(0.6, (), single=(corner,)))
+        assert f"ends with mesh.error = 12 µm at {expected}" in speed_ends(assessed, words)
 
 
 def test_what_is_unusual_about_the_case_stands_before_what_was_computed(

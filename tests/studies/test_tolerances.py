@@ -10,9 +10,11 @@ import pytest
 import gearlash as gl
 from gearlash.case import loads
 from gearlash.cli.answers.tolerance import chance_text
+from gearlash.results.tolerance import ToleranceInput
 from gearlash.studies.impact_free import closed_margin
 from gearlash.studies.tolerances.bands import outside, positive_bands, shared
 from gearlash.studies.tolerances.influence import combinations, influences, share_and_error
+from gearlash.studies.tolerances.inputs import check_possible
 from gearlash.studies.tolerances.worst import LAST_STEP, MOST, worst_from
 
 DRIVE = Path(__file__).parents[1] / "cases" / "drive.toml"
@@ -275,6 +277,18 @@ def test_cases_and_counts_that_do_not_fit_are_refused(case: str, message: str):
     axis = gl.Axis.even("omega", 0.5, 0.9, 3)
     with pytest.raises(gl.GearlashError, match=message):
         gl.tolerance(gl.load_case(case), axis, {"omega": (0.1, 0.2)}, samples=3)
+
+
+def test_limits_of_which_one_corner_exists_are_not_refused():
+    """A bore and a rim between the same limits: least, middle and greatest values together leave no rim, the
+    least bore with the greatest rim does. With every bore above every rim nothing exists."""
+    case = gl.load_case(
+        DRIVE.parent / "drawing.toml", {"gear.rim_diameter": "150 mm", "gear.web_width": "12 mm"}
+    )
+    rim = ToleranceInput("gear.rim_diameter", "mm", 40.0, 60.0, 50.0)
+    check_possible(case, (ToleranceInput("gear.bore", "mm", 40.0, 60.0, 50.0), rim))
+    with pytest.raises(gl.GearlashError, match="a diameter below that of its rim"):
+        check_possible(case, (ToleranceInput("gear.bore", "mm", 61.0, 70.0, 65.0), rim))
 
 
 def test_a_resonance_between_two_values_of_the_axis_is_seen():

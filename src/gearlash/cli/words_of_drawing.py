@@ -140,7 +140,8 @@ WORDS = (
         "bearing_span",
         "{gear}.bearing_span",
         "120mm/",
-        "Distance of the two bearings of the shaft; `verify` takes it.",
+        "Distance of the two bearings of the shaft, which bends between them: `verify` and the range of "
+        "estimated bearings have it.",
     ),
     Word("rim_diameter", "{gear}.rim_diameter", "/140mm", "Inner diameter of the rim."),
     Word("web_width", "{gear}.web_width", "/15mm", "Width of the web."),

@@ -36,7 +36,8 @@ class Across:
 
 
 def not_given(case: Case) -> list[Value]:
-    """Values that the case does not give and a report rests on: the distance of bearings is none of them."""
+    """Values that the case does not give and a report rests on. The distance of bearings is none of them: an
+    end of the range of their stiffness follows from it, and no value."""
     values = (value for value in case.values() if value.provenance not in ("given", "derived"))
     return [value for value in values if not value.path.endswith(".bearing_span")]
 
@@ -51,7 +52,7 @@ def across(found: Assessment, words: Words) -> Across | None:
     many = estimates(len(ranges.varied))
     if not ranges.margin > 0.0:
         return Across(False, *_where_it_would_hold(ranges, many))
-    ends = _ends(found, words)
+    ends = speed_ends(found, words)
     if ranges.broken:
         named = listed([_broken(one) for one in ranges.broken])
         rest = len(ranges.varied) - len(ranges.broken)
@@ -140,7 +141,7 @@ def _intervals(one: ToleranceInput, bands: tuple[tuple[float, float], ...]) -> s
     return f"{' or '.join(said)} (its range: {number(one.lower, 3)} to {number(one.upper, 3)}{unit})"
 
 
-def _ends(found: Assessment, words: Words) -> str:
+def speed_ends(found: Assessment, words: Words) -> str:
     """How near the ends of the band of speed come to the present speed, at the worst values: those within the
     range of speed that is stated, where there is one; beyond it the pair is not to run."""
     ranges = found.ranges
@@ -148,8 +149,8 @@ def _ends(found: Assessment, words: Words) -> str:
     corners = [*ranges.single, *([ranges.together] if ranges.together is not None else [])]
     said, stated = [], stated_speeds(found.case)
     for corner in corners:
-        near = _nearest(corner, found.here)
-        if near is None or (stated is not None and not stated[0] < near < stated[1]):
+        near = _nearest(corner, found.here, stated)
+        if near is None:
             continue
         what = settings(corner.values) if len(corner.values) == 1 else "the worst combination found"
         side = "above" if near > found.here else "below"
@@ -159,12 +160,13 @@ def _ends(found: Assessment, words: Words) -> str:
     return f" Around the present speed it ends {'; '.join(dict.fromkeys(said))}." if said else ""
 
 
-def _nearest(corner: Corner, here: float) -> float | None:
-    """The end of the band of speed that lies nearest, as an ω of the case."""
+def _nearest(corner: Corner, here: float, within: tuple[float, float] | None) -> float | None:
+    """The end of the band of speed that lies nearest, as an ω of the case; ``within`` leaves out others."""
     speeds = corner.speeds
     if speeds is None or not speeds.here:
         return None
     ends = [corner.unit * end for end in (speeds.lower, speeds.upper) if end is not None]
+    ends = [end for end in ends if within is None or within[0] < end < within[1]]
     return min(ends, key=lambda end: abs(end - here), default=None)
 
 

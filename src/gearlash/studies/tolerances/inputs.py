@@ -15,6 +15,8 @@ from gearlash.case.units import in_unit_of, unit
 from gearlash.results.tolerance import ToleranceInput
 from gearlash.system import GearlashError, given, shown
 
+from .designs import corners
+
 Limits: TypeAlias = Mapping[str, Sequence[float | str] | str]
 MOST_INPUTS = 20
 STATED = "stated"
@@ -65,14 +67,15 @@ def check_axis(case: Case, name: str, value: float | str, inputs: Sequence[Toler
 
 
 def check_possible(case: Case, inputs: Sequence[ToleranceInput]) -> None:
-    """Raises the `GearlashError` of the least values together where no pair can have these, the middle ones
-    or the greatest: a study would find nothing but combinations that do not exist."""
+    """Raises the `GearlashError` of the least values together where no pair can have these, nor the middle
+    ones, nor any corner of the limits that the study looks at: it would find combinations alone that do not
+    exist."""
     first: GearlashError | None = None
-    for share in (0.0, 0.5, 1.0):
+    middle = [0.5 * (one.lower + one.upper) for one in inputs]
+    for values in ([one.lower for one in inputs], middle, *corners(tuple(inputs)).tolist()):
         try:
-            case.with_overrides(
-                {one.path: one.text(one.lower + share * (one.upper - one.lower)) for one in inputs}
-            ).family()
+            stated = {one.path: one.text(value) for one, value in zip(inputs, values, strict=True)}
+            case.with_overrides(stated).family()
         except GearlashError as error:
             first = first or error
         else:

@@ -343,7 +343,7 @@ def _entries(rules: PairRules, found: Mapping[str, Estimate]) -> Iterator[Entry]
         for key in rules.places.keys(place):
             ends = one.least, one.greatest
             if leaf == "bearing_span" or ("phase" in name and ends[0] == ends[1]):
-                ends = None, None  # no number of this model follows from it; its source tells the range
+                ends = None, None  # no value of this model follows from it, only an end of another range
             yield Entry(key, path, one.value, "", Provenance.ASSUMED, one.source, *ends)
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import pi
 
 from gearlash.case.note import Note
-from gearlash.gears import backlash
+from gearlash.gears import backlash, bearings
 from gearlash.gears.cylindrical_pair import shift_sum
 from gearlash.gears.drawing import Drawing
 
@@ -47,6 +47,7 @@ def odd(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterat
     yield from _play(stated, entries, drawing)
     yield from _widths(stated, drawing)
     yield from _shafts(stated, drawing)
+    yield from _bending(stated, entries, drawing)
     yield from _speeds(stated, entries)
     yield from _added(stated, entries)
 
@@ -142,6 +143,25 @@ def _shafts(stated: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
                 entry.path,
                 f"a shaft of {1e3 * size:.4g} mm for a root diameter of {1e3 * root:.4g} mm{twisted}; "
                 f"hardened steel bears about {1e-6 * MOST_SHEAR:g} MPa, and bearings are estimated from it",
+            )
+
+
+def _bending(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
+    """Shafts that would bend far more than the bearings estimated on them, which alone are taken."""
+    for gear in GEARS:
+        span = stated.get(f"{gear}.bearing_span")
+        shaft = stated.get(f"{gear}.shaft_diameter") or stated.get(f"{gear}.bore")
+        bearing = entries.get(f"bearing_frequency_y{gear[0]}")
+        if span is None or shaft is None or bearing is None or bearing.least is None:
+            continue
+        bends = bearings.shaft_stiffness(shaft.number, 0.5 * (span.number - drawing.pair.face_width))
+        if f"{gear}.shaft_stiffness_y" not in stated and bends < bearing.number / bearings.SPREAD:
+            yield Note(
+                span.path,
+                f"a shaft of {1e3 * shaft.number:.4g} mm all along between bearings "
+                f"{1e3 * span.number:.4g} mm apart bends with {bends:.3g} N/m; run and report take the "
+                f"bearings, {bearing.number:.3g} N/m, without it: state {gear}.shaft_stiffness_y where it is so "
+                "thin all along",
             )
 
 
