@@ -16,9 +16,8 @@ from .transition import Transition
 
 JUMP = 5.0  # times the median change from one measured speed to the next: a larger one is a jump
 SMALLEST_JUMP = 0.1  # of the span of what was measured
-APART = (
-    2.0  # times the change beside it: a flank climbs in several steps, a peak goes back, a jump does neither
-)
+APART = 2.0
+"""Times the change beside it: a flank climbs in several steps, a peak goes back, a jump does neither."""
 NEAR = 2  # usual measured steps: so far from a jump an event may lie that it is put down to
 LEAST_OF_A_RUN = 4  # rows one way; shorter ones are how a speed wanders
 Array = NDArray[np.float64]

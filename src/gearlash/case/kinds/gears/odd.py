@@ -160,8 +160,8 @@ def _bending(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> I
                 span.path,
                 f"a shaft of {1e3 * shaft.number:.4g} mm all along between bearings "
                 f"{1e3 * span.number:.4g} mm apart bends with {bends:.3g} N/m; run and report take the "
-                f"bearings, {bearing.number:.3g} N/m, without it: state {gear}.shaft_stiffness_y where it is so "
-                "thin all along",
+                f"bearings, {bearing.number:.3g} N/m, without it: state {gear}.shaft_stiffness_y where it is "
+                "so thin all along",
             )
 
 

@@ -69,7 +69,7 @@ def of_gear(gear: str) -> Iterator[Quantity]:
     yield number(f"{gear}.teeth", "28", f"teeth of the {gear}", 5, 2000, integer=True, below=inner)
     yield positive(f"{gear}.mass", MASS, "kg", "5.98 kg", f"mass of the {gear}", 1e6)
     yield positive(f"{gear}.inertia", INERTIA, "kg*m^2", "0.01 kg·m²", f"inertia of the {gear}", 1e9)
-    what = f"inertia beside that of the {gear} itself, of what turns rigidly with it: shaft, rotor, hub"
+    what = f"inertia beside that of the {gear} itself, of what turns rigidly with it: shaft, rotor, pulley"
     yield Quantity(f"{gear}.added_inertia", INERTIA, "kg*m^2", "0.002 kg·m²", what, 0.0, 1e9)
     yield positive(f"{gear}.face_width", LENGTH, "mm", "65 mm", f"face width b of the {gear}", 5)
     what = f"radial run-out F_r of the {gear}, twice its eccentricity: an error once a turn"
