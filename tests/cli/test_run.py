@@ -12,9 +12,10 @@ import pytest
 import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
-from gearlash.case import load
+from gearlash.case import load, loads
 from gearlash.cli.answers.motion import motion_numbers
 from gearlash.cli.answers.sentence import met
+from gearlash.cli.files import at_what
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 from gearlash.cli.show.numbers import in_short
@@ -287,3 +288,10 @@ def test_without_torque_teeth_float(gearlash: Gearlash):
     case = str(Path(__file__).resolve().parents[1] / "cases" / "drive.toml")
     said = " ".join(gearlash("run", case, "--set", "torque=0Nm").out.split())
     assert "no torque presses the teeth together, and they float in the backlash" in said
+
+
+def test_the_heading_of_figures_says_which_backlash_is_an_estimate():
+    """A page of a figure alone has no table of what was assumed."""
+    text = (Path(__file__).parents[1] / "cases" / "drawing.toml").read_text()
+    assert at_what(loads(text)) == ", at 4200 rpm, 150 N·m, 80 µm backlash"
+    assert at_what(loads(text.replace('backlash = "80 um"\n', ""))).endswith(" µm backlash (assumed)")

@@ -101,17 +101,18 @@ def _scale(plots: Any, asked: Asked) -> Any:
 
 def at_what(case: Case, *varied: str) -> str:
     """Where a figure is drawn, behind its title: speed, torque and backlash of a case in physical units, but
-    for what is ``varied``; empty without."""
+    for what is ``varied``, and which of them is an estimate; empty without."""
     family = case.family()[0]
-    told = []
+    told, assumed = [], {value.path for value in case.values() if value.uncertain}
     for short, leaf in (("omega", "pinion_speed"), ("load", "torque"), ("D", "backlash")):
         if short in varied or short not in family.defaults:
             continue
         for path, value, unit in case.physical(short, family.defaults[short]):
             if path.rpartition(".")[2] == leaf:
-                told.append(
-                    f"{float(value):.5g} {pretty(unit)}" + (" backlash" if leaf == "backlash" else "")
+                words = (" backlash" if leaf == "backlash" else "") + (
+                    " (assumed)" if path in assumed else ""
                 )
+                told.append(f"{float(value):.5g} {pretty(unit)}{words}")
     return f", at {', '.join(told)}" if told else ""
 
 
