@@ -101,7 +101,7 @@ def _scale(plots: Any, asked: Asked) -> Any:
 
 def at_what(case: Case, *varied: str) -> str:
     """Where a figure is drawn, behind its title: speed, torque and backlash of a case in physical units, but
-    for what is ``varied``, and which of them is an estimate; empty without."""
+    for what is ``varied``, an estimate as such; empty without."""
     family = case.family()[0]
     told, assumed = [], {value.path for value in case.values() if value.uncertain}
     for short, leaf in (("omega", "pinion_speed"), ("load", "torque"), ("D", "backlash")):
@@ -109,10 +109,8 @@ def at_what(case: Case, *varied: str) -> str:
             continue
         for path, value, unit in case.physical(short, family.defaults[short]):
             if path.rpartition(".")[2] == leaf:
-                words = (" backlash" if leaf == "backlash" else "") + (
-                    " (assumed)" if path in assumed else ""
-                )
-                told.append(f"{float(value):.5g} {pretty(unit)}{words}")
+                size = f"about {float(value):.3g}" if path in assumed else f"{float(value):.5g}"
+                told.append(f"{size} {pretty(unit)}{' backlash' if leaf == 'backlash' else ''}")
     return f", at {', '.join(told)}" if told else ""
 
 
