@@ -1,18 +1,21 @@
-"""Real teeth beside the lumped model, pairs of many kinds: `python -m benchmarks.real_teeth [--fine] [PAIR]`.
+"""Real teeth beside the lumped model: `python -m benchmarks.real_teeth [--fine | --keep] [PAIR]`.
 
-Each pair is a drawing, as options of `gearlash new`; what it leaves open is estimated. Its teeth are turned
-slowly for their mean stiffness, and run at the speed, torque and error of the case, as by `gearlash verify`
-with the inputs “absolute” (one speed, the planned setting); the lumped model gets what they give, under every
-contact rule. Rows of the table of docs/verification.md, Markdown. Coarse elements take seconds for a pair;
-with `--fine` they are those of `gearlash verify`, take minutes, and are kept as there.
+Pairs of many kinds, each a drawing, as options of `gearlash new`; what it leaves open is estimated. Teeth are
+turned slowly for their mean stiffness, and run at the speed, torque and error of the case, as by `gearlash
+verify` with the inputs “absolute” (one speed, the planned setting); the lumped model gets what they give,
+under every contact rule. Rows of the table of docs/verification.md, Markdown. `--keep` writes all of them
+beside this file, with the commit that computed them; a test holds the page to that. Coarse elements take
+seconds for a pair; with `--fine` they are those of `gearlash verify`, take minutes, and are kept as there.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import sqrt
 from pathlib import Path
@@ -37,8 +40,11 @@ from gearlash.studies.verification.mesh import mesh_of
 from gearlash.studies.verification.point import run_point
 from gearlash.studies.verification.settings import PLANNED
 from gearlash.studies.verification.whole import all_errors, errors_of
+from tools.verified import computed
 
 GEARLASH = Path(sys.executable).parent / "gearlash"
+KEPT = Path(__file__).with_suffix(".json")
+COMMAND = "python -m benchmarks.real_teeth --keep"
 COARSE = SectorSettings(Fineness(flank=3, fillet=1, core=1, rim=2, axial=8))
 MEDIUM = "--teeth 25/57 --module 3mm --helix-angle 15deg --face-width 40mm"
 PAIRS = {
@@ -123,12 +129,12 @@ def both(case: Case, elements: SectorSettings | None) -> Both:
     return Both(estimate, inputs, mesh, real, lumped_points(case, given, (omega,)))
 
 
-def row(name: str, found: Both) -> str:
-    """Of the table."""
+def row(name: str, found: Both) -> list[str]:
+    """Cells of the table."""
     reading, lumped = found.real.reading, found.lumped
     least, estimate, greatest = found.estimate
     over = f"{found.mesh.stiffness / estimate:.2f} ({least / estimate:.2f} to {greatest / estimate:.2f})"
-    cells = [
+    return [
         name,
         f"`{PAIRS[name]}`",
         f"{found.mesh.stiffness / 1e8:.3g}·10⁸ N/m",
@@ -139,7 +145,16 @@ def row(name: str, found: Both) -> str:
         _span(reading.least / reading.mean, reading.most / reading.mean),
         " / ".join(dict.fromkeys(map(_forces, lumped))),
     ]
+
+
+def line(cells: Sequence[str]) -> str:
+    """Of a table in Markdown."""
     return f"| {' | '.join(cells)} |"
+
+
+def table(rows: Sequence[Sequence[str]]) -> str:
+    """As on the page."""
+    return "\n".join([line(COLUMNS), f"|{'---|' * len(COLUMNS)}", *map(line, rows)])
 
 
 def _forces(point: LumpedPoint) -> str:
@@ -156,15 +171,28 @@ def main(arguments: list[str] | None = None) -> int:
     """Prints a row as soon as it is there."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.real_teeth", description=__doc__)
     parser.add_argument("pairs", nargs="*", metavar="PAIR", help=f"of {', '.join(PAIRS)}; all without any")
-    parser.add_argument("--fine", action="store_true", help="elements as of `gearlash verify`")
+    way = parser.add_mutually_exclusive_group()
+    way.add_argument("--fine", action="store_true", help="elements as of `gearlash verify`")
+    way.add_argument("--keep", action="store_true", help=f"all pairs, written to {KEPT.name}")
     asked = parser.parse_args(arguments)
     unknown = [name for name in asked.pairs if name not in PAIRS]
     if unknown:
         parser.error(f"no such pair: {', '.join(unknown)}; there are {', '.join(PAIRS)}")
-    print(f"| {' | '.join(COLUMNS)} |\n|{'---|' * len(COLUMNS)}", flush=True)
+    if asked.keep and asked.pairs:
+        parser.error("--keep is of all pairs: name none beside it")
+    code, rows = computed(COMMAND), []
+    print(table(rows), flush=True)
     for name in asked.pairs or PAIRS:
-        print(row(name, both(drawn(PAIRS[name]), None if asked.fine else COARSE)), flush=True)
+        rows.append(row(name, both(drawn(PAIRS[name]), None if asked.fine else COARSE)))
+        print(line(rows[-1]), flush=True)
+    if asked.keep:
+        write(code, rows)
     return 0
+
+
+def write(code: dict[str, str], rows: Sequence[Sequence[str]]) -> None:
+    """Keeps the table, and which code computed it."""
+    KEPT.write_text(json.dumps({**code, "rows": rows}, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ def main(workers: int = 2) -> None:
     case = gl.load_case("article")
     with gl.open_workers(case, workers) as executor:
         found = verification(case, plan=plan_of_article(), execution=gl.Execution(executor), tell=_tell)
-    data = verified_data(found, verify_answer(case, found), computed())
+    data = verified_data(found, verify_answer(case, found), computed(COMMAND))
     write(data | {"check": check_numbers(case)})
 
 
@@ -35,11 +35,11 @@ def write(data: dict[str, Any]) -> None:
     KEPT.write_text(NUMBERS.sub(_on_one_line, text) + "\n", encoding="utf-8")
 
 
-def computed() -> dict[str, str]:
+def computed(command: str) -> dict[str, str]:
     """Which state of the code computes: its commit, and the day of that; and with which command."""
     asked = "git", "-C", str(KEPT.parent), "log", "-1", "--format=%h %cs"
     commit, day = subprocess.run(asked, check=True, capture_output=True, text=True).stdout.split()
-    return {"commit": commit, "day": day, "command": COMMAND}
+    return {"commit": commit, "day": day, "command": command}
 
 
 def _tell(stage: str, progress: Any) -> None:

@@ -2,25 +2,66 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
-from benchmarks.real_teeth import COARSE, COLUMNS, PAIRS, Both, both, drawn, main, row
+from benchmarks.real_teeth import COARSE, COLUMNS, KEPT, PAIRS, Both, both, drawn, main, row, table
+from gearlash.article.report.seen import has_label, parts
 
 PAGE = (Path(__file__).parents[2] / "docs" / "verification.md").read_text(encoding="utf-8")
 
 
-def cells(line: str) -> list[str]:
-    return [cell.strip() for cell in line.strip("|").split("|")]
+FOUND = json.loads(KEPT.read_text(encoding="utf-8"))
+ROWS = [dict(zip(COLUMNS, cells, strict=True)) for cells in FOUND["rows"]]
+WORDS = " ".join(PAGE.split())
 
 
 def test_the_table_of_the_page_is_that_of_the_command():
-    """As many columns, and the drawing that was computed in each row."""
-    begins = PAGE.index(f"| {' | '.join(COLUMNS)} |")
-    rows = [cells(line) for line in PAGE[begins:].partition("\n\n")[0].splitlines()[2:]]
-    assert {name: drawing.strip("`") for name, drawing, *_ in rows} == PAIRS
-    assert {len(row) for row in rows} == {len(COLUMNS)}
+    """Every cell as it is kept, of the drawings that the command has now, and the commit."""
+    assert table(FOUND["rows"]) in PAGE
+    assert {row["pair"]: row["options of `gearlash new`"].strip("`") for row in ROWS} == PAIRS
+    assert f"Commit {FOUND['commit']} computed the rows" in PAGE
+
+
+def greatest(cell: str) -> list[float]:
+    return [float(each.split(" to ")[1]) for each in cell.split(" / ")]
+
+
+def part(label: str) -> bool:
+    """Whether teeth part; a motion that stays in contact without a label is called `contact`."""
+    return parts(label, None) if has_label(label) else label != "contact"
+
+
+def test_what_the_page_says_below_the_table_is_what_the_rows_say():
+    """How many pairs part alike and have one label under each rule, and how far greatest forces are apart."""
+    both = [(row["real teeth"], row["lumped"].split(" / ")) for row in ROWS]
+    parting = sum(part(real) == part(each) for real, lumped in both for each in lumped[:1])
+    assert all(len({part(each) for each in lumped}) == 1 for _, lumped in both)
+    same = [row for row, (real, lumped) in zip(ROWS, both, strict=True) if lumped == [real]]
+    neither = [lumped for real, lumped in both if not has_label(real) and lumped == ["aperiodic"]]
+    assert len(neither) == 1
+    assert f"same in both models for {parting} of the {len(ROWS)} pairs, under each rule; the label" in WORDS
+    assert f"the label is the same for {len(same)}, and one more has none in either model" in WORDS
+    shares = {
+        row["pair"]: [
+            greatest(row["forces of real teeth over their mean"])[0] / lumped
+            for lumped in greatest(row["of the lumped model"])
+        ]
+        for row in same
+    }
+    everywhere = [each for found in shares.values() for each in found]
+    assert f"between {min(everywhere):.2f} and {max(everywhere):.2f} of those of the lumped model" in WORDS
+    del shares["helix of 33°"]
+    others = [each for found in shares.values() for each in found]
+    assert f"not examined) between {min(others):.2f} and {max(others):.2f}." in WORDS
+
+
+def test_all_pairs_are_kept_or_none(capsys: pytest.CaptureFixture[str]):
+    with pytest.raises(SystemExit):
+        main(["--keep", "steel"])
+    assert "--keep is of all pairs" in capsys.readouterr().err
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +71,7 @@ def light() -> Both:
 
 @pytest.mark.slow
 def test_a_row_says_what_was_found(light: Both):
-    shown = dict(zip(COLUMNS, cells(row("module 1", light)), strict=True))
+    shown = dict(zip(COLUMNS, row("module 1", light), strict=True))
     assert float(shown["k of real teeth"].partition("·")[0]) * 1e8 == pytest.approx(
         light.mesh.stiffness, rel=1e-2
     )
