@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks.real_teeth import COARSE, COLUMNS, KEPT, PAIRS, Both, both, drawn, main, row, table
+from gearlash.article.report import seen
 from gearlash.article.report.seen import has_label, parts
 
 PAGE = (Path(__file__).parents[2] / "docs" / "verification.md").read_text(encoding="utf-8")
@@ -30,8 +31,8 @@ def greatest(cell: str) -> list[float]:
 
 
 def part(label: str) -> bool:
-    """Whether teeth part; a motion that stays in contact without a label is called `contact`."""
-    return parts(label, None) if has_label(label) else label != "contact"
+    """Whether teeth part: of a motion without a label, unless it is one that keeps contact."""
+    return parts(label, None) if has_label(label) else label != seen.KEPT
 
 
 def test_what_the_page_says_below_the_table_is_what_the_rows_say():
