@@ -96,6 +96,16 @@ def test_answers_to_other_questions_are_kept_each_whole(gearlash: Gearlash, tmp_
     assert len(list(tmp_path.glob("earlier-*"))) == 2
 
 
+def test_what_was_answered_is_put_back_where_a_question_is_refused(gearlash: Gearlash, tmp_path: Path):
+    claim(tmp_path, ["tolerance.json"]).file("tolerance.json").write_text("kept", encoding="utf-8")
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    line = ("tolerance", str(CASES / "drive.toml"), "--over", "pinion_speed=2800:3200:4")  # without unit
+    refused = gearlash(*line, "--limits", "torque=140:160Nm", "--out", str(tmp_path))
+    assert refused.code == 2
+    assert "is back in its place" in refused.complaint
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
+
+
 def test_a_file_that_says_something_else_makes_another_question(gearlash: Gearlash, tmp_path: Path):
     case, out = tmp_path / "case.toml", tmp_path / "out"
     text = (CASES / "drive.toml").read_text(encoding="utf-8")

@@ -7,7 +7,6 @@ import json
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -17,10 +16,9 @@ from gearlash.system import GearlashError, given
 from .hold import HeldError, Hold, hold
 from .jsonio import write_text
 from .question import fingerprint
-from .terminal import tell
+from .set_aside import MARKER, noted, set_aside
 
 MOTION_FILES = ("portrait.svg", "portrait.pdf", "history.svg", "history.pdf", "history.nc", "spectrum.nc")
-MARKER = ".gearlash.json"
 LARGEST_MARKER = 100_000  # bytes
 
 
@@ -70,8 +68,8 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
         for name in wanted:
             for part in path.glob(unfinished(name)):  # of a command that was killed
                 part.unlink(missing_ok=True)
-        asked = _asked(marker, own)
-        moved = _set_aside(path, [name for name in wanted if name in own], asked)
+        asked = noted(marker, own)
+        moved = set_aside(path, [name for name in wanted if name in own], asked, held)
         asked = {name: one for name, one in asked.items() if name not in moved}
         asked |= dict.fromkeys(wanted, fingerprint())
         content = {
@@ -89,37 +87,6 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
     except OSError as error:
         raise GearlashError(f"--out {path}: cannot be written ({error.strerror or error})") from None
     return OutFolder(path, held, frozenset({*own, *wanted}))
-
-
-def _asked(marker: dict[str, Any], own: set[str]) -> dict[str, str]:
-    """The question that each own name is an answer to. A folder from elsewhere may name any place, and what
-    gearlash did not write: those are no names."""
-    found = marker.get("asked", {})
-    if not isinstance(found, dict):
-        return {}
-    return {name: str(one) for name, one in found.items() if name in own and _is_name(name)}
-
-
-def _is_name(name: str) -> bool:
-    """Whether this names something in a folder; the marker itself is no answer."""
-    return name == Path(name).name and name not in ("", ".", "..", MARKER)
-
-
-def _set_aside(path: Path, wanted: Iterable[str], asked: dict[str, str]) -> list[str]:
-    """Moves answers to other questions away that have a wanted name, each whole, and says where they are."""
-    others = {asked.get(name, "") for name in wanted if (path / name).exists()} - {fingerprint()}
-    names = {name for name, one in asked.items() if one in others}
-    names |= {name for name in wanted if asked.get(name, "") in others}  # of a version that noted no question
-    moved = sorted(name for name in names if (path / name).exists())
-    if not moved:
-        return []
-    places = (path / f"earlier-{number}" for number in count(1))
-    aside = next(place for place in places if not os.path.lexists(place))
-    aside.mkdir()
-    for name in moved:
-        (path / name).rename(aside / name)
-    tell(f"what was answered there before, with other values or options, is kept in {aside}")
-    return moved
 
 
 def _make(path: Path) -> None:
