@@ -190,8 +190,8 @@ def test_two_bodies_that_bend_are_told_with_what_they_turn_round():
     held = replace(agreed, name="dimensionless", points=tuple(faster), beside=tuple(rows))
     assert said.count("The shaft of that pinion is assumed. ") == 1
     assert (
-        "The shaft of that pinion is assumed, and modes of bodies keep their Hz: at the speeds of "
-        "“dimensionless” they are 1.5 times nearer to the mesh frequency than in the case."
+        "The shaft of that pinion is assumed. Modes of bodies keep their Hz: beside them the mesh frequency "
+        "is higher than in the case, with “dimensionless” 1.5 times as high."
     ) in text_of(replace(kept(), ways=(*ways, held)))
 
 

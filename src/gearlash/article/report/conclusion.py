@@ -31,10 +31,13 @@ END = (
     "inputs are not known."
 )
 READ_ANEW = (
-    " as mesh cycles are compared now (by mean forces); as they were compared before (at single places), "
-    "none did in the last data so compared (commit fedb86e), and “absolute” did in the first ones"
+    " as mesh cycles are compared now (by mean forces). As they were compared before (at single places), "
+    "none did in the last data (computed by commit fedb86e); in the first data “absolute” did"
 )
-COUNTED = f"Parting counts where the label is {REPORTED[0]}, contact with a label or without."
+COUNTED = (
+    f"That asks for the label {REPORTED[0]} at the lower speed, and for contact at the higher one, with a "
+    "label or without."
+)
 NEAR = 0.05
 """Relative, of the dimensionless numbers of a way to those of the case: what is worth telling."""
 
@@ -293,8 +296,8 @@ def _harmonics(found: Verified) -> Text:
     if not turned:
         return Text.of(f"{said}.")
     return Text.of(
-        f"{said}. Strong modification at this light load turns it round: relief of both tips by "
-        f"{RELIEF['tip'] * 1e6:.0f} µm over {RELIEF['length'] * 1e3:.3g} mm of roll and crowning of "
+        f"{said}. Strong modification turns it round under {turned[0].torque:.0f} N·m: relief of both "
+        f"tips by {RELIEF['tip'] * 1e6:.0f} µm over {RELIEF['length'] * 1e3:.3g} mm of roll and crowning of "
         f"{RELIEF['crowning'] * 1e6:.0f} µm give {ripples(turned[0])}, and at "
         f"{number(turned[0].face_width, 3)} mm bring the mean "
         f"stiffness down to {number(turned[0].stiffness / 1e8, 3)}·10⁸ N/m."

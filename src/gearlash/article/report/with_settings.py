@@ -77,12 +77,12 @@ def _nearer(found: Verified, tried: list[VerifiedWay]) -> str:
     if case is None:
         return ""
     times = [(way.name, way.points[0].speed / case.points[0].speed) for way in tried if way.name in HELD]
-    faster = [f"“{name}” they are {number(ratio, 3)} times" for name, ratio in times if ratio > FASTER]
+    faster = [f"with “{name}” {number(ratio, 3)} times as high" for name, ratio in times if ratio > FASTER]
     if not faster:
         return ""
     return (
-        f", and modes of bodies keep their Hz: at the speeds of {joined(faster)} nearer to the mesh "
-        "frequency than in the case"
+        ". Modes of bodies keep their Hz: beside them the mesh frequency is higher than in the case, "
+        f"{joined(faster)}"
     )
 
 
