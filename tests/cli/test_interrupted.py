@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import signal
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -78,7 +80,7 @@ def test_run_keeps_a_motion_without_its_numbers(
 ):
     """Of a slow system they take longer than anybody waits after Ctrl-C."""
 
-    def interrupted(attractor: object) -> None:
+    def interrupted(attractor: object, readout: object) -> None:
         os.kill(os.getpid(), signal.SIGINT)
 
     monkeypatch.setattr("gearlash.cli.answers.run.motion_numbers", interrupted)
@@ -109,7 +111,7 @@ def test_an_end_at_once_waits_for_files_that_are_being_moved(tmp_path: Path, mon
 
     def replaced(part: Path, path: Path) -> Path:
         found = replace(part, path)
-        seen.append(store._moving.locked())
+        seen.append(store._changing.locked())
         return found
 
     monkeypatch.setattr(Path, "replace", replaced)
@@ -119,8 +121,34 @@ def test_an_end_at_once_waits_for_files_that_are_being_moved(tmp_path: Path, mon
     part.write_bytes(b"half")
     monkeypatch.setattr(store, "_unfinished", {part})
     store.give_up()
-    store._moving.release()
+    store._changing.release()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "a.nc"]
+
+
+def test_no_file_is_begun_after_an_end_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """The thread that ends the process takes away what is not whole; what writes goes on till then."""
+    given_up = threading.Event()
+
+    def synced(_handle: int) -> None:
+        if not given_up.is_set():
+            store.give_up()
+            given_up.set()
+
+    monkeypatch.setattr(os, "fsync", synced)
+    contents = {tmp_path / "a.nc": b"1", tmp_path / "a.json": b"1"}
+
+    def write() -> None:
+        with contextlib.suppress(OSError):  # the first part is gone
+            store.write_together(contents)
+
+    writing = threading.Thread(target=write, daemon=True)
+    writing.start()
+    assert given_up.wait(10.0)
+    writing.join(0.2)
+    assert writing.is_alive()
+    assert not list(tmp_path.iterdir())
+    store._changing.release()
+    writing.join(10.0)
 
 
 def test_workers_that_die_before_anything_was_computed_have_exit_code_5(

@@ -123,7 +123,8 @@ def test_a_report_is_made_of_what_was_computed(tmp_path: Path, workers: int, num
             assert not (ended.out / "report.html").exists()
             continue
         content = json.loads(answer.read_text(encoding="utf-8"))
-        assert (content["status"], content["verdict"]) == ("incomplete", "doubt")
+        stopped = "was stopped" in content["sentence"]  # before all starts at the present speed were tried
+        assert (content["status"], content["verdict"]) == ("incomplete", "doubt" if stopped else "good")
         assert "the map over backlash" in content["missing"]
         page = (ended.out / "report.html").read_text(encoding="utf-8")
         assert "The report was stopped early; not computed:" in page

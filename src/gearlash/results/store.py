@@ -8,7 +8,7 @@ import os
 import threading
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, BinaryIO
 
 import numpy as np
 
@@ -128,11 +128,11 @@ def write_together(contents: Mapping[Path, bytes | memoryview], instead_of: Iter
     try:
         _unfinished.update(parts.values())
         for path, part in parts.items():
-            with _naming(path), part.open("xb") as file:
+            with _naming(path), _begun(part) as file:
                 file.write(contents[path])
                 file.flush()
                 os.fsync(file.fileno())
-        with _moving:
+        with _changing:
             for path, part in parts.items():
                 with _naming(path):
                     part.replace(path)
@@ -144,7 +144,8 @@ def write_together(contents: Mapping[Path, bytes | memoryview], instead_of: Iter
         _unfinished.difference_update(parts.values())
 
 
-_moving = threading.Lock()
+_changing = threading.Lock()
+"""Held while names in a folder change. Who gives up keeps it, so that no file is begun any more."""
 _unfinished: set[Path] = set()
 MOVED = 1.0  # s that files may take to be moved, before that is not waited for
 
@@ -152,10 +153,15 @@ MOVED = 1.0  # s that files may take to be moved, before that is not waited for
 def give_up() -> None:
     """For a thread that is about to end the process: files that are being moved are waited for, and those
     that are not whole go."""
-    _moving.acquire(timeout=MOVED)
+    _changing.acquire(timeout=MOVED)
     for part in list(_unfinished):
         with contextlib.suppress(OSError):
             part.unlink(missing_ok=True)
+
+
+def _begun(part: Path) -> BinaryIO:
+    with _changing:
+        return part.open("xb")
 
 
 @contextlib.contextmanager
