@@ -20,6 +20,8 @@ def diagram(
     found: Sequence[Found],
     events: Sequence[Event],
 ) -> Diagram:
+    """The sweeps over one parameter, with the changes that were met in them; those that are an event of the
+    article are marked as such."""
     special = {event.value for event in events if event.found}
     marks = tuple(_mark(t, directions, t.value in special) for t, directions in found)
     return Diagram(name, dict(fixed), sweep_dataset(case, [row.sweep for row in done]), marks)
