@@ -7,6 +7,7 @@ import json
 import os
 import signal
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,7 +15,9 @@ from pathlib import Path
 import pytest
 
 from cli.conftest import Gearlash
+from gearlash.cli import interrupt
 from gearlash.jobs import NoWorkersError
+from gearlash.jobs.stop import interruptible, stopping
 from gearlash.results import store
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="sends SIGINT to this process")
@@ -89,6 +92,29 @@ def test_run_keeps_a_motion_without_its_numbers(
     assert (ran.answer["numbers"], ran.answer["beside"]) == (None, None)
     assert "before its numbers and other starts and speeds free of impacts" in ran.answer["message"]
     assert sorted(path.name for path in tmp_path.glob("*.*") if path.name[0] != ".") == ["run.json"]
+
+
+@pytest.mark.parametrize("late", ["_hear", "_break_off"])
+def test_that_the_command_stops_is_told_before_how_it_ended(
+    gearlash: Gearlash, monkeypatch: pytest.MonkeyPatch, late: str
+):
+    """Whichever thread comes first to the signal."""
+
+    def study(*_: object, **__: object) -> None:
+        with interruptible():
+            os.kill(os.getpid(), signal.SIGINT)
+            while not stopping():
+                time.sleep(0.01)
+            raise KeyboardInterrupt
+
+    handler, told = getattr(interrupt, late), []
+    monkeypatch.setattr(interrupt, late, lambda *args: (time.sleep(0.2), handler(*args)))
+    monkeypatch.setattr(interrupt, "_say", lambda text: told.append(text.decode().strip()))
+    monkeypatch.setattr("gearlash.cli.exits.tell", told.append)
+    monkeypatch.setattr("gearlash.studies.tolerances.tolerance", study)
+    ran = gearlash("tolerance", "article", "--over", "omega=0.9:1.0:3", "--limits", "D=0.3:0.4")
+    assert ran.code == 130
+    assert told == [interrupt.STOPPING.decode().strip(), "interrupted"]
 
 
 def test_files_that_belong_together_are_there_together_or_as_before(tmp_path: Path):

@@ -61,6 +61,8 @@ class _State:
         self.met: _Phase | None = None  # what the main thread was at when it came to its handler
         self.phase = _Phase.NOTHING
         self.moved = 0.0  # when the phase began, or a part of what is shown was taken
+        self.told = False  # that the command is stopping
+        self.telling = threading.Lock()
 
     def is_set(self) -> bool:
         """The flag of `gearlash.jobs.stop`."""
@@ -208,7 +210,9 @@ def _break_off(number: int, _frame: FrameType | None) -> None:
     """In the main thread, once: the other one may hear of the signal a little earlier or later."""
     if _state.met is not None:
         return
-    _state.met, _state.number = _state.phase, _state.number or number
+    _state.met = _state.phase
+    _tell_stopping(_state.phase)
+    _state.number = _state.number or number
     if _state.phase in (_Phase.OPTIONAL, _Phase.ASKING):
         raise KeyboardInterrupt
     if _state.phase is _Phase.STUDY:
@@ -279,12 +283,23 @@ def _hear(number: int) -> None:
         if now - _state.heard > ECHO:
             _end(number)
         return
-    _state.number, _state.heard = _state.number or number, now
+    _state.heard = now
     phase = _state.met or _state.phase
+    _tell_stopping(phase)
+    _state.number = _state.number or number
     if phase is _Phase.NOTHING:
         _end(number)
-    if phase not in (_Phase.SHOWING, _Phase.ASKING):
-        _say(STOPPING)
+
+
+def _tell_stopping(phase: _Phase) -> None:
+    """Once, by the thread that comes first, and before the flag is up: what the command tells of its end
+    comes after it."""
+    if phase not in (_Phase.STUDY, _Phase.OPTIONAL, _Phase.KEEPING):
+        return
+    with _state.telling:
+        if not _state.told:
+            _state.told = True
+            _say(STOPPING)
 
 
 def _hangs() -> bool:
