@@ -13,8 +13,14 @@ from gearlash.cli.answers.tolerance import chance_text
 from gearlash.results.tolerance import ToleranceInput
 from gearlash.studies.impact_free import closed_margin
 from gearlash.studies.tolerances.bands import outside, positive_bands, shared
-from gearlash.studies.tolerances.influence import combinations, influences, share_and_error
-from gearlash.studies.tolerances.inputs import check_possible
+from gearlash.studies.tolerances.influence import (
+    combinations,
+    groups,
+    influences,
+    share_and_error,
+    why_none,
+)
+from gearlash.studies.tolerances.inputs import check_possible, estimated_inputs, read_inputs
 from gearlash.studies.tolerances.worst import LAST_STEP, MOST, worst_from
 
 DRIVE = Path(__file__).parents[1] / "cases" / "drive.toml"
@@ -101,8 +107,9 @@ def test_the_probability_between_values_of_the_axis_is_that_of_the_ends():
 
 def test_indices_of_a_known_function():
     """x1 + 2 x2: first and total are 1/5 and 4/5."""
-    inputs = tuple(gl.ToleranceInput(name, "", 0.0, 1.0, 0.5) for name in ("one", "two", "none"))
-    sampled = [combinations(np.random.default_rng(seed).random((2, 512, 3))) for seed in range(8)]
+    inputs = ("one", "two", "none")
+    columns = [(0,), (1,), (2,)]
+    sampled = [combinations(np.random.default_rng(seed).random((2, 512, 3)), columns) for seed in range(8)]
     sets = [points[..., 0] + 2.0 * points[..., 1] for points in sampled]
     first, second, third = influences(inputs, sets)
     assert [first.path, second.path] == ["two", "one"]
@@ -114,6 +121,52 @@ def test_indices_of_a_known_function():
     assert first.total == pytest.approx(0.8, abs=4.0 * first.total_error)
     assert second.first == pytest.approx(0.2, abs=4.0 * second.first_error)
     assert third.total == pytest.approx(0.0, abs=1e-12)
+
+
+def test_harmonics_of_one_curve_share_an_influence():
+    """x1 + 2 x2 + x3 x4, the last two together: their share is that of their product, 1/9 by the variances
+    1/12, 4/12 and 1/9 - 1/16."""
+    inputs = [gl.ToleranceInput(name, "", 0.0, 1.0, 0.5) for name in ("one", "two")]
+    inputs += [gl.ToleranceInput(name, "", 0.0, 1.0, 0.5, curve="c") for name in ("c", "c_2")]
+    together = groups(inputs)
+    assert together == {"one": (0,), "two": (1,), "c": (2, 3)}
+    sampled = [
+        combinations(np.random.default_rng(seed).random((2, 512, 4)), together.values()) for seed in range(8)
+    ]
+    assert sampled[0].shape == (5, 512, 4)
+    sets = [x[..., 0] + 2.0 * x[..., 1] + x[..., 2] * x[..., 3] for x in sampled]
+    variances = {"one": 1.0 / 12.0, "two": 4.0 / 12.0, "c": 1.0 / 9.0 - 1.0 / 16.0}
+    for row in influences(together, sets):
+        share = variances[row.path] / sum(variances.values())
+        assert row.first == pytest.approx(share, abs=4.0 * row.first_error)
+        assert row.total == pytest.approx(share, abs=4.0 * row.total_error)
+        assert row.total_error < 0.05
+
+
+def test_all_that_a_drawing_leaves_open_is_varied():
+    """Of a helical pair on bearings more than twenty values; harmonics of the stiffness are one curve."""
+    case = gl.load_case(Path(__file__).parents[1] / "cases" / "drawing.toml")
+    inputs = read_inputs(case, None)
+    assert inputs == estimated_inputs(case)
+    ranged = [value.path for value in case.values() if value.least is not None]
+    assert [one.path for one in inputs] == ranged
+    assert len(inputs) > 20
+    ripple = [one for one in inputs if one.path.startswith("mesh.ripple")]
+    assert len(ripple) > 4
+    assert {one.curve for one in ripple} == {"mesh.ripple"}
+    assert {one.curve for one in inputs if one not in ripple} == {""}
+
+
+def test_where_no_share_can_be_told_it_is_told_why():
+    values = np.zeros((2, 4, 8))
+    values[0, 1, 2] = -np.inf
+    assert why_none(list(values)) == "in 1 of 64 samples that motion is unstable, and has no margin"
+    assert why_none(list(np.where(values < 0.0, np.nan, values))).endswith("was not solved for")
+    assert why_none(list(np.zeros((2, 4, 8)))) == "the margin is the same in all samples"
+    one = gl.tolerance(
+        loads(LINEAR), gl.Axis.even("omega", 0.55, 0.65, 2), {"load": (0.15, 0.3)}, samples=2, replicates=2
+    )
+    assert (one.influences, one.no_influences) == ((), "all of it is of one input")
 
 
 def test_indices_and_the_worst_corner_of_a_linear_mesh_are_those_of_the_closed_form():
@@ -348,9 +401,8 @@ def test_shares_are_possible_ones():
     """Indices of few samples lie between none and all, alone no more than in all; and sets that agree by
     chance do not make a share exact."""
     rng = np.random.default_rng(3)
-    inputs = [gl.ToleranceInput(name, "", 0.0, 1.0, 0.5) for name in "ab"]
-    points = [combinations(rng.uniform(size=(2, 4, 2))) for _ in range(3)]
-    for row in influences(inputs, [x[..., 0] + 1e-3 * x[..., 1] for x in points]):
+    points = [combinations(rng.uniform(size=(2, 4, 2)), [(0,), (1,)]) for _ in range(3)]
+    for row in influences("ab", [x[..., 0] + 1e-3 * x[..., 1] for x in points]):
         assert 0.0 <= row.first <= row.total <= 1.0
     held = np.repeat([[1.0, 1.0, 1.0, 0.0]], 4, axis=0)
     share, error = share_and_error(held)

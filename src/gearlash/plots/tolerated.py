@@ -69,7 +69,7 @@ def tolerance_bands(found: Tolerance, title: str = "") -> Figure:
         panels[0].tick_params(labelbottom=False)
     _bands(panels[1 if likely else 0], found)
     if shown.ranked:
-        _indices(panels[-1], shown)
+        _indices(panels[-1], found, shown)
     if said:
         panels[0].set_title("\n".join(said), pad=6.0)
     return figure
@@ -125,7 +125,7 @@ def _present(axes: Axes, found: Tolerance) -> None:
         axes.axvline(found.present, color="black", lw=0.8, ls=(0, (5, 2)))
 
 
-def _indices(axes: Axes, shown: _Shown) -> None:
+def _indices(axes: Axes, found: Tolerance, shown: _Shown) -> None:
     """Total Sobol indices of the margin at the present value, the largest first. A whisker goes no farther
     than a share can; where the samples leave it open, that is said and no bar is drawn."""
     rows = range(len(shown.ranked))
@@ -139,7 +139,7 @@ def _indices(axes: Axes, shown: _Shown) -> None:
     )  # fmt: skip
     for at in np.flatnonzero(~known):
         axes.text(0.01, float(at), "the samples tell nothing of its share", va="center", fontsize="small")
-    axes.set_yticks(rows, [literal(one.path) for one in shown.ranked])
+    axes.set_yticks(rows, [literal(found.sharing(one.path)) for one in shown.ranked])
     axes.set_ylim(len(totals) - 0.5, -0.5)
     axes.set_xlim(0.0, 1.0)
     axes.xaxis.set_major_formatter(PercentFormatter(1.0))
@@ -157,6 +157,6 @@ class _Shown:
 
 def _shown(found: Tolerance) -> _Shown:
     small = [one for one in found.influences if one.total < LEAST_BAR and one.total_error < LEAST_BAR]
-    named = ", ".join(literal(one.path) for one in small)
+    named = ", ".join(literal(found.sharing(one.path)) for one in small)
     rest = wrap(f"less than {LEAST_BAR:.0%} each: {named}".replace("%", " %"), LINE) if small else []
     return _Shown(tuple(one for one in found.influences if one not in small), tuple(rest))

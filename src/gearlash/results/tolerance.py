@@ -27,6 +27,9 @@ class ToleranceInput:
         In ``unit``.
     reason : str
         Where the limits are from.
+    curve : str
+        Path of the first of the harmonics that are estimated together, as one curve: they vary independently,
+        and share one influence. Empty for what is no part of one.
 
     Examples
     --------
@@ -41,6 +44,7 @@ class ToleranceInput:
     upper: float
     nominal: float
     reason: str = ""
+    curve: str = ""
 
     def text(self, value: float) -> str:
         """A value of it as a case file would state it.
@@ -101,6 +105,7 @@ class Influence:
     Attributes
     ----------
     path : str
+        Of the input; of a curve that of its first harmonic, for all of them together.
     first, first_error : float
         By itself, and the standard error of that.
     total, total_error : float
@@ -176,7 +181,9 @@ class Tolerance(Record):
         Combinations of which bands are known: the case as it is where it lies within the limits, corners,
         samples, and the worst one of the search.
     influences : tuple of Influence
-        Of the margin at the present value, the largest total first; empty where it does not vary.
+        Of the margin at the present value, the largest total first.
+    no_influences : str
+        Why there are none; empty where there are some.
     unsolved : int
         Motions that were not solved for, of all.
     profile : Profile or None
@@ -216,6 +223,22 @@ class Tolerance(Record):
     complete: bool = True
     message: str = ""
     profile: Profile | None = None
+    no_influences: str = ""
+
+    def sharing(self, path: str) -> str:
+        """What an influence is of: a path, or that of the first harmonic of a curve and the last one.
+
+        Parameters
+        ----------
+        path : str
+            As an influence has it.
+
+        Returns
+        -------
+        str
+        """
+        last = [one.path for one in self.inputs if path in (one.path, one.curve)][-1]
+        return path if last == path else f"{path} to {last.rpartition('.')[2]}"
 
     @property
     def settings_of_worst(self) -> Mapping[str, str]:

@@ -47,6 +47,9 @@ class InputFound:
     first_error: float | None
     total: Annotated[float | None, "the same with all that it makes together with others"]
     total_error: float | None
+    curve: Annotated[
+        str, "first harmonic of a curve that is estimated as a whole: all its harmonics have this one share"
+    ] = ""
 
 
 @dataclass(frozen=True)
@@ -100,6 +103,7 @@ class ToleranceAnswer:
         tuple[str, ...],
         "what is taken to be the same wherever the axis and the inputs vary, although it may not",
     ] = ()
+    no_shares: Annotated[str, "why no value has a share of the variance; empty where they have"] = ""
     result: Literal["tolerance"] = "tolerance"
 
 
@@ -132,6 +136,7 @@ def tolerance_answer(case: Case, found: Tolerance) -> ToleranceAnswer:
         replicates=found.replicates,
         corners=found.corners,
         unsolved=found.unsolved,
+        no_shares=found.no_influences,
     )
 
 
@@ -147,15 +152,25 @@ def _inputs(found: Tolerance) -> tuple[InputFound, ...]:
     known = {one.path: one for one in found.influences}
     rows = []
     for one, worst in zip(found.inputs, found.worst.inputs, strict=True):
-        index = known.get(one.path)
+        index = known.get(one.curve or one.path)
         four = (
             (None,) * 4 if index is None else (index.first, index.first_error, index.total, index.total_error)
         )
         rows.append(
-            InputFound(one.path, one.unit, one.lower, one.upper, one.nominal, worst, one.reason, *four)
+            InputFound(
+                one.path,
+                one.unit,
+                one.lower,
+                one.upper,
+                one.nominal,
+                worst,
+                one.reason,
+                *four,
+                curve=one.curve,
+            )
         )
     order = [one.path for one in found.influences]
-    return tuple(sorted(rows, key=lambda row: order.index(row.path) if row.path in order else len(order)))
+    return tuple(sorted(rows, key=lambda row: order.index(row.curve or row.path) if order else 0))
 
 
 def _sentence(case: Case, found: Tolerance) -> str:
@@ -165,7 +180,8 @@ def _sentence(case: Case, found: Tolerance) -> str:
     said = [here, always_text(found), never]
     first = found.influences[0] if found.influences else None
     if first is not None and first.total > SURE * first.total_error:
-        said.append(f"the margin there depends most on {first.path} ({variance_text(first)} of its variance)")
+        name = found.sharing(first.path)
+        said.append(f"the margin there depends most on {name} ({variance_text(first)} of its variance)")
     if not found.never:
         said.remove(never)
     if not found.complete:

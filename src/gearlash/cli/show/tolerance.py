@@ -38,6 +38,8 @@ def tolerance_view(answer: ToleranceAnswer, width: int) -> Iterator[Text]:
                ("in all", "right"), ("limits", "left")]  # fmt: skip
     title = "Values with limits, and their share of the variance of the margin at the present value"
     yield from table(title, columns, [_input(one) for one in answer.inputs], width)
+    if answer.no_shares:
+        yield from note(f"No shares of the variance: {answer.no_shares}.", width)
     if any(one.reason != "stated" for one in answer.inputs):
         yield from note("Where the ranges of what is estimated are from, gearlash check tells.", width)
     settings = " ".join(f"--set '{path}={value}'" for path, value in answer.worst.items())
@@ -88,7 +90,9 @@ def _open(share: float | None) -> bool:
 
 def _input(one: InputFound) -> list[str]:
     shares = ("-", "-")
-    if one.first is not None and one.total is not None:
+    if one.curve not in ("", one.path) and one.first is not None:
+        shares = ("with", one.curve.rpartition(".")[2])
+    elif one.first is not None and one.total is not None:
         shares = (_share(one.first, one.first_error), _share(one.total, one.total_error))
     worst = "any" if one.total is not None and one.total < NOTHING else f"{one.worst:.6g}"
     name = f"{one.path} [{pretty(one.unit)}]" if one.unit else one.path

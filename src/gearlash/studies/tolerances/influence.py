@@ -3,11 +3,12 @@
 Estimators of M. J. W. Jansen, Comput. Phys. Commun. 117 (1999) 35, doi:10.1016/S0010-4655(98)00154-4, of
 several sets together, with errors from leaving each of them out (jackknife). Those of
 `scipy.stats.sobol_indices` divide by the variance of the samples, which is far off where these are few.
+Harmonics of one curve are one input here: nobody knows one of them without the others.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,34 +18,58 @@ from gearlash.results.tolerance import Influence, ToleranceInput
 Points = NDArray[np.float64]
 
 
-def combinations(both: Points) -> Points:
-    """Of two sets of points (2, n, d): both, and A with each of its columns from B: (2 + d, n, d)."""
+def groups(inputs: Sequence[ToleranceInput]) -> Mapping[str, tuple[int, ...]]:
+    """Which inputs (columns) share an influence, by the path that it is told under."""
+    found: dict[str, tuple[int, ...]] = {}
+    for i, one in enumerate(inputs):
+        name = one.curve or one.path
+        found[name] = (*found.get(name, ()), i)
+    return found
+
+
+def combinations(both: Points, columns: Collection[Sequence[int]]) -> Points:
+    """Of two sets of points A, B (2, n, d): both, and A with each of g groups of columns from B:
+    (2 + g, n, d)."""
     one, other = both
-    mixed = np.repeat(one[None], one.shape[1], axis=0)
-    for i in range(one.shape[1]):
-        mixed[i, :, i] = other[:, i]
-    return np.concatenate([both, mixed])
+    mixed = [one.copy() for _ in columns]
+    for points, group in zip(mixed, columns, strict=True):
+        points[:, group] = other[:, group]
+    return np.array([one, other, *mixed])
 
 
-def influences(inputs: Sequence[ToleranceInput], found: Sequence[Points]) -> tuple[Influence, ...]:
-    """From margins (2 + d, n) of each set; none where they do not vary or one was not solved for."""
+def why_none(found: Sequence[Points]) -> str:
+    """What margins (2 + g, n) of each set have no indices for; empty where they have some."""
     values = np.array(found)
-    if not np.isfinite(values).all() or not np.ptp(values[:, :2]) > 0.0:
-        return ()
+    count = int(np.isneginf(values).sum())
+    if count:
+        return f"{_samples(count, values.size)} that motion is unstable, and has no margin"
+    count = int(np.isnan(values).sum())
+    if count:
+        return f"{_samples(count, values.size)} that motion was not solved for"
+    return "" if np.ptp(values[:, :2]) > 0.0 else "the margin is the same in all samples"
+
+
+def _samples(count: int, of: int) -> str:
+    return f"in {count} of {of} samples"
+
+
+def influences(names: Iterable[str], found: Sequence[Points]) -> tuple[Influence, ...]:
+    """Of groups of inputs, from margins (2 + g, n) of each set that `why_none` has nothing against."""
+    values = np.array(found)
     whole = indices(values)
     left_out = np.array([indices(np.delete(values, at, axis=0)) for at in range(len(values))])
     spread = np.sqrt((len(values) - 1) * left_out.var(axis=0))
     total = np.clip(whole[1], 0.0, 1.0)  # few samples may tell more, or less than nothing
     first = np.clip(whole[0], 0.0, total)
     rows = [
-        Influence(one.path, *(float(x) for x in (first[i], spread[0, i], total[i], spread[1, i])))
-        for i, one in enumerate(inputs)
+        Influence(name, *(float(x) for x in (first[i], spread[0, i], total[i], spread[1, i])))
+        for i, name in enumerate(names)
     ]
     return tuple(sorted(rows, key=lambda row: -row.total))
 
 
 def indices(values: Points) -> Points:
-    """First and total indices (2, d) of all sets together, values (sets, 2 + d, n). The variance comes from
+    """First and total indices (2, g) of all sets together, values (sets, 2 + g, n). The variance comes from
     the same differences as they do: where one input makes all of it, its indices are 1 with any samples."""
     one, other, mixed = values[:, 0], values[:, 1], values[:, 2:]
     variance = np.square(one - other).mean()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from math import isfinite
 from typing import TypeAlias
 
@@ -18,7 +19,7 @@ from gearlash.system import GearlashError, given, shown
 from .designs import corners
 
 Limits: TypeAlias = Mapping[str, Sequence[float | str] | str]
-MOST_INPUTS = 20
+MOST_INPUTS = 60  # that are stated
 STATED = "stated"
 
 
@@ -134,12 +135,27 @@ def _nominal(case: Case, path: str, lower: float, upper: float) -> float:
 
 def estimated_inputs(case: Case) -> tuple[ToleranceInput, ...]:
     """Everything that a case estimates with a range."""
-    return tuple(
+    found = tuple(
         ToleranceInput(value.path, value.unit, value.least, value.greatest, float(value.value), value.reason)
         for value in case.values()
         if value.least is not None and value.greatest is not None and value.least < value.greatest
         and value.path in case.content.places
     )  # fmt: skip
+    curves: dict[str, list[str]] = {}
+    for one in found:
+        curves.setdefault(_first_harmonic(one.path), []).append(one.path)
+    return tuple(replace(one, curve=_curve(curves[_first_harmonic(one.path)])) for one in found)
+
+
+def _first_harmonic(path: str) -> str:
+    """Path of the first harmonic of a higher one, such as ``mesh.ripple_4``; of anything else its own."""
+    name, _, number = path.rpartition("_")
+    return name if number.isdigit() else path
+
+
+def _curve(harmonics: Sequence[str]) -> str:
+    """What stands for all of them together; nothing for a single one."""
+    return harmonics[0] if len(harmonics) > 1 else ""
 
 
 def _estimated(case: Case) -> tuple[ToleranceInput, ...]:
@@ -149,4 +165,4 @@ def _estimated(case: Case) -> tuple[ToleranceInput, ...]:
             'nothing in this case is estimated with a range: state limits, such as {"backlash": ("60 um", '
             '"120 um")}'
         )
-    return found[:MOST_INPUTS]
+    return found

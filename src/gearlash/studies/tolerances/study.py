@@ -19,7 +19,7 @@ from gearlash.system import GearlashError, given
 
 from .bands import contains, outside, shared
 from .designs import corners, samples
-from .influence import combinations, influences, share_and_error
+from .influence import combinations, groups, influences, share_and_error, why_none
 from .inputs import Limits, check_axis, check_possible, read_inputs
 from .members import Task, present_on, work
 from .profile import profile
@@ -138,6 +138,7 @@ class _Looker:
         share, error = self.probability(drawn, count)
         here = self.at_present(drawn, count)
         ends = float(self.axis.values[0]), float(self.axis.values[-1])
+        shares, no_shares = self.influences(count, sets)
         return Tolerance(
             axis=self.axis,
             inputs=self.inputs,
@@ -154,11 +155,12 @@ class _Looker:
             replicates=sets,
             corners=len(cornered),
             tried=len(tried),
-            influences=() if self.stopped else self.influences(count, sets),
+            influences=shares,
             unsolved=sum(member.unsolved for member in tried),
             profile=profile([member.bands for member in drawn], count, *ends),
             complete=not self.stopped,
             message=self.stopped,
+            no_influences=no_shares,
         )
 
     @property
@@ -220,18 +222,23 @@ class _Looker:
         share, error = share_and_error(free.reshape(sets, count))
         return float(share), float(error)
 
-    def influences(self, count: int, sets: int) -> tuple[Influence, ...]:
-        """Sobol indices of the margin at the present value."""
-        if len(self.inputs) < 2:
-            return ()
-        sets_of_points = [combinations(both) for both in samples(self.inputs, count, sets, 2)]
+    def influences(self, count: int, sets: int) -> tuple[tuple[Influence, ...], str]:
+        """Sobol indices of the margin at the present value, or why there are none."""
+        together = groups(self.inputs)
+        if len(together) < 2:
+            return (), "all of it is of one input"
+        if self.stopped:
+            return (), self.stopped
+        drawn = samples(self.inputs, count, sets, 2)
+        sets_of_points = [combinations(both, together.values()) for both in drawn]
         rows = [tuple(row) for one in sets_of_points for row in one.reshape(-1, len(self.inputs)).tolist()]
         members = self.members(rows, bands=False)
         if len(members) < len(rows):
-            return ()
+            return (), self.stopped
         margins = np.array([member.compression for member in members])
         found = list(margins.reshape(len(sets_of_points), *sets_of_points[0].shape[:2]))
-        return influences(self.inputs, found)
+        none = why_none(found)
+        return ((), none) if none else (influences(together, found), "")
 
 
 def _badness(member: ToleranceMember) -> float:
