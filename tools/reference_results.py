@@ -65,6 +65,12 @@ row for every point of both sweeps), `history-nominal.csv`, `history-nominal.nc`
 `.gearlash.json` lists the names that gearlash wrote or was about to write there. Before anything is
 computed, a command stops with exit code 2 if one of its files is already there and is not listed.
 
+The question of an answer is the command with its options, what the case says (comments, white space and the
+order of names say nothing), and the content of other files that options name. The same question writes over
+its own answer, but what ends early is not kept where the folder has more of the answer: that stays, and the
+command says so. Answers to other questions, and those whose files have changed since a command left them,
+are moved into `earlier-1`, each whole.
+
 Columns of the data of `report` have their units in their names (`mesh_force_largest_N`); levels are those
 of rms values, in dB over what stands in the name (1 µN and 1 pm, ISO 1683). CSV has commas and decimal
 points, NetCDF the same columns with the case as attributes.

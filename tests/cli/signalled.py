@@ -63,7 +63,7 @@ PARALLEL = (
 WITHOUT_DATASET = ("run", "graze", "branch", "report", "tolerance", "compare")
 WITHOUT_FILES = ("check", "schema")
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129, signal.SIGKILL: -9}
-KEEPS = "keeping what was computed"
+KEEPS = "stopping, with what was computed"
 
 
 @dataclass(frozen=True)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
 
+import gearlash as gl
 from cli.conftest import Gearlash
-from gearlash.cli.folder import MARKER, claim
+from gearlash.cli.folder import claim
+from gearlash.cli.marker import MARKER, Marker
 from gearlash.system import GearlashError
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
@@ -116,6 +119,39 @@ def test_a_file_that_says_something_else_makes_another_question(gearlash: Gearla
     assert (out / "check.json").is_file()
 
 
+def _order(lines: Sequence[str]) -> list[str]:
+    """Those of the second table the other way round."""
+    begin = next(i for i, line in enumerate(lines) if line.startswith("[")) + 1
+    end = next(i for i, line in enumerate(lines) if i > begin and line[:1] in ("", "["))
+    return [*lines[:begin], *reversed(lines[begin:end]), *lines[end:]]
+
+
+@pytest.mark.parametrize(
+    "edited",
+    [
+        pytest.param(lambda lines: ["# seen by me", *lines], id="a comment"),
+        pytest.param(lambda lines: [f"{line}  " for line in lines], id="white space"),
+        pytest.param(_order, id="order"),
+        pytest.param(lambda lines: [line.replace("D = 1.0", "D = 1") for line in lines], id="a number"),
+    ],
+)
+def test_a_case_that_says_the_same_is_the_same_question(
+    gearlash: Gearlash, tmp_path: Path, edited: Callable[[Sequence[str]], list[str]]
+):
+    case, out, points = tmp_path / "case.toml", tmp_path / "out", tmp_path / "k.csv"
+    points.write_text("angle [cycle],stiffness\n0,1.0\n0.5,1.2\n", encoding="utf-8")
+    text = CURVE.format(named="k.csv")
+    case.write_text(text, encoding="utf-8")
+    assert gearlash("check", str(case), "--out", str(out)).code == 0
+    after = "\n".join(edited(text.split("\n")))
+    assert after != text
+    case.write_text(after, encoding="utf-8")
+    points.write_text("# measured twice\nangle [cycle],stiffness\n0,1.0\n0.5,1.20\n", encoding="utf-8")
+    ran = gearlash("check", str(case), "--out", str(out))
+    assert (ran.code, ran.complaint) == (0, "")
+    assert not list(out.glob("earlier-*"))
+
+
 @pytest.mark.parametrize("way", ["beside", "deeper", "absolute"])
 def test_a_file_that_the_case_names_belongs_to_its_question(way: str, gearlash: Gearlash, tmp_path: Path):
     (tmp_path / "deep").mkdir()
@@ -145,6 +181,53 @@ mesh_damping = 0.05
 [curves.stiffness]
 file = '{named}'
 """
+
+
+@pytest.mark.parametrize("what", ["another answer", "another figure", "a file of it gone"])
+def test_what_has_changed_since_it_was_answered_is_no_answer_to_its_question(
+    what: str, gearlash: Gearlash, tmp_path: Path
+):
+    """The library, or anybody, may have put something else there."""
+    assert gearlash(*CASE, "--out", str(tmp_path)).code == 0
+    name = {"another answer": "run.json", "another figure": "history.svg"}.get(what, "portrait.pdf")
+    (tmp_path / name).unlink()
+    if what != "a file of it gone":
+        (tmp_path / name).write_text("mine", encoding="utf-8")
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir() if path.name != MARKER}
+    ran = gearlash(*CASE, "--out", str(tmp_path))
+    assert ran.code == 0
+    assert (
+        "answered there before, changed since, or with other values or options, is kept in" in ran.complaint
+    )
+    kept = tmp_path / "earlier-1"
+    assert {path.name: path.read_bytes() for path in kept.iterdir()} == before
+    assert (tmp_path / name).read_bytes() != b"mine"
+
+
+@pytest.mark.slow
+def test_a_report_of_the_library_is_kept(gearlash: Gearlash, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr("gearlash.studies.grids.PIXELS", (4, 3))  # of its maps
+    line = ("report", str(CASES / "drive.toml"), "--over", "pinion_speed=3700:4300rpm:13", "--workers", "1")
+    assert gearlash(*line, "--out", str(tmp_path)).code == 0
+    case = gl.load_case("kahraman-singh", {"omega": 0.55})
+    gl.pair_report(case, tmp_path, speeds=gl.Axis.even("omega", 0.5, 0.6, 5))
+    page = (tmp_path / "report.html").read_bytes()
+    ran = gearlash(*line, "--out", str(tmp_path))
+    assert (ran.code, "is kept in" in ran.complaint) == (0, True)
+    assert (tmp_path / "earlier-1" / "report.html").read_bytes() == page
+    assert (tmp_path / "report.html").read_bytes() != page
+
+
+def test_a_note_of_the_user_among_figures_changes_no_answer(tmp_path: Path):
+    folder = claim(tmp_path, ["figures"])
+    folder.file("figures").mkdir()
+    (folder.file("figures") / "force.svg").write_text("1", encoding="utf-8")
+    folder.note()
+    (folder.file("figures") / "note.txt").write_text("mine", encoding="utf-8")
+    marker = Marker.read(tmp_path)
+    assert marker.as_left(tmp_path, ["figures"])
+    (folder.file("figures") / "force.svg").write_text("2", encoding="utf-8")
+    assert not marker.as_left(tmp_path, ["figures"])
 
 
 def test_a_folder_of_the_user_is_not_taken_for_what_is_kept(gearlash: Gearlash, tmp_path: Path):

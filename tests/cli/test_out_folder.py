@@ -13,7 +13,8 @@ import pytest
 
 from cli.conftest import Gearlash
 from gearlash.cli import hold as holding
-from gearlash.cli.folder import MARKER, claim
+from gearlash.cli.folder import claim
+from gearlash.cli.marker import MARKER
 from gearlash.system import GearlashError
 
 linux = pytest.mark.skipif(sys.platform == "win32", reason="links and signals as POSIX has them")

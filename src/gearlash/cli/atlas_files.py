@@ -33,7 +33,7 @@ def write_atlas(folder: OutFolder, case: Case, found: Atlas, answer: AtlasAnswer
         contents[folder.file(f"curve-{i}.json")] = curve_text(each.curve, case)
     older = [path for path in folder.path.glob("curve-*.json") if folder.owns(path.name)]
     gone = [path for path in older if path not in contents]
-    write_together(contents, instead_of=[*gone, folder.file("atlas.svg"), folder.file("atlas.pdf")])
+    write_together(contents, [*gone, *folder.outdated("atlas.json", ("atlas.svg", "atlas.pdf"))])
     drawn = bool(found.curves) or found.plane.complete
     draw_if(folder, "atlas", drawn, lambda plots: _figure(plots, case, found, answer))
 

@@ -76,7 +76,7 @@ def write_branches(
         contents[folder.file(f"branch-{i}.nc")] = netcdf(dataset)
     older = [path for path in folder.path.glob("branch-*.*") if folder.owns(path.name)]
     gone = [path for path in older if path not in contents]
-    write_together(contents, instead_of=[*gone, folder.file("branch.svg"), folder.file("branch.pdf")])
+    write_together(contents, [*gone, *folder.outdated("branch.json", ("branch.svg", "branch.pdf"))])
     if datasets:
         draw_if(folder, "branch", True, lambda plots: _figure(plots, case, datasets, answer, measure, span))
 

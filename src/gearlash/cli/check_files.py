@@ -33,6 +33,7 @@ def write_check(
     teeth = teeth_of_case(case)
     if teeth is not None:
         save(mesh_drawing(*teeth), folder.file("teeth"))
+    folder.note()
 
 
 def _write_curves(case: Case, stem: Path) -> None:

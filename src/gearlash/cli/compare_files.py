@@ -28,7 +28,7 @@ def write_compare(
         folder.file("compare.json"): text(answer).encode("utf-8"),
         folder.file("compare.csv"): table,
     }
-    write_together(contents, instead_of=[folder.file(f"compare.{kind}") for kind in ("svg", "pdf")])
+    write_together(contents, folder.outdated("compare.json", ("compare.svg", "compare.pdf")))
     words = answer.quantity.replace("_", " ")
     order = f" {answer.order:g}" if answer.order is not None else ""
     draw_if(

@@ -53,7 +53,7 @@ def write_curves(
         contents[folder.file(f"curve-{i}.nc")] = netcdf(dataset)
     older = [path for path in folder.path.glob("curve-*.*") if folder.owns(path.name)]
     gone = [path for path in older if path not in contents]
-    write_together(contents, instead_of=[*gone, *(folder.file(name) for name in FIGURES)])
+    write_together(contents, instead_of=[*gone, *folder.outdated("curve.json", FIGURES)])
     if curves and answer.status != "incomplete":
         draw_if(folder, "curve", True, lambda plots: _figure(plots, case, curves, answer))
 

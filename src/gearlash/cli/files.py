@@ -45,7 +45,7 @@ def write_data(
         folder.file(f"{name}.nc"): netcdf(dataset),
         folder.file(f"{name}.json"): text(answer).encode("utf-8"),
     }
-    write_together(contents, instead_of=[folder.file(figure) for figure in figures])
+    write_together(contents, instead_of=folder.outdated(f"{name}.json", figures))
 
 
 def write_sweep(
@@ -134,7 +134,7 @@ def write_map(folder: OutFolder, case: Case, plane: PlaneMap, answer: Any) -> No
 
 def write_motion(folder: OutFolder, case: Case, attractor: Attractor, answer: RunAnswer) -> None:
     """The answer (JSON) and, where a motion was found, phase portrait and history as SVG and PDF."""
-    older = [folder.file(name) for name in MOTION_FILES]
+    older = folder.outdated("run.json", MOTION_FILES)
     write_together({folder.file("run.json"): text(answer).encode("utf-8")}, instead_of=older)
     from gearlash.studies.motion import motion
 

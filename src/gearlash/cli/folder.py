@@ -3,33 +3,30 @@ others out of the way, touches nothing else, and lets one command write at a tim
 
 from __future__ import annotations
 
-import json
-import os
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
-from gearlash.case.files import UnreadableError, read_file
 from gearlash.system import GearlashError, given
 
 from .hold import HeldError, Hold, hold
-from .jsonio import write_text
+from .marker import Marker, Worth, contents
 from .question import fingerprint
-from .set_aside import MARKER, noted, set_aside
+from .set_aside import set_aside
 
 MOTION_FILES = ("portrait.svg", "portrait.pdf", "history.svg", "history.pdf", "history.nc", "spectrum.nc")
-LARGEST_MARKER = 100_000  # bytes
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class OutFolder:
     """A folder with the names in it that are this program's: they are listed in its marker file. It belongs
-    to this process as long as this object is there."""
+    to this process as long as this object is there. ``worth`` is that of the answers to this question in it,
+    by the name of their files."""
 
     path: Path
     held: Hold
     names: frozenset[str] = frozenset()
+    worth: dict[str, Worth] = field(default_factory=dict)
 
     def owns(self, name: str) -> bool:
         """Whether this program wrote a file of this name, now or before."""
@@ -38,6 +35,18 @@ class OutFolder:
     def file(self, name: str) -> Path:
         """Path of a file that was claimed."""
         return self.path / name
+
+    def outdated(self, answer: str, names: Iterable[str]) -> list[Path]:
+        """Files of before that go as an ``answer`` is written, by the name of its file: those are made again
+        later, unless a signal comes. None where they belong to the whole answer to the same question."""
+        return [] if self.worth.get(answer) == Worth.WHOLE else [self.file(name) for name in names]
+
+    def note(self) -> None:
+        """Notes what lies there of this question, so that the next command knows it again."""
+        marker = Marker.read(self.path)
+        mine = marker.of(fingerprint())
+        content = {**marker.without(mine).content, **contents(self.path, mine)}
+        replace(marker, worth={**marker.worth, **self.worth}, content=content).write(self.path)
 
 
 def claim_if(path: Path | None, names: Iterable[str]) -> OutFolder | None:
@@ -57,9 +66,8 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
     try:
         _make(path)
         held = hold(path)
-        marker = _marker(path)
-        own = {str(name) for name in marker.get("files", ())}
-        foreign = [name for name in wanted if _is_foreign(path / name, name in own)]
+        marker = Marker.read(path)
+        foreign = [name for name in wanted if _is_foreign(path / name, name in marker.files)]
         if foreign:
             raise GearlashError(
                 f"--out {path}: {', '.join(foreign)} is there and was not written by gearlash; "
@@ -68,17 +76,10 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
         for name in wanted:
             for part in path.glob(unfinished(name)):  # of a command that was killed
                 part.unlink(missing_ok=True)
-        asked = noted(marker, own)
-        moved = set_aside(path, [name for name in wanted if name in own], asked, held)
-        asked = {name: one for name, one in asked.items() if name not in moved}
-        asked |= dict.fromkeys(wanted, fingerprint())
-        content = {
-            "written by": "gearlash",
-            "process": os.getpid(),
-            "files": sorted({*own, *wanted}),
-            "asked": asked,
-        }
-        write_text(json.dumps(content, indent=2) + "\n", path / MARKER)
+        marker = set_aside(path, wanted, marker, held)
+        asked = {**marker.asked, **dict.fromkeys(wanted, fingerprint())}
+        marker = replace(marker, files=marker.files.union(wanted), asked=asked)
+        marker.write(path)
     except HeldError:
         raise GearlashError(
             f"--out {path}: another command{_whose(path)} is writing there; "
@@ -86,7 +87,8 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
         ) from None
     except OSError as error:
         raise GearlashError(f"--out {path}: cannot be written ({error.strerror or error})") from None
-    return OutFolder(path, held, frozenset({*own, *wanted}))
+    answered = {name: marker.worth[name] for name in wanted if name in marker.worth}
+    return OutFolder(path, held, marker.files, answered)
 
 
 def _make(path: Path) -> None:
@@ -104,22 +106,10 @@ def _is_foreign(path: Path, own: bool) -> bool:
     return path.is_symlink() or (not own and path.exists())
 
 
-def _marker(path: Path) -> dict[str, Any]:
-    """What an earlier command noted in the folder."""
-    if not os.path.lexists(path / MARKER):
-        return {}
-    try:
-        found = json.loads(read_file(path / MARKER, LARGEST_MARKER, follow=False))
-        if isinstance(found["files"], list):
-            return found
-    except (ValueError, KeyError, TypeError, RecursionError, UnreadableError):
-        pass
-    raise GearlashError(f"--out {path}: {MARKER} there is not one of gearlash; choose another folder")
-
-
 def _whose(path: Path) -> str:
     """The process that has the folder, as far as it has said so."""
     try:
-        return f" (process {int(_marker(path)['process'])})"
-    except (GearlashError, KeyError, TypeError, ValueError):
+        process = Marker.read(path).process
+    except GearlashError:
         return ""
+    return "" if process is None else f" (process {process})"

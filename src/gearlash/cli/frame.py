@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from .exits import ExitCode, code_of, delivery
@@ -93,15 +94,19 @@ class StudyInputs:
 def deliver(
     answer: Any,
     as_json: bool,
-    keep: Callable[[], object] | None = None,
+    folder: OutFolder | None = None,
+    keep: Callable[[OutFolder], object] | None = None,
     printed: Callable[[], object] | None = None,
 ) -> ExitCode:
-    """Keeps an answer in the folder of --out, if there is one, and shows it: as JSON, by the view of its
-    command, or as what is ``printed`` in place of that. Returns the exit code of its status."""
+    """Lets a command ``keep`` its answer in the folder of --out, if there is one, without an answer to the
+    same question that is worth more. Shows it: as JSON, by the view of its command, or as what is ``printed``
+    in place of that. Returns the exit code of its status."""
     with delivery():
         try:
-            if keep is not None:
-                keep()
+            if folder is not None and keep is not None:
+                from .worth import keep_answer
+
+                keep_answer(folder, answer, partial(keep, folder))
         finally:  # an answer that took long is shown even if it cannot be kept
             if printed is None:
                 show_answer(answer, as_json)

@@ -34,7 +34,7 @@ from typing import TypeVar
 T = TypeVar("T")
 
 SIGNAL_NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
-STOPPING = b"\nstopping, and keeping what was computed (once more gives it up)\n"
+STOPPING = b"\nstopping, with what was computed (once more gives it up)\n"
 LOST = b"\ninterrupted\n"
 CURSOR = b"\x1b[?25h"  # shows the cursor again that a bar has hidden
 ECHO = 0.25  # s in which a second signal is the first one, sent to the process and to its group

@@ -82,7 +82,8 @@ Out = Annotated[
         parser=folder,
         metavar="DIR",
         help="Also writes the results into this folder, made if missing. Files there that gearlash did not "
-        "write are never overwritten; results of another question are moved into earlier-1 there.",
+        "write are never overwritten; results of another question are moved into earlier-1 there, and what "
+        "ends early takes the place of no complete answer to the same question.",
     ),
 ]
 ReportOut = Annotated[
@@ -93,7 +94,7 @@ ReportOut = Annotated[
         metavar="DIR",
         help="Folder of the report, made if missing. Files there that gearlash did not write are never "
         "overwritten; a report of another case, or with other values or options, is moved into earlier-1 "
-        "there.",
+        "there, and one that ends early takes the place of no complete one of the same question.",
     ),
 ]
 Workers = Annotated[

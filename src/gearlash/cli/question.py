@@ -25,50 +25,46 @@ def ask(command: str, options: Mapping[str, Any]) -> None:
 
 
 def fingerprint() -> str:
-    """Of command, version, options, and what is in files that options name and in those that a case file
-    names; empty outside of a command."""
+    """Of command, version, options, and what files say that options name; empty outside of a command."""
     return _asked
 
 
 def _content(value: Any) -> Any:
-    """Of a file that can be read, its content in place of its name, and that of the files it names."""
+    """Of a file that can be read, what it says in place of its name."""
     if isinstance(value, list | tuple):
         return [_content(each) for each in value]
     if not isinstance(value, str | Path):
         return value
+    from gearlash.case.files import UnreadableError, read_file
     from gearlash.system import GearlashError, given
 
     try:
         path = given.path("file", value)
-    except GearlashError:  # no name of a file: the text itself
+        data = read_file(path, LARGEST)
+    except (GearlashError, UnreadableError):  # no name of a file that any command reads: the text itself
         return value
-    data = _read(path)
-    if data is None:
-        return value
-    return [_digest(each) for each in (data, *map(_read, _named(data, path.parent)))]
+    said = _said(data, path.parent)
+    return said or hashlib.sha256(data).hexdigest()
 
 
-def _read(path: Path) -> bytes | None:
-    """None of what no command reads."""
-    from gearlash.case.files import UnreadableError, read_file
-
-    try:
-        return read_file(path, LARGEST)
-    except UnreadableError:
-        return None
-
-
-def _named(data: bytes, folder: Path) -> list[Path]:
-    """Files that a case file names; none where this is the content of another file."""
-    from gearlash.case.curve_files import files_named
+def _said(data: bytes, folder: Path) -> str:
+    """What a case file says, in whatever order and with whatever comments, with the points in files that it
+    names; empty where this is the content of another file."""
+    from gearlash.case.curve_files import with_files
     from gearlash.case.errors import CaseError
     from gearlash.case.read import parse
 
     try:
-        return files_named(parse("case", data.decode("utf-8-sig")), folder)
+        tables = with_files("case", parse("case", data.decode("utf-8-sig")), folder)
     except (CaseError, UnicodeDecodeError):
-        return []
+        return ""
+    return json.dumps(_plain(tables), sort_keys=True, default=str)
 
 
-def _digest(data: bytes | None) -> str:
-    return "" if data is None else hashlib.sha256(data).hexdigest()
+def _plain(value: Any) -> Any:
+    """The same with one way to write a number: 1 for 1.0."""
+    if isinstance(value, Mapping):
+        return {name: _plain(each) for name, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(each) for each in value]
+    return int(value) if isinstance(value, float) and value.is_integer() else value

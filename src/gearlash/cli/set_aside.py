@@ -8,13 +8,11 @@ from contextlib import suppress
 from dataclasses import dataclass
 from itertools import count
 from pathlib import Path
-from typing import Any
 
 from .hold import Hold
+from .marker import MARKER, Marker
 from .question import fingerprint
 from .terminal import tell
-
-MARKER = ".gearlash.json"
 
 
 @dataclass(frozen=True)
@@ -48,34 +46,31 @@ def _put_back(moved: _Moved) -> None:
     tell(f"nothing was answered, so what was kept in {moved.place} is back in its place")
 
 
-def noted(marker: dict[str, Any], own: set[str]) -> dict[str, str]:
-    """The question that each own name is an answer to. A folder from elsewhere may name any place, and what
-    gearlash did not write: those are no names."""
-    found = marker.get("asked", {})
-    if not isinstance(found, dict):
-        return {}
-    return {name: str(one) for name, one in found.items() if name in own and _is_name(name)}
-
-
-def _is_name(name: str) -> bool:
-    """Whether this names something in a folder; the marker itself is no answer."""
-    return name == Path(name).name and name not in ("", ".", "..", MARKER)
-
-
-def set_aside(path: Path, wanted: Iterable[str], asked: dict[str, str], held: Hold) -> list[str]:
-    """Moves answers to other questions away that have a wanted name, each whole, and says where they are."""
-    others = {asked.get(name, "") for name in wanted if (path / name).exists()} - {fingerprint()}
+def set_aside(path: Path, wanted: Iterable[str], marker: Marker, held: Hold) -> Marker:
+    """Moves answers to other questions away that have a wanted name, each whole, and says where they are. One
+    that has changed since it was left is of no question that is known. Returns the note without them."""
+    own = [name for name in wanted if name in marker.files]
+    mine = marker.of(fingerprint())
+    changed = bool(fingerprint()) and not marker.as_left(path, mine)
+    asked = {**marker.asked, **(dict.fromkeys(mine, "") if changed else {})}
+    others = {asked.get(name, "") for name in own if (path / name).exists()} - {fingerprint()}
     names = {name for name, one in asked.items() if one in others}
-    names |= {name for name in wanted if asked.get(name, "") in others}  # of a version that noted no question
+    names |= {name for name in own if asked.get(name, "") in others}  # of a version that noted no question
     moved = sorted(name for name in names if (path / name).exists())
-    if not moved:
-        return []
+    if moved:
+        aside = _moved(path, moved, held)
+        how = "changed since, or with" if changed and names.intersection(mine) else "with"
+        tell(f"what was answered there before, {how} other values or options, is kept in {aside}")
+    return marker.without({*(names if moved else ()), *(mine if changed else ())})
+
+
+def _moved(path: Path, names: Sequence[str], held: Hold) -> Path:
+    """Where they are after it."""
     places = (path / f"earlier-{number}" for number in count(1))
     aside = next(place for place in places if not os.path.lexists(place))
     marker = (path / MARKER).read_bytes()
     aside.mkdir()
-    _MOVED.append(_Moved(path, aside, moved, marker, held))
-    for name in moved:
+    _MOVED.append(_Moved(path, aside, names, marker, held))
+    for name in names:
         (path / name).rename(aside / name)
-    tell(f"what was answered there before, with other values or options, is kept in {aside}")
-    return moved
+    return aside

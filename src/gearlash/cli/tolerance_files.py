@@ -28,7 +28,7 @@ def write_tolerance(
         folder.file("tolerance.json"): text(answer).encode("utf-8"),
         folder.file("tolerance.csv"): table,
     }
-    write_together(contents, instead_of=[folder.file(f"tolerance.{kind}") for kind in ("svg", "pdf")])
+    write_together(contents, folder.outdated("tolerance.json", ("tolerance.svg", "tolerance.pdf")))
 
     def figure(plots: Any) -> Figure:
         return plots.tolerance_bands(found, f"Tolerances of {case.name} (dashed: its own value)")

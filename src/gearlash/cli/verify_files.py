@@ -26,7 +26,7 @@ def write_verification(folder: OutFolder, found: Verification, answer: VerifyAns
     """The answer (JSON) and, where all was computed, forces and spectra beside the lumped model under the
     contact rule of the case, lines of contact and frames, as SVG and PDF."""
     made = {"force": _force, "orders": _orders, "lines": _lines, "frames": _frames}
-    older = [folder.file(f"{name}.{form}") for name in made for form in ("svg", "pdf")]
+    older = folder.outdated("verify.json", (f"{name}.{form}" for name in made for form in ("svg", "pdf")))
     write_together({folder.file("verify.json"): text(answer).encode("utf-8")}, instead_of=older)
     for name, draw in made.items():
         draw_if(folder, name, answer.status == "ok", _drawing(draw, found, answer))

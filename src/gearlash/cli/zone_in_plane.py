@@ -63,11 +63,10 @@ def zone_in_plane(
     beside = optional(lambda: _beside(asked, chosen))
     answer = plane_zone_answer(asked.case, zone, beside, (units[0], units[1]), bool(signalled()))
 
-    def keep() -> None:
-        if folder:
-            _write(folder, asked.case, zone, answer, csv)
+    def keep(folder: OutFolder) -> None:
+        _write(folder, asked.case, zone, answer, csv)
 
-    return deliver(answer, as_json, keep, csv.printing(lambda: {"zone": _table(answer)}))
+    return deliver(answer, as_json, folder, keep, csv.printing(lambda: {"zone": _table(answer)}))
 
 
 def _limits(case: Case, over: Sequence[str], settings: list[str] | None) -> list[TypedLimits]:
@@ -170,7 +169,7 @@ def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnsw
         folder.file("zone.json"): text(answer).encode("utf-8"),
         folder.file("zone.csv"): csv.content(_table(answer)),
     }
-    write_together(contents, instead_of=[folder.file(name) for name in FILES[2:]])
+    write_together(contents, instead_of=folder.outdated("zone.json", FILES[2:]))
     twins = _twins(case, answer)
     draw_if(
         folder, "zone", True,

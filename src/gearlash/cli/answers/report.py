@@ -73,7 +73,7 @@ class ReportAnswer:
         "shows teeth that separate",
     ]
     back_side: Annotated[tuple[ReportBand, ...], "where the back side is met"]
-    report: Annotated[str, "path of the page; empty where it is not made yet"]
+    report: Annotated[str, "path of the page; empty where it was not made"]
     missing: Annotated[tuple[str, ...], "what was not computed, as the report was stopped"]
     result: Literal["report"] = "report"
 

@@ -21,6 +21,7 @@ from gearlash.cli.options import (
 )
 
 if TYPE_CHECKING:
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
 
 TABLES = "curves", "points", "map"
@@ -136,17 +137,16 @@ def atlas(
     told = (across.named, up.named), (across.unit, up.unit)
     answer = atlas_answer(asked.case, asked.parameters, *told, found, curves, asked.named_start)
 
-    def keep() -> None:
-        if folder:
-            from gearlash.cli.atlas_files import write_atlas
+    def keep(folder: OutFolder) -> None:
+        from gearlash.cli.atlas_files import write_atlas
 
-            write_atlas(folder, asked.case, found, answer)
-            csv.keep(folder, TABLES, tables)
+        write_atlas(folder, asked.case, found, answer)
+        csv.keep(folder, TABLES, tables)
 
     def tables() -> Tables:
         return atlas_tables(asked.case, found, answer)
 
-    return deliver(answer, as_json, keep, csv.printing(tables))
+    return deliver(answer, as_json, folder, keep, csv.printing(tables))
 
 
 def _counted(text: str, count: int | str) -> str:

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from gearlash.case import Case
     from gearlash.cli.answers.branch import BranchAnswer
     from gearlash.cli.branch_inputs import BranchInputs
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
     from gearlash.orbits import Settings as SearchSettings
     from gearlash.studies.switches import SwitchedBranch
@@ -159,15 +160,14 @@ def branch(
     answer, found = _followed(asked, search, points, depth, law, steps)
     datasets = _datasets(asked.case, found) if folder else None
 
-    def keep() -> None:
-        if folder:
-            write_branches(folder, asked.case, found, datasets, answer, csv, str(measure), span)
+    def keep(folder: OutFolder) -> None:
+        write_branches(folder, asked.case, found, datasets, answer, csv, str(measure), span)
 
     def tables() -> Tables:
         made = [branch_dataset(asked.case, each.branch) for each in found]
         return branch_tables(asked.case, made, answer.axis)
 
-    return deliver(answer, as_json, keep, csv.printing(tables))
+    return deliver(answer, as_json, folder, keep, csv.printing(tables))
 
 
 def _file_names(count: int) -> list[str]:

@@ -10,6 +10,7 @@ from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import AsCsv, AsJson, CaseArgument, DecimalComma, Out, Settings, Workers
 
 if TYPE_CHECKING:
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
 
 TABLES = "compare", "jumps"
@@ -136,15 +137,14 @@ def compare(
     end_if_nothing(bool(np.isfinite([found.up, found.down]).any()))
     answer = compare_answer(asked, found)
 
-    def keep() -> None:
-        if folder:
-            from gearlash.cli.compare_files import write_compare
+    def keep(folder: OutFolder) -> None:
+        from gearlash.cli.compare_files import write_compare
 
-            table = csv.content(tables()["compare"])
-            write_compare(folder, asked, found, answer, table)
-            csv.keep(folder, TABLES[1:], tables)
+        table = csv.content(tables()["compare"])
+        write_compare(folder, asked, found, answer, table)
+        csv.keep(folder, TABLES[1:], tables)
 
     def tables() -> Tables:
         return compare_tables(answer)
 
-    return deliver(answer, as_json, keep, csv.printing(tables))
+    return deliver(answer, as_json, folder, keep, csv.printing(tables))

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from gearlash.cli.answers.curve import CurveAnswer
     from gearlash.cli.answers.curve_parts import Begun
     from gearlash.cli.curve_inputs import CurveInputs
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
 
 MOST_FILES = 64  # curves that are kept in a folder
@@ -149,14 +150,13 @@ def curve(
         found = asked.followed(search, steps, Execution(progress=progress))
     answer = _answer(asked, found)
 
-    def keep() -> None:
-        if folder:
-            write_curves(folder, asked, found, answer, csv)
+    def keep(folder: OutFolder) -> None:
+        write_curves(folder, asked, found, answer, csv)
 
     def tables() -> Tables:
         return curve_tables(asked.case, [each.curve for each in found if each.curve is not None], answer)
 
-    return deliver(answer, as_json, keep, csv.printing(tables))
+    return deliver(answer, as_json, folder, keep, csv.printing(tables))
 
 
 def _answer(asked: CurveInputs, found: Sequence[Begun]) -> CurveAnswer:

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from gearlash.branches.continuation import SpecialPoint
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
     from gearlash.orbits import Settings as SearchSettings
     from gearlash.results import Point
@@ -89,15 +90,14 @@ def graze(
         chosen, family, parameters, short, named, unit, first, tuple(path for path, _ in walks), found
     )
 
-    def keep() -> None:
-        if folder:
-            write_file(answer, folder.file("graze.json"))
-            csv.keep(folder, ["graze"], tables)
+    def keep(folder: OutFolder) -> None:
+        write_file(answer, folder.file("graze.json"))
+        csv.keep(folder, ["graze"], tables)
 
     def tables() -> Tables:
         return {"graze": told_as_asked(table_of(answer.points, TouchFound), answer.asked, ("value",))}
 
-    code = deliver(answer, as_json, keep, csv.printing(tables))
+    code = deliver(answer, as_json, folder, keep, csv.printing(tables))
     return ExitCode.OK if answer.points else code
 
 

@@ -21,6 +21,7 @@ from gearlash.cli.options import (
 )
 
 if TYPE_CHECKING:
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
 
 
@@ -77,14 +78,13 @@ def map(
     named, units = (across.named, up.named), (across.unit, up.unit)
     answer = map_answer(asked.case, asked.parameters, named, found, units, asked.named_start)
 
-    def keep() -> None:
-        if folder:
-            from gearlash.cli.files import write_map
+    def keep(folder: OutFolder) -> None:
+        from gearlash.cli.files import write_map
 
-            write_map(folder, asked.case, found, answer)
-            csv.keep(folder, ["map"], tables)
+        write_map(folder, asked.case, found, answer)
+        csv.keep(folder, ["map"], tables)
 
     def tables() -> Tables:
         return map_tables(asked.case, found, (answer.x, answer.y))
 
-    return deliver(answer, as_json, keep, csv.printing(tables))
+    return deliver(answer, as_json, folder, keep, csv.printing(tables))

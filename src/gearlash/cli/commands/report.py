@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -75,8 +76,12 @@ def report(
 
     from gearlash.cli.answers.report import report_answer
     from gearlash.cli.frame import show_answer
+    from gearlash.cli.jsonio import write_file
+    from gearlash.cli.show.report import done_view
     from gearlash.cli.terminal import show
     from gearlash.cli.workers import executor_for
+    from gearlash.cli.worth import file_of, keep_answer
+    from gearlash.report.folder import PAGE
     from gearlash.report.pair import render
 
     search = asked.search(periods, max_period)
@@ -85,17 +90,18 @@ def report(
         if not as_json:
             show_answer(report_answer(found), False)
         contents = _measured(asked, found, search, executor, over is None)
-        with delivery():
-            page = render(contents, place.path, None if contents.missing else executor, csv.style)
-            answer = report_answer(found, contents, str(page))
-            from gearlash.cli.jsonio import write_file
+        answer = report_answer(found, contents, str(place.file(PAGE)))
 
-            write_file(answer, place.file("verdict.json"))
+        def write() -> None:
+            render(contents, place.path, None if contents.missing else executor, csv.style)
+            write_file(answer, place.file(file_of(answer)))
+
+        with delivery():
+            if not keep_answer(place, answer, write):
+                answer = replace(answer, report="")
             if as_json:
                 show_answer(answer, True)
             else:
-                from gearlash.cli.show.report import done_view
-
                 show(done_view, answer)
     return code_of(answer.status)
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearlash.cli.exits import ExitCode, code_of, command, delivery
+from gearlash.cli.exits import ExitCode, command, delivery
 from gearlash.cli.interrupt import end_if_nothing, expect_results, nothing_more
 from gearlash.cli.options import AsCsv, AsJson, DecimalComma, ReportOut, Settings, Workers
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from gearlash.article.verified import Verified
     from gearlash.case import Case
     from gearlash.cli.answers.reproduce import ReproduceAnswer
+    from gearlash.cli.answers.sweep import SweepAnswer
     from gearlash.cli.folder import OutFolder
     from gearlash.cli.progress import StageCallback
     from gearlash.jobs import Progress
@@ -64,7 +66,7 @@ def reproduce(
     """
     from gearlash.article.pair import check_pair
     from gearlash.cli.folder import claim
-    from gearlash.cli.frame import show_answer
+    from gearlash.cli.frame import deliver
     from gearlash.cli.inputs import read_case
     from gearlash.cli.jsonio import write_file
     from gearlash.cli.notice import load_engine
@@ -83,11 +85,12 @@ def reproduce(
     load_engine(data=True)
 
     answer = _answer(chosen, points, workers, folder, verify)
-    with delivery():
+
+    def keep(folder: OutFolder) -> None:
         write_file(answer, folder.file("reproduce.json"))
         csv.keep(folder, TABLES, lambda: reproduce_tables(answer))
-        show_answer(answer, as_json)
-    return code_of(answer.status)
+
+    return deliver(answer, as_json, folder, keep)
 
 
 def _check_teeth(case: Case) -> None:
@@ -152,15 +155,19 @@ def _keeper(case: Case, folder: OutFolder) -> Callable[[str, Sequence[Sweep]], N
     """Writes the sweeps of an axis as soon as they are there, if anything of them is."""
     from gearlash.cli.answers.sweep import sweep_answer
     from gearlash.cli.files import write_data
+    from gearlash.cli.worth import keep_answer
     from gearlash.results import sweep_dataset
 
     parameters = case.family()[0].complete()
+
+    def write(answer: SweepAnswer, name: str, sweeps: Sequence[Sweep]) -> None:
+        write_data(folder, f"sweep-{name}", sweep_dataset(case, sweeps), answer)
 
     def keep(name: str, sweeps: Sequence[Sweep]) -> None:
         end_if_nothing(any(point.computed for sweep in sweeps for point in sweep.points))
         with delivery():
             answer = sweep_answer(case, parameters, name, sweeps)
-            write_data(folder, f"sweep-{name}", sweep_dataset(case, sweeps), answer)
+            keep_answer(folder, answer, partial(write, answer, name, sweeps), f"sweep-{name}.json")
         nothing_more()  # what is not swept is soon done again
 
     return keep

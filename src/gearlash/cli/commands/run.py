@@ -20,6 +20,7 @@ from gearlash.cli.options import (
 if TYPE_CHECKING:
     from gearlash.case import Case
     from gearlash.cli.answers.run import RunAnswer
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
     from gearlash.orbits import Attractor
     from gearlash.orbits import Settings as SearchSettings
@@ -73,19 +74,18 @@ def run(
     expect_results()
     answer = _answer(chosen, family, parameters, start, found, search)
 
-    def keep() -> None:
-        if folder:
-            from gearlash.cli.files import write_motion
+    def keep(folder: OutFolder) -> None:
+        from gearlash.cli.files import write_motion
 
-            write_motion(folder, chosen, found, answer)
-            csv.keep(folder, TABLES, tables)
+        write_motion(folder, chosen, found, answer)
+        csv.keep(folder, TABLES, tables)
 
     def tables() -> Tables:
         from gearlash.cli.command_tables import run_tables
 
         return run_tables(chosen, parameters, found, answer)
 
-    return deliver(answer, as_json, keep, csv.printing(tables))
+    return deliver(answer, as_json, folder, keep, csv.printing(tables))
 
 
 def _answer(

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from gearlash.case import Case
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
     from gearlash.results import Sweep
     from gearlash.studies.transition import Transition
@@ -92,17 +93,16 @@ def sweep(
 
     changes = _changes(asked.case, found) if folder else ()
 
-    def keep() -> None:
-        if folder:
-            from gearlash.cli.files import write_sweep
+    def keep(folder: OutFolder) -> None:
+        from gearlash.cli.files import write_sweep
 
-            write_sweep(folder, asked.case, found, answer, changes)
-            csv.keep(folder, SWEEP_TABLES, tables)
+        write_sweep(folder, asked.case, found, answer, changes)
+        csv.keep(folder, SWEEP_TABLES, tables)
 
     def tables() -> Tables:
         return sweep_tables(asked.case, found, answer)
 
-    return deliver(answer, as_json, keep, csv.printing(tables))
+    return deliver(answer, as_json, folder, keep, csv.printing(tables))
 
 
 def _changes(case: Case, found: Sequence[Sweep]) -> tuple[Transition, ...]:

@@ -19,6 +19,7 @@ from gearlash.cli.options import (
 )
 
 if TYPE_CHECKING:
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
 
 TABLES = "tolerance", "profile", "bands", "inputs"
@@ -96,15 +97,14 @@ def tolerance(
         found = study(asked, axis, ranges, samples=samples, replicates=replicates, execution=execution)
     answer = tolerance_answer(asked, found)
 
-    def keep() -> None:
-        if folder:
-            from gearlash.cli.tolerance_files import write_tolerance
+    def keep(folder: OutFolder) -> None:
+        from gearlash.cli.tolerance_files import write_tolerance
 
-            table = csv.content(tables()["tolerance"])
-            write_tolerance(folder, asked, found, answer, table)
-            csv.keep(folder, TABLES[1:], tables)
+        table = csv.content(tables()["tolerance"])
+        write_tolerance(folder, asked, found, answer, table)
+        csv.keep(folder, TABLES[1:], tables)
 
     def tables() -> Tables:
         return tolerance_tables(answer)
 
-    return deliver(answer, as_json, keep, csv.printing(tables))
+    return deliver(answer, as_json, folder, keep, csv.printing(tables))

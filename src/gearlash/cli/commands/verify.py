@@ -11,6 +11,7 @@ from gearlash.cli.options import AsCsv, AsJson, CaseArgument, DecimalComma, Out,
 
 if TYPE_CHECKING:
     from gearlash.case import Case
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
     from gearlash.jobs import Progress
     from gearlash.multibody.topography import Relief
@@ -131,17 +132,16 @@ def verify(
     end_if_nothing(any(one.points or one.beside or one.up or one.down for one in found.compared))
     answer = verify_answer(asked, found)
 
-    def keep() -> None:
-        if folder:
-            from gearlash.cli.verify_files import write_verification
+    def keep(folder: OutFolder) -> None:
+        from gearlash.cli.verify_files import write_verification
 
-            write_verification(folder, found, answer)
-            csv.keep(folder, TABLES, tables)
+        write_verification(folder, found, answer)
+        csv.keep(folder, TABLES, tables)
 
     def tables() -> Tables:
         return verify_tables(answer)
 
-    return deliver(answer, as_json, keep, csv.printing(tables))
+    return deliver(answer, as_json, folder, keep, csv.printing(tables))
 
 
 def _omegas(case: Case, speeds: list[str] | None) -> tuple[float, ...]:

@@ -24,6 +24,7 @@ from gearlash.cli.options import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from gearlash.cli.folder import OutFolder
     from gearlash.cli.frame import StudyInputs
     from gearlash.cli.tables import Tables
     from gearlash.orbits import Settings as SearchSettings
@@ -120,17 +121,16 @@ def zones(
     found = _found(asked, kinds, asked.search(periods, max_period), workers)
     answer = zones_answer(asked.case, asked.parameters, along.named, along.unit, found, asked.named_start)
 
-    def keep() -> None:
-        if folder:
-            from gearlash.cli.files import write_zones
+    def keep(folder: OutFolder) -> None:
+        from gearlash.cli.files import write_zones
 
-            write_zones(folder, asked.case, found, answer)
-            csv.keep(folder, ZONE_TABLES, tables)
+        write_zones(folder, asked.case, found, answer)
+        csv.keep(folder, ZONE_TABLES, tables)
 
     def tables() -> Tables:
         return zones_tables(asked.case, found, answer)
 
-    return deliver(answer, as_json, keep, csv.printing(tables))
+    return deliver(answer, as_json, folder, keep, csv.printing(tables))
 
 
 def _found(

@@ -19,7 +19,7 @@ def report_view(answer: ReportAnswer, width: int) -> Iterator[Text]:
 
 def done_view(answer: ReportAnswer, width: int) -> Iterator[Text]:
     """Where the page is, and what is not in it."""
-    rows = [("report", answer.report)]
+    rows = [("report", answer.report)] if answer.report else []
     if answer.missing:
         rows.append(("not computed", ", ".join(answer.missing)))
     yield from facts("", rows, width)
