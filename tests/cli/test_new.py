@@ -280,6 +280,34 @@ def test_a_fraction_beside_a_stroke_that_is_between_gears(text: str, pinion: str
     assert (parts.get("pinion.bore"), parts.get("gear.bore")) == (pinion, gear)
 
 
+def test_limits_of_both_gears_and_strokes_between_deviations():
+    both = {"pinion.span": "32.83 mm -0.05/-0.08", "gear.span": "68.9 mm −60/−90 um"}
+    assert placed({"span": "32.83 mm -0.05/-0.08 / 68.9 mm −60/−90 um"}) == both
+    assert placed({"span": "32.83 -0.05/-0.08 mm"})["gear.span"] == "32.83 -0.05/-0.08 mm"  # of both gears
+    assert placed({"bore": "25 0/-0.05 mm/30mm"}) == {"pinion.bore": "25 0/-0.05 mm", "gear.bore": "30mm"}
+    assert placed({"face_width": "33.9:34.1/32 mm"})["pinion.face_width"] == "33.9:34.1 mm"
+    assert placed({"profile_shift": "-0.3/-0.1"})["pinion.profile_shift"] == "-0.3"
+    assert placed({"thickness_allowance": "-70/-90um"})["gear.thickness_allowance"] == "-90um"
+
+
+@pytest.mark.parametrize("typed", ["0.06:0.14mm", "0,06–0,14 mm", "60 to 140 um", "0.1 mm ± 0.04"])
+def test_limits_of_a_drawing_stay_in_the_file(gearlash: Gearlash, typed: str):
+    options = {
+        **dict(zip(HELICAL[::2], HELICAL[1::2], strict=True)),
+        "--backlash": typed,
+        "--torque": "50:250Nm",
+    }
+    ran = gearlash("new", "pair.toml", *(part for option in options.items() for part in option))
+    assert ran.code == 0, ran.err
+    assert "values stated, 2 of them with limits, " in ran.out
+    assert f'backlash = "{typed}"' in Path("pair.toml").read_text(encoding="utf-8")
+    value = {v.path: v for v in load("pair.toml").values()}["mesh.backlash"]
+    assert (value.least, value.value, value.greatest) == (60.0, 100.0, 140.0)
+    told = " ".join(gearlash("check", "pair.toml").out.split())
+    assert "j_n along the line of action; limits 60 to 140 µm" in told
+    assert "limits 50 to 250 N·m; the middle of its limits" in told
+
+
 def test_fits_are_parted_at_any_stroke():
     for text in ("cd25/c26", "25cd/26c", "DIN 3967 25cd/c26"):
         parts = placed({"fit": text})
@@ -566,3 +594,16 @@ def test_tip_relief_is_a_word_of_a_drawing(gearlash: Gearlash):
     numbers = load("pair.toml").values()
     values = {v.path: float(v.value) for v in numbers if v.path.startswith("derived.")}
     assert values["derived.loaded_contact_ratio"] < values["derived.transverse_contact_ratio"]
+
+
+def test_limits_are_answers_to_questions():
+    told = {
+        **NEEDED,
+        "Whole normal backlash": ["0,06-0,14 mm"],
+        "Torque of the p": ["50:250Nm"],
+        "Speed of the p": ["1500:4500rpm", "3000rpm"],
+    }
+    said: list[str] = []
+    found = questions.asked(_answers(told), said.append)
+    assert (found["backlash"], found["torque"], found["speed"]) == ("0,06-0,14 mm", "50:250Nm", "3000rpm")
+    assert any("operation.least_speed and operation.greatest_speed" in line for line in said)

@@ -37,6 +37,9 @@ def test_an_answer_in_the_units_asked_with_files(gearlash: Gearlash, tmp_path: P
     ("limits", "message"),
     [
         (["torque=100"], "NAME=FROM:TO"),
+        (["torque=100 to 200Nm:300Nm"], "NAME=FROM:TO"),
+        (["torque=200:100Nm"], "the smaller one first"),
+        (["torque=150Nm ± 20 mm"], "another unit"),
         (["torque=100:200Nm", "torque=100:210Nm"], "each name once"),
         (["torqe=100:200Nm"], "did you mean"),
         ([], "nothing in this case is estimated with a range"),

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 import gearlash as gl
+from gearlash.case import loads
 from gearlash.studies.impact_free import closed_margin
 from gearlash.studies.ranges import AcrossRanges, across_ranges, varied
 from gearlash.studies.speeds_across import speeds_across
-from gearlash.studies.tolerances.inputs import estimated_inputs
+from gearlash.studies.tolerances.inputs import ranged_inputs
 from gearlash.studies.worst_of_ranges import margin_of, values_of
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
@@ -112,7 +113,7 @@ def test_a_resonance_within_a_range_is_found_between_its_ends():
     """The stiffness of a bearing whose mode meets the mesh within the range, at neither of its ends."""
     known = {name: value for name, value in KNOWN.items() if name != "pinion.bearing_stiffness_y"}
     case = gl.load_case(CASES / "drawing.toml", {**known, "error": "15 um", "torque": "60 N m"})
-    (one,) = (one for one in estimated_inputs(case) if one.path == "pinion.bearing_stiffness_y")
+    (one,) = (one for one in ranged_inputs(case) if one.path == "pinion.bearing_stiffness_y")
     found = varied(case, one)
     assert len(found.broken) == 1
     ((low, high),) = found.broken
@@ -121,13 +122,13 @@ def test_a_resonance_within_a_range_is_found_between_its_ends():
 
 def test_one_harmonic_of_the_stiffness_keeps_the_others():
     case = pair("4200 rpm", "150 N m")
-    inputs = estimated_inputs(case)
+    inputs = ranged_inputs(case)
     own = {one.path: one.text(one.nominal) for one in inputs if one.path == "mesh.ripple_3"}
     assert margin_of(case, own) == pytest.approx(margin_of(case, {}), rel=1e-12)
 
 
 def test_values_of_a_range_go_from_end_to_end():
-    for one in estimated_inputs(gl.load_case(CASES / "drawing.toml")):
+    for one in ranged_inputs(gl.load_case(CASES / "drawing.toml")):
         values = values_of(one)
         assert (values[0], values[-1]) == (one.lower, one.upper)
         assert all(np.diff(values) > 0.0)
@@ -137,11 +138,41 @@ def test_without_estimates_nothing_is_varied():
     assert across_ranges(gl.load_case("article")) is None
 
 
+LIMITED = """
+kind = "spur-1dof"
+[dimensionless]
+omega = 0.6
+D = "0.8 to 1.2"
+load = "0.05:0.3"
+error = {value = 0.1, range = [0.08, 0.12]}
+mesh_damping = 0.05
+"""
+
+
+def test_stated_limits_are_ranges_as_those_of_estimates_are():
+    """A linear mesh under error and load is pressed together by f - ω² E / |1 - ω² + 2iξω| at least."""
+    case = loads(LIMITED)
+    found = across_ranges(case)
+    assert found is not None
+    assert [one.of_case for one in found.inputs] == [True] * 3
+    amplitude = 0.6**2 / abs(1.0 - 0.6**2 + 2j * 0.05 * 0.6)
+    assert found.margin == pytest.approx(1.0 - 0.1 * amplitude / 0.175, rel=1e-9)
+    by = {one.input.path.rpartition(".")[2]: one for one in found.varied}
+    assert (by["D"].margin, by["D"].broken) == (pytest.approx(found.margin, rel=1e-12), ())
+    assert by["error"].worst == 0.12
+    assert by["error"].margin == pytest.approx(1.0 - 0.12 * amplitude / 0.175, rel=1e-9)
+    ((low, high),) = by["load"].broken
+    assert (low, high) == (0.05, pytest.approx(0.1 * amplitude, rel=1e-9))
+    assert found.together is not None
+    assert not found.together.margin > 0.0
+    assert across_ranges(case.with_overrides({"D": 1, "load": 0.2, "error": 0.1})) is None
+
+
 def test_speeds_at_which_contact_ends_are_those_of_a_search_from_the_present_speed():
     """With an error at the end of its range: the first ends around the present speed are the same."""
     case = pair("4200 rpm", "150 N m")
     here = case.family()[0].defaults["omega"]
-    inputs = estimated_inputs(case)
+    inputs = ranged_inputs(case)
     (error,) = (one for one in inputs if one.path == "mesh.error")
     values = {error.path: error.text(error.upper)}
     found = speeds_across(case, values, (0.6 * here, 1.4 * here))

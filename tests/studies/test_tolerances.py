@@ -20,7 +20,7 @@ from gearlash.studies.tolerances.influence import (
     share_and_error,
     why_none,
 )
-from gearlash.studies.tolerances.inputs import check_possible, estimated_inputs, read_inputs
+from gearlash.studies.tolerances.inputs import check_possible, ranged_inputs, read_inputs
 from gearlash.studies.tolerances.worst import LAST_STEP, MOST, worst_from
 
 DRIVE = Path(__file__).parents[1] / "cases" / "drive.toml"
@@ -42,6 +42,25 @@ def opens(load: float, error: float) -> tuple[float, float]:
     b = load**2 * (2.0 - 4.0 * 0.05**2)
     roots = np.sort(np.roots([a, b, -(load**2)]).real)
     return tuple(float(x) for x in np.sqrt(roots[roots > 0.0]))  # type: ignore[return-value]
+
+
+def test_limits_of_a_case_file_are_those_that_are_taken_where_none_are_given():
+    """Both ends of the band in which teeth part, at the worst of all limits, by the closed form."""
+    case = loads(
+        LINEAR.replace("load = 0.2", 'load = "0.15:0.3"').replace("error = 0.1", "error = [0.08, 0.12]")
+    )
+    axis = gl.Axis.even("omega", 0.5, 3.2, 3)
+    found = gl.tolerance(case, axis, samples=2, replicates=2)
+    low, high = opens(0.15, 0.12)
+    assert found.always == (pytest.approx((0.5, low), abs=1e-9), pytest.approx((high, 3.2), abs=1e-9))
+    assert [one.reason for one in found.inputs] == ["limits of the case file"] * 2
+    assert [(one.path, one.nominal) for one in found.inputs] == [
+        ("dimensionless.load", 0.225),
+        ("dimensionless.error", 0.1),
+    ]
+    given = gl.tolerance(case, axis, {"load": "0.15 to 0.3", "error": "0.1 ± 20 %"}, samples=2, replicates=2)
+    assert given.always == found.always
+    assert [one.reason for one in given.inputs] == ["stated"] * 2
 
 
 @pytest.mark.slow
@@ -147,7 +166,7 @@ def test_all_that_a_drawing_leaves_open_is_varied():
     """Of a helical pair on bearings more than twenty values; harmonics of the stiffness are one curve."""
     case = gl.load_case(Path(__file__).parents[1] / "cases" / "drawing.toml")
     inputs = read_inputs(case, None)
-    assert inputs == estimated_inputs(case)
+    assert inputs == ranged_inputs(case)
     ranged = [value.path for value in case.values() if value.least is not None]
     assert [one.path for one in inputs] == ranged
     assert len(inputs) > 20

@@ -310,8 +310,11 @@ class Case(Record):
 
     @property
     def hash(self) -> str:
-        """SHA-256 of all that decides a result: kind and values, not names, texts, reasons or provenance."""
+        """SHA-256 of all that decides a result: kind, values and their limits, not names, texts, reasons or
+        provenance."""
         content: list[object] = [self.kind, sorted((e.key, e.path, e.value) for e in self.entries.values())]
+        limits = sorted((e.key, e.least, e.greatest) for e in self.entries.values() if e.limited)
+        content += [limits] if limits else []
         if self.structure:
             content.append(dict(self.content.decisive))
         text = json.dumps(content, separators=(",", ":"), sort_keys=True)
@@ -337,6 +340,7 @@ class Case(Record):
                 "text": e.text,
                 "provenance": e.provenance,
                 "reason": e.reason,
+                **({"least": e.least, "greatest": e.greatest} if e.limited else {}),
             }
             for e in self.entries.values()
         ]
@@ -368,7 +372,16 @@ class Case(Record):
             if data["format"] != FORMAT:
                 raise GearlashError(f"case JSON of format {data['format']}, this version reads {FORMAT}")
             entries = [
-                Entry(e["key"], e["path"], e["value"], e["text"], Provenance(e["provenance"]), e["reason"])
+                Entry(
+                    e["key"],
+                    e["path"],
+                    e["value"],
+                    e["text"],
+                    Provenance(e["provenance"]),
+                    e["reason"],
+                    e.get("least"),
+                    e.get("greatest"),
+                )
                 for e in data["entries"]
             ]
             head = (data["name"], data["kind"], data["description"], data["source"])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .stated import Provenance, Stated
 
@@ -25,7 +25,7 @@ class Entry:
     reason : str
         Why this value; empty where nothing was stated.
     least, greatest : float, optional
-        In SI, the range that an estimated value may lie in; None where none is told.
+        In SI, the range that an estimated value may lie in, or limits that are stated; None where none are.
 
     Examples
     --------
@@ -50,9 +50,26 @@ class Entry:
         return float(self.value)
 
     @property
+    def estimated(self) -> bool:
+        """Is it an estimate with a range, and no value with limits that a file states?"""
+        return self.least is not None and not self.text
+
+    @property
+    def limited(self) -> bool:
+        """Does a file state its limits?"""
+        return self.least is not None and bool(self.text)
+
+    @property
     def dimensionless(self) -> bool:
         """Was it stated as a dimensionless number?"""
         return self.path.startswith("dimensionless.")
+
+
+def entry_of(key: str, path: str, stated: Stated) -> Entry:
+    """The entry of a value that was stated at a path."""
+    return Entry(
+        key, path, stated.value, stated.text, stated.provenance, stated.reason, stated.least, stated.greatest
+    )
 
 
 Entries = dict[str, Entry]
@@ -64,4 +81,4 @@ def overridden(stated: Stated) -> Stated:
     """With the reason that an override gives, unless it states its own."""
     if stated.reason:
         return stated
-    return Stated(stated.value, stated.text, stated.provenance, BY_OVERRIDE)
+    return replace(stated, reason=BY_OVERRIDE)

@@ -53,6 +53,8 @@ class Quantity:
     reader : callable, optional
         From a text as drawings have it there to one that is a number with its unit. Raises
         `ValueRefusedError`.
+    alone : str
+        Why one value stands there, and no two limits of it; empty where limits may.
     """
 
     path: str
@@ -68,6 +70,7 @@ class Quantity:
     key: str = ""
     below: str = ""
     reader: Callable[[str], str] | None = None
+    alone: str = ""
 
     def accepts(self, value: float) -> bool:
         """Is the value (SI) in range?"""

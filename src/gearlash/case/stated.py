@@ -1,10 +1,11 @@
-"""Values as a case states them: a number in SI with the text it was written as, where it is from, and why."""
+"""Values as a case states them: a number in SI with the text it was written as, its limits, where it is from,
+and why."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from enum import StrEnum
 from fractions import Fraction
@@ -13,11 +14,12 @@ from math import isfinite
 import numpy as np
 
 from .errors import shown
+from .limits import Ends, ends_of
 from .quantity import Choice, Quantity
 from .quantity import ValueRefusedError as ValueRefusedError
 from .texts import refused
 from .unit_hints import beside, instead, meant, usual_units
-from .units import FREQUENCY, LENGTH, NUMBER, SPEED, UnitError, in_si, read, takes
+from .units import FREQUENCY, LENGTH, NUMBER, SPEED, UnitError, in_si, in_unit_of, read, takes
 from .words import nearest_name
 from .written_numbers import NumberError
 
@@ -37,31 +39,46 @@ class Provenance(StrEnum):
 
 @dataclass(frozen=True)
 class Stated:
-    """A value in SI (or the name of an option) with the text it was written as, its provenance and reason."""
+    """A value in SI (or the name of an option) with the text it was written as, provenance and reason; its
+    limits, in SI, where they are stated."""
 
     value: float | str
     text: str
     provenance: Provenance = Provenance.GIVEN
     reason: str = ""
+    least: float | None = None
+    greatest: float | None = None
 
 
 RANGE = "here stands one value; two ends go to gearlash tolerance with --limits, or to a sweep with --over"
-_TWO_VALUES = re.compile(r"\d[^\d]*?(?:\.\.+|…|:|~| to |\+/?-|±|/|(?<![eE^])-)\s*[-+]?[.\d]")
+MIDDLE = "the middle of its limits"
+"""The reason of a value of which limits alone are stated."""
+_STROKE = re.compile(r"(?<=[\w.])\s*/\s*(?=[-+]?[.\d])")
+_FRACTION = re.compile(r"\s*\d+\s*/\s*\d+\s*(?:in|ft|[\"″”])", re.ASCII)
 LONGEST = 200
 """Characters of a number with its unit."""
-_KEYS = ("value", "provenance", "reason")
+_KEYS = ("value", "range", "provenance", "reason")
+
+
+def read_one(raw: object, place: Quantity | Choice) -> Stated:
+    """As `read_stated`, where a value stands that has no limits. Raises `ValueRefusedError`."""
+    stated = read_stated(raw, place)
+    if stated.least is not None and isinstance(place, Quantity):
+        raise ValueRefusedError(f"{place.expected} ({RANGE})")
+    return stated
 
 
 def read_stated(raw: object, place: Quantity | Choice) -> Stated:
-    """A raw TOML value, plain or ``{value = …, provenance = …, reason = …}``. Raises `ValueRefusedError`."""
+    """A raw TOML value: plain, two limits, or ``{value = …, range = …, provenance = …, reason = …}`` with a
+    value, its limits or both. Raises `ValueRefusedError`."""
     if not isinstance(raw, Mapping):
-        return Stated(_read(raw, place), _text_of(raw))
+        return _plain_or_limits(raw, place)
     for key in raw:
         if key not in _KEYS:
             raise ValueRefusedError(
-                f"a table of value, provenance and reason, without {key!r}", nearest_name(key, _KEYS)
+                f"a table of value, range, provenance and reason, without {key!r}", nearest_name(key, _KEYS)
             )
-    if "value" not in raw:
+    if "value" not in raw and "range" not in raw:
         raise ValueRefusedError(
             'a table with a value, such as {value = …, provenance = "inferred", reason = "…"}'
         )
@@ -75,17 +92,110 @@ def read_stated(raw: object, place: Quantity | Choice) -> Stated:
         raise ValueRefusedError(f"a reason in words, not {shown(reason)}")
     if expected := refused(reason):
         raise ValueRefusedError(f"{expected} as its reason")
-    value = raw["value"]
-    return Stated(_read(value, place), _text_of(value), Provenance(str(provenance)), reason)
+    stated = _in_table(raw, place)
+    why = "; ".join(part for part in (reason, stated.reason) if part)
+    return replace(stated, provenance=Provenance(str(provenance)), reason=why)
+
+
+def _in_table(raw: Mapping[str, object], place: Quantity | Choice) -> Stated:
+    """Value and limits of a table."""
+    if "range" not in raw:
+        return _plain_or_limits(raw["value"], place)
+    if not isinstance(place, Quantity):
+        raise ValueRefusedError("a table without range: names have no limits")
+    limits = _plain_or_limits(raw["range"], place)
+    if limits.least is None or limits.greatest is None:
+        raise ValueRefusedError("a range of two limits, the smaller one first")
+    if "value" not in raw:
+        return limits
+    value, text = _number(raw["value"], place), _text_of(raw["value"])
+    if not limits.least <= value <= limits.greatest:
+        raise ValueRefusedError(f"a value within its range, {limits.text}")
+    return Stated(value, f"{text}, {limits.text}", least=limits.least, greatest=limits.greatest)
+
+
+def _plain_or_limits(raw: object, place: Quantity | Choice) -> Stated:
+    """One value, or two limits, of which the middle is the value where none stands between them."""
+    if isinstance(place, Choice):
+        return Stated(_choice(raw, place), _text_of(raw))
+    if isinstance(raw, list | tuple):
+        return _limits(_ends_of_list(raw, place), " to ".join(map(_text_of, raw)), place)
+    try:
+        return Stated(_number(raw, place), _text_of(raw))
+    except ValueRefusedError as error:
+        ends = _ends_of_text(raw, place)
+        if ends is None:
+            raise _with_stroke(raw, place, error) or error from None
+        if why := _one_alone(place):
+            raise ValueRefusedError(f"{error.expected}; not two limits: {why}", error.nearest) from None
+    return _limits(ends, _text_of(raw), place)
+
+
+def _ends_of_text(raw: object, place: Quantity) -> Ends | None:
+    if not isinstance(raw, str) or len(raw) > LONGEST or refused(raw):
+        return None
+    try:
+        return ends_of(raw)
+    except UnitError as error:
+        raise ValueRefusedError(f"{place.expected}, or two limits ({error})") from None
+
+
+def _ends_of_list(raw: Sequence[object], place: Quantity) -> Ends:
+    if len(raw) != 2 or any(isinstance(end, str) and len(end) > LONGEST for end in raw):
+        raise ValueRefusedError(f"{place.expected}, or two limits, the smaller one first")
+    lower, upper = (_text_of(end) for end in raw)
+    return Ends(in_unit_of(upper, lower), in_unit_of(lower, upper))
+
+
+def _limits(ends: Ends, text: str, place: Quantity) -> Stated:
+    """Both limits and the value between them."""
+    if why := _one_alone(place):
+        raise ValueRefusedError(f"{place.expected}, not two limits: {why}")
+    least, greatest = (_end(end, place) for end in (ends.lower, ends.upper))
+    if not least < greatest:
+        swapped = f"{ends.upper} to {ends.lower}" if greatest < least else None
+        raise ValueRefusedError("two different limits, the smaller one first", swapped)
+    if ends.size and least <= (size := _number(ends.size, place)) <= greatest:
+        return Stated(size, text, least=least, greatest=greatest)
+    middle = float(f"{0.5 * (least + greatest):.15g}")
+    why = f"{MIDDLE}, as {ends.size} lies outside them" if ends.size else MIDDLE
+    return Stated(middle, text, reason=why, least=least, greatest=greatest)
+
+
+def _one_alone(place: Quantity) -> str:
+    """Why no limits stand there; empty where they may."""
+    any_between = "limits are of quantities that may have any value between"
+    return place.alone or (any_between if place.integer else "")
+
+
+def _end(text: str, place: Quantity) -> float:
+    """One limit in SI."""
+    try:
+        return _number(text, place)
+    except ValueRefusedError as error:
+        raise ValueRefusedError(f"two limits, each {error.expected}; {text!r} is none", None) from None
+
+
+def _with_stroke(raw: object, place: Quantity, error: ValueRefusedError) -> ValueRefusedError | None:
+    """Of limits with a stroke between, which stands for pinion and gear elsewhere; None of other texts."""
+    if not isinstance(raw, str) or len(raw) > LONGEST or error.nearest or place.reader is not None:
+        return None
+    if len(_STROKE.findall(raw)) != 1 or _FRACTION.match(raw) or _one_alone(place):
+        return None
+    ends = _STROKE.split(raw)
+    for lower, upper in (ends, ends[::-1]):
+        meant = f"{in_unit_of(upper, lower.strip())} to {in_unit_of(lower, upper.strip())}"
+        try:
+            read_stated(meant, place)
+        except ValueRefusedError:
+            continue
+        return ValueRefusedError(f"{error.expected}; two limits stand without a stroke", meant)
+    return None
 
 
 def _text_of(raw: object) -> str:
     """As it was written, of a value that was read."""
     return raw if isinstance(raw, str) else str(raw)
-
-
-def _read(raw: object, place: Quantity | Choice) -> float | str:
-    return _choice(raw, place) if isinstance(place, Choice) else _number(raw, place)
 
 
 def _choice(raw: object, place: Choice) -> str:
@@ -147,8 +257,6 @@ def _from_text(raw: str, place: Quantity) -> float:
     except UnitError as error:
         if isinstance(error, NumberError):
             raise ValueRefusedError(f"{place.expected} ({error})") from None
-        if _TWO_VALUES.search(raw):
-            raise ValueRefusedError(f"{place.expected} ({error}; {RANGE})", meant(text, place)) from None
         raise _refused(text, place, f" ({beside(text, place) or error})") from None
     if takes(place.dimension, unit):
         return _in_si(number, in_si(place.dimension, number, unit))

@@ -34,7 +34,7 @@ class Value:
     text : str
         What was written; empty where nothing was.
     least, greatest : float, optional
-        In ``unit``, the range that an estimated value may lie in.
+        In ``unit``, the range that an estimated value may lie in, or the limits that are stated.
 
     Examples
     --------
@@ -55,6 +55,16 @@ class Value:
     text: str = ""
     least: float | None = None
     greatest: float | None = None
+
+    @property
+    def estimated(self) -> bool:
+        """Is it an estimate with a range?"""
+        return self.least is not None and not self.text
+
+    @property
+    def limited(self) -> bool:
+        """Does the case state its limits?"""
+        return self.least is not None and bool(self.text)
 
     @property
     def uncertain(self) -> bool:

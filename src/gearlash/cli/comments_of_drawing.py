@@ -43,8 +43,8 @@ def comments_of(case: Case) -> Comments:
     """Of a pair with its drawing."""
     unstated = [v for v in case.values() if not v.text and isinstance(v.value, float | int)]
     found = {v.path: f"{v.value:.5g} {v.unit}".strip() for v in unstated}
-    origins = {v.path: "as estimated" for v in unstated if v.least is not None}
-    origins |= {v.path: "as assumed" for v in unstated if v.least is None and v.provenance == "assumed"}
+    origins = {v.path: "as estimated" for v in unstated if v.estimated}
+    origins |= {v.path: "as assumed" for v in unstated if not v.estimated and v.provenance == "assumed"}
     teeth = case.numbers.body.teeth
     if teeth is None:
         return Comments(found, {}, origins)

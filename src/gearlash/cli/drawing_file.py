@@ -14,10 +14,10 @@ from .words_of_drawing import GEARS, WORDS, is_helical
 
 TABLES = (*GEARS, "mesh", "operation")
 HEAD = """\
-# A gear pair from its drawing. Values carry their units. Lines that begin with # are not read: without the #
-# they state what stands there: "for example" a size that would fit this pair and says nothing of it, others
-# what holds already, as computed, estimated, assumed or taken from a list. What is not stated is estimated
-# whenever the file is read, and assumed:
+# A gear pair from its drawing. Values carry their units, and may be two limits ("60 to 140 um"). Lines that
+# begin with # are not read: without the # they state what stands there: "for example" a size that would fit
+# this pair and says nothing of it, others what holds already, as computed, estimated, assumed or taken from a
+# list. What is not stated is estimated whenever the file is read, and assumed:
 #   gearlash check {name}
 """
 EXAMPLE = """\

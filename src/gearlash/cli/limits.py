@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from gearlash.case import CaseError, Problem
-from gearlash.case.units import behind_number, in_unit_of
+from gearlash.case.limits import ends_of
+from gearlash.case.units import UnitError, behind_number, in_unit_of
 
 from .inputs import parts_of
 
@@ -17,18 +18,21 @@ MOST_VALUES = 10_000
 
 
 def read_limits(texts: Iterable[str] | None) -> dict[str, tuple[str, str]] | None:
-    """``NAME=FROM:TO`` as names with both ends; a unit behind TO holds for FROM too. None without any."""
+    """``NAME=FROM:TO`` as names with both ends, which may be written as in a case file. None without any."""
     found: dict[str, tuple[str, str]] = {}
     problems = []
     for text in texts or ():
         name, equals, span = (part.strip() for part in text.partition("="))
-        ends = [part.strip() for part in span.split(":")]
-        if not (name and equals) or len(ends) != 2 or not all(ends):
-            problems.append(Problem("--limits", repr(text), "NAME=FROM:TO, such as backlash=60:120um"))
+        try:
+            ends, why = ends_of(span), ""
+        except UnitError as error:
+            ends, why = None, f" ({error})"
+        if not (name and equals) or ends is None:
+            problems.append(Problem("--limits", repr(text), f"NAME=FROM:TO, such as backlash=60:120um{why}"))
         elif name in found:
             problems.append(Problem("--limits", repr(text), f"each name once ({name} is given twice)"))
         else:
-            found[name] = _with_unit(*ends)
+            found[name] = ends.lower, ends.upper
     if problems:
         raise CaseError("--limits", problems)
     return found or None

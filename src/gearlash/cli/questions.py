@@ -18,9 +18,9 @@ from .words_of_drawing import EITHER, ONLY_BESIDE, WORDS, Word, placed
 
 HEAD = (
     "A pair of external spur or helical gears from its drawing. Type values with their units as they stand "
-    "there; pinion and gear apart by a stroke, 25/57. Enter alone: not known, to be estimated; of module, "
-    "speed and torque: said otherwise, and asked for next. ? tells more of a question, < goes back to the "
-    "one before, Ctrl-C stops.\n"
+    "there, or limits, 0.06-0.14 mm; pinion and gear apart by a stroke, 25/57. Enter alone: not known, to be "
+    "estimated; of module, speed and torque: said otherwise, and asked for next. ? tells more of a question, "
+    "< goes back to the one before, Ctrl-C stops.\n"
 )
 UNKNOWN = frozenset(
     {

@@ -5,10 +5,14 @@ from __future__ import annotations
 
 import re
 
-_BETWEEN = re.compile(r"/(?=\s*[-+.\døØ⌀½¼¾⅛⅜⅝⅞]|\s*$)|^\s*/")
+_BETWEEN = re.compile(r"/(?=\s*[-+−–.\døØ⌀½¼¾⅛⅜⅝⅞]|\s*$)|^\s*/")
 """Not that of a unit (N/m)."""
+_DEVIATIONS = re.compile(
+    r"(?<=[\w%])(?<![\d.][eE])(\s*[-+−–]\s*[.,\d][^/;+−–-]*|\s+0\s*)/(?=\s*(?:[-+−–]\s*[.,\d]|0(?![.,\d])))"
+)
+"""The stroke between the deviations of one size: 32.83 mm -0.05/-0.08."""
 _MIXED = "\u2044"
-"""In place of the stroke in 1 1/2, which is between no gears."""
+"""In place of the stroke in 1 1/2, which is between no gears, as that between deviations."""
 
 
 def names(text: str) -> list[str]:
@@ -37,7 +41,7 @@ def quantities(option: str, text: str) -> list[str]:
     from gearlash.case.written_numbers import join_mixed  # late: help needs none of it
     from gearlash.system import GearlashError
 
-    whole = join_mixed(text.strip(), _MIXED)
+    whole = _DEVIATIONS.sub(rf"\1{_MIXED}", join_mixed(text.strip(), _MIXED))
     ways = [[whole]] if _is_value(whole, "") else []
     for stroke in _BETWEEN.finditer(whole):
         parts = [whole[: stroke.start()].strip(), whole[stroke.end() :].strip()]
@@ -71,14 +75,32 @@ def _with_units(parts: list[str]) -> list[str]:
     found = []
     for own, other in zip(parts, parts[::-1], strict=True):
         lent = f"{own} {_unit(other)}"
-        found.append(lent if is_fraction(lent) and not is_fraction(own) else in_unit_of(other, own))
+        without = _has_limits(own) and not _unit(own)
+        fraction = is_fraction(lent) and not is_fraction(own)
+        found.append(lent.strip() if without or fraction else in_unit_of(other, own))
     return found
+
+
+def _has_limits(text: str) -> bool:
+    return _upper(text) != text
+
+
+def _upper(text: str) -> str:
+    """The greater one of two limits; a value without such as it is."""
+    from gearlash.case.limits import ends_of
+    from gearlash.case.units import UnitError
+
+    try:
+        ends = ends_of(text)
+    except UnitError:  # told when it is read
+        return text
+    return text if ends is None else ends.upper
 
 
 def _unit(text: str) -> str:
     from gearlash.case.units import behind_number
 
-    return behind_number(text.replace(_MIXED, "/").lstrip("øØ⌀ "))
+    return behind_number(_upper(text.replace(_MIXED, "/")).lstrip("øØ⌀ "))
 
 
 def _plainly(parts: list[str]) -> str:

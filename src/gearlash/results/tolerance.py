@@ -10,6 +10,8 @@ from gearlash.system import Record
 
 from .axis import Axis
 
+LIMITS_OF_CASE = "limits of the case file"
+"""The reason of inputs whose limits the case states; of estimates it is that of the estimate."""
 Band: TypeAlias = tuple[float, float]
 """Both ends of an interval, in the unit of its axis."""
 
@@ -45,6 +47,11 @@ class ToleranceInput:
     nominal: float
     reason: str = ""
     curve: str = ""
+
+    @property
+    def of_case(self) -> bool:
+        """Does the case state its limits?"""
+        return self.reason == LIMITS_OF_CASE
 
     def text(self, value: float) -> str:
         """A value of it as a case file would state it.

@@ -60,7 +60,8 @@ class Assessment:
     impact_free, drive_side : Zones
         Zones free of impacts, and of impacts on the back side, from the same sweeps.
     ranges : AcrossRanges or None
-        What the ranges of estimates leave of the motion without impacts; None where nothing has a range.
+        What ranges of estimates and stated limits leave of the motion without impacts; None where nothing has
+        a range.
     turned : bool
         Whether the back side carries: then ``case`` is the mirror image of what was asked, which moves alike.
     other : (Label, Signals) or None
@@ -189,7 +190,7 @@ def assess(
         thrown=list(zip(states, runs, strict=True)), settings=settings,
         execution=telling(execution, say, "ends of bands"), work=WORK, assure=False,
     )  # fmt: skip
-    ranges = across_ranges(case, settings, telling(execution, say, "ranges of estimates"))
+    ranges = across_ranges(case, settings, telling(execution, say, "ranges"))
     loud = _loudest(found, beside, readouts, settings)
     return Assessment(
         case, values, axis, found, readouts, measured, beside, quiet, drive, ranges, case is not asked, loud

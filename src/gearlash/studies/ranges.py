@@ -1,9 +1,9 @@
-"""Does impact-free motion at the present point last over the ranges of what a case estimates?
+"""Does impact-free motion at the present point last over the ranges of estimates and stated limits of a case?
 
-The motion of teeth that never part is solved for at values over each range, everything else as estimated, and
-where it ends within a range that value is solved for. From there a combination is searched for with which
-it ends, or else the worst one; at it the ends of its band of speed are solved for, and the cold start is
-followed. Where the case states a range of speed, contact is looked for over all of it, too.
+The motion of teeth that never part is solved for at values over each range, everything else as the case has
+it, and where it ends within a range that value is solved for. From there a combination is searched for with
+which it ends, or else the worst one; at it the ends of its band of speed are solved for, and the cold start
+is followed. Where the case states a range of speed, contact is looked for over all of it, too.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from .impact_free import impact_free_speeds
 from .model import Source
 from .speeds_across import SpeedsAcross, speeds_across
 from .tolerances.bands import outside, positive_bands
-from .tolerances.inputs import estimated_inputs
+from .tolerances.inputs import ranged_inputs
 from .worst_of_ranges import margin_of, member_of, values_of, worst_together
 
 SOLVED = 2
@@ -36,7 +36,7 @@ SMALL = 1e-3
 
 @dataclass(frozen=True)
 class Varied:
-    """One estimate over its range, everything else as estimated.
+    """One estimate over its range, or a value over its stated limits, everything else as the case has it.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ class Varied:
 
 @dataclass(frozen=True)
 class Corner:
-    """Values of some estimates together, all others as estimated.
+    """Values of some ranges together, all others as the case has them.
 
     Parameters
     ----------
@@ -84,12 +84,12 @@ class Corner:
 
 @dataclass(frozen=True)
 class AcrossRanges:
-    """What ranges of estimates leave of the impact-free motion at the present point.
+    """What ranges of estimates and stated limits leave of the impact-free motion at the present point.
 
     Parameters
     ----------
     margin : float
-        As estimated.
+        As the case has it.
     varied : tuple of Varied
         Of every range.
     single : tuple of Corner
@@ -99,8 +99,8 @@ class AcrossRanges:
         anything.
     complete : bool
     speeds : tuple of SpeedsAcross
-        Over the range of speed that the case states: first all as estimated; where that never parts, then
-        every estimate at both ends of its range and at its worst value at the present speed, and the worst
+        Over the range of speed that the case states: first all as the case has it; where that never parts,
+        then every one at both ends of its range and at its worst value at the present speed, and the worst
         combination. Empty where it states none.
     """
 
@@ -145,8 +145,9 @@ class Task:
 def across_ranges(
     case: Case, settings: Settings | None = None, execution: Execution | None = None
 ) -> AcrossRanges | None:
-    """The impact-free motion over the ranges of all that a case estimates; None where nothing has a range."""
-    inputs = estimated_inputs(case)
+    """The impact-free motion over the ranges of all that a case estimates or states limits of; None where
+    nothing has a range."""
+    inputs = ranged_inputs(case)
     if not inputs:
         return None
     execution, source = execution or Execution(), Source.of(case)

@@ -24,7 +24,7 @@ takes all of it half-way between two speeds takes a quarter of it at both."""
 
 @dataclass(frozen=True)
 class SpeedsAcross:
-    """Values of estimates, all others as estimated, and the speeds at which contact does not last with them.
+    """Values of ranges, all others as the case has them, and speeds at which contact does not last with them.
 
     Parameters
     ----------

@@ -63,7 +63,7 @@ def values_of(one: ToleranceInput) -> list[float]:
 def worst_together(
     case: Case, inputs: Sequence[ToleranceInput], begin: Mapping[str, str]
 ) -> tuple[dict[str, str], float]:
-    """A bad combination, and its margin, from the values of ``begin`` on, all others as estimated.
+    """A bad combination, and its margin, from the values of ``begin`` on, all others as the case has them.
 
     One range after the other is put where it makes things worst, all others held, until none does, or until
     teeth would have to pull: so few values are named where few suffice. Ranges that take nothing alone are

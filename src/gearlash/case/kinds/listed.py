@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import TypeAlias
 
-from gearlash.case.entries import Entries, Entry, overridden
+from gearlash.case.entries import Entries, Entry, entry_of, overridden
 from gearlash.case.errors import CaseError, Problem, shown
 from gearlash.case.quantity import Choice, Quantity
-from gearlash.case.stated import Stated, ValueRefusedError, read_stated
+from gearlash.case.stated import Stated, ValueRefusedError, read_one, read_stated
 from gearlash.case.units import unit
 from gearlash.case.value import Value
 from gearlash.case.words import nearest_name
@@ -30,7 +30,7 @@ def find(places: Places, name: str) -> Place | None:
 
 def entry(place: Place, stated: Stated) -> Entry:
     """The entry of a value stated at a place."""
-    return Entry(key_of(place), place.path, stated.value, stated.text, stated.provenance, stated.reason)
+    return entry_of(key_of(place), place.path, stated)
 
 
 def entries(places: Places, stated: Mapping[str, Stated]) -> Entries:
@@ -90,7 +90,7 @@ def resolve(
     if not isinstance(place, Quantity) or key_of(place) not in parameters:
         raise UnknownNameError("parameter to vary", name, parameters)
     try:
-        return key_of(place), float(read_stated(value, place).value)
+        return key_of(place), float(read_one(value, place).value)
     except ValueRefusedError as error:
         raise CaseError(label, [Problem(name, shown(value), error.expected, error.nearest)]) from None
 
@@ -104,10 +104,20 @@ def values(places: Places, entries: Mapping[str, Entry]) -> list[Value]:
             (displayed(e.number, place), place.unit) if isinstance(place, Quantity) else (e.value, "")
         )
         short = e.key if e.key != e.path else None
+        ends = limits(e, place)
         found.append(
-            Value(e.path, value, its_unit, e.provenance, e.reason, short, place.description, text=e.text)
+            Value(
+                e.path, value, its_unit, e.provenance, e.reason, short, place.description, (), e.text, *ends
+            )
         )
     return found
+
+
+def limits(entry: Entry, place: Place | None) -> tuple[float | None, float | None]:
+    """Range of an estimate, or stated limits, in the display unit."""
+    if not isinstance(place, Quantity) or entry.least is None or entry.greatest is None:
+        return None, None
+    return displayed(entry.least, place), displayed(entry.greatest, place)
 
 
 def displayed(value: float, place: Quantity) -> float:

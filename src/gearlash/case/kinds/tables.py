@@ -117,6 +117,17 @@ def _validated(raw: object, place: Place) -> Stated:
         raise PydanticCustomError("value", "expected {expected}", context) from None
 
 
+def _limits_schema(plain: list[dict[str, Any]]) -> dict[str, Any]:
+    """Two limits as an array; as one text they are a string like any value with its unit."""
+    return {
+        "type": "array",
+        "items": {"anyOf": plain},
+        "minItems": 2,
+        "maxItems": 2,
+        "description": "both limits, the smaller one first",
+    }
+
+
 def _json_schema(place: Place) -> dict[str, Any]:
     if isinstance(place, Choice):
         plain: list[dict[str, Any]] = [{"enum": list(place.choices)}]
@@ -127,17 +138,23 @@ def _json_schema(place: Place) -> dict[str, Any]:
         plain = [{"type": "number"}, {"type": "string"}]
     else:
         plain = [{"type": "string", "description": f"{DIMENSION_NAMES[place.dimension]} with its unit"}]
+    limits = [] if isinstance(place, Choice) or place.integer or place.alone else [_limits_schema(plain)]
     table = {
         "type": "object",
         "properties": {
             "value": {"anyOf": plain},
+            **({"range": {"anyOf": [*limits, {"type": "string"}]}} if limits else {}),
             "provenance": {"enum": list(Provenance)},
             "reason": {"type": "string"},
         },
-        "required": ["value"],
+        **(
+            {"anyOf": [{"required": ["value"]}, {"required": ["range"]}]}
+            if limits
+            else {"required": ["value"]}
+        ),
         "additionalProperties": False,
     }
-    result = {"anyOf": [*plain, table], "description": place.description}
+    result = {"anyOf": [*plain, *limits, table], "description": place.description}
     if isinstance(place, Choice):
         return {**result, "default": place.default}
     return {**result, "examples": [place.example]}

@@ -24,8 +24,11 @@ class CheckValue:
     reason: Annotated[str, "why it has this value; the formula of a derived one"]
     rests_on: Annotated[tuple[str, ...], "paths of the assumed values that a derived one was computed from"]
     description: str
-    least: Annotated[float | None, "of an estimate the least value it may have, in the same unit"] = None
-    greatest: Annotated[float | None, "of an estimate the greatest value"] = None
+    least: Annotated[
+        float | None,
+        "the least value that an estimate may have, or the lower limit as stated, in the same unit",
+    ] = None
+    greatest: Annotated[float | None, "the greatest value, or the upper limit"] = None
 
 
 @dataclass(frozen=True)

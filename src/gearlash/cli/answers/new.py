@@ -42,7 +42,7 @@ def new_answer(file: str, case: Case, example: bool) -> NewAnswer:
         case.kind,
         example,
         () if example else tuple(v for v in values if v.text and v.provenance == "given"),
-        tuple(v for v in values if v.least is not None),
+        tuple(v for v in values if v.least is not None and not v.text),
         float(scales.pinion_rpm(family.defaults["omega"])),
         tuple(float(speed) for speed in met),
         () if example else checked.notes,

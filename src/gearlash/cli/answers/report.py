@@ -61,8 +61,8 @@ class ReportAnswer:
     case: CaseUsed
     verdict: Annotated[
         Literal["good", "doubt", "bad"],
-        "good: no impacts were found at this speed, nor across the ranges of estimates; doubt: in some "
-        "motions, or somewhere in those ranges, or nothing settled; bad: in all",
+        "good: no impacts were found at this speed, nor across the ranges of estimates and stated limits; "
+        "doubt: in some motions, or somewhere in those ranges, or nothing settled; bad: in all",
     ]
     parameters: Annotated[dict[str, float], "every parameter by short name"]
     lines: Annotated[tuple[ReportLine, ...], "the first lines of the report, after its sentence"]

@@ -29,8 +29,8 @@ Limits = Annotated[
         "--limits",
         metavar="NAME=FROM:TO",
         help="Limits of a value of the case, by short name or path: backlash=60:120um, "
-        "torque=50:250Nm. May be given several times. [default: the ranges of all that the case "
-        "estimates]",
+        "torque=50:250Nm. May be given several times. [default: the limits that the case states and "
+        "the ranges of all that it estimates]",
     ),
 ]
 Samples = Annotated[

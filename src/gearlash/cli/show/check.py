@@ -71,17 +71,27 @@ def _row(value: CheckValue, marks: Marks) -> tuple[str, str, str, str]:
         what = f"{what} ({value.reason})" if what else value.reason
     elif value.provenance != "given":
         what = f"{value.provenance}{_range(value)}: {value.reason}"
-    elif value.reason:
-        what = f"{what}; {value.reason}"
+    else:
+        what = "; ".join(filter(None, (what, _limits(value), value.reason)))
     return value.path, value.short or "", shown, what
 
 
 def _range(value: CheckValue) -> str:
-    """The range of an estimate."""
-    if value.least is None or value.greatest is None:
+    """The range of an estimate; stated limits as they are."""
+    if value.least is None:
         return ""
-    least, greatest = number(value.least, 3), number(value.greatest, 3)
-    return f", {least} to {greatest}{'' if value.unit in ('', 'deg') else ' '}{pretty(value.unit)}"
+    return f", {_limits(value)}" if value.text else f", {_ends(value, 3)}"
+
+
+def _limits(value: CheckValue) -> str:
+    return "" if value.least is None else f"limits {_ends(value, 7)}"
+
+
+def _ends(value: CheckValue, digits: int) -> str:
+    assert value.least is not None
+    assert value.greatest is not None
+    blank = "" if value.unit in ("", "deg") else " "
+    return f"{number(value.least, digits)} to {number(value.greatest, digits)}{blank}{pretty(value.unit)}"
 
 
 def _shown(value: CheckValue) -> str:

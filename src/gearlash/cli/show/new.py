@@ -21,7 +21,9 @@ def new_view(answer: NewAnswer, width: int) -> Iterator[Text]:
         what = "a template with the values of an example as comments; nothing is stated yet"
     else:
         unusual = f"{len(answer.notes)} to look at" if answer.notes else "nothing to correct"
-        what = f"{len(answer.stated)} values stated, {count} estimated; {unusual}"
+        limits = sum(value.least is not None for value in answer.stated)
+        of_them = f", {limits} of them with limits" if limits else ""
+        what = f"{len(answer.stated)} values stated{of_them}, {count} estimated; {unusual}"
     yield from headline(f"{answer.file}: written, {answer.kind}, {what}", width)
     for remark in answer.notes:
         yield from note(f"{remark.path}: {remark.text}", width, style="yellow")

@@ -9,6 +9,7 @@ from rich.text import Text
 from gearlash.case.edges import shown_interval
 from gearlash.case.units import pretty
 from gearlash.cli.answers.tolerance import BandFound, InputFound, ToleranceAnswer, chance_text
+from gearlash.results.tolerance import LIMITS_OF_CASE
 
 from .layout import assumed, facts, headline, note, table
 
@@ -40,7 +41,7 @@ def tolerance_view(answer: ToleranceAnswer, width: int) -> Iterator[Text]:
     yield from table(title, columns, [_input(one) for one in answer.inputs], width)
     if answer.no_shares:
         yield from note(f"No shares of the variance: {answer.no_shares}.", width)
-    if any(one.reason != "stated" for one in answer.inputs):
+    if any(_origin(one) == "estimated" for one in answer.inputs):
         yield from note("Where the ranges of what is estimated are from, gearlash check tells.", width)
     settings = " ".join(f"--set '{path}={value}'" for path, value in answer.worst.items())
     yield from facts("The worst combination found, to run", [("", settings)], width)
@@ -61,6 +62,13 @@ def _examined(answer: ToleranceAnswer) -> str:
         "the same values are not looked for (gearlash zones, gearlash run). Values that were looked at lie "
         f"no farther apart than 1 %: a narrower gap in contact may have been missed.{unsolved}"
     )
+
+
+def _origin(one: InputFound) -> str:
+    """Where the limits are from."""
+    if one.reason == LIMITS_OF_CASE:
+        return "case file"
+    return "stated" if one.reason == "stated" else "estimated"
 
 
 def _bands(answer: ToleranceAnswer, bands: Sequence[BandFound]) -> str:
@@ -102,7 +110,7 @@ def _input(one: InputFound) -> list[str]:
         f"{one.upper:.6g}",
         worst,
         *shares,
-        "stated" if one.reason == "stated" else "estimated",
+        _origin(one),
     ]
 
 

@@ -54,7 +54,7 @@ def section(contents: Contents) -> Section:
         blocks.append(Table("assumed", caption, head, tuple(rows), widths=(23, 14, 17, 9, 37)))
     else:
         blocks.append(Text.of("Every value of the case is given."))
-    if any(value.path.endswith(".inertia") and value.least is not None for value in case.values()):
+    if any(value.path.endswith(".inertia") and value.estimated for value in case.values()):
         blocks.append(Text.of(GEARS_ALONE))
     blocks.append(
         Text.of(

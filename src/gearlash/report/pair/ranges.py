@@ -1,4 +1,4 @@
-"""Whether a verdict holds over the ranges of estimates, in words and as a table."""
+"""Whether a verdict holds over the ranges of estimates and stated limits, in words and as a table."""
 
 from __future__ import annotations
 
@@ -49,15 +49,15 @@ def across(found: Assessment, words: Words) -> Across | None:
         return None
     if not ranges.complete:
         return Across(False, "its ranges were not looked at to the end", "Not looked at to the end.")
-    many = estimates(len(ranges.varied))
+    many = counted(ranges.varied)
     if not ranges.margin > 0.0:
         return Across(False, *_where_it_would_hold(ranges, many))
     ends = speed_ends(found, words)
     if ranges.broken:
         named = listed([_broken(one) for one in ranges.broken])
-        rest = len(ranges.varied) - len(ranges.broken)
-        text = f"Does not hold if {named}: there no motion without impacts exists, all else as estimated. "
-        text += f"It holds across the ranges of the other {estimates(rest)}, one at a time." if rest else ""
+        rest = [one for one in ranges.varied if not one.broken]
+        text = f"Does not hold if {named}: there no motion without impacts exists, all else {as_is(ranges)}. "
+        text += f"It holds across the ranges of the other {counted(rest)}, one at a time." if rest else ""
         clause = listed([_broken(one).partition(" (")[0] for one in ranges.broken])
         return Across(False, f"no motion without impacts exists if {clause}", f"{text}{ends}")
     worst = ranges.together
@@ -82,8 +82,8 @@ def _holding(ranges: AcrossRanges, many: str, measure: str) -> str:
     text = (
         f"Holds across the ranges of its {many}, one at a time and in the worst combination found: a motion "
         f"without impacts exists there, in which the {measure} at the teeth is at least "
-        f"{_percent(worst.margin)} of the static one ({_percent(ranges.margin)} as estimated). Most is taken "
-        "by "
+        f"{_percent(worst.margin)} of the static one ({_percent(ranges.margin)} {as_is(ranges)}). Most is "
+        "taken by "
     )
     text += " and ".join(settings(one.values) for one in ranges.single[:2]) + "."
     if worst.cold is not None and not (isinstance(worst.cold, Signature) and worst.cold.impacts == 0):
@@ -92,13 +92,13 @@ def _holding(ranges: AcrossRanges, many: str, measure: str) -> str:
 
 
 def _where_it_would_hold(ranges: AcrossRanges, many: str) -> tuple[str, str]:
-    """Of a pair whose teeth separate as estimated."""
+    """Of a pair whose teeth separate as it is."""
     some = [one for one in ranges.varied if one.broken and _quiet(one)]
     if not some:
         text = f"No motion without impacts was found over the range of any of its {many}, one at a time."
         return f"within the ranges of its {many}, one at a time, no motion without impacts was found", text
     named = listed([_quiet(one) for one in some])
-    text = f"All else as estimated, a motion without impacts exists if {named}."
+    text = f"All else {as_is(ranges)}, a motion without impacts exists if {named}."
     return f"within the ranges of its {many} a motion without impacts exists if {named}", text
 
 
@@ -112,7 +112,7 @@ def listed(said: Sequence[str]) -> str:
     """The first ones, and how many more there are: one more is named as well."""
     shown = said[:NAMED] if len(said) > NAMED + 1 else said
     more = len(said) - len(shown)
-    return ", or if ".join(shown) + (f", and for {more} more of its estimates (listed below)" if more else "")
+    return ", or if ".join(shown) + (f", and for {more} more of its ranges (listed below)" if more else "")
 
 
 def _broken(one: Varied) -> str:
@@ -197,8 +197,27 @@ def _percent(share: float) -> str:
     return f"{number(100.0 * share, 3)} %"
 
 
-def estimates(count: int) -> str:
-    return f"{count} estimate{'' if count == 1 else 's'}"
+def counted(varied: Sequence[Varied]) -> str:
+    """``12 estimates and 2 values with stated limits``."""
+    stated = sum(one.input.of_case for one in varied)
+    said = []
+    for count, one, several in (
+        (len(varied) - stated, "estimate", "estimates"),
+        (stated, "value with stated limits", "values with stated limits"),
+    ):
+        said += [f"{count} {one if count == 1 else several}"] if count else []
+    return " and ".join(said)
+
+
+def as_is(ranges: AcrossRanges) -> str:
+    """Of everything else: estimated, or as the case has it where limits of stated values are looked at."""
+    return "as the case has it" if any(one.of_case for one in ranges.inputs) else "as estimated"
+
+
+def _whose(ranges: AcrossRanges) -> str:
+    stated = {one.of_case for one in ranges.inputs}
+    both = "Estimates and values with stated limits"
+    return both if len(stated) == 2 else "Values with stated limits" if True in stated else "Estimates"
 
 
 def table(found: Assessment) -> Iterator[Block]:
@@ -215,15 +234,18 @@ def table(found: Assessment) -> Iterator[Block]:
         said = (
             f"not if {_intervals(one.input, one.broken).partition(' (')[0]}" if one.broken else "everywhere"
         )
-        rows.append((one.input.path, f"{low} to {high}{unit}", f"{number(one.worst, 3)}{unit}", least, said))
+        origin = ", stated" if one.input.of_case else ""
+        rows.append(
+            (one.input.path, f"{low} to {high}{unit}{origin}", f"{number(one.worst, 3)}{unit}", least, said)
+        )
     caption = (
-        "Estimates, each over its range at the present speed and torque, all else as estimated "
+        f"{_whose(ranges)}, each over its range at the present speed, all else {as_is(ranges)} "
         f"({_percent(ranges.margin)}): the value at which teeth are pressed together least in the motion of "
         f"a mesh held closed, the least {of_teeth} at the teeth there over the static one (below 0 they "
         "would have to pull, and part instead), and where they stay in contact. Other motions were not "
         "looked for."
     )
-    head = ("estimate", "range", "worst at", f"least {of_teeth}", "in contact")
+    head = ("value", "range", "worst at", f"least {of_teeth}", "in contact")
     yield Table("ranges", caption, head, tuple(rows), widths=(25, 22, 14, 16, 23))
     worst = ranges.together
     if worst is not None and len(worst.values) > 1:

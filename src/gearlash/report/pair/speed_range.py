@@ -8,7 +8,7 @@ from gearlash.results.pair_question import stated_speeds
 from gearlash.studies.assessment import Assessment
 from gearlash.studies.speeds_across import STEP, SpeedsAcross
 
-from .ranges import estimates, settings
+from .ranges import as_is, counted, settings
 from .words import Words
 
 NAMED = 5
@@ -24,7 +24,7 @@ class OverSpeed:
     free : bool
         Whether no motion was found in it in which teeth separate.
     holds : bool
-        Whether that is so at the ends of the ranges of estimates, too.
+        Whether that is so at the ends of ranges of estimates and of stated limits, too.
     told : bool
         Whether all of it was examined to the end, or motion with impacts was found in it.
     first : str
@@ -67,13 +67,15 @@ def speed_range(found: Assessment, words: Words) -> OverSpeed | None:
     parting = found.ranges.parting
     if not parting:
         return OverSpeed(True, True, True, f"{free}.", f"{free}. {_nor(found, looked)}")
-    short = f"{free}, as estimated; with an estimate elsewhere in its range they do."
+    own = as_is(found.ranges)
+    what = "an estimate" if own == "as estimated" else "a value"
+    short = f"{free}, {own}; with {what} elsewhere in its range they do."
     shown = parting[: NAMED if len(parting) > NAMED + 1 else None]
     more = len(parting) - len(shown)
     text = "; ".join(_parting(one, words) for one in shown)
     text += f"; and with {more} more" if more else ""
-    said = f"No motion without impacts exists {text}; all else as estimated ({looked})."
-    return OverSpeed(True, False, True, short, f"{free}, as estimated. {said}")
+    said = f"No motion without impacts exists {text}; all else {own} ({looked})."
+    return OverSpeed(True, False, True, short, f"{free}, {own}. {said}")
 
 
 def _not_free(text: str) -> OverSpeed:
@@ -86,7 +88,7 @@ def _not_told(text: str) -> OverSpeed:
 
 def _nor(found: Assessment, looked: str) -> str:
     assert found.ranges is not None
-    many = estimates(len(found.ranges.varied))
+    many = counted(found.ranges.varied)
     return (
         f"At {looked}, a motion without impacts exists with each of its {many} at both ends of its range, "
         "one at a time, and in the worst combination found at the present speed."

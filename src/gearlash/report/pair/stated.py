@@ -114,4 +114,8 @@ def _shown(value: Value) -> str:
     if isinstance(value.value, str):
         return value.value
     unit = pretty(value.unit)
-    return f"{number(float(value.value), 5)}{'' if unit in ('', '°') else ' '}{unit}"
+    blank = "" if unit in ("", "°") else " "
+    if value.limited and value.least is not None and value.greatest is not None:
+        ends = f" ({number(value.least, 5)} to {number(value.greatest, 5)})"
+        return f"{number(float(value.value), 5)}{ends}{blank}{unit}"
+    return f"{number(float(value.value), 5)}{blank}{unit}"

@@ -28,8 +28,8 @@ MOST_NAMED = 6
 """Assumed values that the first lines name."""
 Kind: TypeAlias = Literal["good", "doubt", "bad"]
 NO_RANGES = (
-    "No value of this case is an estimate with a range, so none was varied here; gearlash tolerance varies "
-    "those that are given limits."
+    "No value of this case is an estimate with a range or has stated limits, so none was varied here; "
+    "gearlash tolerance varies those that are given limits."
 )
 TURNED = (
     "The torque is negative, so that the back side carries. Both sides are alike, and the mirror image of "
@@ -56,8 +56,8 @@ class Verdict:
     ----------
     kind : {"good", "doubt", "bad"}
         No impacts were found at the present speed nor over the range of speed that the case states, whatever
-        estimates are within their ranges; some motions have them, or nothing settled, or it does not hold
-        across the ranges; all have them at the present speed.
+        estimates and values with stated limits are within their ranges; some motions have them, or nothing
+        settled, or it does not hold across the ranges; all have them at the present speed.
     short : str
         In a few words.
     lines : tuple of Line
@@ -84,9 +84,9 @@ def verdict(found: Assessment) -> Verdict:
             kind = "doubt"
             text = "not over its range of speed" if speeds.told else "not told over its range of speed"
         elif over is not None and not over.holds:
-            kind, text = "doubt", "not across the ranges of its estimates"
+            kind, text = "doubt", f"not across the ranges of its {_ranged(found)}"
         elif speeds is not None and not speeds.holds:
-            kind, text = "doubt", "over its range of speed not across the ranges of its estimates"
+            kind, text = "doubt", f"over its range of speed not across the ranges of its {_ranged(found)}"
     lines = (
         Line("May it run there", answer),
         *_remarks(found),
@@ -104,6 +104,14 @@ def verdict(found: Assessment) -> Verdict:
         Line("What this rests on", rests(found)),
     )
     return Verdict(kind, text, lines)
+
+
+def _ranged(found: Assessment) -> str:
+    """Of what there are ranges."""
+    stated = {one.of_case for one in found.ranges.inputs} if found.ranges is not None else set()
+    return " and ".join(
+        words for words, kind in (("estimates", False), ("stated limits", True)) if kind in stated
+    )
 
 
 def place(case: Case, units: PairUnits, omega: float, load: float) -> str:

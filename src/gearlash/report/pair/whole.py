@@ -34,8 +34,8 @@ class PairReport(Record):
     Parameters
     ----------
     verdict : {"good", "doubt", "bad"}
-        No impacts were found at this speed, nor across the ranges of estimates; in some motions, or somewhere
-        in those ranges, or nothing settled; in all.
+        No impacts were found at this speed, nor across the ranges of estimates and stated limits; in some
+        motions, or somewhere in those ranges, or nothing settled; in all.
     sentence : str
         The first line of the report.
     lines : tuple of (str, str)

@@ -11,9 +11,10 @@ import numpy as np
 
 from gearlash.case import Case, CaseError, Problem
 from gearlash.case.entries import Entry
+from gearlash.case.limits import ends_of
 from gearlash.case.quantity import Quantity
-from gearlash.case.units import in_unit_of, unit
-from gearlash.results.tolerance import ToleranceInput
+from gearlash.case.units import UnitError, unit
+from gearlash.results.tolerance import LIMITS_OF_CASE, ToleranceInput
 from gearlash.system import GearlashError, given, shown
 
 from .designs import corners
@@ -24,10 +25,10 @@ STATED = "stated"
 
 
 def read_inputs(case: Case, limits: Limits | None) -> tuple[ToleranceInput, ...]:
-    """Inputs with the limits that are stated, or, where none are, with the ranges of what the case estimates.
-    Raises `CaseError` with every problem."""
+    """Inputs with these limits, or, where none are given, with those that the case states and the ranges of
+    what it estimates. Raises `CaseError` with every problem."""
     if limits is None:
-        return _estimated(case)
+        return _of_case(case)
     limits = given.mapping("limits", limits)
     if not limits:
         raise GearlashError('limits: expected at least one, such as {"backlash": ("60 um", "120 um")}')
@@ -86,11 +87,14 @@ def check_possible(case: Case, inputs: Sequence[ToleranceInput]) -> None:
 
 
 def _both(name: str, stated: Sequence[float | str] | str) -> Sequence[float | str]:
-    """Two limits, also as one text, ``60:120um``: a unit behind the second holds for both."""
+    """Two limits, also as one text, ``60:120um``, as a case file may have it."""
     ends: object = stated.tolist() if isinstance(stated, np.ndarray) else stated
     if isinstance(stated, str):
-        typed = [end.strip() for end in stated.split(":")]
-        ends = [in_unit_of(typed[1], typed[0]), typed[1]] if len(typed) == 2 and all(typed) else None
+        try:
+            found = ends_of(stated)
+        except UnitError as error:
+            raise CaseError("limits", [Problem(name, shown(stated), f"two limits ({error})")]) from None
+        ends = None if found is None else [found.lower, found.upper]
     if not isinstance(ends, list | tuple) or len(ends) != 2:
         expected = 'two limits, such as ("60 um", "120 um") or "60:120um"'
         raise CaseError("limits", [Problem(name, shown(stated), expected)])
@@ -122,6 +126,8 @@ def _entry(case: Case, name: str, value: float | str) -> Entry:
     if problems:
         raise CaseError("limits", problems)
     changed = [entry for key, entry in content.entries.items() if case.entries.get(key) is not entry]
+    if changed[0].limited:
+        raise CaseError("limits", [Problem(name, shown(value), "one value as a limit, and no limits of it")])
     return changed[0]
 
 
@@ -133,18 +139,29 @@ def _nominal(case: Case, path: str, lower: float, upper: float) -> float:
     return 0.5 * (lower + upper)
 
 
-def estimated_inputs(case: Case) -> tuple[ToleranceInput, ...]:
-    """Everything that a case estimates with a range."""
+def ranged_inputs(case: Case) -> tuple[ToleranceInput, ...]:
+    """Everything of which a case states limits, then everything that it estimates with a range."""
+    values = [v for v in case.values() if v.least is not None and v.path in case.content.places]
+    values.sort(key=lambda value: value.estimated)
     found = tuple(
-        ToleranceInput(value.path, value.unit, value.least, value.greatest, float(value.value), value.reason)
-        for value in case.values()
+        ToleranceInput(
+            value.path,
+            value.unit,
+            value.least,
+            value.greatest,
+            float(value.value),
+            LIMITS_OF_CASE if value.limited else value.reason,
+        )
+        for value in values
         if value.least is not None and value.greatest is not None and value.least < value.greatest
-        and value.path in case.content.places
-    )  # fmt: skip
+    )
     curves: dict[str, list[str]] = {}
     for one in found:
-        curves.setdefault(_first_harmonic(one.path), []).append(one.path)
-    return tuple(replace(one, curve=_curve(curves[_first_harmonic(one.path)])) for one in found)
+        if not one.of_case:
+            curves.setdefault(_first_harmonic(one.path), []).append(one.path)
+    return tuple(
+        one if one.of_case else replace(one, curve=_curve(curves[_first_harmonic(one.path)])) for one in found
+    )
 
 
 def _first_harmonic(path: str) -> str:
@@ -158,11 +175,11 @@ def _curve(harmonics: Sequence[str]) -> str:
     return harmonics[0] if len(harmonics) > 1 else ""
 
 
-def _estimated(case: Case) -> tuple[ToleranceInput, ...]:
-    found = estimated_inputs(case)
+def _of_case(case: Case) -> tuple[ToleranceInput, ...]:
+    found = ranged_inputs(case)
     if not found:
         raise GearlashError(
-            'nothing in this case is estimated with a range: state limits, such as {"backlash": ("60 um", '
-            '"120 um")}'
+            "nothing in this case is estimated with a range, and it states no limits: give some, such as "
+            '{"backlash": ("60 um", "120 um")}'
         )
     return found

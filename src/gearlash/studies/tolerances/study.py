@@ -54,7 +54,8 @@ def tolerance(
         where it lies beside no least or largest margin.
     limits : mapping of str to (float or str, float or str) or str, optional
         Both limits of every input, by any name of the case: ``{"backlash": ("60 um", "120 um")}``, or as one
-        text: ``{"backlash": "60:120um"}``. Without, the ranges of all that the case estimates.
+        text: ``{"backlash": "60:120um"}``. Without, the limits that the case states and the ranges of
+        all that it estimates.
     samples : int
         Points of one set of samples, a power of 2 from 2 on.
     replicates : int

@@ -51,9 +51,7 @@ def loaded_of(drawing: Drawing | None, entries: EntriesByKey) -> LoadedMesh | No
 def varies(entries: EntriesByKey) -> bool:
     """Is a harmonic of the stiffness estimated?"""
     return any(
-        each.least is not None
-        for key, each in entries.items()
-        if key.startswith("ripple") and "phase" not in key
+        each.estimated for key, each in entries.items() if key.startswith("ripple") and "phase" not in key
     )
 
 
@@ -70,7 +68,7 @@ def mesh_at(entries: EntriesByKey, drawing: Drawing | None, torque: float) -> Me
     if drawing is None:
         return MeshAt(mean, shape, np.zeros(3))
     there = replace(drawing, torque=torque)
-    if entries[MEAN].least is not None:
+    if entries[MEAN].estimated:
         mean = _estimated(there, "mean_stiffness")["mean_stiffness"].value
     if varies(entries):
         values = {name: one.value for name, one in _estimated(there, "ripple").items()}

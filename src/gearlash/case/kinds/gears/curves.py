@@ -15,7 +15,7 @@ import numpy as np
 
 from gearlash.case.errors import Problem, shown
 from gearlash.case.quantity import Quantity
-from gearlash.case.stated import Provenance, ValueRefusedError, read_stated
+from gearlash.case.stated import Provenance, ValueRefusedError, read_one
 from gearlash.case.units import (
     ANGLE,
     LENGTH,
@@ -158,7 +158,7 @@ class CurveReader:
             self.problems.append(Problem(f"{self.path}.torque", None, expected, missing=True))
             return {"state": state}
         try:
-            return {"state": state, "torque": float(read_stated(self.table["torque"], _TORQUE).value)}
+            return {"state": state, "torque": float(read_one(self.table["torque"], _TORQUE).value)}
         except ValueRefusedError as error:
             self.wrong("torque", error.expected, error.nearest)
             return {"state": state}
@@ -201,7 +201,7 @@ class CurveReader:
         """A value with its own unit."""
         place = Quantity(key, _DIMENSION[self.name], _WHAT[self.name], f"5 {_WHAT[self.name]}", "")
         try:
-            return float(read_stated(raw, place).value)
+            return float(read_one(raw, place).value)
         except ValueRefusedError as error:
             self.problems.append(Problem(f"{self.path}.{key}", shown(raw), error.expected, error.nearest))
             return None
@@ -303,7 +303,7 @@ class CurveReader:
         found = []
         for at, one in enumerate(raw):
             try:
-                found.append(float(read_stated(one, _PHASE).value) if isinstance(one, str) else float(one))
+                found.append(float(read_one(one, _PHASE).value) if isinstance(one, str) else float(one))
             except ValueRefusedError as error:
                 self.problems.append(
                     Problem(f"{self.path}.phases[{at}]", shown(one), error.expected, error.nearest)

@@ -13,7 +13,7 @@ from gearlash.gears.mesh import harmonic_name
 
 from . import relief, written
 from .keys import GEARS
-from .shared import HIGHEST_HARMONIC, NO_RING, RIGHT_ANGLE, expansion, number, positive, speed
+from .shared import HIGHEST_HARMONIC, NO_RING, RIGHT_ANGLE, expansion, nominal, number, positive, speed
 
 RACKS = {
     "ISO53-A": basic_rack.ISO53_A,
@@ -141,14 +141,18 @@ def of_mesh() -> Iterator[Quantity]:
     """What the table [mesh] may hold."""
     yield positive(WIDTH, LENGTH, "mm", "40 mm", "face width b of both gears", 5)
     ring = f"below 0 it is that of an internal gear, {NO_RING}"
-    yield Quantity(CENTRE, LENGTH, "mm", "125 mm", "centre distance a_w", 0.0, 50, above=True, below=ring)
+    alone = "they stand at mesh.centre_distance_deviation, or as its grade at mesh.distance_grade"
+    distance = positive(CENTRE, LENGTH, "mm", "125 mm", "centre distance a_w", 50)
+    yield replace(distance, below=ring, alone=alone)
     yield number(SHIFT_SUM, "0.4", "sum of the profile shifts x_1 + x_2", -6.0, 6.0)
-    yield positive(TRANSVERSE_MODULE, LENGTH, "mm", "4.2 mm", "transverse module m_t", 0.2)
-    yield positive(TRANSVERSE_ANGLE, ANGLE, "deg", "21 deg", "transverse pressure angle α_t", RIGHT_ANGLE)
+    yield nominal(positive(TRANSVERSE_MODULE, LENGTH, "mm", "4.2 mm", "transverse module m_t", 0.2))
+    what = "transverse pressure angle α_t"
+    yield nominal(positive(TRANSVERSE_ANGLE, ANGLE, "deg", "21 deg", what, RIGHT_ANGLE))
     read = written.diametral_pitch
-    yield number(PITCH, "8", "normal diametral pitch P_n, teeth per inch", 0.1, 500.0, reader=read)
+    what = "normal diametral pitch P_n, teeth per inch"
+    yield nominal(number(PITCH, "8", what, 0.1, 500.0, reader=read))
     what = "transverse diametral pitch P_t, teeth per inch"
-    yield number(TRANSVERSE_PITCH, "7.7", what, 0.1, 500.0, reader=read)
+    yield nominal(number(TRANSVERSE_PITCH, "7.7", what, 0.1, 500.0, reader=read))
     what = "tolerance grade of the centre distance: the 7 of js7"
     yield number("mesh.distance_grade", "7", what, 5, 11, integer=True)
     yield Quantity(PLAY, LENGTH, "um", "100 um", "whole backlash j_wt on the working circle", 0.0, 0.02)

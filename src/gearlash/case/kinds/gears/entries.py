@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from gearlash.case.entries import Entries, Entry, overridden
+from gearlash.case.entries import Entries, Entry, entry_of, overridden
 from gearlash.case.errors import Problem, shown
 from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.stated import Stated, ValueRefusedError, read_stated
@@ -41,7 +41,7 @@ def collect(places: Places, stated: Mapping[str, Stated]) -> tuple[Entries, list
 def entries_of(places: Places, path: str, stated: Stated) -> list[Entry]:
     """The entries that one stated value makes: one, or several (the damping of all bearings)."""
     keys = places.keys(places.all[path])
-    return [Entry(k, path, stated.value, stated.text, stated.provenance, stated.reason) for k in keys]
+    return [entry_of(key, path, stated) for key in keys]
 
 
 def freeze_reference(entries: Entries, completed: Mapping[str, Entry]) -> Entries:

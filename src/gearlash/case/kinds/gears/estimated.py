@@ -52,7 +52,7 @@ class Completed:
         if self.drawing is not None and self.drawing.modification.modified:
             return True
         return any(
-            e.least is not None
+            e.estimated
             and (key == "mesh.mean_stiffness" or key.startswith(("ripple", "bearing_frequency")))
             and "phase" not in key
             for key, e in self.entries.items()
@@ -72,7 +72,7 @@ def is_estimable(path: str) -> bool:
 def estimated_beside(before: EntriesByKey, stated: EntriesByKey) -> set[str]:
     """Stems of harmonics that were estimated and of which some are stated now: `override` replaces these, and
     the others stay estimates."""
-    estimated = {key for key, entry in before.items() if entry.least is not None}
+    estimated = {key for key, entry in before.items() if entry.estimated}
     return {
         stem
         for stem in HARMONIC_STEMS
@@ -356,7 +356,7 @@ def _stated(entries: EntriesByKey, key: str) -> bool:
 def _refused(entries: EntriesByKey, stated: EntriesByKey, pair: CylindricalPair) -> Iterator[Problem]:
     """Estimates that no pair can have."""
     gap = entries.get("D")
-    if gap is not None and gap.least is not None and not (isfinite(gap.number) and gap.number > 0.0):
+    if gap is not None and gap.estimated and not (isfinite(gap.number) and gap.number > 0.0):
         words = [
             k
             for k in (

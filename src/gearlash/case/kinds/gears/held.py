@@ -30,7 +30,7 @@ def held(pair: GearPair, name: str) -> str:
     fixed = [
         name
         for key, name in (("mesh.mean_stiffness", "mean stiffness"), ("ripple", "ripple"))
-        if key in pair.entries and pair.entries[key].least is None
+        if key in pair.entries and not pair.entries[key].estimated
     ]
     words = " and ".join([*fixed, "error of the flanks" if _modified(pair) else "error"])
     if _modified(pair):

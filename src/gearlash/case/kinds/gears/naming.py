@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from gearlash.case.errors import CaseError, Problem, shown
 from gearlash.case.quantity import Quantity
-from gearlash.case.stated import ValueRefusedError, read_stated
+from gearlash.case.stated import ValueRefusedError, read_one
 from gearlash.case.units import unit
 from gearlash.system import UnknownNameError
 
@@ -61,7 +61,7 @@ def resolve(pair: GearPair, label: str, name: str, value: object) -> tuple[str, 
 def _stated(label: str, name: str, value: object, place: Quantity) -> float:
     """A value in SI."""
     try:
-        return float(read_stated(value, place).value)
+        return float(read_one(value, place).value)
     except ValueRefusedError as error:
         raise CaseError(label, [Problem(name, shown(value), error.expected, error.nearest)]) from None
 

@@ -110,7 +110,7 @@ def _relief(pair: GearPair) -> Iterator[Note]:
         "contact lines that change while the force swings about that of this torque",
     )
     yield from _too_much(drawing, mesh, path)
-    ripples = [key for key, e in pair.entries.items() if key.startswith("ripple") and e.least is None]
+    ripples = [key for key, e in pair.entries.items() if key.startswith("ripple") and not e.estimated]
     stated = [key for key in ripples if "phase" not in key]
     if stated or "stiffness" in pair.curves:
         where = f"{TABLE}.stiffness" if not stated else pair.entries[stated[0]].path
@@ -146,7 +146,7 @@ def _stiffness(pair: GearPair) -> Iterator[Note]:
     if teeth is None or body.face_width is None or stated is None:
         return
     entry, drawing = pair.entries.get("mesh.mean_stiffness"), pair.completed.drawing
-    if entry is None or entry.least is not None:
+    if entry is None or entry.estimated:
         return  # an estimate needs no comparison with itself
     materials = named("steel"), named("steel")
     if drawing is not None:

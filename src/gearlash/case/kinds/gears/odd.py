@@ -152,7 +152,7 @@ def _bending(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> I
         span = stated.get(f"{gear}.bearing_span")
         shaft = stated.get(f"{gear}.shaft_diameter") or stated.get(f"{gear}.bore")
         bearing = entries.get(f"bearing_frequency_y{gear[0]}")
-        if span is None or shaft is None or bearing is None or bearing.least is None:
+        if span is None or shaft is None or bearing is None or not bearing.estimated:
             continue
         bends = bearings.shaft_stiffness(shaft.number, 0.5 * (span.number - drawing.pair.face_width))
         if f"{gear}.shaft_stiffness_y" not in stated and bends < bearing.number / bearings.SPREAD:

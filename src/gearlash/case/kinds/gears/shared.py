@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from math import pi
 from typing import Any
 
@@ -63,6 +64,13 @@ def harmonic_names() -> Iterator[str]:
 NO_RING = 'of which there is no model here; kind = "piecewise-linear" takes stiffness, backlash and masses'
 
 
+OF_SPEEDS = "the range of speed to run in stands at operation.least_speed and operation.greatest_speed"
+"""Why a speed has no limits beside it."""
+NOMINAL = "it is nominal, and what is made otherwise is told by tooth thickness, span or error"
+"""Why a module or an angle of the rack has none."""
+OF_OMEGA = "a range of speed is what studies go over with --over"
+
+
 def of_gear(gear: str) -> Iterator[Quantity]:
     """The table [pinion] or [gear]."""
     inner = f"1 to 4 are mostly those of a worm, below 0 those of an internal gear, {NO_RING}"
@@ -81,8 +89,9 @@ def of_gear(gear: str) -> Iterator[Quantity]:
 def of_teeth(module: str, other: str) -> Iterator[Quantity]:
     """The first of the table [mesh]. The module has two names in either kind."""
     for path in (other, module):
-        yield positive(path, LENGTH, "mm", "4 mm", "normal module m_n", 0.2)
-    yield positive("mesh.pressure_angle", ANGLE, "deg", "20 deg", "normal pressure angle α_n", RIGHT_ANGLE)
+        yield nominal(positive(path, LENGTH, "mm", "4 mm", "normal module m_n", 0.2))
+    angle = "normal pressure angle α_n"
+    yield nominal(positive("mesh.pressure_angle", ANGLE, "deg", "20 deg", angle, RIGHT_ANGLE))
 
 
 def of_mesh() -> Iterator[Quantity]:
@@ -106,16 +115,19 @@ def of_mesh() -> Iterator[Quantity]:
 def of_operation() -> Iterator[Quantity]:
     """The table [operation], and the unit of length."""
     yield speed("operation.pinion_speed", "3600 rpm", "speed of the pinion")
-    yield positive("operation.mesh_frequency", FREQUENCY, "Hz", "1680 Hz", "mesh cycles per second", 1e7)
+    meshes = positive("operation.mesh_frequency", FREQUENCY, "Hz", "1680 Hz", "mesh cycles per second", 1e7)
+    yield replace(meshes, alone=OF_SPEEDS)
     what = "mean pinion torque; negative loads the back side"
     yield Quantity("operation.torque", TORQUE, "N*m", "450 N·m", what, -1e9, 1e9)
-    yield positive(REFERENCE, LENGTH, "um", "50 um", "D_c, the unit of length (default half the backlash)", 1)
+    what = "D_c, the unit of length (default half the backlash)"
+    alone = "all lengths are told in it"
+    yield replace(positive(REFERENCE, LENGTH, "um", "50 um", what, 1), alone=alone)
 
 
 def of_numbers() -> Iterator[Quantity]:
     """The table [dimensionless]."""
     table = "dimensionless"
-    yield number(f"{table}.omega", "1.047", "mesh frequency over ω_n", 0.0, above=True)
+    yield number(f"{table}.omega", "1.047", "mesh frequency over ω_n", 0.0, above=True, alone=OF_OMEGA)
     yield number(f"{table}.D", "1.0", "half the backlash over D_c", 0.0)
     yield number(f"{table}.load", "0.09", "mean load f_m = c_t W/(k_m D_c)")
     yield ratio(f"{table}.mesh_damping", "mesh damping ratio ξ_m")
@@ -171,7 +183,12 @@ def ratio(path: str, what: str) -> Quantity:
 def speed(path: str, example: str, what: str) -> Quantity:
     """A speed of a shaft."""
     turn = "no sense of rotation is stated here, only the amount"
-    return Quantity(path, SPEED, "rpm", example, what, 0.0, 1e6, above=True, below=turn)
+    return Quantity(path, SPEED, "rpm", example, what, 0.0, 1e6, above=True, below=turn, alone=OF_SPEEDS)
+
+
+def nominal(place: Quantity) -> Quantity:
+    """A quantity of which one value stands there, as it is nominal."""
+    return replace(place, alone=NOMINAL)
 
 
 def expansion(path: str, what: str) -> Quantity:

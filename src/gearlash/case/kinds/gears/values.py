@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gearlash.case.kinds.listed import displayed
+from gearlash.case.kinds.listed import displayed, limits
 from gearlash.case.stated import Provenance
 from gearlash.case.value import DERIVED, Value
 
@@ -42,23 +42,8 @@ def _stated(pair: GearPair) -> Iterator[Value]:
         else:
             what, shown, unit = place.description, displayed(entry.number, place), place.unit
             short = place.key if place.key in pair.places.two_way else None
-        ends = [
-            None if end is None or place is None else displayed(end, place)
-            for end in (entry.least, entry.greatest)
-        ]
-        yield Value(
-            entry.path,
-            shown,
-            unit,
-            entry.provenance,
-            entry.reason,
-            short,
-            what,
-            (),
-            entry.text,
-            ends[0],
-            ends[1],
-        )
+        about = entry.path, shown, unit, entry.provenance, entry.reason, short, what, (), entry.text
+        yield Value(*about, *limits(entry, place))
 
 
 def _curves(pair: GearPair) -> Iterator[Value]:

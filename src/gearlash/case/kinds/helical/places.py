@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from gearlash.case.kinds.gears import drawn, loaded, play, shared, supports
 from gearlash.case.kinds.gears.keys import GEARS, PROJECTION
 from gearlash.case.kinds.gears.places import Places
-from gearlash.case.kinds.gears.shared import RIGHT_ANGLE, number, positive, ratio
+from gearlash.case.kinds.gears.shared import NOMINAL, RIGHT_ANGLE, number, positive, ratio
 from gearlash.case.kinds.gears.written import handed_angle
 from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.units import ANGLE, STIFFNESS
@@ -40,6 +40,7 @@ def _quantities() -> Iterator[Quantity]:
         -RIGHT_ANGLE,
         RIGHT_ANGLE,
         reader=handed_angle,
+        alone=NOMINAL,
     )
     yield ratio("bearings.damping_ratio", "damping ratio ξ of all four bearing directions")
     yield from shared.of_mesh()

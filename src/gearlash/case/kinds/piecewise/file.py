@@ -224,9 +224,9 @@ def _clearance(table: Mapping[str, Any], path: str, reading: Reading) -> Structu
         "stiffness_plus": (reading.series, "the stiffness of side +"),
         "stiffness_minus": (reading.series, "the stiffness of side -; 0 where none acts"),
     }
-    for key, (read_one, what) in required.items():
+    for key, (reads, what) in required.items():
         if key in table:
-            found[key] = read_one(table[key], f"{path}.{key}")
+            found[key] = reads(table[key], f"{path}.{key}")
         else:
             reading.missing(f"{path}.{key}", what)
     found["damping"] = reading.number(table.get("damping", 0.0), f"{path}.damping")

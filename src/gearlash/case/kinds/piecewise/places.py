@@ -21,7 +21,7 @@ def parameter_place(name: str, about: Mapping[str, Any]) -> Quantity:
     what = about.get("description", "")
     return Quantity(
         f"parameters.{name}", NUMBER, "", "0.05", what, 0.0 if positive else lower, upper, positive,
-        bare=True, key=name,
+        bare=True, key=name, alone="limits are looked at of gear pairs alone",
     )  # fmt: skip
 
 
