@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import gearlash as gl
+from gearlash.article import verifying
 from gearlash.article.report import (
     conclusion,
     lumped_beside,
@@ -52,6 +53,16 @@ def words(text: Text) -> str:
 def test_the_data_belong_to_the_case_as_it_comes():
     assert verified(gl.load_case("article")) is kept()
     assert section(gl.load_case("article", {"backlash": "90 um"})) is None
+
+
+def test_this_code_computes_what_is_kept_with_bearings_as_far_apart_as_the_case_has_them():
+    """So the command `verify article` computes with what the kept data have, and no other distance passes."""
+    pytest.importorskip("exudyn")
+    case, check = gl.load_case("article"), kept().check
+    assert {v.text for v in case.values() if v.path.endswith(".bearing_span")} == {"150 mm"}
+    assert "they are those of the code" in verifying.checked(case, check)
+    nearer = {f"{gear}.bearing_span": "113 mm" for gear in ("pinion", "gear")}
+    assert "they differ by up to" in verifying.checked(gl.load_case("article", nearer), check)
 
 
 def test_the_first_sentence_says_where_the_numbers_come_from():

@@ -66,9 +66,10 @@ def test_what_is_stated_and_says_nothing_is_taken():
 
 def test_bearings_are_as_far_apart_as_stated_or_as_the_size_has_it():
     """Tilt stiffness k_y span²/4; a stated span makes no drawing of the case, and all else stays."""
-    plain = inputs_of(gl.load_case("article"), (1.0,))
-    assert all(0.07 + 0.03 < span < 0.15 for span in plain.bearing_spans)
-    stated = inputs_of(gl.load_case("article", {"pinion.bearing_span": "200 mm"}), (1.0,))
+    drive = CASES / "drive.toml"
+    plain = inputs_of(gl.load_case(drive), (1.0,))
+    assert all(0.04 + 0.03 < span < 0.10 for span in plain.bearing_spans)
+    stated = inputs_of(gl.load_case(drive, {"pinion.bearing_span": "200 mm"}), (1.0,))
     assert stated == replace(plain, bearing_spans=(0.2, plain.bearing_spans[1]))
     tilt = [
         machine_of(one, Setting(tilt=tilt), one.torque, 100.0, 1e-3, Modes()).bearings[0].stiffness[3]

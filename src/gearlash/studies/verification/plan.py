@@ -188,8 +188,6 @@ class Plan:
         A modification of the flanks, for one more configuration of the case's width.
     unmodified : bool
         Whether there is one more of plain flanks, where the case states a modification.
-    bearing_span : float, optional
-        Distance of the two bearings of both shafts, m, in place of those of the case.
     """
 
     planned: Setting = PLANNED
@@ -200,7 +198,6 @@ class Plan:
     window_over: tuple[float, float, int] = WINDOW
     relief: Relief | None = None
     unmodified: bool = False
-    bearing_span: float | None = None
 
     def settings_of(self, configuration: Configuration) -> tuple[Setting, ...]:
         """The planned setting of a configuration, and those beside it.

@@ -151,8 +151,6 @@ def verification(
     own = case.family()[0].complete()["omega"]
     inputs = inputs_of(case, tuple(speeds) or (SLOWER * own, own))
     chosen = Plan() if plan is None else plan
-    if chosen.bearing_span is not None:
-        inputs = replace(inputs, bearing_spans=(chosen.bearing_span, chosen.bearing_span))
     if inputs.bearing_y is None:  # nothing moves but rotations: what would be held is held
         chosen = replace(chosen, everywhere=tuple(s for s in chosen.everywhere if not s.held))
     work = Execution() if execution is None else execution
