@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -99,14 +101,43 @@ def test_answers_to_other_questions_are_kept_each_whole(gearlash: Gearlash, tmp_
     assert len(list(tmp_path.glob("earlier-*"))) == 2
 
 
-def test_what_was_answered_is_put_back_where_a_question_is_refused(gearlash: Gearlash, tmp_path: Path):
+def test_what_was_answered_stays_where_a_question_is_refused(gearlash: Gearlash, tmp_path: Path):
     claim(tmp_path, ["tolerance.json"]).file("tolerance.json").write_text("kept", encoding="utf-8")
-    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     line = ("tolerance", str(CASES / "drive.toml"), "--over", "pinion_speed=2800:3200:4")  # without unit
     refused = gearlash(*line, "--limits", "torque=140:160Nm", "--out", str(tmp_path))
     assert refused.code == 2
-    assert "is back in its place" in refused.complaint
-    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
+    assert "is kept in" not in refused.complaint
+    assert {path.name for path in tmp_path.iterdir()} == {MARKER, "tolerance.json"}
+    assert (tmp_path / "tolerance.json").read_text(encoding="utf-8") == "kept"
+
+
+STOPPED = """
+import os, signal, sys, time
+import gearlash.orbits
+
+def stopped(*_):
+    os.kill(os.getpid(), signal.SIGINT)
+    time.sleep(60.0)  # another thread ends the process
+
+signal.signal(signal.SIGINT, signal.default_int_handler)  # who started the tests may have ignored it
+gearlash.orbits.attractor = stopped
+from gearlash.cli import main
+main()
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends SIGINT")
+def test_what_was_answered_stays_where_nothing_is_computed(gearlash: Gearlash, tmp_path: Path):
+    """Another question, stopped before its first point."""
+    assert gearlash(*CASE, "--out", str(tmp_path)).code == 0
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir() if path.name != MARKER}
+    line = [*CASE, "--set", "omega=0.6", "--out", str(tmp_path)]
+    ended = subprocess.run(
+        [sys.executable, "-c", STOPPED, *line], capture_output=True, text=True, check=False
+    )
+    assert (ended.returncode, "is kept in" in ended.stderr) == (130, False)
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir() if path.name != MARKER} == before
+    assert gearlash(*CASE, "--out", str(tmp_path)).complaint == ""
 
 
 def test_a_file_that_says_something_else_makes_another_question(gearlash: Gearlash, tmp_path: Path):
@@ -220,6 +251,7 @@ def test_a_report_of_the_library_is_kept(gearlash: Gearlash, tmp_path: Path, mon
 
 def test_a_note_of_the_user_among_figures_changes_no_answer(tmp_path: Path):
     folder = claim(tmp_path, ["figures"])
+    folder.make_room()
     folder.file("figures").mkdir()
     (folder.file("figures") / "force.svg").write_text("1", encoding="utf-8")
     folder.note()

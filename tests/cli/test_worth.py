@@ -185,7 +185,7 @@ def test_sweeps_of_a_reproduction_are_kept_by_the_same_rule(tmp_path: Path):
         keep("omega", [part])
     assert _files(tmp_path) == before
     folder = claim(tmp_path, ["sweep-omega.json", "sweep-omega.nc"])
-    assert folder.worth == {"sweep-omega.json": Worth.WHOLE}
+    assert folder.make_room() == {"sweep-omega.json": Worth.WHOLE}
 
 
 class _AfterOne:

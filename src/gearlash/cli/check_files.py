@@ -24,6 +24,7 @@ def write_check(
 ) -> None:
     """The answer, the teeth in mesh of a pair that has known ones, and curves that the case states."""
     folder = claim(out, [*FILES, *csv.files(*TABLES)])
+    folder.make_room()
     write_file(answer, folder.file("check.json"))
     csv.keep(folder, TABLES, tables)
     _write_curves(case, folder.file("curves"))

@@ -14,7 +14,6 @@ import typer
 
 from .interrupt import all_is_kept, keeping, signalled, signals_answered
 from .question import ask
-from .set_aside import settle
 from .terminal import complain, discard, tell
 
 
@@ -81,7 +80,6 @@ def command(function: Callable[..., ExitCode]) -> Callable[..., None]:
         with signals_answered():
             ask(function.__name__, kwargs)
             code = _code(functools.partial(function, *args, **kwargs), bool(kwargs.get("as_json")))
-            settle(refused=code is ExitCode.INPUT)
         if signalled() and code not in (ExitCode.INPUT, ExitCode.UNWRITTEN):
             code = ExitCode(128 + signalled())
         raise typer.Exit(int(code))

@@ -3,8 +3,8 @@ others out of the way, touches nothing else, and lets one command write at a tim
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gearlash.system import GearlashError, given
@@ -17,16 +17,17 @@ from .set_aside import set_aside
 MOTION_FILES = ("portrait.svg", "portrait.pdf", "history.svg", "history.pdf", "history.nc", "spectrum.nc")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class OutFolder:
-    """A folder with the names in it that are this program's: they are listed in its marker file. It belongs
-    to this process as long as this object is there. ``worth`` is that of the answers to this question in it,
-    by the name of their files."""
+    """A folder with the names in it that are this program's, listed in its marker file; those of them are
+    ``wanted`` now. It belongs to this process as long as this object is there. ``worth`` is that of the
+    answers to this question in it, by the name of their files, once there is room for a new one."""
 
     path: Path
     held: Hold
-    names: frozenset[str] = frozenset()
-    worth: dict[str, Worth] = field(default_factory=dict)
+    names: frozenset[str]
+    wanted: Sequence[str]
+    worth: dict[str, Worth] | None = None
 
     def owns(self, name: str) -> bool:
         """Whether this program wrote a file of this name, now or before."""
@@ -39,14 +40,24 @@ class OutFolder:
     def outdated(self, answer: str, names: Iterable[str]) -> list[Path]:
         """Files of before that go as an ``answer`` is written, by the name of its file: those are made again
         later, unless a signal comes. None where they belong to the whole answer to the same question."""
-        return [] if self.worth.get(answer) == Worth.WHOLE else [self.file(name) for name in names]
+        return [] if self.make_room().get(answer) == Worth.WHOLE else [self.file(name) for name in names]
+
+    def make_room(self) -> dict[str, Worth]:
+        """Moves answers to other questions away, before anything is written. Returns what those to this one
+        are worth."""
+        if self.worth is None:
+            marker = set_aside(self.path, self.wanted, Marker.read(self.path))
+            asked = {**marker.asked, **dict.fromkeys(self.wanted, fingerprint())}
+            replace(marker, asked=asked).write(self.path)
+            self.worth = {name: marker.worth[name] for name in self.wanted if name in marker.worth}
+        return self.worth
 
     def note(self) -> None:
         """Notes what lies there of this question, so that the next command knows it again."""
         marker = Marker.read(self.path)
         mine = marker.of(fingerprint())
         content = {**marker.without(mine).content, **contents(self.path, mine)}
-        replace(marker, worth={**marker.worth, **self.worth}, content=content).write(self.path)
+        replace(marker, worth={**marker.worth, **self.make_room()}, content=content).write(self.path)
 
 
 def claim_if(path: Path | None, names: Iterable[str]) -> OutFolder | None:
@@ -57,8 +68,7 @@ def claim_if(path: Path | None, names: Iterable[str]) -> OutFolder | None:
 def claim(path: Path, names: Iterable[str]) -> OutFolder:
     """The folder, made if it is missing, with these names (files or folders) listed as this program's own
     *before* anything is computed. Raises `GearlashError` if one of them is there and is not, or is a link, if
-    another command writes there, or nothing can be written. Answers to other questions that have these names
-    are moved into a folder of their own.
+    another command writes there, or nothing can be written.
     """
     from gearlash.results.store import unfinished  # late: checking a case writes nothing
 
@@ -76,10 +86,8 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
         for name in wanted:
             for part in path.glob(unfinished(name)):  # of a command that was killed
                 part.unlink(missing_ok=True)
-        marker = set_aside(path, wanted, marker, held)
-        asked = {**marker.asked, **dict.fromkeys(wanted, fingerprint())}
-        marker = replace(marker, files=marker.files.union(wanted), asked=asked)
-        marker.write(path)
+        files = marker.files.union(wanted)
+        replace(marker, files=files).write(path)
     except HeldError:
         raise GearlashError(
             f"--out {path}: another command{_whose(path)} is writing there; "
@@ -87,8 +95,7 @@ def claim(path: Path, names: Iterable[str]) -> OutFolder:
         ) from None
     except OSError as error:
         raise GearlashError(f"--out {path}: cannot be written ({error.strerror or error})") from None
-    answered = {name: marker.worth[name] for name in wanted if name in marker.worth}
-    return OutFolder(path, held, marker.files, answered)
+    return OutFolder(path, held, files, wanted)
 
 
 def _make(path: Path) -> None:

@@ -24,12 +24,13 @@ def keep_answer(folder: OutFolder, answer: Any, write: Callable[[], object], nam
     more: that stays, and is told of. Returns whether it was written. ``name``: of its file, if not the usual
     one."""
     name, worth = name or file_of(answer), worth_of(answer.status)
-    if worth < folder.worth.get(name, worth):
+    earlier = folder.make_room()
+    if worth < earlier.get(name, worth):
         stays = f"{folder.path} has more of the answer to this question, which stays"
         tell(f"{stays}; this one, which ended early, is not kept")
         return False
     write()
-    folder.worth[name] = worth
+    earlier[name] = worth
     folder.note()
     return True
 

@@ -122,6 +122,7 @@ def _answer(
         found = article.reproduce(case, _scope(points), workers=workers, progress=show_stage, keep=keep)
         real, checked = _teeth(case, verify, workers, progress)
         progress("report", None)
+        folder.make_room()
         with open_executor(workers) as executor, delivery(breakable=True):
             page = report.render(found, folder.path, executor, real=real, checked=checked)
     return reproduce_answer(found, str(page))
