@@ -152,6 +152,12 @@ def test_limits_of_a_case():
     )
 
 
+@pytest.mark.parametrize("raw", ["6 to 10 um", ["6 um", "10 um"], {"value": "8 um", "range": "6 to 10 um"}])
+def test_a_short_name_means_the_quantity_that_has_the_unit_of_its_limits(raw: object):
+    case = gl.load_case(DRIVE, {"error": raw})
+    assert next((v.value, v.least, v.greatest) for v in case.values() if v.path == "mesh.error") == (8, 6, 10)
+
+
 def test_a_value_to_vary_or_to_begin_at_is_one():
     with pytest.raises(gl.CaseError, match="here stands one value"):
         gl.load_case(DRIVE).resolve("torque", "50 to 250 N·m")

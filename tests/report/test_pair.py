@@ -40,6 +40,7 @@ from gearlash.studies.bands import Band, back_bands, bands
 from gearlash.studies.ranges import AcrossRanges, Corner, Varied
 from gearlash.studies.speed_run import SpeedRun, speed_run, with_modes
 from gearlash.studies.speeds_across import SpeedsAcross
+from gearlash.studies.worst_of_ranges import margin_of
 from gearlash.studies.zone_end import Interval, ZoneEnd
 
 CASES = Path(__file__).resolve().parents[1] / "cases"
@@ -381,6 +382,33 @@ def test_an_estimated_error_keeps_its_range_in_the_mirror_image():
     one, other = (each.family()[0].complete({}) for each in (case, mirrored))
     assert abs(one["error_phase"] - other["error_phase"]) == pytest.approx(np.pi)
     assert other["load"] > 0.0
+
+
+@pytest.mark.parametrize(
+    ("stated", "path", "ends"),
+    [
+        ({"torque": "-250 to -50 N m"}, "operation.torque", (50.0, 150.0, 250.0)),
+        ({"gear_torque": "-300 N m ± 10 %"}, "operation.gear_torque", (270.0, 300.0, 330.0)),
+        ({"power": "-50 to -30 kW"}, "operation.power", (30.0, 40.0, 50.0)),
+    ],
+)
+def test_stated_limits_are_turned_round_in_the_mirror_image(
+    stated: dict[str, str], path: str, ends: tuple[float, float, float]
+):
+    case = gl.load_case(
+        CASES / "drive.toml", {**stated, "error": "8 ± 2 um", "mesh.error_phase": "80 to 100 deg"}
+    )
+    mirrored = carrying_forwards(case)
+    limited = {v.path: (v.least, v.value, v.greatest) for v in mirrored.values() if v.limited}
+    expected = {path: ends, "mesh.error": (6.0, 8.0, 10.0), "mesh.error_phase": (-100.0, -90.0, -80.0)}
+    assert limited == {name: pytest.approx(three, rel=1e-12) for name, three in expected.items()}
+    one, other = (each.family()[0].complete({}) for each in (case, mirrored))
+    assert other["load"] == pytest.approx(-one["load"], rel=1e-12)
+
+
+def test_without_a_torque_nothing_presses_teeth_together():
+    case = gl.load_case(CASES / "drive.toml", {"torque": "-50 to 250 N m"})
+    assert margin_of(case, {"operation.torque": "0.0 N*m"}) == 0.0
 
 
 def test_a_motion_with_impacts_beside_the_quiet_one_is_in_the_first_sentence():

@@ -157,7 +157,7 @@ def _limits(ends: Ends, text: str, place: Quantity) -> Stated:
         raise ValueRefusedError("two different limits, the smaller one first", swapped)
     if ends.size and least <= (size := _number(ends.size, place)) <= greatest:
         return Stated(size, text, least=least, greatest=greatest)
-    middle = float(f"{0.5 * (least + greatest):.15g}")
+    middle = float(f"{0.5 * (least + greatest):.16g}")
     why = f"{MIDDLE}, as {ends.size} lies outside them" if ends.size else MIDDLE
     return Stated(middle, text, reason=why, least=least, greatest=greatest)
 

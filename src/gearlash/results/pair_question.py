@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import copysign, pi
 
-from gearlash.case import Case
+from gearlash.case import Case, Value
 from gearlash.system import GearlashError
 
 from .axis import Axis
 
 SPEED = "omega"
+TORQUES = "operation.torque", "operation.gear_torque", "operation.power"
 REACH = (0.5, 1.5)
 """Of the present speed: what is examined where nothing else is asked for."""
 
@@ -41,16 +43,38 @@ def carrying_forwards(case: Case) -> Case:
     if values["load"] >= 0.0:
         return case
     _check_alike(case)
-    estimated = {value.short for value in case.values() if value.least is not None}
-    mirrored: dict[str, float | str] = {"load": -values["load"]}
+    ranged = {value.short: value for value in case.values() if value.least is not None}
+    mirrored: dict[str, object] = dict(_torque(case)) or {"load": -values["load"]}
     for name, value in values.items():
         harmonic = name == "error" or (name.startswith("error_") and name.removeprefix("error_").isdigit())
-        if harmonic and name in estimated:  # whose range stays; half a turn of its phase is the same
-            phase = values[f"error_phase{name.removeprefix('error')}"]
-            mirrored[f"error_phase{name.removeprefix('error')}"] = phase - copysign(pi, phase)
+        if harmonic and name in ranged:  # whose range stays; half a turn of its phase is the same
+            phase = f"error_phase{name.removeprefix('error')}"
+            own = ranged.get(phase)
+            if own is not None and own.limited:
+                half = 180.0 if own.unit == "deg" else pi
+                mirrored[own.path] = _moved(own, 1.0, -copysign(half, float(own.value)))
+            else:
+                mirrored[phase] = values[phase] - copysign(pi, values[phase])
         elif harmonic and value:
             mirrored[name] = -value
     return case.with_overrides(mirrored)
+
+
+def _torque(case: Case) -> Iterator[tuple[str, object]]:
+    """Torque or power with its limits turned round, under the name that states them."""
+    for value in case.values():
+        if value.limited and value.path in ("dimensionless.load", *TORQUES):
+            yield value.path, _moved(value, -1.0, 0.0)
+
+
+def _moved(value: Value, factor: float, shift: float) -> dict[str, object]:
+    """A value with its limits, each times a factor and moved, as a case states them."""
+    assert value.least is not None
+    assert value.greatest is not None
+    ends = sorted((factor * value.least + shift, factor * value.greatest + shift))
+    size = factor * float(value.value) + shift
+    texts = [f"{number!r} {value.unit}".strip() for number in (size, *ends)]
+    return {"value": texts[0], "range": texts[1:]}
 
 
 def _check_alike(case: Case) -> None:

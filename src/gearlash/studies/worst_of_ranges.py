@@ -30,11 +30,14 @@ WORSE = 1e-4
 
 def margin_of(case: Case, values: Mapping[str, str]) -> float:
     """Least compression of the motion of teeth that never part, over the static one; -inf where it is not
-    stable, and where no pair can have these values; NaN where it was not solved for."""
+    stable, and where no pair can have these values; 0 where no torque presses the teeth; NaN where it was not
+    solved for."""
     try:
         family = member_of(case, values).family()[0]
         numbers = family.complete({})
         static = numbers["load"] / numbers["rotation_factor"]
+        if static == 0.0:
+            return 0.0
         return closed_margin(family.system(), 1 if static > 0.0 else -1) / abs(static)
     except GearlashError:
         return -inf

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from gearlash.case.entries import Entries, Entry, entry_of, overridden
 from gearlash.case.errors import Problem, shown
+from gearlash.case.limits import ends_of
 from gearlash.case.quantity import Choice, Quantity
 from gearlash.case.stated import Stated, ValueRefusedError, read_stated
 from gearlash.case.units import ANGLE, NUMBER, Unit, UnitError, read, takes
@@ -121,13 +122,27 @@ def _of_one_rotation(raw: object, found: Unit) -> bool:
 
 
 def _unit_of(raw: object) -> Unit | None:
-    """The unit of a text, if it has one that can be read."""
-    value = raw.get("value") if isinstance(raw, Mapping) else raw
+    """The unit of a text, if it has one that can be read; of two limits that of the greater one."""
+    value = raw.get("value", raw.get("range")) if isinstance(raw, Mapping) else raw
+    if isinstance(value, list | tuple):
+        value = value[-1] if value else None
+    if not isinstance(value, str):
+        return None
     try:
-        found = read(value)[1] if isinstance(value, str) else None
+        ends = None if _reads(value) else ends_of(value)
+        found = read(value if ends is None else ends.upper)[1]
     except UnitError:
         return None
-    return None if found is None or found.dimension == NUMBER else found
+    return None if found.dimension == NUMBER else found
+
+
+def _reads(text: str) -> bool:
+    """Is it one value?"""
+    try:
+        read(text)
+    except UnitError:
+        return False
+    return True
 
 
 def _with_units(places: Places, ways: Iterable[str]) -> str:
