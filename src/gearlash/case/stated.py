@@ -157,9 +157,19 @@ def _limits(ends: Ends, text: str, place: Quantity) -> Stated:
         raise ValueRefusedError("two different limits, the smaller one first", swapped)
     if ends.size and least <= (size := _number(ends.size, place)) <= greatest:
         return Stated(size, text, least=least, greatest=greatest)
-    middle = float(f"{0.5 * (least + greatest):.16g}")
+    middle = _middle(ends, place)
+    middle = 0.5 * (least + greatest) if middle is None else middle
     why = f"{MIDDLE}, as {ends.size} lies outside them" if ends.size else MIDDLE
     return Stated(middle, text, reason=why, least=least, greatest=greatest)
+
+
+def _middle(ends: Ends, place: Quantity) -> float | None:
+    """As the text of it in their unit would be read; None where they have two units."""
+    try:
+        (lower, own), (upper, other) = (read(end, place.dimension) for end in (ends.lower, ends.upper))
+    except UnitError:
+        return None
+    return in_si(place.dimension, (lower + upper) / 2, own) if own == other else None
 
 
 def _one_alone(place: Quantity) -> str:
