@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 import gearlash as gl
 from gearlash.results import Direction
 
+CASES = Path(__file__).resolve().parents[1] / "cases"
 CASE = gl.load_case("article")
 
 
@@ -117,3 +119,40 @@ def test_a_family_has_no_units():
         gl.Axis.even("pinion_speed", "10 Hz", "2000 rpm", 2)
     with pytest.raises(gl.GearlashError, match="number with its unit"):
         gl.Axis.even("pinion_speed", "slow", "2000 rpm", 2)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "short"),
+    [
+        ("power", "40 kW", "load"),
+        ("gear_torque", "300 N m", "load"),
+        ("gear_speed", "1500 rpm", "omega"),
+        ("backlash_circumferential", "90 um", "D"),
+    ],
+)
+def test_other_words_of_a_parameter_vary_as_they_replace_it(name: str, text: str, short: str):
+    """What a study goes over is what an override of the same name would set."""
+    case = gl.load_case(CASES / "drawing.toml")
+    parameter, value = case.resolve(name, text)
+    replaced = case.with_overrides({name: text}).family()[0].defaults
+    assert parameter == short
+    own = case.with_overrides({name: text})
+    units = own.scales.load_from_torque(1.0) / case.scales.load_from_torque(1.0) if short == "load" else 1.0
+    times = own.scales.omega_from_rpm(1.0) / case.scales.omega_from_rpm(1.0) if short == "omega" else 1.0
+    assert value == pytest.approx(replaced[short] / (float(units) * float(times)), rel=1e-12)
+
+
+def test_a_power_is_a_torque_at_the_speed_of_the_case():
+    case = gl.load_case(CASES / "drive.toml")
+    torque = 40e3 / (2.0 * np.pi * 4200.0 / 60.0)
+    assert case.resolve("power", "40 kW")[1] == pytest.approx(
+        case.resolve("torque", f"{torque} N m")[1], rel=1e-12
+    )
+    swept = gl.sweep(case, gl.Axis.even("power", "40 kW", "60 kW", 2))
+    plain = gl.sweep(case, gl.Axis.even("torque", f"{torque!r} N m", f"{1.5 * torque!r} N m", 2))
+    assert swept.axis.values == pytest.approx(plain.axis.values, rel=1e-12)
+
+
+def test_what_the_case_has_no_value_of_is_told_so():
+    with pytest.raises(gl.CaseError, match=r"state mesh\.temperature in its file"):
+        gl.load_case(CASES / "drive.toml").resolve("mesh.temperature", "60 degC")

@@ -22,6 +22,7 @@ from gearlash.studies.tolerances.influence import (
 )
 from gearlash.studies.tolerances.inputs import check_possible, ranged_inputs, read_inputs
 from gearlash.studies.tolerances.worst import LAST_STEP, MOST, worst_from
+from gearlash.studies.worst_of_ranges import margin_of
 
 DRIVE = Path(__file__).parents[1] / "cases" / "drive.toml"
 LINEAR = """
@@ -61,6 +62,35 @@ def test_limits_of_a_case_file_are_those_that_are_taken_where_none_are_given():
     given = gl.tolerance(case, axis, {"load": "0.15 to 0.3", "error": "0.1 ± 20 %"}, samples=2, replicates=2)
     assert given.always == found.always
     assert [one.reason for one in given.inputs] == ["stated"] * 2
+
+
+def test_the_quantity_of_the_axis_is_left_out_of_the_limits_of_the_case():
+    case = loads(
+        LINEAR.replace("load = 0.2", 'load = "0.15:0.3"').replace("error = 0.1", "error = [0.08, 0.12]")
+    )
+    found = gl.tolerance(case, gl.Axis.even("load", 0.02, 0.3, 3), samples=2, replicates=2)
+    assert [one.path for one in found.inputs] == ["dimensionless.error"]
+    amplitude = 0.6**2 / abs(1.0 - 0.6**2 + 2j * 0.05 * 0.6)
+    assert found.always == (pytest.approx((0.12 * amplitude, 0.3), rel=1e-9),)
+    with pytest.raises(gl.GearlashError, match="cannot have limits as well"):
+        gl.tolerance(case, gl.Axis.even("load", 0.1, 0.3, 3), {"load": (0.1, 0.2)})
+    alone = case.with_overrides({"error": 0.1})
+    with pytest.raises(gl.GearlashError, match="nothing but load, the axis of the study, has limits"):
+        gl.tolerance(alone, gl.Axis.even("load", 0.1, 0.3, 3))
+
+
+def test_what_is_no_parameter_of_the_model_is_an_axis_too():
+    """The end of a band over mean stiffness is where teeth of a case with it are pressed together no more."""
+    case = gl.load_case(DRIVE, {"torque": "85 N m"}).varying("mean_stiffness")
+    axis = gl.Axis.even("mean_stiffness", "3e8 N/m", "6e8 N/m", 4)
+    found = gl.tolerance(case, axis, {"mesh.damping_ratio": "0.05 ± 1 %"}, samples=2, replicates=2)
+    ((low, end),) = found.nominal.bands
+    assert low == 3e8
+    assert 3e8 < end < 6e8
+    assert abs(margin_of(case, {"mesh.mean_stiffness": f"{end!r} N/m"})) < 1e-9
+    teeth = gl.Axis("pinion.teeth", np.array([25.0, 27.0]))
+    with pytest.raises(gl.GearlashError, match="is of whole numbers"):
+        gl.tolerance(case.varying("pinion.teeth"), teeth, {"mesh.damping_ratio": (0.04, 0.05)})
 
 
 @pytest.mark.slow

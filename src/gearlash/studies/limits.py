@@ -5,10 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from gearlash.case import Case
-from gearlash.case.units import pretty
+from gearlash.case.units import behind_number, pretty
 from gearlash.system import Family, GearlashError, plain_values
 
 from .model import Model
+
+SMALL = 1e-3
+"""Of a unit: a value that is in range wherever it is converted."""
 
 
 @dataclass(frozen=True)
@@ -58,4 +61,7 @@ def _told(model: Model, short: str, name: str, limit: float | str) -> tuple[str,
         for path, factor, unit in model.physical(short, 1.0):
             if path.rpartition(".")[2] == leaf and (isinstance(limit, str) or leaf != short):
                 return leaf, unit, float(factor)
+        unit = behind_number(limit) if isinstance(limit, str) else ""
+        if unit and name not in model.family()[0].defaults:  # in other words, as a power says a torque
+            return leaf, unit, SMALL / model.resolve(name, f"{SMALL} {unit}")[1]
     return name, "", 1.0

@@ -9,6 +9,7 @@ from gearlash.case import Case
 from gearlash.case.edges import shown_distance, shown_edge, shown_interval
 from gearlash.case.units import UnitError, pretty, read
 
+SMALL = 1e-3  # of a unit: a value that is in range wherever it is converted
 INTERVAL_DIGITS = 6  # significant ones of the ends of an interval that is told beside others
 
 
@@ -32,6 +33,8 @@ class Asked:
         at_gear = case.at_gear(short)
         if at_gear is not None and at_gear[0].rpartition(".")[2] == leaf:
             return Asked(leaf, *_converted(at_gear[1], at_gear[2], unit))
+        if unit and leaf != short:  # what says the parameter in other words, as a power does
+            return Asked(leaf, unit, SMALL / case.resolve(named, f"{SMALL} {unit}")[1], gear)
         return Asked(short if leaf == short else leaf, "", 1.0, gear)
 
     def value(self, dimensionless: float) -> float:

@@ -70,7 +70,7 @@ def tolerance(
     from gearlash.cli.tables import CsvAsked
 
     csv = CsvAsked.read(as_csv, decimal_comma, as_json, out)
-    asked = read_case(case, settings)
+    asked = read_case(case, settings, (over,))
     axis, ranges = read_axis(over), read_limits(limits)
 
     from gearlash.cli.folder import claim_if

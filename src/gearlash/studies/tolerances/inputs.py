@@ -55,17 +55,34 @@ def _twice(case: Case, stated: Mapping[str, float | str]) -> list[Problem]:
     return case.content.override(stated)[1]
 
 
-def check_axis(case: Case, name: str, value: float | str, inputs: Sequence[ToleranceInput]) -> None:
-    """Raises `GearlashError` where the axis, which has this value somewhere, is no parameter, or is one of
-    the inputs by whatever name."""
+def inputs_beside(
+    case: Case, limits: Limits | None, name: str, value: float | str
+) -> tuple[ToleranceInput, ...]:
+    """The inputs of a study along the axis of this name, which has this value somewhere: without the quantity
+    of the axis itself where the limits are those of the case. Raises `CaseError` and `GearlashError`, also
+    where the axis is no parameter, is of whole numbers, or is one of the limits by whatever name."""
+    inputs = read_inputs(case, limits)
     short = case.resolve(name, value)[0]
+    place = case.content.places.get(short)
+    if isinstance(place, Quantity) and place.integer:
+        raise GearlashError(
+            f"{name} is of whole numbers: ends of bands lie between them; sweep goes over them"
+        )
     own = case.entries.get(short)
-    for one in inputs:
-        same = own is not None and own.path == one.path
-        if same or _twice(case, {name: value, one.path: one.text(one.lower)}):
-            raise GearlashError(
-                f"{name} is the axis of the study and cannot have limits as well ({one.path})"
-            )
+    path = short if own is None else own.path
+    same = [
+        one
+        for one in inputs
+        if one.path == path or _twice(case, {name: value, one.path: one.text(one.lower)})
+    ]
+    if limits is not None and same:
+        raise GearlashError(
+            f"{name} is the axis of the study and cannot have limits as well ({same[0].path})"
+        )
+    left = tuple(one for one in inputs if one not in same)
+    if not left:
+        raise GearlashError(f"nothing but {name}, the axis of the study, has limits in this case: give some")
+    return left
 
 
 def check_possible(case: Case, inputs: Sequence[ToleranceInput]) -> None:

@@ -20,7 +20,7 @@ from gearlash.system import GearlashError, given
 from .bands import contains, outside, shared
 from .designs import corners, samples
 from .influence import combinations, groups, influences, share_and_error, why_none
-from .inputs import Limits, check_axis, check_possible, read_inputs
+from .inputs import Limits, check_possible, inputs_beside
 from .members import Task, present_on, work
 from .profile import profile
 from .worst import Row, worst_from
@@ -94,9 +94,8 @@ def tolerance(
     sets = given.whole("replicates", replicates, 2, 1_000)
     if len(axis) < 2:
         raise GearlashError("axis: expected at least two values, between which bands are looked for")
-    inputs = read_inputs(case, limits)
     value = axis.values[0].item()
-    check_axis(case, axis.name, f"{value!r} {axis.unit}" if axis.unit else value, inputs)
+    inputs = inputs_beside(case, limits, axis.name, f"{value!r} {axis.unit}" if axis.unit else value)
     check_possible(case, inputs)
     source = Source.of(case)
     looker = _Looker(source, inputs, axis, present_on(case, axis), checked_execution(source, execution))

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from gearlash.case.errors import CaseError, Problem, shown
 from gearlash.case.quantity import Quantity
 from gearlash.case.stated import ValueRefusedError, read_one
 from gearlash.case.units import unit
+from gearlash.gears.backlash import Backlash
 from gearlash.system import UnknownNameError
 
 from . import play
-from .drawn import GEAR_SPEED, GEAR_TORQUE, SPEED_RANGE
+from .drawn import GEAR_RANGE, GEAR_SPEED, GEAR_TORQUE, PLAY, POWERED, SPEED_RANGE
 from .entries import place_for, place_of
 from .keys import GEARS, REFERENCE
 from .pair import GearPair
@@ -20,17 +21,49 @@ from .units import to_dimensionless, to_physical
 
 
 @dataclass(frozen=True)
-class OfGear:
-    """A quantity of the gear that is one of the pinion times the ratio to a power: the parameter it means."""
+class InOtherWords:
+    """A quantity that says a parameter in other words: the path that is another word for it, and what one of
+    the quantity (SI) is there, which may not be known of a pair."""
 
     short: str
-    pinion: str
-    power: int
+    base: str
+    factor: Callable[[GearPair], float | None]
+
+
+def _ratio(pair: GearPair) -> float | None:
+    return (
+        pair.entries["gear.teeth"].number / pair.entries["pinion.teeth"].number if has_teeth(pair) else None
+    )
+
+
+def _one_over_ratio(pair: GearPair) -> float | None:
+    ratio = _ratio(pair)
+    return None if ratio is None else 1.0 / ratio
+
+
+def _one_over_speed(pair: GearPair) -> float | None:
+    """Torque over power at the speed of the case, as `converted` has it of a stated power."""
+    if not has_teeth(pair):
+        return None
+    return 1.0 / float(to_physical(pair.scales, "operation.pinion_speed", pair.numbers.parameters["omega"]))
+
+
+def _along_normal(pair: GearPair) -> float | None:
+    """Normal backlash over that on the working circle; not where it is another one at work."""
+    drawing = pair.completed.drawing
+    if drawing is None or play.act_on(pair.entries):
+        return None
+    return Backlash.from_circumferential(drawing.pair, 1.0).normal
 
 
 AT_GEAR = {
-    GEAR_SPEED: OfGear("omega", "operation.pinion_speed", 1),
-    GEAR_TORQUE: OfGear("load", "operation.torque", -1),
+    GEAR_SPEED: InOtherWords("omega", "operation.pinion_speed", _ratio),
+    GEAR_TORQUE: InOtherWords("load", "operation.torque", _one_over_ratio),
+}
+OTHER_WORDS = {
+    **AT_GEAR,
+    POWERED: InOtherWords("load", "operation.torque", _one_over_speed),
+    PLAY: InOtherWords("D", play.STATED, _along_normal),
 }
 
 
@@ -41,14 +74,18 @@ def resolve(pair: GearPair, label: str, name: str, value: object) -> tuple[str, 
     if isinstance(place, Problem):
         raise CaseError(label, [place])
     known = pair.family().defaults
-    of_gear = AT_GEAR.get(place.path)
-    if of_gear is not None and isinstance(place, Quantity) and of_gear.short in known and has_teeth(pair):
-        at_pinion = _stated(label, name, value, place) * _ratio(pair) ** of_gear.power
-        return of_gear.short, to_dimensionless(pair.scales, of_gear.pinion, at_pinion)
+    word = OTHER_WORDS.get(place.path)
+    factor = None if word is None else word.factor(pair)
+    if word is not None and factor is not None and isinstance(place, Quantity) and word.short in known:
+        there = _stated(label, name, value, place) * factor
+        return word.short, to_dimensionless(pair.scales, word.base, there)
     cold = place.path == play.STATED and play.act_on(pair.entries) and place.path in known
     short = place.path
     if isinstance(place, Quantity) and place.key in known and not cold:
         short = place.key
+    if short not in known and isinstance(place, Quantity) and _has_no_value(pair, place):
+        expected = f"a quantity that the case has a value of, and it has none: state {place.path} in its file"
+        raise CaseError(label, [Problem(name, None, expected)])
     if short not in known or not isinstance(place, Quantity):
         raise UnknownNameError("parameter to vary", name, {*known, *_physical_names(pair, known)})
     number = _stated(label, name, value, place)
@@ -66,8 +103,11 @@ def _stated(label: str, name: str, value: object, place: Quantity) -> float:
         raise CaseError(label, [Problem(name, shown(value), error.expected, error.nearest)]) from None
 
 
-def _ratio(pair: GearPair) -> float:
-    return pair.entries["gear.teeth"].number / pair.entries["pinion.teeth"].number
+def _has_no_value(pair: GearPair, place: Quantity) -> bool:
+    """Might it vary if it were stated?"""
+    never = place.path in (REFERENCE, *SPEED_RANGE, *GEAR_RANGE) or place.path.startswith("dimensionless.")
+    there = any(key in pair.entries for key in pair.places.keys(place))
+    return pair.scales.physical and not never and not there
 
 
 def has_teeth(pair: GearPair) -> bool:
@@ -77,10 +117,11 @@ def has_teeth(pair: GearPair) -> bool:
 
 def at_gear(pair: GearPair, short: str) -> tuple[str, float, str] | None:
     """Path, value and unit at the gear of a parameter of 1; None of what is no speed or torque."""
-    for path, of_gear in AT_GEAR.items():
-        if of_gear.short == short and path in pair.places.quantities and has_teeth(pair):
+    for path, word in AT_GEAR.items():
+        factor = word.factor(pair)
+        if word.short == short and path in pair.places.quantities and factor is not None:
             place = pair.places.quantities[path]
-            si = float(to_physical(pair.scales, of_gear.pinion, 1.0)) / _ratio(pair) ** of_gear.power
+            si = float(to_physical(pair.scales, word.base, 1.0)) / factor
             return path, si * float(unit(place.unit).express(1.0)), place.unit
     return None
 
@@ -93,7 +134,8 @@ def to_vary(pair: GearPair, name: str) -> str | None:
     if isinstance(place, Problem):
         raise CaseError(name, [place])
     cold = place.path == play.STATED and play.act_on(pair.entries)
-    if place.path in AT_GEAR and has_teeth(pair):
+    word = OTHER_WORDS.get(place.path)
+    if word is not None and word.factor(pair) is not None:
         return None
     if place.path in known or (isinstance(place, Quantity) and place.key in known and not cold):
         return None
