@@ -8,7 +8,8 @@ import pytest
 import gearlash as gl
 from gearlash.studies.arcs import arcs_of
 from gearlash.studies.assured import At, assured
-from gearlash.studies.followed import Followed, Question
+from gearlash.studies.follow_tasks import Question
+from gearlash.studies.followed import Followed
 from gearlash.studies.model import Source
 
 CASE = gl.load_case("kahraman-singh")

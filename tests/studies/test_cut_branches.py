@@ -11,8 +11,9 @@ import gearlash as gl
 from gearlash.branches.continuation import EndKind
 from gearlash.jobs import Execution
 from gearlash.orbits import Settings
-from gearlash.studies import followed as following
-from gearlash.studies.followed import Cut, Follow, Followed, Question, Seed, follow_branch
+from gearlash.studies import follow_tasks
+from gearlash.studies.follow_tasks import Cut, Follow, Question, Seed, follow_branch
+from gearlash.studies.followed import Followed
 from gearlash.studies.model import Source
 from gearlash.studies.work import Work
 
@@ -36,8 +37,8 @@ def test_orbits_of_an_attempt_that_led_past_a_cut_are_counted(monkeypatch: pytes
         computed.append(len(branch.points))
         return branch
 
-    continued = following.continue_orbit
-    monkeypatch.setattr(following, "continue_orbit", counted)
+    continued = follow_tasks.continue_orbit
+    monkeypatch.setattr(follow_tasks, "continue_orbit", counted)
     seed = _seed(0.55)
     elsewhere = Cut(0.6, np.full((1, len(seed.state)), 7.0), False)
     traced = follow_branch(Follow(_question(), seed, 40, None, elsewhere), None).results[0]

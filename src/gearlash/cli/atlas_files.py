@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from gearlash.case import Case
-from gearlash.case.units import pretty
 from gearlash.results.atlas_dataset import atlas_dataset
 from gearlash.results.curve_file import curve_text
 from gearlash.results.plane_dataset import plane_dataset
@@ -14,12 +13,12 @@ from gearlash.results.store import netcdf, write_together
 from .files import draw_if
 from .folder import OutFolder
 from .jsonio import text
+from .second_scale import scale_of
 
 if TYPE_CHECKING:
     from gearlash.results.atlas import Atlas
 
     from .answers.atlas import AtlasAnswer
-    from .answers.sweep import AxisUsed
 
 
 def write_atlas(folder: OutFolder, case: Case, found: Atlas, answer: AtlasAnswer) -> None:
@@ -44,14 +43,5 @@ def _figure(plots: Any, case: Case, found: Atlas, answer: AtlasAnswer) -> Any:
     title = f"Atlas of {case.name} over {answer.x.asked.title} and {answer.y.asked.title}"
     if not found.complete:
         title += " (incomplete)"
-    along = [_twin(plots, axis) for axis in (answer.x, answer.y)]
+    along = [scale_of(answer.x), scale_of(answer.y)]
     return plots.atlas_diagram(found, case, title=title, along=along)
-
-
-def _twin(plots: Any, axis: AxisUsed) -> Any:
-    """The scale of a parameter in the unit that it was asked for in; None where it has none."""
-    asked = axis.asked
-    if not asked.unit:
-        return None
-    rests = any(each.rests_on for each in axis.physical_lower if each.name == asked.name)
-    return plots.Twin(asked.factor, asked.title, pretty(asked.unit), rests)

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from gearlash.case import Case, CaseError, Problem
-from gearlash.case.units import pretty
 from gearlash.results.branch_dataset import branch_dataset
 from gearlash.results.branch_file import branch_text
 from gearlash.results.store import netcdf, write_together
@@ -17,6 +16,7 @@ from .command_tables import branch_tables
 from .files import draw_if
 from .folder import OutFolder
 from .jsonio import text
+from .second_scale import scale_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -90,10 +90,6 @@ def _figure(
     span: Sequence[float],
 ) -> Any:
     """With the parameter in the unit that was asked for."""
-    asked, along = answer.axis.asked, None
-    if asked.unit:
-        rests = any(each.rests_on for each in answer.axis.physical_lower if each.name == asked.name)
-        along = plots.Twin(asked.factor, asked.title, pretty(asked.unit), rests)
-    title = f"{'Branches' if len(datasets) > 1 else 'Branch'} of {case.name} over {asked.title}"
-    units = plots.Units.of(case)
+    title = f"{'Branches' if len(datasets) > 1 else 'Branch'} of {case.name} over {answer.axis.asked.title}"
+    units, along = plots.Units.of(case), scale_of(answer.axis)
     return plots.branch_diagram(datasets, measure, title=title, span=span, units=units, along=along)

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from gearlash.case import Case
-from gearlash.case.units import pretty
 from gearlash.results.branch_file import branch_text
 from gearlash.results.curve_dataset import curve_dataset
 from gearlash.results.curve_file import curve_text
@@ -16,11 +15,11 @@ from .command_tables import curve_tables
 from .files import draw_if
 from .folder import OutFolder
 from .jsonio import text
+from .second_scale import scale_of
 
 if TYPE_CHECKING:
     from gearlash.branches.curves import Curve
 
-    from .answers.branch_parts import LimitsUsed
     from .answers.curve import CurveAnswer
     from .answers.curve_parts import Begun
     from .curve_inputs import CurveInputs
@@ -63,12 +62,4 @@ def _figure(plots: Any, case: Case, curves: Sequence[Curve], answer: CurveAnswer
     one, two = answer.axes
     what = "Curves" if len(curves) > 1 else "Curve"
     title = f"{what} of {case.name} over {one.asked.title} and {two.asked.title}"
-    return plots.curve_diagram(curves, case, title=title, along=(_along(plots, one), _along(plots, two)))
-
-
-def _along(plots: Any, limit: LimitsUsed) -> Any:
-    asked = limit.asked
-    if not asked.unit:
-        return None
-    rests = any(each.rests_on for each in limit.physical_lower if each.name == asked.name)
-    return plots.Twin(asked.factor, asked.title, pretty(asked.unit), rests)
+    return plots.curve_diagram(curves, case, title=title, along=(scale_of(one), scale_of(two)))

@@ -17,6 +17,7 @@ from gearlash.system import Signature
 from .folder import MOTION_FILES, OutFolder
 from .interrupt import optional
 from .jsonio import text
+from .second_scale import second_scale
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from gearlash.studies import Zones
     from gearlash.studies.transition import Transition
 
-    from .answers.asked import Asked
     from .answers.run import RunAnswer
     from .answers.zones import ZonesAnswer
 
@@ -60,7 +60,7 @@ def write_sweep(
     present = case.family()[0].defaults[name]
 
     def figure(plots: Any) -> Figure:
-        typed = _scale(plots, asked)
+        typed = second_scale(asked)
         units = plots.Units.of(case)
         marks = [
             plots.Mark(value, kind, "" if kind != GRAZING else f"{asked.factor * value:.5g}")
@@ -89,14 +89,9 @@ def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: Z
     draw_if(
         folder, "zones", all(zones.complete for zones in found) and _drawable(found[0].sweeps),
         lambda plots: plots.zone_bands(
-            dataset, found, title, answer.present, plots.Units.of(case), _scale(plots, answer.asked)
+            dataset, found, title, answer.present, plots.Units.of(case), second_scale(answer.asked)
         ),
     )  # fmt: skip
-
-
-def _scale(plots: Any, asked: Asked) -> Any:
-    """The scale of an axis that was asked for in a unit."""
-    return plots.Twin(asked.factor, asked.title, pretty(asked.unit)) if asked.unit else None
 
 
 def at_what(case: Case, *varied: str) -> str:
@@ -126,7 +121,7 @@ def write_map(folder: OutFolder, case: Case, plane: PlaneMap, answer: Any) -> No
     asked = answer.x.asked, answer.y.asked
 
     def figure(plots: Any) -> Figure:
-        typed = [_scale(plots, one) for one in asked]
+        typed = [second_scale(one) for one in asked]
         return plots.plane(dataset, units=plots.Units.of(case), along=typed)
 
     draw_if(folder, "map", plane.complete, figure)

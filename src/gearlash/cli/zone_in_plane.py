@@ -180,17 +180,13 @@ def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnsw
 
 def _twins(case: Case, answer: PlaneZoneAnswer) -> list[Twin | None]:
     """The units that were asked for, for the axes of the figure; of a parameter that has one."""
-    from gearlash.case.units import pretty
-    from gearlash.plots import Twin
-
     from .answers.parts import rests_in
+    from .second_scale import second_scale
 
-    found: list[Twin | None] = []
-    for name, each in zip(answer.names, answer.asked, strict=True):
-        rests = rests_in(case, name, each.name, each.unit, computed=False)
-        twin = Twin(each.factor, each.title, pretty(each.unit), bool(rests))
-        found.append(twin if each.unit else None)
-    return found
+    return [
+        second_scale(each, bool(rests_in(case, name, each.name, each.unit, computed=False)))
+        for name, each in zip(answer.names, answer.asked, strict=True)
+    ]
 
 
 def _table(answer: PlaneZoneAnswer) -> list[Column]:

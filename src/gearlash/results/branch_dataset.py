@@ -14,7 +14,7 @@ from gearlash.system import Family, given
 
 from .branch_extremes import measured
 from .dataset import FORMAT_VERSION, family_of
-from .physical import physical_unit
+from .physical import physical_unit, physical_values
 from .provenance import held_along, provenance
 from .variables import Variable, dimension
 
@@ -219,7 +219,7 @@ def _special(model: Case | Family, family: Family, branch: Branch, extremes: boo
     dims = ("special",)
     data = _table(model, SPECIAL, branch.special, dims, "special_")
     values = np.array([special.value for special in branch.special], dtype=np.float64)
-    for name, numbers, unit in _physical(model, branch.name, values):
+    for name, numbers, unit in physical_values(model, branch.name, values):
         about = {"long_name": f"{name.replace('_', ' ')} at the special point", "units": unit}
         data[dimension(f"special_{name}", TAKEN)] = (dims, numbers, about)
     points = [special.point for special in branch.special]
@@ -249,15 +249,6 @@ def _ends(branch: Branch) -> dict[str, Any]:
     }
 
 
-def _physical(model: Case | Family, name: str, values: np.ndarray) -> list[tuple[str, np.ndarray, str]]:
-    """What values of the parameter mean physically, in every way to name it."""
-    if isinstance(model, Family):
-        return []
-    found = model.physical(name, values)
-    short = [(path.rpartition(".")[2], numbers, unit) for path, numbers, unit in found]
-    return [each for each in short if each[0] != name]
-
-
 def _coordinates(model: Case | Family, family: Family, branch: Branch) -> dict[str, Any]:
     description = next((p.description for p in family.parameters if p.name == branch.name), "")
     about = {"long_name": description or branch.name, "units": "1"}
@@ -266,7 +257,7 @@ def _coordinates(model: Case | Family, family: Family, branch: Branch) -> dict[s
         own: (("point",), branch.parameter, about),
         "state_name": ("state_name", list(family.states), {"long_name": "names of the states"}),
     }
-    for name, values, unit in _physical(model, branch.name, branch.parameter):
+    for name, values, unit in physical_values(model, branch.name, branch.parameter):
         found[name] = (("point",), values, {"long_name": name.replace("_", " "), "units": unit})
     return found
 

@@ -13,6 +13,7 @@ from gearlash.case import Case
 from gearlash.system import Family, given
 
 from .dataset import FORMAT_VERSION, family_of
+from .physical import physical_values
 from .provenance import held_along, provenance
 from .variables import Variable, dimension
 
@@ -140,7 +141,7 @@ def _values(model: Case | Family, curve: Curve) -> dict[str, Any]:
         own = dimension(f"special_{name}", TAKEN)
         found[own] = (("special",), values, {**about, "long_name": f"{name} there"})
         found[f"{own}_error"] = (("special",), errors, {**about, "long_name": f"error of {name}"})
-        for other, numbers, unit in _physical(model, name, values):
+        for other, numbers, unit in physical_values(model, name, values):
             about = {"long_name": f"{other.replace('_', ' ')} there", "units": unit}
             found[dimension(f"special_{other}", TAKEN)] = (("special",), numbers, about)
         ends = np.array([end.values[i] for end in curve.ends], dtype=np.float64)
@@ -161,15 +162,6 @@ def _ends(curve: Curve) -> dict[str, Any]:
     }
 
 
-def _physical(model: Case | Family, name: str, values: np.ndarray) -> list[tuple[str, np.ndarray, str]]:
-    """What values of a parameter mean physically, in every way to name it."""
-    if isinstance(model, Family):
-        return []
-    found = model.physical(name, values)
-    short = [(path.rpartition(".")[2], numbers, unit) for path, numbers, unit in found]
-    return [each for each in short if each[0] != name]
-
-
 def _coordinates(model: Case | Family, family: Family, curve: Curve) -> dict[str, Any]:
     words = {each.name: each.description for each in family.parameters}
     names = list(family.states)
@@ -178,7 +170,7 @@ def _coordinates(model: Case | Family, family: Family, curve: Curve) -> dict[str
         values = curve.parameters[:, i]
         about = {"long_name": words.get(name) or name, "units": "1"}
         found[dimension(name, TAKEN)] = (("point",), values, about)
-        for other, numbers, unit in _physical(model, name, values):
+        for other, numbers, unit in physical_values(model, name, values):
             found[other] = (("point",), numbers, {"long_name": other.replace("_", " "), "units": unit})
     return found
 

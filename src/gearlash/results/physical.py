@@ -18,14 +18,17 @@ if TYPE_CHECKING:
 
 def physical_axis(model: Case | Family, axis: Axis) -> list[tuple[str, NDArray[np.float64], str]]:
     """What the values of an axis mean physically: (name, values, unit) for every way to name it."""
+    return physical_values(model, axis.name, axis.values)
+
+
+def physical_values(
+    model: Case | Family, name: str, values: NDArray[np.float64]
+) -> list[tuple[str, NDArray[np.float64], str]]:
+    """The same of values of the parameter with this name."""
     if isinstance(model, Family):
         return []
-    found = model.physical(axis.name, axis.values)
-    return [(path.rpartition(".")[2], values, unit) for path, values, unit in found if _other(path, axis)]
-
-
-def _other(path: str, axis: Axis) -> bool:
-    return path.rpartition(".")[2] != axis.name
+    found = [(path.rpartition(".")[2], numbers, unit) for path, numbers, unit in model.physical(name, values)]
+    return [each for each in found if each[0] != name]
 
 
 def physical_unit(model: Case | Family, variable: Variable) -> dict[str, Any]:

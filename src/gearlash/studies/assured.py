@@ -25,7 +25,8 @@ from gearlash.orbits import orbit_at
 from gearlash.system import GearlashError
 
 from .arcs import Arc
-from .followed import Followed, Question
+from .follow_tasks import Question
+from .followed import Followed
 
 Array = NDArray[np.float64]
 

@@ -12,7 +12,8 @@ from gearlash.jobs import Chain, Part
 from gearlash.results import Point
 from gearlash.system import MotionKind
 
-from .followed import BEYOND_END, LEFT_OUT, Followed, Question
+from .follow_tasks import Question
+from .followed import BEYOND_END, LEFT_OUT, Followed
 from .point import evaluate
 from .seen import HALVED_TO, KnownArcs, Stretch, halved
 from .zone import ZoneMotion

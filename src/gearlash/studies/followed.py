@@ -6,7 +6,7 @@ symmetry, and from just beyond the ends of its stable arcs, where motion goes on
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from math import inf
 from typing import Any
 
@@ -14,36 +14,35 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches.continuation import (
-    Branch,
-    ContinuationSettings,
-    EndKind,
-    EndOfBranch,
-    SpecialKind,
-    SpecialPoint,
-    continue_orbit,
-    switched,
-)
-from gearlash.jobs import Chain, Execution, Part, run, stopping
+from gearlash.branches.continuation import Branch, SpecialKind, SpecialPoint
+from gearlash.jobs import Chain, Execution, run
 from gearlash.jobs.chains import Work as Doing
-from gearlash.orbits import Settings, orbit_at
+from gearlash.orbits import orbit_at
 from gearlash.results import Point
 from gearlash.system import Family, GearlashError, MotionKind
 
 from .arcs import Arc, arcs_of
-from .model import Source
-from .point import evaluate
-from .work import MANY, Changes, Work
+from .follow_tasks import (
+    SAME,
+    Follow,
+    Look,
+    Question,
+    Seed,
+    Switch,
+    Traced,
+    cuts_of,
+    distance,
+    follow_branch,
+    look,
+    switch_branch,
+)
+from .work import Changes, Work
 from .zone_end import ZoneEnd
 
 Array = NDArray[np.float64]
 
-LONGEST = 0.3  # step; on a large motion one of a small motion's size is short
 BEYOND = (1e-4, 1e-3)  # of the value: how far beyond the end of a stable arc is looked what motion goes on as
-SAME = 1e-6  # of the size of a motion: what agrees so well is the same
-BETWEEN = (
-    0.25  # of the distance of two neighbours of a branch: how far beside the chord a motion of it may lie
-)
+BETWEEN = 0.25  # of the distance of two neighbours of a branch: how far beside their chord it may lie
 MEET = 1e-6  # of the axis: where two branches end so near to each other, they meet
 NARROW = 2e-3  # of the axis: from arcs that are no wider no further branches are looked for
 NARROWEST = 1e-4  # of the axis: beyond the ends of narrower arcs nothing is looked for
@@ -52,158 +51,9 @@ ROUNDS = 40  # of following
 PASSES = 3  # of looking beyond ends
 LONGEST_PERIOD = 64
 SWITCHED = (SpecialKind.DOUBLING, SpecialKind.JOINS, SpecialKind.BRANCH_POINT, SpecialKind.SYMMETRIC)
-DOUBLED, BROKEN, SINGLE = "doubling", "symmetry breaking", "orbit of half its period"
 BEYOND_END = "beyond an end"
 STOPPED = "stopped"
-GOES_ON = "goes on as a branch that was followed before"
 LEFT_OUT = "not followed along its branch, as the work that was allowed for is spent"
-
-
-@dataclass(frozen=True, eq=False)
-class Question:
-    """What is asked of every branch: the parameter and its limits, all else fixed."""
-
-    source: Source
-    fixed: tuple[tuple[str, float], ...]
-    name: str
-    lower: float
-    upper: float
-    settings: Settings
-
-    def values(self, family: Family, value: float) -> dict[str, float]:
-        return family.complete({**dict(self.fixed), self.name: value})
-
-    @property
-    def width(self) -> float:
-        return self.upper - self.lower
-
-
-@dataclass(frozen=True, eq=False)
-class Seed:
-    """A periodic orbit with which a branch begins, and how it was found."""
-
-    value: float
-    state: Array
-    periods: int
-    way: str
-
-
-@dataclass(frozen=True, eq=False)
-class Cut:
-    """Where a branch was followed no farther as it has as many orbits as were allowed: its last orbit, and
-    whether it would go on upwards."""
-
-    value: float
-    strobes: Array
-    up: bool
-
-    def is_end_of(self, branch: Branch, upper: bool) -> bool:
-        """Whether a branch that comes from beyond it ends in the same orbit; ``upper``: at its last end."""
-        strobes = branch.points[-1 if upper else 0].strobes
-        size = max(float(np.abs(strobes).max()), 1e-3)
-        return strobes.shape == self.strobes.shape and _distance(strobes, self.strobes[0]) <= SAME * size
-
-
-@dataclass(frozen=True, eq=False)
-class Follow:
-    """A task: the branch of a seed, of at most so many orbits each way, and no farther than to where another
-    one was cut: between ``above`` the nearest such place below it and ``below`` the nearest one above it."""
-
-    question: Question
-    seed: Seed
-    most_points: int = MANY
-    above: Cut | None = None
-    below: Cut | None = None
-
-    @property
-    def lower(self) -> float:
-        return self.question.lower if self.above is None else self.above.value
-
-    @property
-    def upper(self) -> float:
-        return self.question.upper if self.below is None else self.below.value
-
-    def joined(self, branch: Branch) -> Branch | None:
-        """The branch, whose ends at a cut say that another one goes on there. None where one of them is no
-        orbit of that other branch."""
-        ends = []
-        for i, end in enumerate(branch.ends):
-            cut = {EndKind.LOWER: self.above, EndKind.UPPER: self.below}.get(end.kind)
-            if cut is not None and not cut.is_end_of(branch, i > 0):
-                return None
-            ends.append(end if cut is None else EndOfBranch(EndKind.ARRIVED, end.value, GOES_ON))
-        return replace(branch, lower=self.question.lower, upper=self.question.upper, ends=tuple(ends))
-
-
-@dataclass(frozen=True, eq=False)
-class Traced:
-    """A branch, and how many orbits were computed for it: those of a first attempt count, too."""
-
-    branch: Branch
-    orbits: int
-
-
-@dataclass(frozen=True, eq=False)
-class Switch:
-    """A task: orbits of the branches that meet one at a special point."""
-
-    question: Question
-    branch: Branch
-    special: SpecialPoint
-
-
-@dataclass(frozen=True, eq=False)
-class Look:
-    """A task: what motion from a state leads to at a value."""
-
-    question: Question
-    value: float
-    state: Array
-
-
-def follow_branch(task: Follow, carry: object) -> Part:
-    """The branch of a seed, or why there is none."""
-    q, seed = task.question, task.seed
-    family = q.source.family()
-    steps = ContinuationSettings(longest=LONGEST, most_points=task.most_points, certify=False)
-    try:
-        values = q.values(family, seed.value)
-        orbit = orbit_at(flow.propagators(family.system(values)), seed.state, seed.periods)
-        if orbit is None:
-            return Part(("its orbit was not found again",))
-
-        def between(low: float, high: float) -> Branch:
-            return continue_orbit(family, values, q.name, orbit, low, high, steps, None, stopping)
-
-        found = between(task.lower, task.upper)
-        orbits = len(found.points)
-        if not stopping() and (task.above or task.below):
-            joined = task.joined(found)
-            found = joined or between(q.lower, q.upper)
-            orbits += 0 if joined else len(found.points)
-    except (GearlashError, np.linalg.LinAlgError) as error:
-        return Part((str(error),))
-    return Part(()) if stopping() else Part((Traced(found, orbits),))
-
-
-def switch_branch(task: Switch, carry: object) -> Part:
-    """Seeds on the other branches at a special point."""
-    family = task.question.source.family()
-    way = {SpecialKind.DOUBLING: DOUBLED, SpecialKind.JOINS: SINGLE}.get(task.special.kind, BROKEN)
-    try:
-        found = switched(family, task.branch, task.special)
-    except (GearlashError, np.linalg.LinAlgError):
-        return Part(((),))
-    inside = [s for s in found if task.question.lower <= s.value <= task.question.upper]
-    return Part((tuple(Seed(s.value, s.orbit.state, s.orbit.shot.period, way) for s in inside),))
-
-
-def look(task: Look, carry: object) -> Part:
-    """The attractor that a state leads to."""
-    q = task.question
-    family = q.source.family()
-    values = q.values(family, task.value)
-    return Part((evaluate(family, values, q.name, task.state, None, q.settings, None)[0],))
 
 
 @dataclass(eq=False)
@@ -304,7 +154,7 @@ class Followed:
 
     def follow(self, seed: Seed) -> Follow:
         """The task that follows a seed: to where branches were cut that may be its own."""
-        cuts = [cut for branch in self.branches for cut in _cuts(branch)]
+        cuts = [cut for branch in self.branches for cut in cuts_of(branch)]
         near = MEET * self.question.width
         cuts = [cut for cut in cuts if len(cut.strobes) == seed.periods]
         above = [cut for cut in cuts if cut.up and cut.value < seed.value - near]
@@ -326,7 +176,7 @@ class Followed:
         if twice:
             known = {id(arc) for arc, _ in twice}
             arcs = tuple(arc for arc in arcs if id(arc) not in known)
-            cut = any(next(_cuts(self.branches[old.branch]), None) is not None for _, old in twice)
+            cut = any(next(cuts_of(self.branches[old.branch]), None) is not None for _, old in twice)
             if not cut or not any(arc.stable for arc in arcs):
                 return
         self.branches.append(branch)
@@ -342,7 +192,7 @@ class Followed:
         middle = 0.5 * (arc.lower.value + arc.upper.value)
         (one, apart), (two, away) = arc.strobes(middle), other.strobes(middle)
         size = max(float(np.abs(one).max()), 1e-3)
-        return _distance(one, two[0]) <= max(BETWEEN * (apart + away), SAME * size)
+        return distance(one, two[0]) <= max(BETWEEN * (apart + away), SAME * size)
 
     def arc_of(self, family: Family, point: Point) -> Arc | None:
         """The stable arc that a periodic point of a sweep lies on."""
@@ -354,7 +204,7 @@ class Followed:
                 continue
             strobes, apart = arc.strobes(point.value)
             size = max(float(np.abs(strobes).max()), 1e-3)
-            away = _distance(strobes, point.state)
+            away = distance(strobes, point.state)
             if away <= max(SAME * size, BETWEEN * apart) or self._leads_to(family, strobes, point, size):
                 return arc
         return None
@@ -365,7 +215,7 @@ class Followed:
             found = orbit_at(props, strobes[0], len(strobes))
         except (GearlashError, np.linalg.LinAlgError):
             return False
-        return found is not None and _distance(found.strobes, point.state) <= SAME * size
+        return found is not None and distance(found.strobes, point.state) <= SAME * size
 
     def switch(self) -> None:
         """Branches that meet those known where a stable arc ends, until there are no more."""
@@ -472,23 +322,9 @@ class Followed:
         return {name: found[0] for name, found in outcome.results.items() if found}
 
 
-def _cuts(branch: Branch) -> Iterator[Cut]:
-    """The ends of a branch at which as many orbits were had as were allowed."""
-    for end, point, ahead in zip(
-        branch.ends, (branch.points[0], branch.points[-1]), (-1.0, 1.0), strict=True
-    ):
-        if end.kind is EndKind.POINTS:
-            yield Cut(point.value, point.strobes, ahead * point.turn > 0.0)
-
-
 def _settled(point: Point) -> bool:
     return point.periodic or point.label is MotionKind.APERIODIC
 
 
 def _meet(one: float, other: float, near: float) -> bool:
     return abs(one - other) <= near
-
-
-def _distance(strobes: Array, state: Array) -> float:
-    """Of a state from the nearest of an orbit's."""
-    return float(np.abs(strobes - state).max(axis=1).min())

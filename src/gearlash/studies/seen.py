@@ -18,7 +18,8 @@ from gearlash.results import Direction, Point, Sweep
 from gearlash.system import Label, MotionKind, Signature, Status
 
 from .arcs import Arc
-from .followed import MEET, Followed, Question
+from .follow_tasks import Question
+from .followed import MEET, Followed
 from .row import Neighbour, continued, neighbour_after
 from .zone_end import RANGE, SEEN, UNKNOWN, ZoneEnd
 

@@ -16,7 +16,8 @@ from gearlash.results import Axis, Sweep
 from gearlash.system import GearlashError, given
 
 from .arguments import checked_execution, checked_settings, checked_start, checked_values
-from .followed import PASSES, Followed, Question
+from .follow_tasks import Question
+from .followed import PASSES, Followed
 from .found_zones import Found
 from .model import Model, Source
 from .named import plain_axis

@@ -10,8 +10,11 @@ from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import AsCsv, AsJson, CaseArgument, DecimalComma, Out, Settings, Workers
 
 if TYPE_CHECKING:
+    from gearlash.case import Case
+    from gearlash.case.measurement import Measurement
     from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
+    from gearlash.studies.comparison import Comparison
 
 TABLES = "compare", "jumps"
 Data = Annotated[
@@ -111,17 +114,10 @@ def compare(
     folder = claim_if(out, [*files, *csv.files(*TABLES)])
     load_engine(data=folder is not None)
 
-    import numpy as np
-
     from gearlash.case.column_figures import figure_in
     from gearlash.case.measurement import load_measurement
     from gearlash.cli.answers.compare import compare_answer
     from gearlash.cli.command_tables import compare_tables
-    from gearlash.cli.interrupt import end_if_nothing, expect_results
-    from gearlash.cli.progress import progress_bar
-    from gearlash.cli.workers import executor_for
-    from gearlash.jobs import Execution
-    from gearlash.studies.comparison import compare as study
     from gearlash.studies.comparison import known_quantity
 
     known_quantity(asked, quantity)  # before a file is read
@@ -130,11 +126,7 @@ def compare(
         speed=speed, value=value, speed_unit=speed_unit, unit=unit, reference=reference,
     )  # fmt: skip
     figure = figure or figure_in(given.columns[1]) or "peak-to-peak"
-    expect_results()
-    with executor_for(asked, workers, 2 * len(given.omega)) as executor, progress_bar("speeds") as progress:
-        execution = Execution(executor, progress=progress)
-        found = study(asked, given, figure, order=order, execution=execution)
-    end_if_nothing(bool(np.isfinite([found.up, found.down]).any()))
+    found = _found(asked, given, figure, order, workers)
     answer = compare_answer(asked, found)
 
     def keep(folder: OutFolder) -> None:
@@ -148,3 +140,21 @@ def compare(
         return compare_tables(answer)
 
     return deliver(answer, as_json, folder, keep, csv.printing(tables))
+
+
+def _found(case: Case, given: Measurement, figure: str, order: float, workers: int | None) -> Comparison:
+    """The same figure of the computed motion, as far as no signal comes."""
+    import numpy as np
+
+    from gearlash.cli.interrupt import end_if_nothing, expect_results
+    from gearlash.cli.progress import progress_bar
+    from gearlash.cli.workers import executor_for
+    from gearlash.jobs import Execution
+    from gearlash.studies.comparison import compare as study
+
+    expect_results()
+    with executor_for(case, workers, 2 * len(given.omega)) as executor, progress_bar("speeds") as progress:
+        execution = Execution(executor, progress=progress)
+        found = study(case, given, figure, order=order, execution=execution)
+    end_if_nothing(bool(np.isfinite([found.up, found.down]).any()))
+    return found

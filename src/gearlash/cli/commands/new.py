@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import inspect
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from gearlash.cli.exits import ExitCode, command, delivery
 from gearlash.cli.options import AsJson
 from gearlash.cli.words_of_drawing import WORDS, Word
+
+if TYPE_CHECKING:
+    from gearlash.system import GearlashError
 
 
 def _option(word: Word) -> inspect.Parameter:
@@ -50,7 +53,6 @@ def _new(
     open (stiffness and how it varies, error, masses, bearings, damping, backlash) is estimated whenever the
     file is read, with range and source.
     """
-    from gearlash.case import CaseError
     from gearlash.cli.answers.new import new_answer
     from gearlash.cli.comments_of_drawing import comments_of
     from gearlash.cli.drawing_file import file_text, template
@@ -58,7 +60,7 @@ def _new(
     from gearlash.cli.interrupt import asking
     from gearlash.cli.new_file import checked_place, loaded, write
     from gearlash.cli.other_gears import check_shafts, check_teeth, check_type
-    from gearlash.cli.questions import as_command, asked, asked_again, at_a_terminal, words_of
+    from gearlash.cli.questions import asked, at_a_terminal, words_of
     from gearlash.cli.words_of_drawing import placed
     from gearlash.system import GearlashError
 
@@ -82,20 +84,30 @@ def _new(
         except GearlashError as error:
             if not questioned:
                 raise
-            again = None
-            if isinstance(error, CaseError):
-                with asking():
-                    again = asked_again(stated, error, file=str(file))
-            if again is None:  # what was typed is not lost
-                print(f"\nnothing was written{as_command(str(file), stated)}\n")
-                raise
-            stated = again
+            stated = _asked_again(file, stated, error)
     text = file_text(texts, *head, example, comments_of(case))
     answer = new_answer(str(file), case, example)
     with delivery():
         write(file, text, overwrite)
         show_answer(answer, as_json)
     return ExitCode.OK
+
+
+def _asked_again(file: Path, stated: dict[str, str], error: GearlashError) -> dict[str, str]:
+    """What was typed, where what the pair is refused for is asked for again. Raises the ``error`` where no
+    word is to blame, or nobody answers; what was typed is not lost."""
+    from gearlash.case import CaseError
+    from gearlash.cli.interrupt import asking
+    from gearlash.cli.questions import as_command, asked_again
+
+    again = None
+    if isinstance(error, CaseError):
+        with asking():
+            again = asked_again(stated, error, file=str(file))
+    if again is None:
+        print(f"\nnothing was written{as_command(str(file), stated)}\n")
+        raise error
+    return again
 
 
 # One option for each word of a drawing: written out they would be forty times the same five lines.

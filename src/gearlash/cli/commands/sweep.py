@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 
     from gearlash.case import Case
     from gearlash.cli.folder import OutFolder
+    from gearlash.cli.frame import StudyInputs
     from gearlash.cli.tables import Tables
+    from gearlash.orbits import Settings as SearchSettings
     from gearlash.results import Sweep
     from gearlash.studies.transition import Transition
 
@@ -75,20 +77,9 @@ def sweep(
 
     from gearlash.cli.answers.sweep import sweep_answer
     from gearlash.cli.command_tables import sweep_tables
-    from gearlash.cli.interrupt import end_if_nothing
-    from gearlash.cli.progress import progress_bar
-    from gearlash.cli.workers import executor_for
-    from gearlash.jobs import Execution
-    from gearlash.studies import sweeps
 
-    ((axis,), search, (along,)) = asked.ranges(), asked.search(periods, max_period), asked.axes
-    with (
-        executor_for(asked.case, workers, len(axis) * len(ways)) as executor,
-        progress_bar("sweep") as progress,
-    ):
-        execution = Execution(executor, progress=progress)
-        found = sweeps(asked.case, axis, ways, start=asked.start, settings=search, execution=execution)
-    end_if_nothing(any(point.computed for each in found for point in each.points))
+    found = _found(asked, ways, asked.search(periods, max_period), workers)
+    (along,) = asked.axes
     answer = sweep_answer(asked.case, asked.parameters, along.named, found, along.unit, asked.named_start)
 
     changes = _changes(asked.case, found) if folder else ()
@@ -103,6 +94,27 @@ def sweep(
         return sweep_tables(asked.case, found, answer)
 
     return deliver(answer, as_json, folder, keep, csv.printing(tables))
+
+
+def _found(
+    asked: StudyInputs, ways: Sequence[str], search: SearchSettings, workers: int | None
+) -> tuple[Sweep, ...]:
+    """A sweep in each of these directions."""
+    from gearlash.cli.interrupt import end_if_nothing
+    from gearlash.cli.progress import progress_bar
+    from gearlash.cli.workers import executor_for
+    from gearlash.jobs import Execution
+    from gearlash.studies import sweeps
+
+    (axis,) = asked.ranges()
+    with (
+        executor_for(asked.case, workers, len(axis) * len(ways)) as executor,
+        progress_bar("sweep") as progress,
+    ):
+        execution = Execution(executor, progress=progress)
+        found = sweeps(asked.case, axis, ways, start=asked.start, settings=search, execution=execution)
+    end_if_nothing(any(point.computed for each in found for point in each.points))
+    return found
 
 
 def _changes(case: Case, found: Sequence[Sweep]) -> tuple[Transition, ...]:

@@ -10,11 +10,14 @@ from gearlash.cli.exits import ExitCode, command
 from gearlash.cli.options import AsCsv, AsJson, CaseArgument, DecimalComma, Out, Settings, Workers
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from gearlash.case import Case
     from gearlash.cli.folder import OutFolder
     from gearlash.cli.tables import Tables
     from gearlash.jobs import Progress
     from gearlash.multibody.topography import Relief
+    from gearlash.studies.verification import Plan, Verification
 
 FIGURES = "force", "orders", "lines", "frames"
 FILES = ("verify.json", *(f"{name}.{form}" for name in FIGURES for form in ("svg", "pdf")))
@@ -109,27 +112,11 @@ def verify(
     load_engine()
 
     from gearlash.cli.answers.verify import verify_answer
-    from gearlash.cli.interrupt import end_if_nothing, expect_results
-    from gearlash.cli.progress import stage_bar
     from gearlash.cli.verify_tables import verify_tables
-    from gearlash.cli.workers import executor_for
-    from gearlash.jobs import Execution
-    from gearlash.studies.verification import MOTIONS, planned, verification
+    from gearlash.studies.verification import planned
 
     plan = planned(quick, flexible_pinion, relief, unmodified)
-
-    with executor_for(asked, workers, 1_000) as executor, stage_bar() as bar:
-        found_some: list[str] = []
-
-        def tell(stage: str, progress: Progress | None) -> None:
-            # finite elements are kept as they are found; from the first motion on there is an answer to keep
-            if progress is not None and stage == MOTIONS and not found_some:
-                found_some.append(stage)
-                expect_results()
-            bar(stage, progress)
-
-        found = verification(asked, speeds=omegas, plan=plan, execution=Execution(executor), tell=tell)
-    end_if_nothing(any(one.points or one.beside or one.up or one.down for one in found.compared))
+    found = _found(asked, omegas, plan, workers)
     answer = verify_answer(asked, found)
 
     def keep(folder: OutFolder) -> None:
@@ -142,6 +129,29 @@ def verify(
         return verify_tables(answer)
 
     return deliver(answer, as_json, folder, keep, csv.printing(tables))
+
+
+def _found(case: Case, omegas: Sequence[float], plan: Plan, workers: int | None) -> Verification:
+    """The comparison, as far as no signal comes."""
+    from gearlash.cli.interrupt import end_if_nothing, expect_results
+    from gearlash.cli.progress import stage_bar
+    from gearlash.cli.workers import executor_for
+    from gearlash.jobs import Execution
+    from gearlash.studies.verification import MOTIONS, verification
+
+    with executor_for(case, workers, 1_000) as executor, stage_bar() as bar:
+        found_some: list[str] = []
+
+        def tell(stage: str, progress: Progress | None) -> None:
+            # finite elements are kept as they are found; from the first motion on there is an answer to keep
+            if progress is not None and stage == MOTIONS and not found_some:
+                found_some.append(stage)
+                expect_results()
+            bar(stage, progress)
+
+        found = verification(case, speeds=omegas, plan=plan, execution=Execution(executor), tell=tell)
+    end_if_nothing(any(one.points or one.beside or one.up or one.down for one in found.compared))
+    return found
 
 
 def _omegas(case: Case, speeds: list[str] | None) -> tuple[float, ...]:

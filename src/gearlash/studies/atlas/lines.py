@@ -8,7 +8,8 @@ from gearlash.branches.continuation import Branch
 from gearlash.jobs import Chain, Execution, Part
 from gearlash.orbits import Settings
 from gearlash.results import Axis
-from gearlash.studies.followed import Followed, Question
+from gearlash.studies.follow_tasks import Question
+from gearlash.studies.followed import Followed
 from gearlash.studies.model import Source
 from gearlash.studies.sweep import sweeps
 from gearlash.system import Label
