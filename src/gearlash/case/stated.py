@@ -155,11 +155,11 @@ def _limits(ends: Ends, text: str, place: Quantity) -> Stated:
     if not least < greatest:
         swapped = f"{ends.upper} to {ends.lower}" if greatest < least else None
         raise ValueRefusedError("two different limits, the smaller one first", swapped)
-    if ends.size and least <= (size := _number(ends.size, place)) <= greatest:
+    if ends.size and least < (size := _number(ends.size, place)) < greatest:
         return Stated(size, text, least=least, greatest=greatest)
     middle = _middle(ends, place)
     middle = 0.5 * (least + greatest) if middle is None else middle
-    why = f"{MIDDLE}, as {ends.size} lies outside them" if ends.size else MIDDLE
+    why = f"{MIDDLE}, as {ends.size} does not lie between them" if ends.size else MIDDLE
     return Stated(middle, text, reason=why, least=least, greatest=greatest)
 
 

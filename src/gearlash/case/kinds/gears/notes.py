@@ -81,15 +81,18 @@ def _hand(pair: GearPair) -> Iterator[Note]:
 
 
 def _jamming(pair: GearPair) -> Iterator[Note]:
-    """An estimated backlash of which the tolerances leave none at their tight end."""
-    gap, more = pair.entries.get("D"), pair.completed.play_added
+    """A backlash of which tolerances or stated limits leave none at their tight end."""
+    gap, more = pair.ranged.get("D"), pair.completed.play_added
     if gap is None or gap.least is None or gap.dimensionless or gap.least + more >= 0.0:
         return
     at_work = " at work" if more else ""
+    where, end = (
+        ("", "its lower limit") if gap.limited else (" in the middle of the tolerances", "their tight end")
+    )
     yield Note(
         gap.path,
-        f"{1e6 * (gap.number + more):.4g} µm of backlash{at_work} in the middle of the tolerances; at their "
-        f"tight end teeth overlap by {-1e6 * (gap.least + more):.4g} µm, and the pair jams",
+        f"{1e6 * (gap.number + more):.4g} µm of backlash{at_work}{where}; at {end} "
+        f"teeth overlap by {-1e6 * (gap.least + more):.4g} µm, and the pair jams",
     )
 
 

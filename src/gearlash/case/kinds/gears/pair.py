@@ -16,6 +16,7 @@ from gearlash.case.units import NUMBER, TORQUE, unit
 from gearlash.system import Family
 
 from . import drawn, play
+from .carried import Completing, carried
 from .checks import contradictions, missing
 from .estimated import Completed, complete, is_drawn, is_estimable
 from .excitation import Curves, Reconstructed, reconstructed
@@ -57,6 +58,11 @@ class GearPair:
     def entries(self) -> EntriesByKey:
         """Stated and estimated values by key."""
         return self.completed.entries
+
+    @cached_property
+    def ranged(self) -> EntriesByKey:
+        """The same, estimates with ranges as wide as stated limits make them."""
+        return carried(cast("Completing", self))
 
     def lacks(self, present: Collection[str] = ()) -> list[Problem]:
         """What is missing, and why nothing can be estimated; ``present`` are paths known to be stated, if

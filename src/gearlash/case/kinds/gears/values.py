@@ -32,7 +32,7 @@ def values(pair: GearPair) -> list[Value]:
 
 def _stated(pair: GearPair) -> Iterator[Value]:
     seen = set()
-    for entry in pair.entries.values():
+    for entry in pair.ranged.values():
         if entry.path in seen:
             continue  # one stated damping ratio of all bearings makes four entries
         seen.add(entry.path)
