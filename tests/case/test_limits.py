@@ -168,3 +168,18 @@ def test_a_parameter_of_a_system_of_its_own_has_no_limits():
     assert "zeta = 0.01" in text
     with pytest.raises(gl.CaseError, match="limits are looked at of gear pairs alone"):
         loads(text.replace("zeta = 0.01", 'zeta = "0.005 to 0.02"'))
+
+
+def test_the_schema_of_a_file_has_limits_where_they_may_stand():
+    parts = kind_named("helical-pair").schema({})
+    mesh, pinion = (parts[f"helical-pair_{table}"]["properties"] for table in ("mesh", "pinion"))
+    *plain, limits, table = mesh["backlash"]["anyOf"]
+    assert (limits["type"], limits["minItems"], limits["maxItems"]) == ("array", 2, 2)
+    assert limits["items"] == {"anyOf": plain}
+    assert limits in table["properties"]["range"]["anyOf"]
+    assert table["anyOf"] == [{"required": ["value"]}, {"required": ["range"]}]
+    for one in (pinion["teeth"], pinion["material"], mesh["normal_module"], mesh["centre_distance"]):
+        *_, table = one["anyOf"]
+        assert all(part.get("type") != "array" for part in one["anyOf"])
+        assert "range" not in table["properties"]
+        assert table["required"] == ["value"]

@@ -34,7 +34,7 @@ from gearlash.results import NO_LABEL, Axis
 from gearlash.results.impact_free import ImpactFree
 from gearlash.results.pair_question import carrying_forwards, speeds_around
 from gearlash.results.pair_units import PairUnits
-from gearlash.results.tolerance import ToleranceInput
+from gearlash.results.tolerance import LIMITS_OF_CASE, ToleranceInput
 from gearlash.studies.assessment import Assessment, assess
 from gearlash.studies.bands import Band, back_bands, bands
 from gearlash.studies.ranges import AcrossRanges, Corner, Varied
@@ -352,6 +352,32 @@ def test_a_verdict_must_hold_across_the_ranges_of_estimates(window: tuple[Assess
     kind, first, line = said(_ranges(-0.1, replace(harmful, broken=((4.0, 16.3),))))
     assert "a motion without impacts exists if mesh.error is below 4 µm" in line
     assert "no value of this case is an estimate" in line_of(verdict(found), "Across its ranges").lower()
+
+
+def test_stated_limits_are_ranges_of_the_verdict_and_named(window: tuple[Assessment, SpeedRun]):
+    error = ToleranceInput("mesh.error", "um", 0.0, 16.3, 5.0)
+    load = ToleranceInput("operation.torque", "N*m", 50.0, 250.0, 150.0, LIMITS_OF_CASE)
+    harmless, harmful = Varied(error, (), 16.3, 0.5), Varied(load, ((50.0, 61.234),), 50.0, -0.2)
+    case = window[0].case.with_overrides({"torque": "150 N m +100/-100", "backlash": "60 to 100 um"})
+    found = replace(window[0], case=case)
+
+    def said(ranges: AcrossRanges) -> tuple[str, dict[str, str]]:
+        told = verdict(replace(found, ranges=ranges))
+        return told.short, {line.title: line.text for line in told.lines}
+
+    short, lines = said(_ranges(0.6, harmless, harmful, together=-0.3))
+    assert short == "not across the ranges of its estimates and stated limits"
+    assert lines["May it run there"].endswith("exists if operation.torque is below 61.2 N·m.")
+    assert (
+        "all else as the case has it. It holds across the ranges of the other 1 estimate,"
+        in lines["Across its ranges"]
+    )
+    assert "mesh.backlash 60 to 100 µm, here 80 µm, the middle of its limits; " in lines["Stated limits"]
+    assert "operation.torque 50 to 250 N·m, here 150 N·m. Where nothing is" in lines["Stated limits"]
+    short, lines = said(_ranges(0.6, replace(harmful, broken=(), margin=0.3), harmless, together=0.2))
+    assert "across the ranges of its 1 estimate and 1 value with stated limits." in lines["May it run there"]
+    short, lines = said(_ranges(0.6, harmful, together=-0.3))
+    assert short == "not across the ranges of its stated limits"
 
 
 def test_where_the_back_side_carries_the_mirror_image_is_examined():

@@ -27,6 +27,8 @@ _TWO_WAYS = re.compile(
     rf"(?P<second>\s*[+-]\s*{_NUMBER}|\s*0(?![.,\d]))\s*(?P<last>[^\d].*)?"
 )
 PERCENT = "%"
+LONGEST = 200
+"""Characters of a number with its unit, and of two."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,8 @@ def ends_of(text: str) -> Ends | None:
     cent is a part of the size, unless that is in per cent as well. Raises `UnitError` for deviations that
     cannot be counted from their size.
     """
+    if len(text) > LONGEST:
+        return None
     whole = plain(text)
     found = _BRACKETED.fullmatch(whole)
     whole = _BEFORE.sub("", f"{found[1]} {found[2]}".strip() if found else whole)

@@ -6,22 +6,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from decimal import Decimal
 from enum import StrEnum
-from fractions import Fraction
-from math import isfinite
-
-import numpy as np
 
 from .errors import shown
-from .limits import Ends, ends_of
+from .limits import LONGEST, Ends, ends_of
 from .quantity import Choice, Quantity
 from .quantity import ValueRefusedError as ValueRefusedError
+from .read_number import read_number
 from .texts import refused
-from .unit_hints import beside, instead, meant, usual_units
-from .units import FREQUENCY, LENGTH, NUMBER, SPEED, UnitError, in_si, in_unit_of, read, takes
+from .units import UnitError, in_si, in_unit_of, read
 from .words import nearest_name
-from .written_numbers import NumberError
 
 
 class Provenance(StrEnum):
@@ -55,8 +49,6 @@ MIDDLE = "the middle of its limits"
 """The reason of a value of which limits alone are stated."""
 _STROKE = re.compile(r"(?<=[\w.])\s*/\s*(?=[-+]?[.\d])")
 _FRACTION = re.compile(r"\s*\d+\s*/\s*\d+\s*(?:in|ft|[\"″”])", re.ASCII)
-LONGEST = 200
-"""Characters of a number with its unit."""
 _KEYS = ("value", "range", "provenance", "reason")
 
 
@@ -108,7 +100,7 @@ def _in_table(raw: Mapping[str, object], place: Quantity | Choice) -> Stated:
         raise ValueRefusedError("a range of two limits, the smaller one first")
     if "value" not in raw:
         return limits
-    value, text = _number(raw["value"], place), _text_of(raw["value"])
+    value, text = read_number(raw["value"], place), _text_of(raw["value"])
     if not limits.least <= value <= limits.greatest:
         raise ValueRefusedError(f"a value within its range, {limits.text}")
     return Stated(value, f"{text}, {limits.text}", least=limits.least, greatest=limits.greatest)
@@ -121,7 +113,7 @@ def _plain_or_limits(raw: object, place: Quantity | Choice) -> Stated:
     if isinstance(raw, list | tuple):
         return _limits(_ends_of_list(raw, place), " to ".join(map(_text_of, raw)), place)
     try:
-        return Stated(_number(raw, place), _text_of(raw))
+        return Stated(read_number(raw, place), _text_of(raw))
     except ValueRefusedError as error:
         ends = _ends_of_text(raw, place)
         if ends is None:
@@ -155,7 +147,7 @@ def _limits(ends: Ends, text: str, place: Quantity) -> Stated:
     if not least < greatest:
         swapped = f"{ends.upper} to {ends.lower}" if greatest < least else None
         raise ValueRefusedError("two different limits, the smaller one first", swapped)
-    if ends.size and least < (size := _number(ends.size, place)) < greatest:
+    if ends.size and least < (size := read_number(ends.size, place)) < greatest:
         return Stated(size, text, least=least, greatest=greatest)
     middle = _middle(ends, place)
     middle = 0.5 * (least + greatest) if middle is None else middle
@@ -181,7 +173,7 @@ def _one_alone(place: Quantity) -> str:
 def _end(text: str, place: Quantity) -> float:
     """One limit in SI."""
     try:
-        return _number(text, place)
+        return read_number(text, place)
     except ValueRefusedError as error:
         raise ValueRefusedError(f"two limits, each {error.expected}; {text!r} is none", None) from None
 
@@ -214,82 +206,6 @@ def _choice(raw: object, place: Choice) -> str:
     if isinstance(raw, str) and place.reader is not None and len(raw) <= LONGEST:
         return place.reader(raw)
     raise ValueRefusedError(f"one of {', '.join(place.choices)}", _nearest(raw, place.choices))
-
-
-def _number(raw: object, place: Quantity) -> float:
-    raw = _plain(raw)
-    if isinstance(raw, bool) or not isinstance(raw, int | float | str):
-        raise ValueRefusedError(place.expected)
-    if isinstance(raw, str) and len(raw) > LONGEST:
-        raise ValueRefusedError(f"{place.expected} of at most {LONGEST} characters")
-    if isinstance(raw, str) and refused(raw):
-        raise ValueRefusedError(f"{place.expected} (a control character stands there)")
-    value = _from_text(raw, place) if isinstance(raw, str) else _from_number(raw, place)
-    if place.integer and value != int(value):
-        raise ValueRefusedError(place.expected)
-    if not place.accepts(value):
-        least = place.lower if place.integer else min(place.lower, 0.0)
-        more = f"; {place.below}" if place.below and value < least else ""
-        raise ValueRefusedError(f"{place.expected_in_range}{more}")
-    return value
-
-
-def _plain(raw: object) -> object:
-    """Numbers of NumPy, decimals and fractions as Python's own."""
-    if isinstance(raw, np.generic) or (isinstance(raw, np.ndarray) and raw.ndim == 0):
-        raw = raw.item()
-    if isinstance(raw, Decimal | Fraction):
-        try:
-            return float(raw)
-        except (OverflowError, ValueError):
-            return None
-    return raw
-
-
-def _from_number(raw: float, place: Quantity) -> float:
-    if not place.bare:
-        raise ValueRefusedError(place.expected)
-    try:
-        value = float(raw)
-    except OverflowError:
-        raise ValueRefusedError(place.expected) from None
-    if not isfinite(value):
-        raise ValueRefusedError(f"{place.expected} (it is not finite)")
-    return value
-
-
-def _from_text(raw: str, place: Quantity) -> float:
-    text = raw if place.reader is None else place.reader(raw)
-    if place.dimension == LENGTH:
-        text = text.strip().removeprefix("Ø").removeprefix("ø").removeprefix("⌀")
-    try:
-        number, unit = read(text, place.dimension)
-    except UnitError as error:
-        if isinstance(error, NumberError):
-            raise ValueRefusedError(f"{place.expected} ({error})") from None
-        raise _refused(text, place, f" ({beside(text, place) or error})") from None
-    if takes(place.dimension, unit):
-        return _in_si(number, in_si(place.dimension, number, unit))
-    if place.bare and unit.dimension == NUMBER and unit.ratio == 1:
-        return _in_si(number, float(number))
-    if place.dimension == SPEED and unit.dimension == FREQUENCY:
-        turns = " (1/s and Hz may mean turns or radians: write rev/s, rad/s or rpm)"
-        raise ValueRefusedError(place.expected + turns)
-    other = instead(unit.dimension, place)
-    raise _refused(text, place, f" ({other})" if other else "")
-
-
-def _refused(text: str, place: Quantity, why: str) -> ValueRefusedError:
-    """With what was probably meant, else with the units that there are."""
-    near, units = meant(text, place), usual_units(place)
-    others = f"; units are {units}" if units and near is None and not why.startswith(" (that is") else ""
-    return ValueRefusedError(f"{place.expected}{why}{others}", near)
-
-
-def _in_si(number: Fraction, value: float) -> float:
-    if not isfinite(value) or (value == 0.0) != (number == 0):
-        raise ValueRefusedError("a number that fits double precision")
-    return value
 
 
 def _nearest(raw: object, valid: Iterable[str]) -> str | None:

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 
 from gearlash.case import Case, CaseError, Problem, load
 from gearlash.case.files import UnreadableError, read_file
-from gearlash.case.units import behind_number
+from gearlash.case.limits import ends_of
+from gearlash.case.units import UnitError, behind_number
 from gearlash.case.words import nearest_name
 from gearlash.system import Family, GearlashError, UnknownNameError, given
 
@@ -249,10 +250,20 @@ def twice_named(case: Case, name: str, short: str, settings: Iterable[str] | Non
 
 
 def _short(case: Case, name: str, value: str) -> str | None:
+    """The parameter that is set; None for what is none: it cannot be the one varied."""
+    for text in (value, _greater(value)):
+        with suppress(GearlashError):
+            return case.resolve(name, text)[0]
+    return None
+
+
+def _greater(text: str) -> str:
+    """Of two limits; a value without such as it is."""
     try:
-        return case.resolve(name, value)[0]
-    except GearlashError:  # not a parameter of the family: it cannot be the one varied
-        return None
+        ends = ends_of(text)
+    except UnitError:
+        return text
+    return text if ends is None else ends.upper
 
 
 def _state_of_file(name: str, states: Iterable[str]) -> dict[str, float]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import isfinite, isnan
 
 from gearlash.case import Case, Value
+from gearlash.case.stated import MIDDLE
 from gearlash.case.units import pretty
 from gearlash.report.blocks import Block, Cell, Table, Text
 from gearlash.report.numbers import number
@@ -197,6 +198,16 @@ def _percent(share: float) -> str:
     return f"{number(100.0 * share, 3)} %"
 
 
+def limits_of(value: Value) -> str:
+    """``60 to 140 µm, here 100 µm, the middle of its limits``."""
+    unit = f" {pretty(value.unit)}".rstrip()
+    assert value.least is not None
+    assert value.greatest is not None
+    why = f", {MIDDLE}" if MIDDLE in value.reason else ""
+    ends = f"{number(value.least, 5)} to {number(value.greatest, 5)}{unit}"
+    return f"{ends}, here {number(float(value.value), 5)}{unit}{why}"
+
+
 def counted(varied: Sequence[Varied]) -> str:
     """``12 estimates and 2 values with stated limits``."""
     stated = sum(one.input.of_case for one in varied)
@@ -211,11 +222,11 @@ def counted(varied: Sequence[Varied]) -> str:
 
 def as_is(ranges: AcrossRanges) -> str:
     """Of everything else: estimated, or as the case has it where limits of stated values are looked at."""
-    return "as the case has it" if any(one.of_case for one in ranges.inputs) else "as estimated"
+    return "as the case has it" if any(one.input.of_case for one in ranges.varied) else "as estimated"
 
 
 def _whose(ranges: AcrossRanges) -> str:
-    stated = {one.of_case for one in ranges.inputs}
+    stated = {one.input.of_case for one in ranges.varied}
     both = "Estimates and values with stated limits"
     return both if len(stated) == 2 else "Values with stated limits" if True in stated else "Estimates"
 

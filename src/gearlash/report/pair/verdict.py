@@ -20,7 +20,7 @@ from gearlash.studies.bands import Band, living_at, zone_with
 from gearlash.system import ContactRule, Label, Signature, Status
 
 from .orders import meetings_within
-from .ranges import across, not_given
+from .ranges import across, limits_of, not_given
 from .speed_range import speed_range
 from .words import Words
 
@@ -92,6 +92,7 @@ def verdict(found: Assessment) -> Verdict:
         *_remarks(found),
         *([] if speeds is None else [Line("Over its speed range", speeds.text)]),
         Line("Across its ranges", NO_RANGES if over is None else over.text),
+        *_limits(found.case),
         *([Line("Turned round", TURNED)] if found.turned else []),
         *_shaft(found),
         Line("Teeth separate", _separating(found, words)),
@@ -108,10 +109,19 @@ def verdict(found: Assessment) -> Verdict:
 
 def _ranged(found: Assessment) -> str:
     """Of what there are ranges."""
-    stated = {one.of_case for one in found.ranges.inputs} if found.ranges is not None else set()
+    stated = {one.input.of_case for one in found.ranges.varied} if found.ranges is not None else set()
     return " and ".join(
         words for words, kind in (("estimates", False), ("stated limits", True)) if kind in stated
     )
+
+
+def _limits(case: Case) -> list[Line]:
+    """Values that the case states limits of, and at which of them all else is computed."""
+    limited = [value for value in case.values() if value.limited]
+    if not limited:
+        return []
+    said = "; ".join(f"{value.path} {limits_of(value)}" for value in limited)
+    return [Line("Stated limits", f"{said}. Where nothing is said of ranges, the values named here hold.")]
 
 
 def place(case: Case, units: PairUnits, omega: float, load: float) -> str:
