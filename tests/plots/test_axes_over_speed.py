@@ -14,7 +14,7 @@ SPEEDS = np.linspace(1000.0, 2000.0, 50)
 
 def limits(values: np.ndarray, second: tuple[float, str] | None = None) -> tuple[float, float, int]:
     """Of the panel, and how many numbers stand on its second axis."""
-    none = np.zeros(len(SPEEDS), dtype=np.bool_)
+    none = np.zeros(len(SPEEDS) - 1, dtype=np.bool_)
     marks = (Mark(1300.0, "resonance", "f1", True),)
     axis = SpeedAxis(SPEEDS, "pinion speed  [rpm]", (none, none), (), (), 1500.0, marks)
     made = over_speed(axis, [Stack("force  [N]", (Curve("peak", values, values),), second)])

@@ -29,6 +29,7 @@ def one_way(labels: tuple[str, ...], strobes: list[list[float]]) -> Swept:
         nothing,
         nothing,
         nothing,
+        np.zeros(count - 1, dtype=bool),
     )
 
 

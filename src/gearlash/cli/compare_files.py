@@ -40,5 +40,6 @@ def write_compare(
             f"{case.name}: measured and computed{at_what(case, 'omega')}",
             [(jump.lower, jump.upper) for jump in answer.jumps],
             [p.direction for p in answer.points],
+            found.apart,
         ),
     )  # fmt: skip

@@ -60,13 +60,17 @@ def write_sweep(
     present = case.family()[0].defaults[name]
 
     def figure(plots: Any) -> Figure:
+        from gearlash.studies.joined import apart_in
+
         typed = second_scale(asked)
         units = plots.Units.of(case)
         marks = [
             plots.Mark(value, kind, "" if kind != GRAZING else f"{asked.factor * value:.5g}")
             for value, kind in _once(changes)
         ]
-        return plots.diagram(dataset, marks, units, title=title, present=present, asked=typed)
+        return plots.diagram(
+            dataset, marks, units, title=title, present=present, asked=typed, apart=apart_in(case, sweeps)
+        )
 
     draw_if(folder, "sweep", _drawable(sweeps), figure)
 
@@ -86,12 +90,15 @@ def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: Z
     dataset = sweep_dataset(case, found[0].sweeps)
     write_data(folder, "zones", dataset, answer, ("zones.svg", "zones.pdf"))
     title = f"Zones of {case.name}{at_what(case, found[0].axis.name)}"
-    draw_if(
-        folder, "zones", all(zones.complete for zones in found) and _drawable(found[0].sweeps),
-        lambda plots: plots.zone_bands(
-            dataset, found, title, answer.present, plots.Units.of(case), second_scale(answer.asked)
-        ),
-    )  # fmt: skip
+    sweeps = found[0].sweeps
+
+    def figure(plots: Any) -> Figure:
+        from gearlash.studies.joined import apart_in
+
+        scales = plots.Units.of(case), second_scale(answer.asked)
+        return plots.zone_bands(dataset, found, title, answer.present, *scales, apart_in(case, sweeps))
+
+    draw_if(folder, "zones", all(zones.complete for zones in found) and _drawable(sweeps), figure)
 
 
 def at_what(case: Case, *varied: str) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -35,7 +34,6 @@ WIDTH = 146.0  # mm of the panels of a figure of page width: what is left beside
 LEGEND = 15.0  # mm: height of it that the figure is made for
 DENSE = 700  # values of an axis from which points are smallest, and not joined
 LARGEST_DOT = 14.0  # times that size, of the points of a coarse axis
-JUMP = 0.4  # of all values of a panel: neighbours farther apart are not joined
 NOTHING = 1e-12  # contact force that is rounding
 LEAST_SPAN = 0.02  # per unit of τ: of the axis of exponents, which would show rounding otherwise
 PRESENT: dict[str, Any] = {"color": style.VERMILION, "lw": 1.0, "ls": (0, (5, 2))}
@@ -52,6 +50,7 @@ def diagram(
     title: str = "",
     present: float | None = None,
     asked: Twin | None = None,
+    apart: Sequence[NDArray[np.bool_]] = (),
 ) -> Figure:
     """The bifurcation diagram of sweeps: labels, sections and largest exponent over the parameter.
 
@@ -71,6 +70,9 @@ def diagram(
         The dimensionless value of the case itself, for a line there.
     asked : Twin, optional
         The scale that the parameter was asked for in: it takes the place of the dimensionless one.
+    apart : sequence of ndarray of bool, shape (m-1,), optional
+        Of every direction the steps over which its motion changes to another one, where no line joins its
+        points. Without, what the points alone tell: of one motion that is steep on a coarse axis too many.
 
     Returns
     -------
@@ -93,7 +95,7 @@ def diagram(
     """
     force = force or ForceAxis()
     axis, factor = axis_name(dataset), 1.0 if asked is None else asked.factor
-    rows = [replace(row, values=factor * row.values) for row in swept(dataset)]
+    rows = [replace(row, values=factor * row.values) for row in swept(dataset, apart)]
     marks = [replace(mark, value=factor * mark.value) for mark in marks]
     shown = new_points(rows)
     forces = [5.0 if flat(rows, which) else 34.0 for which in (("drive_force",), BACK)]
@@ -235,16 +237,15 @@ def dot_size(way: Swept) -> float:
 
 
 def along(panel: Axes, way: Swept, array: str, keep: NDArray[np.bool_], sign: float = 1.0) -> None:
-    """On a coarse axis, lines along periodic motions of one label; none where they jump."""
+    """On a coarse axis, lines along periodic motions; none where they change over to another, or where the
+    number of points that are drawn changes."""
     periodic = np.array([isinstance(label, Signature) for label in way.labels], dtype=bool)
     table = np.where((periodic & keep)[:, None], sign * np.sort(getattr(way, array), axis=1), np.nan)
     table = table[:, np.isfinite(table).any(axis=0)]
     if len(way.values) > DENSE or not table.size:
         return
-    far = JUMP * float(np.nanmax(table) - np.nanmin(table))
-    step = np.nan_to_num(np.abs(np.diff(table, axis=0)), nan=0.0).max(axis=1)
-    other = np.array([a != b for a, b in pairwise(way.labels)], dtype=bool)
-    at = np.flatnonzero(other | (step > far)) + 1
+    more = np.diff(np.isfinite(table).sum(axis=1)) != 0
+    at = np.flatnonzero(way.apart | more) + 1
     colour = DIRECTION_STYLES.get(way.direction, DIRECTION_STYLES["cold"])[0]
     x, y = np.insert(way.values, at, np.nan), np.insert(table, at, np.nan, axis=0)
     panel.plot(x, y, color=colour, lw=0.5, zorder=1.5)

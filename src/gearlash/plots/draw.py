@@ -14,6 +14,7 @@ from gearlash.results import PlaneMap, Sweep, plane_dataset, sweep_dataset
 from gearlash.results.atlas import Atlas
 from gearlash.results.branch_dataset import branch_dataset
 from gearlash.studies import Zones
+from gearlash.studies.joined import apart_in
 from gearlash.studies.motion import Motion, motion
 from gearlash.system import Family, GearlashError, given
 
@@ -79,7 +80,7 @@ def draw(result: Any, model: Case | Family | None = None) -> Figure:
         return branch_diagram([branch_dataset(model, each) for each in branches], units=units)
     if curves:
         return curve_diagram(curves, model)
-    return diagram(sweep_dataset(model, sweeps), units=units)
+    return diagram(sweep_dataset(model, sweeps), units=units, apart=apart_in(model, sweeps))
 
 
 def _sweeps(result: Any) -> tuple[Sweep, ...]:

@@ -85,8 +85,8 @@ class SpeedAxis:
     ----------
     values : ndarray of shape (m,)
     label : str
-    breaks : (ndarray of bool, ndarray of bool)
-        Of shape (m,), for up and down: whether the motion is another one than at the value below.
+    apart : sequence of ndarray of bool, shape (m-1,)
+        For up and down, the steps over which the motion changes to another one: no line goes over them.
     separating, back : tuple of (float, float)
         Bands in which teeth separate in every motion found, and in which the back side is met.
     present : float
@@ -99,7 +99,7 @@ class SpeedAxis:
 
     values: Array
     label: str
-    breaks: tuple[NDArray[np.bool_], NDArray[np.bool_]]
+    apart: Sequence[NDArray[np.bool_]]
     separating: tuple[tuple[float, float], ...]
     back: tuple[tuple[float, float], ...]
     present: float
@@ -158,11 +158,11 @@ def _curves(panel: Axes, axis: SpeedAxis, stack: Stack) -> None:
     for curve, (colour, marker) in zip(stack.curves, LOOKS, strict=False):
         down = np.where(_differs(curve), curve.down, np.nan)
         dots = {"ms": 2.6, "mew": 0.6} if len(axis.values) <= FEW else {"ms": 1.5, "mew": 0.4}
-        for values, breaks, look in (
-            (curve.up, axis.breaks[0], {"lw": 1.0, "mfc": colour}),
-            (down, axis.breaks[1], {"lw": 0.8, "ls": (0, (4, 1.5)), "mfc": "white"}),
+        for values, apart, look in (
+            (curve.up, axis.apart[0], {"lw": 1.0, "mfc": colour}),
+            (down, axis.apart[1], {"lw": 0.8, "ls": (0, (4, 1.5)), "mfc": "white"}),
         ):
-            x, y = _broken(axis.values, values, breaks)
+            x, y = broken(axis.values, values, apart)
             panel.plot(x, y, color=colour, marker=marker, mec=colour, **dots, **look)
         handles.append(Line2D([], [], color=colour, marker=marker, ms=3.0, label=curve.words))
     panel.set_ylabel(stack.label)
@@ -196,9 +196,9 @@ def _limits(panel: Axes, drawn: Array) -> None:
     panel.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
 
 
-def _broken(x: Array, y: Array, breaks: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """Both with a gap before every value at which another motion begins."""
-    at = np.flatnonzero(breaks)
+def broken(x: Array, y: Array, apart: NDArray[np.bool_]) -> tuple[Array, Array]:
+    """Both with a gap in every step over which the motion changes to another one."""
+    at = np.flatnonzero(apart) + 1
     return np.insert(x, at, np.nan), np.insert(y, at, np.nan)
 
 

@@ -6,8 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from gearlash.system import GearlashError
 
 from . import style
+from .over_speed import broken
 from .units import literal
 
 JUMP_SHADE = "0.88"
@@ -30,6 +34,7 @@ def overlay(
     title: str = "",
     jumps: Sequence[tuple[float, float]] = (),
     directions: Sequence[str] = (),
+    apart: Sequence[NDArray[np.bool_]] = (),
 ) -> Figure:
     """Measured dots over computed lines, and what is left.
 
@@ -46,6 +51,9 @@ def overlay(
     directions : sequence of str
         Of every measured row ``up``, ``down`` or empty, as the speed came to it: residuals are to the motion
         computed that way. Without any, to both.
+    apart : sequence of ndarray of bool, shape (m-1,)
+        With speed rising and falling, the steps over which the computed motion changes to another one: no
+        line joins them. Without, all are joined.
 
     Returns
     -------
@@ -62,12 +70,24 @@ def overlay(
     values = np.asarray(measured, float)
     figure = style.figure(style.PAGE, 110.0)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
-    upper.plot(speed, rising, color=style.BLUE, lw=2.4, alpha=0.5, label="computed, speed rising")
-    upper.plot(
-        speed, falling, color=style.VERMILION, lw=1.0, ls=(0, (4, 1.5)), label="computed, speed falling"
-    )
     ways = np.array(directions or [""] * len(values))
     places = np.asarray(speed, float)
+    up_look = {"color": style.BLUE, "lw": 2.4, "alpha": 0.5, "label": "computed, speed rising"}
+    down_look = {
+        "color": style.VERMILION, "lw": 1.0, "ls": (0, (4, 1.5)), "label": "computed, speed falling"
+    }  # fmt: skip
+    if apart and [np.shape(each) for each in apart] != [(len(values) - 1,)] * 2:
+        raise GearlashError(f"apart: expected twice {len(values) - 1} flags, with speed rising and falling")
+    nowhere = np.zeros(max(len(values) - 1, 0), dtype=bool)
+    for line, steps, look in zip(
+        (rising, falling), apart or (nowhere,) * 2, (up_look, down_look), strict=True
+    ):
+        upper.plot(*broken(places, line, steps), **look)
+        alone = _alone(line, steps)
+        if not alone.any():
+            continue
+        dot = {"color": look["color"], "alpha": look.get("alpha"), "ms": look["lw"] + 1.0, "mew": 0.0}
+        upper.plot(places[alone], line[alone], ls="none", marker="o", **dot)
     for way, (marker, words) in MEASURED.items():
         rows = ways == way
         if rows.any():
@@ -93,3 +113,9 @@ def overlay(
     if title:
         upper.set_title(literal(title), pad=6.0)
     return figure
+
+
+def _alone(line: NDArray[np.float64], steps: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Values that no line goes to: a dot shows them."""
+    gone = steps | np.isnan(line[1:]) | np.isnan(line[:-1])
+    return np.isfinite(line) & np.concatenate([[True], gone]) & np.concatenate([gone, [True]])

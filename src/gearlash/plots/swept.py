@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
 from gearlash.results.forces import from_stored
+from gearlash.results.steps import Rows
+from gearlash.results.steps import apart as apart_by_points
 from gearlash.system import GearlashError, Label, Signature, UnknownNameError, read_label
 
 Array = NDArray[np.float64]
@@ -18,7 +22,8 @@ SAME_STROBES = 1e-6  # strobes of one attractor found twice agree to this, relat
 @dataclass(frozen=True, eq=False)
 class Swept:
     """Attractors along an axis: values (m,) ascending, labels (m,), exponents with error bars (m,), and
-    padded with nan: X on σ_t (m, k), contact force Φ at impacts on σ_d, at impacts and at releases on σ_b."""
+    padded with nan: X on σ_t (m, k), contact force Φ at impacts on σ_d, at impacts and at releases on σ_b.
+    ``apart`` (m-1,): steps over which the motion changed over to another one, so that no line joins them."""
 
     direction: str
     values: Array
@@ -29,6 +34,7 @@ class Swept:
     drive_force: Array
     back_force: Array
     back_release_force: Array
+    apart: NDArray[np.bool_]
 
     def points(self, name: str, keep: NDArray[np.bool_] | None = None) -> tuple[Array, Array]:
         """All finite points (value, y) of one of the padded arrays, of the kept axis values."""
@@ -48,13 +54,19 @@ class Swept:
         return np.concatenate([self.values[:1], middle, self.values[-1:]])
 
 
-def swept(dataset: xr.Dataset) -> list[Swept]:
-    """Every direction of a sweep dataset, in its order. Raises `UnknownNameError` for one without
-    directions, `GearlashError` for one without any motion.
+def swept(dataset: xr.Dataset, apart: Sequence[NDArray[np.bool_]] = ()) -> list[Swept]:
+    """Every direction of a sweep dataset, in its order; ``apart``: of each, as from `studies.joined`, else
+    what its points tell. Raises `UnknownNameError` for one without directions, `GearlashError` for one
+    without any motion, and for another number of steps.
     """
     if "direction" not in dataset.dims:
         raise UnknownNameError("dimension", "direction", [str(d) for d in dataset.dims])
-    found = [_swept(dataset, str(d)) for d in dataset["direction"].values]
+    ways, steps = [str(each) for each in dataset["direction"].values], dataset.sizes[axis_name(dataset)] - 1
+    if not len(apart):
+        apart = list(apart_by_points(Rows.of_dataset(dataset, axis_name(dataset))))
+    elif [np.shape(each) for each in apart] != [(steps,)] * len(ways):
+        raise GearlashError(f"apart: expected {steps} flags for each of {len(ways)} directions")
+    found = [_swept(dataset, way, flags) for way, flags in zip(ways, apart, strict=True)]
     if not any(len(way.values) for way in found):
         raise GearlashError("nothing to draw: no point of these sweeps has a motion")
     return found
@@ -65,11 +77,12 @@ def axis_name(dataset: xr.Dataset) -> str:
     return next(str(d) for d in dataset["label"].dims if d != "direction")
 
 
-def _swept(dataset: xr.Dataset, direction: str) -> Swept:
+def _swept(dataset: xr.Dataset, direction: str, apart: NDArray[np.bool_]) -> Swept:
     axis = axis_name(dataset)
     one = dataset.sel(direction=direction)
     computed = np.array([bool(str(label)) for label in one["label"].values], dtype=bool)
-    one = one.isel({axis: np.flatnonzero(computed)})
+    kept = np.flatnonzero(computed)
+    one = one.isel({axis: kept})
 
     def padded(name: str) -> Array:
         if name not in one or not one[name].size:
@@ -87,6 +100,7 @@ def _swept(dataset: xr.Dataset, direction: str) -> Swept:
         drive_force=from_stored(padded("drive_force")),
         back_force=from_stored(padded("back_force")),
         back_release_force=from_stored(padded("back_release_force")),
+        apart=np.array([apart[low:high].any() for low, high in pairwise(kept)], dtype=bool),
     )
 
 

@@ -13,6 +13,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
+from numpy.typing import NDArray
 
 from gearlash.studies.zone import Zone, Zones
 from gearlash.studies.zone_end import Quiet, ZoneEnd
@@ -60,6 +61,7 @@ def zone_bands(
     present: float | None = None,
     units: Units | None = None,
     asked: Twin | None = None,
+    apart: Sequence[NDArray[np.bool_]] = (),
 ) -> Figure:
     """Zones of one or several kinds, over the sweeps that they were found from.
 
@@ -76,6 +78,8 @@ def zone_bands(
         Second axes in physical units: `Units.of` a case.
     asked : Twin, optional
         The scale that the parameter was asked for in: it takes the place of the dimensionless one.
+    apart : sequence of ndarray of bool, shape (m-1,), optional
+        Steps over which no line is drawn, as for `diagram`.
 
     Returns
     -------
@@ -91,7 +95,7 @@ def zone_bands(
     3
     """
     axis, factor = axis_name(dataset), 1.0 if asked is None else asked.factor
-    rows = [replace(row, values=factor * row.values) for row in swept(dataset)]
+    rows = [replace(row, values=factor * row.values) for row in swept(dataset, apart)]
     bands = list(_bands(found, factor))
     heights = [ROW * len(bands), 4.6 * len(rows), 52.0]
     figure = style.figure(style.PAGE, sum(heights) + 46.0)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -15,10 +14,11 @@ from gearlash.flow import Propagators
 from gearlash.jobs import Chain, Execution, Part, handing_on, run, stopping
 from gearlash.orbits import Settings
 from gearlash.orbits.figures import Figure, Quantity, figure_of, quantities
-from gearlash.results import Axis, Point, Sweep
+from gearlash.results import Axis, Direction, Point, Sweep
 from gearlash.system import GearlashError, Record, UnknownNameError, given
 
 from .arguments import checked_execution
+from .joined import apart_at
 from .measured import readouts_of, trace_of, traceable
 from .measured_jumps import MeasuredJump, directions_of, jumps_of
 from .model import Source
@@ -55,6 +55,9 @@ class Comparison(Record):
     jumps : tuple of MeasuredJump
         Of each run of the measurement, in the order of speed.
     complete : bool
+    apart : tuple of (ndarray of bool, ndarray of bool)
+        Of shape (m-1,), with speed rising and falling: whether the computed motion changes to another one
+        from a row to the next.
 
     Examples
     --------
@@ -80,6 +83,7 @@ class Comparison(Record):
     sweeps: tuple[Sweep, ...]
     jumps: tuple[MeasuredJump, ...]
     complete: bool
+    apart: tuple[NDArray[np.bool_], NDArray[np.bool_]]
 
     @property
     def residuals(self) -> Array:
@@ -189,6 +193,9 @@ def compare(
     up, down = (values[place] for values, _ in figures)
     apart = [np.where(np.isnan(way), np.inf, np.abs(way - values)) for way in (up, down)]
     labels = [(_label(a), _label(b)) for a, b in zip(ways[0].points, ways[1].points, strict=True)]
+    changes = [_changes(case, way) for way in ways]
+    rising, falling = (_of_rows(apart_at(*one), place) for one in zip(ways, changes, strict=True))
+    events = [(str(way.direction), one) for way, some in zip(ways, changes, strict=True) for one in some]
     return Comparison(
         measurement=measurement,
         figure=taken,
@@ -201,8 +208,9 @@ def compare(
         nearer=np.where(apart[0] <= apart[1], up, down),
         directions=tuple(directions[row] for row in in_order),
         sweeps=ways,
-        jumps=jumps_of(measurement, list(_changes(case, ways))),
+        jumps=jumps_of(measurement, events),
         complete=all(way.complete for way in ways) and all(whole for _, whole in figures),
+        apart=(rising, falling),
     )
 
 
@@ -219,12 +227,15 @@ def _check_sizes(measurement: Measurement, figure: Figure, order: float) -> None
         )
 
 
-def _changes(case: Case, ways: Sequence[Sweep]) -> Iterator[tuple[str, Transition]]:
-    """Changes of the motion along each sweep."""
-    for way in ways:
-        direction = str(way.direction)
-        for change in transitions(case, "omega", way, rising=direction == "up"):
-            yield direction, change
+def _changes(case: Case, way: Sweep) -> tuple[Transition, ...]:
+    """Changes of the motion along a sweep."""
+    return transitions(case, "omega", way, rising=way.direction is Direction.UP)
+
+
+def _of_rows(apart: NDArray[np.bool_], place: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Steps between rows, of which several may have one speed; ``place``: of each row among the speeds."""
+    below, above = place[:-1], place[1:]
+    return (below != above) & apart[np.minimum(below, len(apart) - 1)]
 
 
 def _label(point: Point) -> str:

@@ -17,6 +17,7 @@ from gearlash.system.readout import Readout
 
 from .assessment import Assessment, Tell, telling
 from .history import History, history
+from .joined import apart_in
 from .measured import measured, readouts_of, traceable
 from .point import summary
 from .sweep import sweeps
@@ -42,6 +43,8 @@ class SpeedRun:
     readouts : tuple of Readout
         What was read beside force and gap: of `Signals.read`, in this order.
     complete : bool
+    apart : tuple of ndarray of bool, shape (m-1,)
+        Of each sweep the steps over which its motion changes to another one.
     """
 
     case: Case
@@ -50,6 +53,7 @@ class SpeedRun:
     signals: tuple[tuple[Signals | None, ...], ...]
     readouts: tuple[Readout, ...]
     complete: bool
+    apart: tuple[NDArray[np.bool_], ...]
 
     def measured(self) -> list[tuple[Point, Signals]]:
         """Every point at which there is something, with what was measured."""
@@ -111,7 +115,8 @@ def speed_run(
     )
     table, whole = measured(case, ways, telling(execution, say, "forces over speed"))
     whole = whole and all(way.complete for way in ways)
-    return SpeedRun(case, axis, ways, table, readouts_of(case, case.family()[0].complete()), whole)
+    readouts = readouts_of(case, case.family()[0].complete())
+    return SpeedRun(case, axis, ways, table, readouts, whole, apart_in(case, ways))
 
 
 def bearing_modes(case: Case) -> list[float]:

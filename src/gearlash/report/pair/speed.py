@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 
@@ -16,7 +15,6 @@ from gearlash.report.blocks import Block, Cell, Figure, Section, Table, Text
 from gearlash.report.numbers import number
 from gearlash.report.pictures import Picture
 from gearlash.results.pair_units import PairUnits, Unit
-from gearlash.results.sweep import Sweep
 from gearlash.studies.bands import Band
 from gearlash.studies.speed_run import SpeedRun
 from gearlash.studies.zone_end import Interval
@@ -80,7 +78,7 @@ def _axis(contents: Contents, run: SpeedRun) -> SpeedAxis:
     return SpeedAxis(
         values=unit.factor * run.axis.values,
         label=_label("pinion speed" if unit.name == "rpm" else "mesh frequency", unit),
-        breaks=(_breaks(run.sweeps[0]), _breaks(run.sweeps[1])),
+        apart=run.apart,
         separating=_spans(tuple(band for band in found.separating if band.every), unit),
         back=_spans(found.back_side, unit),
         present=unit.factor * found.here,
@@ -96,11 +94,6 @@ def _label(words: str, unit: Unit) -> str:
 
 def _spans(bands: Sequence[Band | Interval], unit: Unit) -> tuple[tuple[float, float], ...]:
     return tuple((unit.factor * band.lower.value, unit.factor * band.upper.value) for band in bands)
-
-
-def _breaks(sweep: Sweep) -> np.ndarray:
-    labels = [point.label for point in sweep.points]
-    return np.array([False, *(a != b for a, b in pairwise(labels))], dtype=np.bool_)
 
 
 def resonances(contents: Contents, run: SpeedRun) -> tuple[Mark, ...]:

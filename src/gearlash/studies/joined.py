@@ -1,0 +1,67 @@
+"""Between which neighbours of sweeps no line may be drawn, because the motion changed over to another one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearlash.jobs import stopping
+from gearlash.results import Direction, Sweep
+from gearlash.results.steps import Rows, apart, doubtful, one_motion
+
+from .model import Model
+from .transition import GRAZING, Transition
+from .transitions import transitions
+
+Flags = NDArray[np.bool_]
+
+
+def apart_in(model: Model, sweeps: Sequence[Sweep]) -> tuple[Flags, ...]:
+    """Steps (m-1,) of every sweep over which the motion does not go on. That of each step that is not small,
+    or where the ways part or meet, is followed from one point to the other; a touch on the way is no end.
+
+    Parameters
+    ----------
+    model : Case or Family
+    sweeps : sequence of Sweep
+        Over one axis.
+
+    Returns
+    -------
+    tuple of ndarray of bool
+    """
+    rows = Rows.of_sweeps(sweeps)
+    told, look = apart(rows), doubtful(rows)
+    told &= look | ~rows.periodic()
+    for i, sweep in enumerate(sweeps):
+        alike = [one_motion(rows, i, k) for k in range(i)]
+        for at in np.flatnonzero(look[i]).tolist():
+            if stopping():
+                return tuple(told)
+            known = next((k for k, same in enumerate(alike) if same[at] and same[at + 1]), None)
+            told[i, at] = _parts(model, sweep, at) if known is None else told[known, at]
+    return tuple(told)
+
+
+def _parts(model: Model, sweep: Sweep, at: int) -> bool:
+    rising, fixed = sweep.direction is not Direction.DOWN, dict(sweep.fixed)
+    pair = sweep.points[at : at + 2]
+    return parts(transitions(model, sweep.axis.name, pair, values=fixed, rising=rising))
+
+
+def apart_at(sweep: Sweep, changes: Sequence[Transition]) -> Flags:
+    """The same of one sweep, where all changes along it are known."""
+    rows, values = Rows.of_sweeps([sweep]), sweep.axis.values
+    inside = [
+        [each for each in changes if low <= each.value <= high] for low, high in pairwise(values.tolist())
+    ]
+    known = np.array([parts(some) for some in inside], dtype=bool)
+    return np.where(rows.periodic()[0], known, apart(rows)[0])
+
+
+def parts(changes: Sequence[Transition]) -> bool:
+    """Whether a motion ends with one of these changes: at a touch alone it goes on."""
+    return any(change.kind != GRAZING for change in changes)
