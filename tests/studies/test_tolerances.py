@@ -2,6 +2,7 @@
 
 import threading
 from itertools import product
+from math import nan, pi
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 
 import gearlash as gl
 from gearlash.case import loads
-from gearlash.cli.answers.tolerance import chance_text
+from gearlash.cli.answers.tolerance import chance_text, tolerance_answer
 from gearlash.results.tolerance import ToleranceInput
 from gearlash.studies.impact_free import closed_margin
 from gearlash.studies.tolerances.bands import outside, positive_bands, shared
@@ -464,3 +465,30 @@ def test_it_prints_in_a_few_lines():
     found = gl.tolerance(case, gl.Axis.even("omega", 0.5, 0.9, 5), limits, samples=2, replicates=2)
     assert len(repr(found)) < 500
     assert "<table>" in found._repr_html_()
+
+
+@pytest.mark.parametrize(
+    ("limits", "path", "nominal"),
+    [
+        ({"error_phase": "-180:180deg"}, "mesh.error_phase", 90.0),
+        ({"error_phase": (0.0, 1.0)}, "dimensionless.error_phase", pi / 2.0),
+        ({"ripple": "-0.3:-0.1"}, "mesh.ripple", 0.12),
+        ({"D": (0.2, 0.4)}, "dimensionless.D", 1.0),
+        ({"gear_torque": "100:300Nm"}, "operation.gear_torque", 150.0 * 57.0 / 25.0),
+        ({"power": "10:60kW"}, "operation.power", 150.0 * 4200.0 * pi / 30.0 / 1e3),
+        ({"backlash_circumferential": "50:200um"}, "mesh.backlash_circumferential", nan),
+    ],
+)
+def test_the_value_of_the_case_in_the_form_of_the_limits(limits: dict[str, str], path: str, nominal: float):
+    (one,) = read_inputs(gl.load_case(DRIVE), limits)
+    assert (one.path, one.nominal) == (path, pytest.approx(nominal, rel=1e-12, nan_ok=True))
+
+
+def test_what_the_case_has_in_no_form_is_no_start_of_the_search():
+    speeds = gl.Axis.even("pinion_speed", "4000 rpm", "4200 rpm", 2)
+    limits = {"backlash_circumferential": "50:200um", "error": "5:20um"}
+    found = gl.tolerance(gl.load_case(DRIVE), speeds, limits, samples=2, replicates=2)
+    assert set(found.settings_of_worst) == {"mesh.backlash_circumferential", "mesh.error"}
+    inputs = {one.path: one for one in tolerance_answer(gl.load_case(DRIVE), found).inputs}
+    assert inputs["mesh.backlash_circumferential"].nominal is None
+    assert inputs["mesh.error"].nominal == 8.0

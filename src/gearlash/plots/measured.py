@@ -14,7 +14,7 @@ from . import style
 from .units import literal
 
 Array = NDArray[np.float64]
-LEGEND = 0.45  # of the height of a strip
+LEGEND = (0.25, 0.45)  # of the height of a strip: a legend of one row, and of two
 LINES = (
     (style.BLUE, "-"),
     (style.VERMILION, (0, (5, 1.5))),
@@ -101,8 +101,8 @@ def measured_histories(columns: Sequence[Column], time: str) -> Figure:
 
 
 def _room_for_legends(columns: Sequence[Column], first: Sequence[Axes]) -> None:
-    """Above what all columns of a row show, where its legend has two rows."""
+    """Above what all columns of a row show."""
     for i, panel in enumerate(first):
-        if len(columns[0].strips[i].lines) > 2:
-            low, high = panel.get_ylim()
-            panel.set_ylim(low, high + LEGEND * (high - low))
+        share = LEGEND[len(columns[0].strips[i].lines) > 2]
+        low, high = panel.get_ylim()
+        panel.set_ylim(low, high + share * (high - low))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import cos, degrees, pi, sin
+from typing import TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,10 +14,12 @@ from gearlash.gears import CylindricalGear, CylindricalPair, backlash, inspectio
 from gearlash.gears.outline import Reals, outline
 
 from .style import BLUE, GREY, INK, PAGE, PALE, VERMILION, figure, styled
+from .units import ASSUMED
 
 TALL = 84.0  # mm
 PITCHES = 2.1  # shown to either side of the pitch point
 MM = 1e3
+MARK = " †"
 A_W = r"$a_{\mathrm{w}}$"
 
 
@@ -26,6 +29,7 @@ def mesh_drawing(
     title: str = "",
     play: float | None = None,
     widths: tuple[float, float] | None = None,
+    assumed: Sequence[str] = (),
 ) -> Figure:
     """The pair in its transverse section.
 
@@ -40,6 +44,8 @@ def mesh_drawing(
         both gears alike.
     widths : (float, float), optional
         Face widths of pinion and gear, m; that of the pair for both where nothing is given.
+    assumed : sequence of str
+        Paths of values of a case that are assumed or rest on such, which are marked.
 
     Returns
     -------
@@ -58,7 +64,7 @@ def mesh_drawing(
     outlines = _in_mesh(pair, play)
     _whole(whole, pair, outlines)
     _teeth(teeth, pair, outlines)
-    _words(words, pair, play, widths)
+    _words(words, pair, play, widths, assumed)
     if title:
         made.suptitle(title, x=0.01, ha="left", fontsize=8.0)
     return made
@@ -173,54 +179,87 @@ def _plain(axes: Axes) -> None:
         spine.set_visible(False)
 
 
-def _words(axes: Axes, pair: CylindricalPair, play: float | None, widths: tuple[float, float] | None) -> None:
+def _words(
+    axes: Axes,
+    pair: CylindricalPair,
+    play: float | None,
+    widths: tuple[float, float] | None,
+    assumed: Sequence[str],
+) -> None:
     """The dimensions, of pinion and gear."""
-    first, second = pair.gears
-    rows = [("", "pinion", "gear"), ("$z$", f"{first.teeth}", f"{second.teeth}")]
-
-    def both(name: str, of: Callable[[CylindricalGear], float]) -> None:
-        rows.append((name, f"{of(first):.5g}", f"{of(second):.5g}"))
-
-    both("$x$", lambda g: round(g.profile_shift, 4))
-    both("$d$, mm", lambda g: g.reference_diameter * MM)
-    both(r"$d_{\mathrm{a}}$, mm", lambda g: g.tip_diameter * MM)
-    both(r"$d_{\mathrm{f}}$, mm", lambda g: g.root_diameter * MM)
-    both(r"$d_{\mathrm{b}}$, mm", lambda g: g.base_diameter * MM)
-    working = [f"{d * MM:.5g}" for d in pair.working_diameters]
-    rows.append((r"$d_{\mathrm{w}}$, mm", working[0], working[1]))
-    bare = all(gear.thickness_allowance == 0.0 for gear in (first, second))
-    rows.append((r"$W_k$, mm", _span(first), _span(second)))
-    if bare:
-        rows.append(("", "nominal", "nominal"))
-    wide, differ = f"{pair.face_width * MM:.5g}", widths is not None and widths[0] != widths[1]
-    if widths is not None and differ:
-        rows.append(("$b$, mm", f"{widths[0] * MM:.5g}", f"{widths[1] * MM:.5g}"))
-    rows.append(("", "", ""))
-    normal = backlash.of_pair(pair).normal if play is None else play
-    for name, value in (
-        (r"$m_{\mathrm{n}}$, mm", f"{first.normal_module * MM:.5g}"),
-        (
-            r"$\alpha_{\mathrm{n}}$, $\beta$",
-            f"{degrees(first.rack.pressure_angle):.4g}°, {degrees(abs(first.helix_angle)):.4g}°",
-        ),
-        (r"$\alpha_{\mathrm{wt}}$", f"{degrees(pair.working_pressure_angle):.5g}°"),
-        (f"{A_W}, mm", f"{pair.centre_distance * MM:.6g}"),
-        (r"$b_{\mathrm{w}}$, mm" if differ else "$b$, mm", wide),
-        (
-            r"$\varepsilon_\alpha$, $\varepsilon_\beta$",
-            f"{pair.transverse_contact_ratio:.3f}, {pair.overlap_ratio:.3f}",
-        ),
-        (r"$j_{\mathrm{n}}$, µm", f"{round(normal * 1e6, 3):.4g}"),
-    ):
-        rows.append((name, value, ""))
-    step = 1.0 / len(rows)
-    for i, (name, one, other) in enumerate(rows):
+    rows = [*_of_gears(pair, widths), ("", "", ""), *_of_pair(pair, play, widths)]
+    marked = [_marked(row, assumed) for row in rows]
+    if any(MARK in "".join(row) for row in marked):
+        marked += [(ASSUMED, "", "")]
+    step = 1.0 / len(marked)
+    for i, row in enumerate(marked):
         y = 1.0 - (i + 0.5) * step
-        axes.text(0.0, y, name, fontsize=7.0, color=GREY, va="center", transform=axes.transAxes)
-        axes.text(0.33, y, one, fontsize=7.0, va="center", transform=axes.transAxes)
-        axes.text(0.70, y, other, fontsize=7.0, va="center", transform=axes.transAxes)
+        for x, words, colour in zip((0.0, 0.31, 0.70), row, (GREY, INK, INK), strict=True):
+            axes.text(x, y, words, fontsize=7.0, color=colour, va="center", transform=axes.transAxes)
     _plain(axes)
     axes.set_aspect("auto")
+
+
+Row: TypeAlias = tuple[str, ...]
+"""Name, value of the pinion and of the gear; then the paths of values that these are, with ``{}`` for either
+gear."""
+
+
+def _marked(row: Row, assumed: Sequence[str]) -> tuple[str, str, str]:
+    """With a mark behind what rests on an assumed value."""
+    name, *values = row[:3]
+    found = [
+        value + MARK * (value != "" and any(path.format(gear) in assumed for path in row[3:]))
+        for value, gear in zip(values, ("pinion", "gear"), strict=True)
+    ]
+    return name, found[0], found[1]
+
+
+def _of_gears(pair: CylindricalPair, widths: tuple[float, float] | None) -> list[Row]:
+    first, second = pair.gears
+    rows: list[Row] = [("", "pinion", "gear"), ("$z$", f"{first.teeth}", f"{second.teeth}")]
+
+    def both(name: str, of: Callable[[CylindricalGear], float], path: str) -> None:
+        rows.append((name, f"{of(first):.5g}", f"{of(second):.5g}", path))
+
+    both("$x$", lambda g: round(g.profile_shift, 4), "{}.profile_shift")
+    both("$d$, mm", lambda g: g.reference_diameter * MM, "derived.reference_diameter_{}")
+    both(r"$d_{\mathrm{a}}$, mm", lambda g: g.tip_diameter * MM, "derived.tip_diameter_{}")
+    both(r"$d_{\mathrm{f}}$, mm", lambda g: g.root_diameter * MM, "derived.root_diameter_{}")
+    both(r"$d_{\mathrm{b}}$, mm", lambda g: g.base_diameter * MM, "derived.base_diameter_{}")
+    working = [f"{d * MM:.5g}" for d in pair.working_diameters]
+    rows.append((r"$d_{\mathrm{w}}$, mm", working[0], working[1], "derived.working_diameter_{}"))
+    rows.append((r"$W_k$, mm", _span(first), _span(second), "derived.span_{}"))
+    if all(gear.thickness_allowance == 0.0 for gear in (first, second)):
+        rows.append(("", "nominal", "nominal"))
+    if widths is not None and widths[0] != widths[1]:
+        rows.append(("$b$, mm", f"{widths[0] * MM:.5g}", f"{widths[1] * MM:.5g}", "{}.face_width"))
+    return rows
+
+
+def _of_pair(pair: CylindricalPair, play: float | None, widths: tuple[float, float] | None) -> list[Row]:
+    rack, helix = pair.pinion.rack, pair.pinion.helix_angle
+    normal = backlash.of_pair(pair).normal if play is None else play
+    differ = widths is not None and widths[0] != widths[1]
+    ratios = "derived.transverse_contact_ratio", "derived.overlap_ratio"
+    return [
+        (r"$m_{\mathrm{n}}$, mm", f"{pair.pinion.normal_module * MM:.5g}", "", "mesh.normal_module"),
+        (
+            r"$\alpha_{\mathrm{n}}$, $\beta$",
+            f"{degrees(rack.pressure_angle):.4g}°, {degrees(abs(helix)):.4g}°", "",
+            "mesh.pressure_angle", "mesh.helix_angle",
+        ),
+        (r"$\alpha_{\mathrm{wt}}$", f"{degrees(pair.working_pressure_angle):.5g}°", "",
+         "derived.working_pressure_angle"),
+        (f"{A_W}, mm", f"{pair.centre_distance * MM:.6g}", "", "derived.centre_distance"),
+        (r"$b_{\mathrm{w}}$, mm" if differ else "$b$, mm", f"{pair.face_width * MM:.5g}", "",
+         "pinion.face_width", "gear.face_width"),
+        (
+            r"$\varepsilon_\alpha$, $\varepsilon_\beta$",
+            f"{pair.transverse_contact_ratio:.3f}, {pair.overlap_ratio:.3f}", "", *ratios,
+        ),
+        (r"$j_{\mathrm{n}}$, µm", f"{round(normal * 1e6, 3):.4g}", "", "mesh.backlash"),
+    ]  # fmt: skip
 
 
 def _span(gear: CylindricalGear) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MultipleLocator
 from numpy.typing import NDArray
 
 from . import style
@@ -16,7 +17,8 @@ from .units import literal
 Array = NDArray[np.float64]
 
 HIGHEST = 10.0  # order that is drawn
-FLOOR = 100.0  # dB below the highest line
+FLOOR = 100.0  # dB below the highest line that is drawn: what is lower is not
+BELOW, ABOVE = 6.0, 8.0  # dB from the lowest and the highest line to the ends of the axis
 MOST_STEMS = 60  # lines; more are drawn as a curve
 
 
@@ -58,10 +60,10 @@ def order_spectra(rows: Sequence[Sequence[Levels]], titles: Sequence[str]) -> Fi
     figure = style.figure(style.PAGE, 21.0 * len(rows) + 14.0)
     panels = figure.subplots(len(rows), len(titles), squeeze=False, sharex=True, sharey="row")
     for row, line in zip(rows, panels, strict=True):
-        top = max(float(levels.level.max(initial=-np.inf)) for levels in row)
+        low, high = _ends(row)
         for i, (levels, panel) in enumerate(zip(row, line, strict=True)):
-            _draw(panel, levels, top - FLOOR)
-            panel.set_ylim(top - FLOOR, top + 8.0)
+            _draw(panel, levels, low)
+            panel.set_ylim(low, high)
             panel.set_ylabel(levels.label if i == 0 else "")
             panel.text(
                 0.98, 0.95, levels.words, transform=panel.transAxes, ha="right", va="top", fontsize=7.5,
@@ -72,11 +74,27 @@ def order_spectra(rows: Sequence[Sequence[Levels]], titles: Sequence[str]) -> Fi
     for panel in panels[-1]:
         panel.set_xlabel("order of mesh frequency")
         panel.set_xlim(0.0, HIGHEST + 0.3)
+        panel.xaxis.set_major_locator(MultipleLocator(2.0))
+        panel.xaxis.set_minor_locator(MultipleLocator(1.0))
     return figure
 
 
+def _shown(levels: Levels) -> NDArray[np.bool_]:
+    """Lines of orders that are drawn, and not the mean."""
+    return (levels.order > 0.0) & (levels.order <= HIGHEST + 1e-9)
+
+
+def _ends(row: Sequence[Levels]) -> tuple[float, float]:
+    """Of the axis of one quantity, around the lines of all motions that are no lower than `FLOOR`."""
+    level = np.concatenate([levels.level[_shown(levels)] for levels in row])
+    top = float(level.max(initial=-np.inf))
+    if not np.isfinite(top):
+        return 0.0, 1.0
+    return float(level[level >= top - FLOOR].min()) - BELOW, top + ABOVE
+
+
 def _draw(panel: Axes, levels: Levels, floor: float) -> None:
-    shown = (levels.order > 0.0) & (levels.order <= HIGHEST + 1e-9)
+    shown = _shown(levels)
     order, level = levels.order[shown], np.maximum(levels.level[shown], floor)
     seen = level > floor
     if len(order) <= MOST_STEMS:

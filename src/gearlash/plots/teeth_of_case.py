@@ -7,19 +7,20 @@ from typing import TypeAlias
 from gearlash.case import Case
 from gearlash.gears import CylindricalPair
 
-TeethOfCase: TypeAlias = tuple[CylindricalPair, str, float, tuple[float, float] | None]
+TeethOfCase: TypeAlias = tuple[CylindricalPair, str, float, tuple[float, float] | None, tuple[str, ...]]
 
 
 def teeth_of_case(case: Case) -> TeethOfCase | None:
-    """Arguments of `mesh_drawing`: the pair at work, a title, its backlash and face widths in m; None where
-    the teeth are not known."""
+    """Arguments of `mesh_drawing`: the pair at work, a title, its backlash and face widths in m, and what
+    rests on assumed values; None where the teeth are not known."""
     numbers = case.numbers
     pair = None if numbers is None else numbers.body.drawn
     if pair is None:
         return None
     play = float(case.scales.backlash_m(case.family()[0].defaults["D"]))
     title = f"{case.name}: {pair.pinion.teeth}/{pair.gear.teeth} teeth in the transverse section"
-    return pair, title, play, _widths(case)
+    assumed = {value.path for value in case.values() if value.provenance == "assumed" or value.rests_on}
+    return pair, title, play, _widths(case), tuple(sorted(assumed))
 
 
 def _widths(case: Case) -> tuple[float, float] | None:

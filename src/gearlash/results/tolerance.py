@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import isfinite
 from typing import TypeAlias
 
 from gearlash.system import Record
@@ -25,8 +26,10 @@ class ToleranceInput:
     path : str
         Where it stands in a case file.
     unit : str
-    lower, upper, nominal : float
+    lower, upper : float
         In ``unit``.
+    nominal : float
+        Of the case as it is; NaN where it has this quantity in no form.
     reason : str
         Where the limits are from.
     curve : str
@@ -251,4 +254,4 @@ class Tolerance(Record):
     def settings_of_worst(self) -> Mapping[str, str]:
         """The worst combination as overrides of the case."""
         values = zip(self.inputs, self.worst.inputs, strict=True)
-        return {one.path: one.text(value) for one, value in values}
+        return {one.path: one.text(value) for one, value in values if isfinite(value)}

@@ -40,8 +40,8 @@ class InputFound:
     unit: str
     lower: float
     upper: float
-    nominal: float
-    worst: Annotated[float, "its value in the worst combination that was tried"]
+    nominal: Annotated[float | None, "of the case as it is, where it has this quantity in some form"]
+    worst: Annotated[float | None, "its value in the worst combination that was tried"]
     reason: Annotated[str, "where the limits are from"]
     first: Annotated[float | None, "Sobol index of the margin: share of its variance by this value alone"]
     first_error: float | None
@@ -162,8 +162,8 @@ def _inputs(found: Tolerance) -> tuple[InputFound, ...]:
                 one.unit,
                 one.lower,
                 one.upper,
-                one.nominal,
-                worst,
+                _known(one.nominal),
+                _known(worst),
                 one.reason,
                 *four,
                 curve=one.curve,

@@ -102,7 +102,8 @@ def _input(one: InputFound) -> list[str]:
         shares = ("with", one.curve.rpartition(".")[2])
     elif one.first is not None and one.total is not None:
         shares = (_share(one.first, one.first_error), _share(one.total, one.total_error))
-    worst = "any" if one.total is not None and one.total < NOTHING else f"{one.worst:.6g}"
+    worst = "-" if one.worst is None else f"{one.worst:.6g}"
+    worst = "any" if one.total is not None and one.total < NOTHING else worst
     name = f"{one.path} [{pretty(one.unit)}]" if one.unit else one.path
     return [
         name,

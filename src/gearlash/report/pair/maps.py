@@ -12,6 +12,7 @@ from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Figure, Section, Text
 from gearlash.report.pictures import Picture
 from gearlash.results import NO_LABEL
+from gearlash.studies.zone_end import RANGE, UNKNOWN
 from gearlash.system import Label, Signature, read_label
 
 from .contents import Contents
@@ -83,8 +84,12 @@ def _bars(contents: Contents) -> str:
     if found.separating:
         said += (
             " The bars beside the star are the bands of the first lines, in which teeth of a motion that "
-            "was found separate: their ends do not depend on pixels."
+            "was found separate: their ends do not depend on pixels"
         )
+        open_ended = any(
+            each.kind in (RANGE, UNKNOWN) for band in found.separating for each in (band.lower, band.upper)
+        )
+        said += ", but for those at the ends of what was examined." if open_ended else "."
     if found.not_told:
         said += " Dotted bars there: no motion tells whether teeth separate."
     return said

@@ -9,7 +9,7 @@ import numpy as np
 from gearlash import plots
 from gearlash.plots.measured import Column, Strip, measured_histories
 from gearlash.plots.regimes import short
-from gearlash.plots.spectra import Levels, order_spectra
+from gearlash.plots.spectra import FLOOR, HIGHEST, Levels, order_spectra
 from gearlash.report.blocks import Block, Cell, Figure, Section, Table, Text
 from gearlash.report.pictures import Picture
 from gearlash.results.contact_words import damping_in_the_gap
@@ -20,6 +20,10 @@ from .contents import Contents
 
 SHOWN = 8
 """Mesh cycles of a history that are drawn."""
+LEFT_OUT = (
+    f"Orders above {HIGHEST:g}, the mean and lines more than {FLOOR:g} dB below the highest of a row are not "
+    "drawn."
+)
 SPECTRA = ("mesh_force", "transmission_error")
 
 
@@ -37,16 +41,19 @@ def section(contents: Contents) -> tuple[Section, list[Picture]]:
         Picture("portraits", plots.gallery, (motions, plots.Units.of(case)), look),
         Picture("spectra", order_spectra, (_levels(shown, spectra, units), titles)),
     ]
+    grey = "; grey: no contact" if any(column.free.any() for column in columns) else ""
     which = "at the present speed and of the hardest motion over speed (highest mesh force)"
     which = which if len(shown) > 1 else "at the present speed, which has the highest mesh force found"
     blocks: list[Block] = [
         _table(contents),
         *_damping(contents),
-        _figure("histories", f"Histories {which}; grey: no contact. At most {SHOWN} mesh cycles are drawn."),
+        _figure("histories", f"Histories {which}{grey}. At most {SHOWN} mesh cycles are drawn."),
         _figure(
-            "portraits", f"Phase portraits {which}: relative displacement of the flanks and its velocity."
+            "portraits",
+            f"Phase portraits {which}: relative displacement of the flanks and its velocity. Σ_1, Σ_2: where "
+            "drive side and back side begin to touch, as far as the picture reaches.",
         ),
-        _figure("spectra", f"Order spectra {which}. {_window(spectra)}{_reference(units)}"),
+        _figure("spectra", f"Order spectra {which}. {_window(spectra)}{_reference(units)} {LEFT_OUT}"),
     ]
     return Section("motions", "Motions", tuple(blocks)), pictures
 

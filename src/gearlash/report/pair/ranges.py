@@ -66,7 +66,8 @@ def across(found: Assessment, words: Words) -> Across | None:
         said = f"Holds across the range of each of its {many}, one at a time, but not for all together: "
         text = f"{said}with {_together(worst)} no motion without impacts exists.{ends}"
         clause = (
-            f"no motion without impacts exists for a combination of values of its {many} within their ranges"
+            f"at least one combination of values of its {many} within their ranges has no motion without "
+            "impacts"
         )
         return Across(False, clause, text)
     return Across(

@@ -46,7 +46,7 @@ def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
     blocks = [*_factor(contents), *_bearing_table(run, units, words, found.case)]
     forces = "Mesh force and bearing forces" if _bearings(run) else "Mesh force"
     blocks += [
-        _figure("speed-forces", f"{forces}{_FORCE_WORDS}"),
+        _figure("speed-forces", f"{forces}{_FORCE_WORDS}{_MEETING_WORDS if axis.resonances else ''}"),
         _figure("speed-errors", errors),
         Text.of(how),
     ]
@@ -55,8 +55,10 @@ def section(contents: Contents, title: str) -> tuple[Section, list[Picture]]:
 
 
 _FORCE_WORDS = (
-    " over speed: peak over one period. On the right the dynamic factor K_v: mesh force over the static one. "
-    "Dotted: a mesh order meets a natural frequency of the closed mesh; f1/2: order 2 meets f1 of the table "
+    " over speed: peak over one period. On the right the dynamic factor K_v: mesh force over the static one."
+)
+_MEETING_WORDS = (
+    " Dotted: a mesh order meets a natural frequency of the closed mesh; f1/2: order 2 meets f1 of the table "
     "below (orders above 3 only where teeth separate)."
 )
 _ERROR_WORDS = (

@@ -16,7 +16,7 @@ from gearlash.report.pictures import Picture
 from .contents import Contents
 
 GEARS = ("pinion", "gear")
-TEETH = "Teeth in mesh, in the transverse section, with the dimensions that follow from what is stated."
+TEETH = "Teeth in mesh, in the transverse section, with their dimensions; † rests on an assumed value."
 STATED = "What the case states, in its units."
 FOLLOWS = "What follows from it at the present speed and torque; forces are those of the mean torque."
 OF_GEAR = re.compile(r"derived\.(\w+?)_(pinion|gear)")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from math import isfinite
+from math import isfinite, nan
 from typing import TypeAlias
 
 import numpy as np
@@ -134,12 +134,19 @@ def _input(case: Case, name: str, stated: Sequence[float | str] | str) -> Tolera
         raise CaseError("limits", [Problem(name, shown(ends), "two different limits, the smaller one first")])
     size = unit(place.unit)
     low, high = size.express(lower), size.express(upper)
-    return ToleranceInput(one.path, place.unit, low, high, _nominal(case, one.path, low, high), STATED)
+    nominal = _nominal(case, one.path, place.unit, low, high)
+    return ToleranceInput(one.path, place.unit, low, high, nominal, STATED)
 
 
 def _entry(case: Case, name: str, value: float | str) -> Entry:
-    """The entry that a value under this name makes. Raises `CaseError`."""
-    content, problems = case.content.override({name: value})
+    """The entry that a value under this name makes; in the form that the case has it in, where that is
+    another one and takes the value. Raises `CaseError`."""
+    names = [v.path for v in case.values() if v.short == name and v.path in case.content.places]
+    content, problems = case.content, [Problem(name, shown(value), "the name of a quantity")]
+    for each in dict.fromkeys([*names, name]):
+        content, problems = case.content.override({each: value})
+        if not problems:
+            break
     if problems:
         raise CaseError("limits", problems)
     changed = [entry for key, entry in content.entries.items() if case.entries.get(key) is not entry]
@@ -148,12 +155,17 @@ def _entry(case: Case, name: str, value: float | str) -> Entry:
     return changed[0]
 
 
-def _nominal(case: Case, path: str, lower: float, upper: float) -> float:
-    """The present value; the middle where the case has it in another form only."""
+def _nominal(case: Case, path: str, unit: str, lower: float, upper: float) -> float:
+    """The present value, also where the case has it in another form; NaN where it has none."""
     for value in case.values():
         if value.path == path and isinstance(value.value, int | float) and isfinite(value.value):
             return float(value.value)
-    return 0.5 * (lower + upper)
+    try:
+        (short, first), (_, last) = (case.resolve(path, f"{end!r} {unit}".strip()) for end in (lower, upper))
+        share = (case.family()[0].complete({})[short] - first) / (last - first)
+    except (GearlashError, KeyError):
+        return nan
+    return lower + share * (upper - lower)
 
 
 def ranged_inputs(case: Case) -> tuple[ToleranceInput, ...]:
