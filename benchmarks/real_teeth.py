@@ -22,7 +22,7 @@ from pathlib import Path
 
 import gearlash as gl
 from gearlash.case import Case
-from gearlash.cli.answers.verify import label_of
+from gearlash.cli.answers.verify_words import label_of
 from gearlash.multibody.compliance import SectorSettings
 from gearlash.multibody.tooth_contact import ToothContact
 from gearlash.multibody.tooth_section import Fineness

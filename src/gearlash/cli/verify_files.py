@@ -47,7 +47,7 @@ def _force(found: Verification, answer: VerifyAnswer) -> Figure:
 def _force_panels(one: ConfigurationCompared, rule: str) -> list[ForcePanel]:
     from gearlash import plots
 
-    from .answers.verify import in_words
+    from .answers.verify_words import in_words
 
     lumped = {p.omega: p for p in one.lumped if p.rule == rule}
     return [

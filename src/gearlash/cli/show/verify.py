@@ -6,13 +6,8 @@ from collections.abc import Iterator
 
 from rich.text import Text
 
-from gearlash.cli.answers.verify import (
-    KEPT,
-    ConfigurationCompared,
-    PointComputed,
-    VerifyAnswer,
-    in_words,
-)
+from gearlash.cli.answers.verify import ConfigurationCompared, PointComputed, VerifyAnswer
+from gearlash.cli.answers.verify_words import KEPT, in_words
 
 from .layout import facts, headline, note, table
 
