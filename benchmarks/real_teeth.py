@@ -142,8 +142,8 @@ def row(name: str, found: Both) -> list[str]:
         f"{found.real.omega:.2f}",
         label_of(found.real),
         " / ".join(dict.fromkeys(point.label for point in lumped)),
-        _span(reading.least / reading.mean, reading.most / reading.mean),
-        " / ".join(dict.fromkeys(map(_forces, lumped))),
+        span(reading.least / reading.mean, reading.most / reading.mean),
+        " / ".join(dict.fromkeys(map(forces_of, lumped))),
     ]
 
 
@@ -157,12 +157,12 @@ def table(rows: Sequence[Sequence[str]]) -> str:
     return "\n".join([line(COLUMNS), f"|{'---|' * len(COLUMNS)}", *map(line, rows)])
 
 
-def _forces(point: LumpedPoint) -> str:
+def forces_of(point: LumpedPoint) -> str:
     """Over a period; of a motion without one there is no end to look for."""
-    return _span(point.force.min(), point.force.max()) if seen_of_label(point.label).label else "—"
+    return span(point.force.min(), point.force.max()) if seen_of_label(point.label).label else "—"
 
 
-def _span(least: float, most: float) -> str:
+def span(least: float, most: float) -> str:
     """Without a zero below zero."""
     return " to ".join(f"{round(each, 2) + 0.0:.2f}".replace("-", "−") for each in (least, most))
 

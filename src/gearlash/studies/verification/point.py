@@ -37,6 +37,7 @@ FADED = 4.0
 AXES = {
     "": (),
     "centre distance": (0, 6),
+    "tilts": (3, 4, 9, 10),
     "centre-line": (0, 3, 4, 6, 9, 10),
     "lumped": (0, 1, 2, 3, 4, 6, 7, 8, 9, 10),
 }

@@ -25,8 +25,8 @@ class Setting:
         Whether bearings stay as stated where the inputs are held so that they would grow with the mesh.
     tilt : float
         Stiffness against tilt over that of two bearings as far apart as in the inputs.
-    held : {"", "centre distance", "centre-line", "lumped"}
-        Directions that are held: none; the line of centres; it and all tilts; all but rotation.
+    held : {"", "centre distance", "tilts", "centre-line", "lumped"}
+        Directions that are held: none; the line of centres; all tilts; both of these; all but rotation.
     error, torque : float
         Over those of the inputs.
     error_turn : float
