@@ -26,9 +26,9 @@ def shorten(patch: Any) -> None:
     patch(study, "planned", short_plan)
 
 
-def short_plan(*asked: Any) -> study.Plan:
+def short_plan(*asked: Any, **named: Any) -> study.Plan:
     """The plan that is asked for, of short motions."""
-    found = plan(*asked)
+    found = plan(*asked, **named)
     short = replace(SHORT, flexible_pinion=found.planned.flexible_pinion)
     return replace(found, planned=short, everywhere=(HELD,), window=replace(SHORT, name="window"))
 

@@ -64,10 +64,14 @@ def test_evenly_soft_contact_has_the_ripple_of_its_lines(width: float):
 
 
 def test_more_slices_change_little():
-    coarse, fine = (quasi_static(contact(helical(), slices=n), 77.0, 16) for n in (15, 31))
-    assert coarse.mean_stiffness == pytest.approx(fine.mean_stiffness, rel=0.02)
-    assert coarse.deflection.mean() == pytest.approx(fine.deflection.mean(), rel=0.02)
-    assert coarse.loads.max() / (31 / 15) == pytest.approx(fine.loads.max(), rel=0.15)
+    """What motions feel. The greatest line load is none of it: it lies on the last slice of the face, and
+    grows as slices get narrower."""
+    coarse, fine = (quasi_static(contact(helical(), slices=n), 77.0, 16) for n in (21, 41))
+    assert coarse.mean_stiffness == pytest.approx(fine.mean_stiffness, rel=5e-3)
+    assert coarse.deflection.mean() == pytest.approx(fine.deflection.mean(), rel=0.01)
+    assert np.allclose(coarse.deflection, fine.deflection, rtol=0.04)
+    _, _, last = np.unravel_index(fine.loads.argmax(), fine.loads.shape)
+    assert last in (0, 40)
 
 
 def test_more_phases_of_the_compliance_change_little():

@@ -179,6 +179,24 @@ def test_two_solvers_and_two_steps_agree_between_real_teeth_on_a_gear_that_bends
     assert coarse.most == pytest.approx(explicit.most, rel=0.02)
 
 
+def test_real_teeth_are_damped_as_the_mesh_of_the_case_is(found: Verification):
+    """Their force grows by 2 ξ_m √(k m_e) for each m/s of approach, in the mean of a mesh cycle."""
+    inputs, mesh = found.inputs, found.meshes[1]
+    teeth, speed, forces = ToothContact(mesh.contact(inputs).tables), 1e-4, []
+    reach = 0.5 * inputs.pair.pinion.base_diameter * np.cos(inputs.pair.pinion.base_helix_angle)
+    for phase, deflection in zip(mesh.static.phase, mesh.static.deflection, strict=True):
+        q, v = np.zeros((2, 12))
+        turn = 2.0 * np.pi * phase / inputs.pair.pinion.teeth
+        q[5] = turn + (0.5 * inputs.backlash + deflection) / reach
+        q[11] = -turn * inputs.pair.pinion.teeth / inputs.pair.gear.teeth
+        v[5] = speed / reach
+        forces.append([-teeth.forces(0.0, q, rate)[5] / reach for rate in (0.0 * v, v)])
+    still, closing = np.mean(forces, axis=0)
+    assert still == pytest.approx(inputs.mean_force, rel=0.01)
+    expected = 2.0 * inputs.mesh_damping * np.sqrt(mesh.stiffness * inputs.mesh_mass)
+    assert (closing - still) / speed == pytest.approx(expected, rel=0.01)
+
+
 @pytest.mark.slow
 def test_the_moment_of_moving_teeth_is_the_torque_in_the_mean(found: Verification):
     """Their mean force misses T/(r_b cos β_b): it does work on the error and on the compliance, too."""

@@ -95,7 +95,8 @@ def _lines(flanks: Flanks, way: VerifiedWay, kept: VerifiedLines) -> Drawn:
         "fig-verified-lines",
         Text.of(
             f"Lines of contact on a tooth of the pinion, {number(way.face_width, 3)} mm wide, turned slowly "
-            f"under {number(kept.torque, 3)} N·m; flanks without error."
+            f"under {number(kept.torque, 3)} N·m; flanks without error. The load at the ends of the face is "
+            "that of the last slice, and greater on a narrower one."
         ),
         "A map of the flank with the greatest load, and the lines of contact at one time.",
         LINES,
