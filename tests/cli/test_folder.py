@@ -86,6 +86,14 @@ def test_the_same_question_takes_the_place_of_its_own_answer(gearlash: Gearlash,
     assert not list(tmp_path.glob("earlier-*"))
 
 
+def test_settings_in_another_order_are_the_same_question(gearlash: Gearlash, tmp_path: Path):
+    asked = ("--set", "omega=0.5"), ("--set", "load=0.3")
+    for one, other in (asked, reversed(asked)):
+        ran = gearlash("check", "kahraman-singh", *one, *other, "--out", str(tmp_path))
+        assert (ran.code, ran.complaint) == (0, "")
+    assert not list(tmp_path.glob("earlier-*"))
+
+
 def test_answers_to_other_questions_are_kept_each_whole(gearlash: Gearlash, tmp_path: Path):
     answers = []
     for speed in ("0.5", "0.6", "0.7"):

@@ -10,6 +10,8 @@ from typing import Any
 
 HOW = frozenset({"out", "workers", "as_json", "as_csv", "decimal_comma"})
 """Options that change nothing in what is computed."""
+IN_ANY_ORDER = frozenset({"settings", "initial"})
+"""Options that may be given several times, each for a name of its own."""
 LARGEST = 1_000_000_000  # bytes; no command reads a larger file
 _asked = ""
 
@@ -19,7 +21,8 @@ def ask(command: str, options: Mapping[str, Any]) -> None:
     global _asked
     from gearlash import __version__
 
-    what = {name: _content(value) for name, value in sorted(options.items()) if name not in HOW}
+    what = {name: _content(value) for name, value in options.items() if name not in HOW}
+    what |= {name: sorted(what[name], key=str) for name in IN_ANY_ORDER if what.get(name)}
     text = json.dumps([command, __version__, what], sort_keys=True, default=str)
     _asked = hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
