@@ -21,11 +21,15 @@ from . import style
 from .legends import legend_below
 from .plane_lines import PlaneLine, draw_lines
 from .regimes import DRIVE, FREE, short
+from .room import Room, around
 from .scales import scales
 from .units import ASSUMED, Twin, Units, literal
 from .words import words
 
-TALL = 104.0  # mm
+TALL, INNER = 104.0, 150.0  # mm: the panel, its words beside it
+FONT = 6.5  # points, of what stands beside an arrow
+BESIDE = 0.8  # mm between an arrow and its words
+SHARES = 0.5, 0.35, 0.65, 0.2, 0.8, 0.95  # of an arrow: where words are tried, the middle first
 FILLS = {"impact-free": FREE.colour, "drive-side-only": DRIVE.colour}
 WORDS = {"impact-free": "no impacts", "drive-side-only": "back side not hit"}
 TOLERANCE = (0, (1.5, 1.5))
@@ -82,8 +86,13 @@ def zone_in_plane(
         panel.plot(
             *each.values, ls="none", marker="*", ms=7.0, mew=0.7, color=style.INK, mfc="white", zorder=5.0
         )
+    room = Room(panel, INNER, TALL)
+    for part in zone.parts:
+        room.fill(*np.asarray(part.values, dtype=float).T)
     for margin in zone.margins:
-        _arrow(panel, zone, margin)
+        room.fill(*np.array([zone.at, _end(zone, margin)]).T)
+    for margin in zone.margins:
+        _arrow(panel, zone, margin, room)
     key += [_tolerance(panel, zone, margin) for margin in zone.tolerance_margins]
     panel.plot(*zone.at, ls="none", marker="o", ms=4.6, color=style.INK, zorder=6.0)
     twins = [units.asked(name, twin) for twin, name in zip(along, zone.names, strict=True)]
@@ -119,26 +128,33 @@ def _fill(panel: Axes, zone: PlaneZone) -> None:
     )
 
 
-def _arrow(panel: Axes, zone: PlaneZone, margin: AxisMargin) -> None:
-    """From the operating point to where the zone ends, with the distance; grey where only the range ends."""
+def _end(zone: PlaneZone, margin: AxisMargin) -> tuple[float, float]:
+    """Where the zone ends along one axis."""
     across = zone.names.index(margin.name) == 0
-    end = (margin.value, zone.at[1]) if across else (zone.at[0], margin.value)
+    return (margin.value, zone.at[1]) if across else (zone.at[0], margin.value)
+
+
+def _arrow(panel: Axes, zone: PlaneZone, margin: AxisMargin, room: Room) -> None:
+    """From the operating point to where the zone ends, with the distance beside it where it hides no curve;
+    grey where only the range ends."""
+    end = _end(zone, margin)
     colour = style.INK if margin.bounded else style.GREY
     arrow = {"arrowstyle": "-|>", "color": colour, "lw": 0.8, "shrinkA": 2.5, "shrinkB": 0.0}
     panel.annotate("", end, zone.at, arrowprops=arrow, zorder=4.0)
-    middle = 0.5 * (end[0] + zone.at[0]), 0.5 * (end[1] + zone.at[1])
-    above = not margin.upward  # the two along x: one above its arrow, one below, where both are short
-    panel.annotate(
-        literal(_said(margin)), middle, (0.0, 2.5 if above else -2.5) if across else (3.0, 0.0),
-        textcoords="offset points", ha="center" if across else "left",
-        va="center" if not across else "bottom" if above else "top", fontsize=6.5, color=colour, zorder=6.0,
-        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8},
-    )  # fmt: skip
+    text, (u, v), (u_end, v_end) = _said(margin), room.at(*zone.at), room.at(*end)
+    along = [(u + share * (u_end - u), v + share * (v_end - v)) for share in SHARES]
+    places = [place for at in along for place in around(text, FONT, *at, BESIDE)]
+    chosen = room.place(text, FONT, places)
+    if chosen is not None:
+        panel.text(
+            *room.back(*chosen), literal(text), ha="center", va="center", fontsize=FONT, color=colour,
+            zorder=6.0, bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4, "alpha": 0.8},
+        )  # fmt: skip
 
 
 def _said(margin: AxisMargin) -> str:
     """How far, never more than it is."""
-    sign, least = ("+" if margin.upward else "−"), "" if margin.bounded else "≥ "
+    sign, least = ("+" if margin.upward else "−"), "" if margin.bounded else "beyond "
     if margin.physical:
         _, distance, unit = margin.physical[0]
         return f"{least}{sign}{at_most(distance)} {pretty(unit)}"
@@ -158,7 +174,7 @@ def _tolerance(panel: Axes, zone: PlaneZone, margin: ToleranceMargin) -> Line2D:
     )
     if margin.bounded:
         panel.plot(*margin.values, ls="none", marker="s" if box else "D", ms=3.6, color=style.INK, zorder=6.0)
-    least = "" if margin.bounded else "≥ "
+    least = "" if margin.bounded else "at least "
     text = f"{margin.norm} of {least}{at_most(margin.multiple, 3)} times the tolerances"
     colour = style.INK if box else style.GREY
     return Line2D([], [], color=colour, lw=0.8, ls=TOLERANCE, marker="s" if box else "D", ms=3.6, label=text)

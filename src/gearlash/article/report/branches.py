@@ -80,7 +80,7 @@ def _figure(scan: Scan, stem: str, quantities: Quantities, drawn: int) -> Figure
     longer = f" {plural(rest, 'branch', 'branches')} of longer periods are not drawn." if rest else ""
     caption = (
         f"Branches of period up to {DRAWN} over {name} at {fixed_words(scan.fixed)}: X on σ_t, solid where "
-        f"stable, dashed where not, with a marker at every special point; in grey what the sweeps found."
+        f"stable, dashed where not, with markers at special points; in grey what the sweeps found."
         f"{longer}"
     )
     words = f"{drawn} branches of periodic orbits over {name}, over the points of the sweeps"
