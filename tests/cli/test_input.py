@@ -248,6 +248,10 @@ def test_an_interval_in_a_wrong_form_is_shown_one_of_the_quantity_that_was_named
         (("new", "x.toml", "--fit", "25", "cd"), "--fit '25 cd'"),
         (("graze", "article", "--near", "3600", "rpm"), "--near '3600 rpm'"),
         (("new", "x.toml", "--torque", "150", "N", "m", "--speed", "900rpm"), "--torque '150 N m'"),
+        (("new", "x.toml", "--backlash", "0.06", "to", "0.14", "mm"), "--backlash '0.06 to 0.14 mm'"),
+        (("new", "x.toml", "--backlash", "0.06", "-", "0.14", "mm"), "--backlash '0.06 - 0.14 mm'"),
+        (("new", "x.toml", "--backlash", "0.1", "mm", "+0.04/-0.04"), "--backlash '0.1 mm +0.04/-0.04'"),
+        (("new", "x.toml", "--span", "32.83", "-0.05/-0.08", "mm"), "--span '32.83 -0.05/-0.08 mm'"),
     ],
 )
 def test_words_left_over_are_given_back_to_their_option(

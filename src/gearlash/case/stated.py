@@ -119,7 +119,8 @@ def _plain_or_limits(raw: object, place: Quantity | Choice) -> Stated:
         if ends is None:
             raise _with_stroke(raw, place, error) or error from None
         if why := _one_alone(place):
-            raise ValueRefusedError(f"{error.expected}; not two limits: {why}", error.nearest) from None
+            expected = place.expected if place.reader is None else error.expected
+            raise ValueRefusedError(f"{expected}; not two limits: {why}", error.nearest) from None
     return _limits(ends, _text_of(raw), place)
 
 
@@ -143,7 +144,7 @@ def _limits(ends: Ends, text: str, place: Quantity) -> Stated:
     """Both limits and the value between them."""
     if why := _one_alone(place):
         raise ValueRefusedError(f"{place.expected}, not two limits: {why}")
-    least, greatest = (_end(end, place) for end in (ends.lower, ends.upper))
+    least, greatest = _both(ends, place)
     if not least < greatest:
         swapped = f"{ends.upper} to {ends.lower}" if greatest < least else None
         raise ValueRefusedError("two different limits, the smaller one first", swapped)
@@ -170,12 +171,19 @@ def _one_alone(place: Quantity) -> str:
     return place.alone or (any_between if place.integer else "")
 
 
-def _end(text: str, place: Quantity) -> float:
-    """One limit in SI."""
-    try:
-        return read_number(text, place)
-    except ValueRefusedError as error:
-        raise ValueRefusedError(f"two limits, each {error.expected}; {text!r} is none", None) from None
+def _both(ends: Ends, place: Quantity) -> tuple[float, float]:
+    """Both limits in SI."""
+    found, near, wrong = [], [], ""
+    for text in (ends.lower, ends.upper):
+        try:
+            found.append(read_number(text, place))
+            near.append(text)
+        except ValueRefusedError as error:
+            wrong = wrong or f"two limits, each {error.expected}; {text!r} is none"
+            near += [error.nearest] if error.nearest else []
+    if wrong:
+        raise ValueRefusedError(wrong, " to ".join(near) if len(near) == 2 else None)
+    return found[0], found[1]
 
 
 def _with_stroke(raw: object, place: Quantity, error: ValueRefusedError) -> ValueRefusedError | None:

@@ -108,7 +108,7 @@ def _loose(typed: Sequence[str], valued: frozenset[str]) -> set[int]:
 
 
 def _is_option(word: str) -> bool:
-    return word[:1] == "-" and not word[1:2].isdigit()
+    return word[:1] == "-" and word != "-" and not word[1:2].isdigit()
 
 
 def _is_case(word: str) -> bool:
@@ -157,12 +157,23 @@ def _begins_number(text: str) -> bool:
 
 def _are_values(text: str) -> bool:
     """Whether it is a value, or those of pinion and gear."""
-    return all(_reads(part) for part in text.split("/"))
+    return _reads(text) or all(_reads(part) for part in text.split("/"))
 
 
 def _reads(text: str) -> bool:
-    """Whether it is a number with its unit, or several with colons between."""
-    return all(_dimension(part) is not None for part in text.split(":"))
+    """Whether it is a number with its unit, several with colons between, or two limits."""
+    return all(_dimension(part) is not None for part in text.split(":")) or _are_limits(text)
+
+
+def _are_limits(text: str) -> bool:
+    from gearlash.case.limits import ends_of  # late: help needs none of it
+    from gearlash.case.units import UnitError
+
+    try:
+        ends = ends_of(text)
+    except UnitError:
+        return False
+    return ends is not None and _dimension(ends.lower) is not None and _dimension(ends.upper) is not None
 
 
 def _dimension(text: str) -> Dimension | None:
