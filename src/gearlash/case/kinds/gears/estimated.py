@@ -23,7 +23,7 @@ from gearlash.system import GearlashError
 from . import drawn, play, relief
 from .converted import operation_in_other_words, teeth_in_other_words
 from .curves import STEMS
-from .keys import EQUIVALENT_MASS, GEARS, REFERENCE
+from .keys import BODY, EQUIVALENT_MASS, GEARS, REFERENCE
 from .loaded import is_loaded
 from .meshing import ValueProblemError, impossible
 from .rules import EntriesByKey, PairRules
@@ -130,7 +130,9 @@ def complete(
         if flanks.problems:
             return Completed(known, problems=tuple(flanks.problems))
         known |= {e.key: e for e in flanks.found}
-        known |= {e.key: e for e in _entries(rules, _estimates(drawing, wanted)) if not _stated(known, e.key)}
+        discs = _of_discs(known)
+        found = (e for e in _entries(rules, _estimates(drawing, wanted)) if e.key not in known)
+        known |= {e.key: e for e in found if not (discs and e.key.endswith(".inertia"))}
         more = play.added(rules.places, known, pair)
         jammed = tuple(play.jammed(known, more))
         if jammed:
@@ -213,11 +215,12 @@ def _unmeshed(entries: EntriesByKey, error: GearlashError) -> Problem:
 
 
 def _bodies_known(rules: PairRules, entries: EntriesByKey) -> bool:
-    """Does each gear have a mass, or an inertia where no bearing needs the mass?"""
+    """Does each gear have an inertia, and a mass where bearings need it?"""
     if EQUIVALENT_MASS in entries or "pinion.base_radius" in entries:
         return True
-    leaves = ("mass",) if rules.bearings else ("mass", "inertia")
-    return all(any(f"{gear}.{leaf}" in entries for leaf in leaves) for gear in GEARS)
+    inertia = ("inertia", "mass") if _of_discs(entries) else ("inertia",)
+    needed = (("mass",), inertia) if rules.bearings else (inertia,)
+    return all(any(f"{gear}.{leaf}" in entries for leaf in one) for gear in GEARS for one in needed)
 
 
 def _is_harmonic(key: str, stem: str) -> bool:
@@ -347,10 +350,13 @@ def _entries(rules: PairRules, found: Mapping[str, Estimate]) -> Iterator[Entry]
             yield Entry(key, path, one.value, "", Provenance.ASSUMED, one.source, *ends)
 
 
-def _stated(entries: EntriesByKey, key: str) -> bool:
-    """Is it stated, or does a stated mass say it?"""
-    gear, _, leaf = key.partition(".")
-    return key in entries or (leaf == "inertia" and f"{gear}.mass" in entries)
+def _of_discs(entries: EntriesByKey) -> bool:
+    """Is the inertia of each gear that of a disc of its mass?
+
+    A drawing tells of bodies, and their inertia is that of what it tells: a mass beside it leaves that as it
+    is. Without a drawing, or where `model.body` is stated, inertia follows the mass, stated or estimated.
+    """
+    return BODY in entries or not is_drawn(entries)
 
 
 def _refused(entries: EntriesByKey, stated: EntriesByKey, pair: CylindricalPair) -> Iterator[Problem]:

@@ -121,8 +121,8 @@ def _at_work(line: LineOfAction | None, teeth: CylindricalPair | None, axis: YAx
 
 
 def _inertias(entries: EntriesByKey, geometry: ToothGeometry | None) -> Both | None:
-    """Stated inertias, else solid discs of the stated masses at the pitch radius; and what turns
-    with them."""
+    """Stated inertias and those of drawn bodies, else solid discs of the masses at the pitch radius; and what
+    turns with them."""
     radii = geometry.pitch_radii if geometry else None
     found = []
     for i, gear in enumerate(GEARS):

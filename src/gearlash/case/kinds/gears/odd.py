@@ -10,6 +10,7 @@ from gearlash.case.note import Note
 from gearlash.gears import backlash, bearings
 from gearlash.gears.cylindrical_pair import shift_sum
 from gearlash.gears.drawing import Drawing
+from gearlash.gears.estimates import estimates
 
 from .drawn import CENTRE, MEASURES, PLAY, SPEED_RANGE
 from .keys import GEARS
@@ -50,6 +51,7 @@ def odd(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterat
     yield from _bending(stated, entries, drawing)
     yield from _speeds(stated, entries)
     yield from _added(stated, entries)
+    yield from _weighed(stated, entries, drawing)
 
 
 def _play_of(stated: EntriesByKey) -> str | None:
@@ -193,3 +195,20 @@ def _added(stated: EntriesByKey, entries: EntriesByKey) -> Iterator[Note]:
                 f"the mass on its bearings is that of the {gear} alone, {mass:.3g} kg: state as added_mass "
                 "what else they carry; without it their natural frequencies are too high",
             )
+
+
+def _weighed(stated: EntriesByKey, entries: EntriesByKey, drawing: Drawing) -> Iterator[Note]:
+    """A mass that the drawn body cannot have, beside an inertia that is that of this body."""
+    for gear in GEARS:
+        mass, inertia = stated.get(f"{gear}.mass"), entries.get(f"{gear}.inertia")
+        if mass is None or inertia is None or not inertia.estimated:
+            continue
+        body = estimates(drawing, names=("bodies",))[f"{gear}_mass"]
+        if body.least <= mass.number <= body.greatest:
+            continue
+        yield Note(
+            mass.path,
+            f"{mass.number:.4g} kg, where the body as drawn has {body.value:.4g} kg ({body.least:.4g} to "
+            f"{body.greatest:.4g}); its inertia stays that of the drawn body, {inertia.number:.4g} kg·m²: "
+            "state bore, rim and web as they are, or inertia",
+        )

@@ -33,7 +33,7 @@ PROJECTED = "radius and factor that turn rotation into displacement"
 def options() -> Iterator[Choice]:
     """Named options; a kind adds its projections."""
     yield Choice(CONTACT, tuple(ContactRule), ContactRule.ALWAYS, "when the mesh damping acts")
-    what = "gears without stated inertia: m r²/2, r the pitch radius"
+    what = "gears without an inertia, stated or of a drawn body: m r²/2, r the pitch radius"
     yield Choice(BODY, ("solid-disc",), "solid-disc", what)
 
 
