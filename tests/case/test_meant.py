@@ -105,3 +105,15 @@ def test_numbers_of_all_kinds_are_values(value: Any):
 def test_what_is_no_value_is_refused(value: Any):
     with pytest.raises(CaseError, match="mesh_damping"):
         load("article", {"mesh_damping": value})
+
+
+@pytest.mark.parametrize(
+    "text", ["GD² 0,2 kgm²", "GD2 = 0.2 kgf m^2", "0.2 kg m² (GD²)", "PD² 0.2 kgm2", "GD^2 = 2000 kg cm²"]
+)
+def test_weight_times_diameter_squared_is_four_moments_of_inertia(text: str):
+    """GD² = G (2 i)²: four times G i² = J, in kg·m² of kgf·m²."""
+    with pytest.raises(CaseError) as refused:
+        load("wind-turbine", {"pinion.inertia": text})
+    (problem,) = refused.value.problems
+    assert problem.nearest == "0.05 kg*m^2"
+    assert "GD² is 4 J" in problem.expected

@@ -333,6 +333,21 @@ def test_one_number_of_teeth_is_refused(gearlash: Gearlash):
     assert gearlash("new", "pair.toml", *equal).code == 0
 
 
+@pytest.mark.parametrize(
+    "text",
+    ["25 : 57", "z1=25 z2=57", "z_1 = 25, z_2 = 57", "25-57", "25x57", "25 and 57", "wheel 57, pinion 25"],
+)
+def test_numbers_of_teeth_without_a_stroke_are_told_with_one(text: str):
+    with pytest.raises(GearlashError, match=r"such as 25/57$"):
+        placed({"teeth": text})
+
+
+@pytest.mark.parametrize("text", ["25.5", "1:4", "many", "25 57 91"])
+def test_what_is_no_pair_of_numbers_of_teeth_is_not_suggested(text: str):
+    with pytest.raises(GearlashError, match=r"such as 25/57$"):
+        placed({"teeth": text})
+
+
 def test_questions_of_a_type_that_is_stated():
     """The helix angle is not asked for of spur teeth, and asked for again of helical ones."""
     told = {"Teeth of": "25/57", "Normal module": "3mm", "Speed of the pinion": "9rpm", "Torque of": "1Nm"}

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
-from math import cos, isclose, pi, radians, sin, tan
+from math import cos, isclose, nextafter, pi, radians, sin, tan
 
 import pytest
 from hypothesis import given
@@ -193,3 +193,29 @@ def test_centre_distance_deviations_are_half_the_standard_tolerance(grade, size,
 def test_a_distance_without_standard_tolerance_is_refused():
     with pytest.raises(GearlashError, match="3150 mm"):
         gear_fits.centre_distance_deviation(7, 4.0)
+
+
+@pytest.mark.parametrize("limit", [3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500, 630, 1000, 3150])
+def test_a_size_at_the_end_of_a_range_is_in_it_however_it_was_rounded(limit: int):
+    """In the last digits of double precision; what is larger by as little as is measured lies in the next."""
+    size = limit * MM
+    own = gear_fits.centre_distance_deviation(7, size)
+    for _ in range(4):
+        size = nextafter(size, 10.0)
+        assert gear_fits.centre_distance_deviation(7, size) == own
+    if limit < 3150:
+        assert gear_fits.centre_distance_deviation(7, (limit + 1e-5) * MM) > own
+
+
+def test_a_computed_centre_distance_of_18_mm_has_the_tolerance_of_that_size():
+    """IT7 of 10 to 18 mm: 16 (0.45 ∛√180 + 0.001 √180) µm, by hand."""
+    pair = CylindricalPair(CylindricalGear(24, 0.5e-3), CylindricalGear(48, 0.5e-3), face_width=5e-3)
+    mean = (10 * 18) ** 0.5
+    hand = 0.5e-6 * 16 * (0.45 * mean ** (1 / 3) + 0.001 * mean)
+    assert gear_fits.centre_distance_deviation(7, pair.centre_distance) == pytest.approx(hand, rel=1e-12)
+    for limit in (10, 50, 125, 280, 560, 1000):
+        size = limit * MM
+        for near in (nextafter(size, 0.0), nextafter(nextafter(size, 10.0), 10.0)):
+            assert gear_fits.thickness_allowances("25cd", near) == gear_fits.thickness_allowances(
+                "25cd", size
+            )

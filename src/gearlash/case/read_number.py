@@ -11,7 +11,7 @@ import numpy as np
 from .limits import LONGEST
 from .quantity import Quantity, ValueRefusedError
 from .texts import refused
-from .unit_hints import beside, instead, meant, usual_units
+from .unit_hints import beside, instead, meant, of_diameters, usual_units
 from .units import FREQUENCY, LENGTH, NUMBER, SPEED, UnitError, in_si, read, takes
 from .written_numbers import NumberError
 
@@ -68,7 +68,9 @@ def _from_text(raw: str, place: Quantity) -> float:
     except UnitError as error:
         if isinstance(error, NumberError):
             raise ValueRefusedError(f"{place.expected} ({error})") from None
-        raise _refused(text, place, f" ({beside(text, place) or error})") from None
+        raise _refused(
+            text, place, f" ({beside(text, place) or of_diameters(text, place) or error})"
+        ) from None
     if takes(place.dimension, unit):
         return _in_si(number, in_si(place.dimension, number, unit))
     if place.bare and unit.dimension == NUMBER and unit.ratio == 1:

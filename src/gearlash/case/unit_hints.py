@@ -9,6 +9,7 @@ from .spelling import plain_value
 from .unit_words import (
     ANGLE,
     DENSITY,
+    INERTIA,
     LENGTH,
     PITCH,
     POWER,
@@ -32,6 +33,8 @@ _BEHIND = re.compile(
     r"\d\s*(?P<zone>(?![xX]|(?<=\d)[eE]\d|(?:[µμu]m|[mcdk]m|in|ft)\d)[A-Za-z]{1,2}(?P<grade>[4-9]|1[0-8]))\s*(?:[µμu]m|mm|m|in)?\s*$"
 )
 """A tolerance zone behind a size: no power of a unit or of ten, and no hexadecimal number."""
+_GYRATION = re.compile(r"\W*(?<!\w)(?:[GP]\s?D\s?(?:²|\^?2|\*\*2)?|Schwungmoment)(?!\w)\W*", re.IGNORECASE)
+"""GD², the flywheel effect of weight and diameter squared: 4 J, in kgf·m² or kg·m²."""
 _OTHERS = {
     POWER: {"metrichp": "PS", "hpm": "PS", "metrichorsepower": "PS", "pk": "PS", "hpi": "hp"},
     TORQUE: {"kgm": "kgf m", "kpm": "kgf m", "tm": "", "joule": "N m"},
@@ -54,6 +57,9 @@ dimension; how far in another one; from where on another one is tried; and how c
 def meant(text: str, place: Quantity) -> str | None:
     """The value that this text would be with a unit that it probably means."""
     short = text.strip()
+    if place.dimension == INERTIA and _GYRATION.search(short):
+        alone = _GYRATION.sub(" ", short).strip()
+        return _quarter(meant(alone, place) or alone, place)
     between = _RANGE.search(short) and not _DEVIATIONS.search(short)
     if place.dimension == NUMBER or not short or between or _says_more(short, place):
         return None
@@ -75,6 +81,12 @@ def meant(text: str, place: Quantity) -> str | None:
     beside = not re.search(r"\d", unit) or _DEVIATIONS.search(short) or _ASIDE.match(unit)
     words = [other] if other is not None else [*alike, *(_WORD.findall(unit) if beside else ())]
     return next((found for word in words if (found := _fitting(f"{number} {word}", place))), None)
+
+
+def _quarter(text: str, place: Quantity) -> str | None:
+    """The moment of inertia that is J of this GD²."""
+    size = _value(text.replace("kgf", "kg"), place)
+    return None if size is None else _fitting(f"{0.25 * size:.6g} {place.unit}", place)
 
 
 def usual_units(place: Quantity) -> str:
@@ -101,6 +113,11 @@ def beside(text: str, place: Quantity) -> str:
     if place.path == "mesh.centre_distance":
         return f"the {zone['grade']} of {zone['zone']} stands at distance_grade"
     return f"{zone['zone']} is a tolerance zone: the size alone stands here"
+
+
+def of_diameters(text: str, place: Quantity) -> str:
+    """What GD² is, where it stands for a moment of inertia; empty where it does not."""
+    return "GD² is 4 J" if place.dimension == INERTIA and _GYRATION.search(text) else ""
 
 
 def _says_more(text: str, place: Quantity) -> bool:

@@ -9,6 +9,11 @@ from dataclasses import dataclass
 from .strokes import names, quantities
 
 GEARS = ("pinion", "gear")
+LEAST_TEETH = 5
+_NUMBERS = re.compile(r"\d+(?:[.,]\d+)?", re.ASCII)
+_OF_TEETH = re.compile(r"\bz(?:[\s_]?[12₁₂](?!\d)|p|g)?\s*[=:]*", re.IGNORECASE)
+"""The letter of a number of teeth: z1 =."""
+_GEAR_FIRST = re.compile(r"\b(?:gear|wheel|rad)\b.*\b(?:pinion|ritzel)\b", re.IGNORECASE)
 _OF_BEARINGS = re.compile(r"\.((bearing|shaft|housing)_stiffness_|added_mass)")
 
 
@@ -310,9 +315,20 @@ def _parts(word: Word, text: str) -> list[str]:
 
         raise GearlashError(
             f"{word.option} {parts[0]}: expected those of pinion and gear apart by a stroke, such as "
-            f"{parts[0]}/57, or {parts[0]}/{parts[0]} of equal gears"
+            f"{_teeth_in(parts[0])}"
         )
     return parts
+
+
+def _teeth_in(text: str) -> str:
+    """The numbers of teeth that a text has, as they are to be written; an example where it has others."""
+    found = _NUMBERS.findall(_OF_TEETH.sub(" ", text))
+    if len(found) not in (1, 2) or not all(each.isdigit() and int(each) >= LEAST_TEETH for each in found):
+        return "25/57"
+    if len(found) == 1:
+        return f"{found[0]}/57, or {found[0]}/{found[0]} of equal gears"
+    turned = _GEAR_FIRST.search(text) is not None
+    return f"{found[turned]}/{found[not turned]}"
 
 
 def is_helical(texts: Mapping[str, str]) -> bool:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
+from collections.abc import Sequence
 from math import sqrt
 
 from gearlash.system import GearlashError
@@ -68,6 +69,8 @@ _SIZES = (
     2500,
     3150,
 )
+SAME_SIZE = 1e-9
+"""Relative: sizes that lie nearer are one, as a centre distance of 18 mm is that is computed of teeth."""
 _UNITS = {5: 7.0, 6: 10.0, 7: 16.0, 8: 25.0, 9: 40.0, 10: 64.0, 11: 100.0}
 
 
@@ -109,7 +112,7 @@ def thickness_allowances(designation: str, reference_diameter: float) -> tuple[f
             f"{designation!r} is no fit of DIN 3967: a number from 21 to 30 and one of "
             f"{', '.join(ALLOWANCE_SERIES)}, as in 27cd"
         )
-    row = bisect_left(_DIAMETERS, reference_diameter * 1e3)
+    row = _row(_DIAMETERS, reference_diameter * 1e3)
     if row == len(_DIAMETERS):
         raise GearlashError(f"d = {reference_diameter:g} m: DIN 3967 ends at 10 m")
     upper = _UPPER[row][ALLOWANCE_SERIES.index(series)]
@@ -150,11 +153,17 @@ def centre_distance_deviation(grade: int, centre_distance: float) -> float:
     17
     """
     size = centre_distance * 1e3
-    row = bisect_left(_SIZES, size)
-    if grade not in _UNITS or not 0.0 < size <= _SIZES[-1]:
+    row = _row(_SIZES, size)
+    if grade not in _UNITS or not size > 0.0 or row == len(_SIZES):
         raise GearlashError(
             f"js{grade} at {size:g} mm: grades from 5 to 11 and distances up to 3150 mm are known"
         )
     mean = sqrt((_SIZES[row - 1] if row else 1) * _SIZES[row])
-    unit = 0.45 * mean ** (1.0 / 3.0) + 0.001 * mean if size <= 500.0 else 0.004 * mean + 2.1
+    unit = 0.45 * mean ** (1.0 / 3.0) + 0.001 * mean if _SIZES[row] <= 500 else 0.004 * mean + 2.1
     return 0.5e-6 * _UNITS[grade] * unit
+
+
+def _row(limits: Sequence[int], size: float) -> int:
+    """The range of sizes, mm, that a size lies in: a limit belongs to the smaller ones, and what computing
+    leaves beside it is that limit."""
+    return bisect_left(limits, size * (1.0 - SAME_SIZE))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import atan, cos, degrees, inf, log, pi, radians, tan
+from math import atan, cos, degrees, floor, inf, log, pi, radians, tan
 
 from gearlash.case.entries import Entry
 from gearlash.case.errors import Problem
@@ -25,6 +25,8 @@ USUAL_WIDTH = 10.0
 """Face width over the module where none is stated."""
 ROUNDED = 1e-6
 """m: a measured tooth thickness that is nearer than that to the nominal one is the nominal one, rounded."""
+FULL = 2e-3
+"""Of the full root radius: one that is larger by less is the full one, rounded."""
 NO_SHIFT = 1e-3
 """Sum of the profile shifts below which a stated centre distance is that of teeth without shift, rounded."""
 
@@ -96,7 +98,18 @@ class Teeth:
                 else f"up to {pi / 4 / tan(angle):.3g}: with more, this rack ends in a point before its tip"
             )
             raise ValueProblemError(Problem(entry.path, repr(entry.text), expected))
+        if self.number(f"{gear}.root_diameter") is None:  # which tells how deep the rack cuts
+            self._rounding_fits(gear, room)
         return replace(rack, root_radius=min(rack.root_radius, room))
+
+    def _rounding_fits(self, gear: str, room: float) -> None:
+        """Raises `ValueProblemError` for a stated root radius that the tip of the rack has no room for."""
+        entry = self.entries.get(f"{gear}.root_radius")
+        if entry is None or entry.number <= room * (1.0 + FULL):
+            return
+        largest = floor(1e4 * room) / 1e4
+        expected = f"up to {largest:g}, the full radius of a rack as deep and as steep as this one"
+        raise ValueProblemError(Problem(entry.path, repr(entry.text), expected))
 
     def _face_width(self) -> float:
         stated = [w for gear in GEARS if (w := self.number(f"{gear}.face_width")) is not None]
@@ -219,7 +232,7 @@ class Teeth:
         gear = replace(gear, thickness_allowance=allowance)
         if root is not None:
             self._root_fits(name, gear, root)
-            gear = replace(gear, rack=_with_root(gear, root))
+            gear = replace(gear, rack=self._with_root(name, gear, root))
         path, alteration = f"{name}.tip_diameter", self.number(f"{name}.tip_alteration")
         if alteration is not None:
             path, tip = f"{name}.tip_alteration", gear.tip_diameter + 2.0 * alteration
@@ -232,6 +245,15 @@ class Teeth:
                 )
                 raise ValueProblemError(Problem(path, repr(self.entries[path].text), expected))
         return replace(gear, stated_tip_diameter=tip)
+
+    def _with_root(self, name: str, gear: CylindricalGear, root: float) -> BasicRack:
+        """The rack whose tip cuts this root diameter; its rounding as stated, else as far as it has room."""
+        rack, module, stated = gear.rack, gear.normal_module, self.number(f"{name}.root_radius")
+        dedendum = gear.generating_profile_shift + (gear.reference_diameter - root) / (2.0 * module)
+        room = _room(dedendum, rack.pressure_angle)
+        self._rounding_fits(name, max(room, 0.0))
+        radius = rack.root_radius if stated is None else stated
+        return replace(rack, dedendum=dedendum, root_radius=max(0.0, min(radius, room)))
 
     def _root_fits(self, name: str, gear: CylindricalGear, root: float) -> None:
         """Raises `ValueProblemError` for a root that no rack cuts into these teeth."""
@@ -254,14 +276,6 @@ def _pinion_share(total: float, pair: CylindricalPair) -> float:
     if product <= 1.5 or pair.ratio <= 0.0:
         return 0.5 * total
     return 0.5 * total + (0.5 - 0.5 * total) * log(pair.ratio) / log(product)
-
-
-def _with_root(gear: CylindricalGear, root: float) -> BasicRack:
-    """The rack whose tip cuts this root diameter; its rounding as large as it has room."""
-    rack, module = gear.rack, gear.normal_module
-    dedendum = gear.generating_profile_shift + (gear.reference_diameter - root) / (2.0 * module)
-    room = _room(dedendum, rack.pressure_angle)
-    return replace(rack, dedendum=dedendum, root_radius=max(0.0, min(rack.root_radius, room)))
 
 
 def _room(dedendum: float, angle: float) -> float:
