@@ -97,3 +97,30 @@ def test_limits_that_no_pair_has_are_left_out():
     mass, thick = value(case, "gear.mass"), value(case.with_overrides({"gear.bore": "30 mm"}), "gear.mass")
     plain = value(case.with_overrides({"gear.bore": "40 mm"}), "gear.mass")
     assert (mass.least, mass.greatest) == (plain.least, thick.greatest)
+
+
+def test_a_deviation_of_the_centre_distance_takes_the_place_of_its_tolerance():
+    """Of ±100 µm the tight end takes 2 sin α of it, 68.4 µm, to first order; js7 is not counted beside it."""
+    first, second = f"{span(25, 3) - 0.02:.6f} mm", f"{span(57, 7):.6f} mm -20/-40 um"
+    case = pair(first, second).with_overrides({"mesh.centre_distance_deviation": "±100 um"})
+    play = value(case, "mesh.backlash")
+    assert play.reason == (
+        "stated tooth thickness; deviation of the centre distance as stated; with the limits of gear.span"
+    )
+    assert (play.least, play.value, play.greatest) == pytest.approx((40.0, 50.0, 60.0), abs=0.02)
+    (note,) = (note for note in case.notes() if note.path == "mesh.backlash")
+    overlap = 200.0 * 0.3420201 - 40.0
+    told = float(note.text.partition("teeth overlap by ")[2].partition(" µm")[0])
+    assert told == pytest.approx(overlap, abs=0.3)
+    graded = value(case.with_overrides({"mesh.distance_grade": 7}), "mesh.backlash")
+    assert graded.least == pytest.approx(40.0 - 17.5 * 2.0 * 0.3420201, abs=0.2)
+
+
+def test_the_tight_end_of_stated_limits_is_told_where_the_pair_jams():
+    case = pair("19.25 mm", "49.9 mm").with_overrides({"backlash": "50 um"})
+    assert not [note for note in case.notes() if "jams" in note.text]
+    deviating = case.with_overrides({"mesh.centre_distance_deviation": "-100 to 100 um"})
+    (note,) = (note for note in deviating.notes() if "jams" in note.text)
+    assert (
+        "50 µm of backlash at work; at the tight end of the stated limits teeth overlap by 18." in note.text
+    )

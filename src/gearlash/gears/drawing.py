@@ -58,8 +58,8 @@ class Drawing:
         Flank tolerance classes; class 8, with 6 to 10 as the range, where nothing is given.
     fits : (str, str), optional
         Of DIN 3967, of pinion and gear.
-    distance_grade : int
-        js of the centre distance.
+    distance_grade : int or None
+        js of the centre distance; None where its deviation is stated.
     torque : float, optional
         Of the pinion, N·m.
     modification : PairModification
@@ -93,7 +93,7 @@ class Drawing:
     rims: tuple[Rim | None, Rim | None] = (None, None)
     grades: tuple[int, int] | None = None
     fits: tuple[str, str] | None = None
-    distance_grade: int = 7
+    distance_grade: int | None = 7
     torque: float | None = None
     modification: PairModification = field(default_factory=PairModification)
     at_work: CylindricalPair | None = None

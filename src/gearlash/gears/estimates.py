@@ -103,23 +103,24 @@ def _error(drawing: Drawing) -> Estimate:
 def _backlash(drawing: Drawing) -> Estimate:
     """From stated allowances, from stated fits, or from usual ones."""
     pair = drawing.pair
-    deviation = gear_fits.centre_distance_deviation(drawing.distance_grade, pair.centre_distance)
+    grade = drawing.distance_grade
+    deviation = 0.0 if grade is None else gear_fits.centre_distance_deviation(grade, pair.centre_distance)
+    distance = "deviation of the centre distance as stated" if grade is None else f"js{grade} of DIN 3964"
     if any(gear.thickness_allowance != 0.0 for gear in pair.gears):
         first, second = (gear.thickness_allowance for gear in pair.gears)
         stated = (first, first), (second, second)
         least, greatest = backlash.limits(pair, stated, (-deviation, deviation))
-        source = f"stated tooth thickness; centre distance js{drawing.distance_grade} of DIN 3964"
+        source = f"stated tooth thickness; {'' if grade is None else 'centre distance '}{distance}"
         return Estimate(backlash.of_pair(pair).normal, least.normal, greatest.normal, source)
     nominal = _fitted(pair, drawing.fits or (USUAL_FIT, USUAL_FIT), deviation)
     middle = 0.5 * (nominal[0] + nominal[1])
     if drawing.fits is not None:
-        source = f"DIN 3967, {' and '.join(drawing.fits)}; js{drawing.distance_grade} of DIN 3964"
+        source = f"DIN 3967, {' and '.join(drawing.fits)}; {distance}"
         return Estimate(middle, *nominal, source)
     least = _fitted(pair, (TIGHT_FIT, TIGHT_FIT), deviation)[0]
     greatest = _fitted(pair, (LOOSE_FIT, LOOSE_FIT), deviation)[1]
     source = (
-        f"no fit stated: {USUAL_FIT} of DIN 3967 assumed, {TIGHT_FIT} to {LOOSE_FIT} in the range; "
-        f"js{drawing.distance_grade} of DIN 3964"
+        f"no fit stated: {USUAL_FIT} of DIN 3967 assumed, {TIGHT_FIT} to {LOOSE_FIT} in the range; {distance}"
     )
     return Estimate(middle, least, greatest, source)
 

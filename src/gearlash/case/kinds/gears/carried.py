@@ -9,6 +9,7 @@ from typing import Protocol
 from gearlash.case.entries import Entry
 from gearlash.case.stated import Stated
 
+from . import play
 from .entries import replaced
 from .estimated import Completed
 from .places import Places
@@ -59,6 +60,24 @@ def carried(pair: Completing) -> EntriesByKey:
     return {**entries, **wider}
 
 
+def least_play_added(pair: Completing) -> float:
+    """What the backlash at work has more than the stated one, m: the least of it with limits of temperatures
+    and of the centre distance."""
+    done = pair.completed
+    ends = {}
+    for entry in pair.stated.values():
+        if entry.limited and entry.path in play.KEYS:
+            looked = [(_at(pair, {entry.path: end}).play_added, end) for end in (entry.least, entry.greatest)]
+            ends[entry.path] = min(looked)[1]
+    return min(done.play_added, _at(pair, ends).play_added) if ends else done.play_added
+
+
+def _at(pair: Completing, values: Mapping[str, float | None]) -> Completed:
+    """The pair with other values, in SI."""
+    stated = {path: Stated(float(value or 0.0), f"{value!r}") for path, value in values.items()}
+    return pair.with_stated(replaced(pair.places, pair.stated, stated)).completed
+
+
 @dataclass(frozen=True)
 class _AtLimits:
     """Ranges of estimates of the pair with some values at one of their limits, each found once."""
@@ -75,8 +94,7 @@ class _AtLimits:
 
     def _ranges(self, at: tuple[tuple[str, int], ...]) -> Iterator[tuple[str, Ends]]:
         values = {path: (self.limited[path].least, self.limited[path].greatest)[end] for path, end in at}
-        stated = {path: Stated(float(value or 0.0), f"{value!r}") for path, value in values.items()}
-        done = self.pair.with_stated(replaced(self.pair.places, self.pair.stated, stated)).completed
+        done = _at(self.pair, values)
         if done.problems:
             return
         for key, entry in done.entries.items():

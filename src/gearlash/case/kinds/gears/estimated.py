@@ -136,7 +136,7 @@ def complete(
         more = play.added(rules.places, known, pair)
         jammed = tuple(play.jammed(known, more))
         if jammed:
-            return Completed(known, problems=jammed)
+            return Completed(known, problems=jammed, play_added=more)
     except ValueProblemError as error:
         return Completed(known, problems=(error.problem,))
     except GearlashError as error:
@@ -252,7 +252,7 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
         rims,
         (grades[0], grades[1]),
         None if chosen[0] is None or chosen[1] is None else (chosen[0], chosen[1]),
-        int(stated("mesh.distance_grade") or 7),
+        _distance_grade(entries),
         None if load is None or load.dimensionless else load.number,
         assumed_grades=(open_[0], open_[1]),
         stated_stiffness=stated("mesh.mean_stiffness"),
@@ -260,6 +260,12 @@ def _drawing(rules: PairRules, entries: EntriesByKey, pair: CylindricalPair) -> 
         spans=(stated("pinion.bearing_span"), stated("gear.bearing_span")),
         stated_bending=("pinion.shaft_stiffness_y" in entries, "gear.shaft_stiffness_y" in entries),
     )
+
+
+def _distance_grade(entries: EntriesByKey) -> int | None:
+    """js of the centre distance: none where its deviation is stated, and no grade beside it."""
+    grade = entries.get("mesh.distance_grade")
+    return int(grade.number) if grade is not None else None if play.DEVIATION in entries else 7
 
 
 def _unfit_bodies(entries: EntriesByKey, pair: CylindricalPair) -> Iterator[Problem]:

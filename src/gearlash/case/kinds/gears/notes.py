@@ -83,16 +83,20 @@ def _hand(pair: GearPair) -> Iterator[Note]:
 def _jamming(pair: GearPair) -> Iterator[Note]:
     """A backlash of which tolerances or stated limits leave none at their tight end."""
     gap, more = pair.ranged.get("D"), pair.completed.play_added
-    if gap is None or gap.least is None or gap.dimensionless or gap.least + more >= 0.0:
+    if gap is None or gap.dimensionless:
         return
-    at_work = " at work" if more else ""
-    where, end = (
-        ("", "its lower limit") if gap.limited else (" in the middle of the tolerances", "their tight end")
-    )
+    least_more = pair.least_play_added
+    least = (gap.number if gap.least is None else gap.least) + least_more
+    if least >= 0.0 or gap.number + more < 0.0:
+        return
+    at_work = " at work" if more or least_more else ""
+    where, end = " in the middle of the tolerances", "their tight end"
+    if not gap.estimated:
+        where, end = "", "the tight end of the stated limits"
     yield Note(
         gap.path,
         f"{1e6 * (gap.number + more):.4g} µm of backlash{at_work}{where}; at {end} "
-        f"teeth overlap by {-1e6 * (gap.least + more):.4g} µm, and the pair jams",
+        f"teeth overlap by {-1e6 * least:.4g} µm, and the pair jams",
     )
 
 

@@ -16,7 +16,7 @@ from gearlash.case.units import NUMBER, TORQUE, unit
 from gearlash.system import Family
 
 from . import drawn, play
-from .carried import Completing, carried
+from .carried import Completing, carried, least_play_added
 from .checks import contradictions, missing
 from .estimated import Completed, complete, is_drawn, is_estimable
 from .excitation import Curves, Reconstructed, reconstructed
@@ -63,6 +63,11 @@ class GearPair:
     def ranged(self) -> EntriesByKey:
         """The same, estimates with ranges as wide as stated limits make them."""
         return carried(cast("Completing", self))
+
+    @property
+    def least_play_added(self) -> float:
+        """What the backlash at work has more than the stated one at the tight end of stated limits, m."""
+        return least_play_added(cast("Completing", self))
 
     def lacks(self, present: Collection[str] = ()) -> list[Problem]:
         """What is missing, and why nothing can be estimated; ``present`` are paths known to be stated, if
