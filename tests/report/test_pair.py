@@ -411,6 +411,35 @@ def test_an_estimated_error_keeps_its_range_in_the_mirror_image():
 
 
 @pytest.mark.parametrize(
+    ("name", "stated"),
+    [
+        ("drawing.toml", {"torque": "-15 N m"}),  # below 100 N/mm, where estimates depend on it
+        ("drawing.toml", {"torque": "-15 N m", "pinion.tip_relief": "12 um", "gear.crowning": "4 um"}),
+        ("drawing.toml", {"gear_torque": "-40 N m"}),
+        ("drawing.toml", {"power": "-5 kW", "pinion_speed": "4200 rpm"}),
+        ("spurs.toml", {"torque": "-3 N m"}),
+        ("drive.toml", {"torque": "-15 N m", "error_2": "2 um"}),
+    ],
+)
+def test_the_mirror_image_is_the_same_pair_at_the_same_torque_turned_round(name: str, stated: dict[str, str]):
+    case = gl.load_case(CASES / name, stated)
+    mirrored = carrying_forwards(case)
+    assert mirrored.scales == case.scales
+    one, other = ({v.path: v.value for v in each.values()} for each in (case, mirrored))
+    assert {path for path in set(one) ^ set(other) if "phase" not in path} == set()
+    ranged = [{v.path for v in each.values() if v.estimated} for each in (case, mirrored)]
+    assert ranged[0] == ranged[1]
+    size = {path: abs(x) for path, x in one.items() if isinstance(x, float) and "error_phase" not in path}
+    assert size == pytest.approx({path: abs(float(other[path])) for path in size}, rel=1e-9)
+    back, front = (each.family()[0].system() for each in (case, mirrored))
+    assert back.forcing == pytest.approx(-front.forcing, rel=1e-12, abs=1e-15)
+    assert (back.matrix == front.matrix).all()
+    for one_side, other_side in zip(back.clearances, front.clearances, strict=True):
+        assert one_side.gap_plus == one_side.gap_minus == other_side.gap_plus == other_side.gap_minus
+        assert one_side.stiffness_plus == pytest.approx(other_side.stiffness_minus, rel=1e-12)
+
+
+@pytest.mark.parametrize(
     ("stated", "path", "ends"),
     [
         ({"torque": "-250 to -50 N m"}, "operation.torque", (50.0, 150.0, 250.0)),

@@ -58,13 +58,13 @@ class Value:
 
     @property
     def estimated(self) -> bool:
-        """Is it an estimate with a range?"""
-        return self.least is not None and not self.text
+        """Is it an estimate with a range, also one that the file states as assumed?"""
+        return self.least is not None and not self.limited
 
     @property
     def limited(self) -> bool:
         """Does the case state its limits?"""
-        return self.least is not None and bool(self.text)
+        return self.least is not None and bool(self.text) and self.provenance != Provenance.ASSUMED
 
     @property
     def uncertain(self) -> bool:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from math import copysign, pi
+from collections.abc import Iterator, Mapping, Sequence
+from math import copysign, isclose, pi
 
 from gearlash.case import Case, Value
 from gearlash.system import GearlashError
@@ -43,28 +43,47 @@ def carrying_forwards(case: Case) -> Case:
     if values["load"] >= 0.0:
         return case
     _check_alike(case)
+    phases = [f"error_phase{name.removeprefix('error')}" for name in values if _is_error(name)]
+    found = case.with_overrides(dict(_turned(case)) | dict(_half_a_turn(case, values, phases)))
+    turned = found.family()[0].complete({})
+    same = found.scales == case.scales and all(
+        isclose(turned[name], -value if name == "load" else value, rel_tol=1e-9, abs_tol=1e-12)
+        for name, value in values.items()
+        if name not in phases
+    )
+    if not same:  # never a report of another pair
+        raise GearlashError(f"{case.name}: no mirror image of it could be made, which a report is made of")
+    return found
+
+
+def _is_error(name: str) -> bool:
+    """Whether a parameter is the amplitude of a harmonic of the error."""
+    return name == "error" or (name.startswith("error_") and name.removeprefix("error_").isdigit())
+
+
+def _half_a_turn(
+    case: Case, values: Mapping[str, float], phases: Sequence[str]
+) -> Iterator[tuple[str, object]]:
+    """Phases of the error half a turn away, with their limits and ranges: its amplitudes stay."""
     ranged = {value.short: value for value in case.values() if value.least is not None}
-    mirrored: dict[str, object] = dict(_torque(case)) or {"load": -values["load"]}
-    for name, value in values.items():
-        harmonic = name == "error" or (name.startswith("error_") and name.removeprefix("error_").isdigit())
-        if harmonic and name in ranged:  # whose range stays; half a turn of its phase is the same
-            phase = f"error_phase{name.removeprefix('error')}"
-            own = ranged.get(phase)
-            if own is not None and own.limited:
-                half = 180.0 if own.unit == "deg" else pi
-                mirrored[own.path] = _moved(own, 1.0, -copysign(half, float(own.value)))
-            else:
-                mirrored[phase] = values[phase] - copysign(pi, values[phase])
-        elif harmonic and value:
-            mirrored[name] = -value
-    return case.with_overrides(mirrored)
+    for phase in phases:
+        own = ranged.get(phase)
+        if own is None:
+            yield phase, values[phase] - copysign(pi, values[phase])
+            continue
+        half = 180.0 if own.unit == "deg" else pi
+        moved = _moved(own, 1.0, -copysign(half, float(own.value)))
+        why = {} if own.limited else {"provenance": str(own.provenance), "reason": own.reason}
+        yield own.path, moved | why
 
 
-def _torque(case: Case) -> Iterator[tuple[str, object]]:
-    """Torque or power with its limits turned round, under the name that states them."""
+def _turned(case: Case) -> Iterator[tuple[str, object]]:
+    """Torque, power or load turned round under the name that states it, from which estimates at this torque
+    follow."""
+    stated = {entry.path for entry in case.entries.values()}
     for value in case.values():
-        if value.limited and value.path in ("dimensionless.load", *TORQUES):
-            yield value.path, _moved(value, -1.0, 0.0)
+        if value.path in stated.intersection({"dimensionless.load", *TORQUES}):
+            yield value.path, _moved(value, -1.0, 0.0) if value.limited else _text(-float(value.value), value)
 
 
 def _moved(value: Value, factor: float, shift: float) -> dict[str, object]:
@@ -73,8 +92,13 @@ def _moved(value: Value, factor: float, shift: float) -> dict[str, object]:
     assert value.greatest is not None
     ends = sorted((factor * value.least + shift, factor * value.greatest + shift))
     size = factor * float(value.value) + shift
-    texts = [f"{number!r} {value.unit}".strip() for number in (size, *ends)]
+    texts = [_text(number, value) for number in (size, *ends)]
     return {"value": texts[0], "range": texts[1:]}
+
+
+def _text(number: float, value: Value) -> float | str:
+    """A number in the unit of a value, as a case states it."""
+    return f"{number!r} {value.unit}" if value.unit else number
 
 
 def _check_alike(case: Case) -> None:
@@ -84,7 +108,10 @@ def _check_alike(case: Case) -> None:
         raise GearlashError(f"{said} mirror image, which needs both sides alike (back_stiffness, back_gap)")
     paths = {value.path for value in case.values()}
     if any(path.startswith(("curves.", "mesh.loaded_error")) or path.endswith(".runout") for path in paths):
-        raise GearlashError(f"{said} mirror image, which is not made of curves, loaded errors and run-out")
+        raise GearlashError(
+            f"{said} mirror image, which is not made of curves, loaded errors and run-out (gearlash run, "
+            "sweep, zones, map and graze take the case as it is)"
+        )
 
 
 def stated_speeds(case: Case) -> tuple[float, float] | None:

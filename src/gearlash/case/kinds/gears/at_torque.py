@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from math import copysign
 
 import numpy as np
 
@@ -57,9 +58,13 @@ def varies(entries: EntriesByKey) -> bool:
 
 def relief_error(drawing: Drawing | None, entries: EntriesByKey) -> Fourier | None:
     """The error that belongs to the contact lines under load at the torque of a drawing, m: what relief,
-    crowning and contact beyond the path of contact make. None where the lines are not those of the model."""
+    crowning and contact beyond the path of contact make. What flanks lack lets the gear fall behind; under a
+    negative torque their back sides bear, and it runs ahead. None where the lines are not those of the
+    model."""
     found = loaded_of(drawing, entries)
-    return None if found is None else found.error_series(HIGHEST_HARMONIC)
+    if found is None or drawing is None:
+        return None
+    return copysign(1.0, drawing.torque or 0.0) * found.error_series(HIGHEST_HARMONIC)
 
 
 def mesh_at(entries: EntriesByKey, drawing: Drawing | None, torque: float) -> MeshAt:
