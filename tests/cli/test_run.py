@@ -295,3 +295,4 @@ def test_the_heading_of_figures_says_which_backlash_is_an_estimate():
     text = (Path(__file__).parents[1] / "cases" / "drawing.toml").read_text()
     assert at_what(loads(text)) == ", at 4200 rpm, 150 N·m, 80 µm backlash"
     assert at_what(loads(text.replace('backlash = "80 um"\n', ""))).endswith(", about 197 µm backlash")
+    assert at_what(load("kahraman-singh"), "load") == ", at ω = 0.5, D = 1"

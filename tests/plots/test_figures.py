@@ -10,6 +10,7 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
@@ -18,7 +19,9 @@ from matplotlib.text import Text
 import gearlash as gl
 from gearlash import plots
 from gearlash.gears import CylindricalGear, CylindricalPair
+from gearlash.plots import style
 from gearlash.plots.branch_lines import MARKERS, OTHER_MARKER
+from gearlash.plots.legends import legend_below
 from gearlash.plots.measured import Column, Strip, measured_histories
 from gearlash.plots.over_speed import Curve, SpeedAxis, Stack, over_speed
 from gearlash.plots.spectra import Levels, order_spectra
@@ -491,3 +494,29 @@ def test_residuals_have_the_markers_of_what_was_measured() -> None:
     )
     upper, lower = ({str(line.get_marker()) for line in axes.lines} - {"None", ""} for axes in figure.axes)
     assert upper == lower == {"^", "v"}
+
+
+def test_a_long_note_breaks_into_lines_and_leaves_the_legend_its_columns() -> None:
+    handles = [Line2D([], [], label=f"curve {i}") for i in range(8)]
+    made = []
+    for note in ("short", "words that say much " * 20):
+        figure = style.figure(style.PAGE, 60.0)
+        figure.subplots()
+        legend_below(figure, handles, note, columns=4, room=15.0)
+        made.append(figure)
+    short, long = (each.legends[0] for each in made)
+    assert long._ncols == short._ncols == 4
+    box = long.get_window_extent(FigureCanvasAgg(made[1]).get_renderer())
+    assert 0.0 < box.width <= made[1].bbox.width
+    assert "\n" in long.get_title().get_text()
+
+
+def test_small_exponents_fill_their_panel() -> None:
+    """Those of a pair with little damping are a few thousandths, of either sign."""
+    data = dataset().copy(deep=True)
+    values = np.linspace(-2e-3, 2e-4, data["largest_exponent"].size)
+    data["largest_exponent"].values[:] = values.reshape(data["largest_exponent"].shape)
+    data["exponent_error"].values[:] = 1e-5
+    low, high = plots.diagram(data).axes[5].get_ylim()
+    assert -2.8e-3 < low < -1.9e-3
+    assert 2.1e-4 < high < 1e-3

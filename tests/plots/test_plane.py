@@ -57,13 +57,13 @@ def test_a_map_says_what_it_is_of():
     assert "Q impacts on the drive side" in legend.get_title().get_text()
     data = plane().copy()  # one for all tests
     data.attrs |= {"case_name": "own$", "parameters": '{"load": 0.25, "mass": 3.0, "D": 1.0}', "fixed": "{}"}
-    assert plots.plane(data).axes[0].get_title(loc="left") == r"own\$,  f_m = 0.25"
+    assert plots.plane(data).axes[0].get_title(loc="left") == r"own\$,  $f_m$ = 0.25"
     data["label_name"] = [
         f"{name}/0-1" if "-" in name else name for name in map(str, data["label_name"].values)
     ]
     assert "of every gap in turn" in plots.plane(data).legends[0].get_title().get_text()
     data.attrs["fixed"] = '{"mass": 3.0}'
-    assert plots.plane(data).axes[0].get_title(loc="left") == r"own\$,  f_m = 0.25,  mass = 3"
+    assert plots.plane(data).axes[0].get_title(loc="left") == r"own\$,  $f_m$ = 0.25,  mass = 3"
 
 
 def test_a_map_asked_in_units_has_them_as_its_own_axes_and_marks_the_others():

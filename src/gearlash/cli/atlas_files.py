@@ -10,7 +10,7 @@ from gearlash.results.curve_file import curve_text
 from gearlash.results.plane_dataset import plane_dataset
 from gearlash.results.store import netcdf, write_together
 
-from .files import draw_if
+from .files import at_what, draw_if
 from .folder import OutFolder
 from .jsonio import text
 from .second_scale import scale_of
@@ -38,9 +38,10 @@ def write_atlas(folder: OutFolder, case: Case, found: Atlas, answer: AtlasAnswer
 
 
 def _figure(plots: Any, case: Case, found: Atlas, answer: AtlasAnswer) -> Any:
-    if not found.curves:
-        return plots.plane(plane_dataset(case, found.plane), units=plots.Units.of(case))
     title = f"Atlas of {case.name} over {answer.x.asked.title} and {answer.y.asked.title}"
+    title += at_what(case, answer.x.name, answer.y.name)
+    if not found.curves:
+        return plots.plane(plane_dataset(case, found.plane), units=plots.Units.of(case), title=title)
     if not found.complete:
         title += " (incomplete)"
     along = [scale_of(answer.x), scale_of(answer.y)]

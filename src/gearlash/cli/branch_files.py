@@ -13,7 +13,7 @@ from gearlash.results.branch_file import branch_text
 from gearlash.results.store import netcdf, write_together
 
 from .command_tables import branch_tables
-from .files import draw_if
+from .files import at_what, draw_if
 from .folder import OutFolder
 from .jsonio import text
 from .second_scale import scale_of
@@ -91,5 +91,6 @@ def _figure(
 ) -> Any:
     """With the parameter in the unit that was asked for."""
     title = f"{'Branches' if len(datasets) > 1 else 'Branch'} of {case.name} over {answer.axis.asked.title}"
+    title += at_what(case, answer.axis.name)
     units, along = plots.Units.of(case), scale_of(answer.axis)
     return plots.branch_diagram(datasets, measure, title=title, span=span, units=units, along=along)

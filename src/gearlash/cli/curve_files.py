@@ -12,7 +12,7 @@ from gearlash.results.curve_file import curve_text
 from gearlash.results.store import netcdf, write_together
 
 from .command_tables import curve_tables
-from .files import draw_if
+from .files import at_what, draw_if
 from .folder import OutFolder
 from .jsonio import text
 from .second_scale import scale_of
@@ -62,4 +62,5 @@ def _figure(plots: Any, case: Case, curves: Sequence[Curve], answer: CurveAnswer
     one, two = answer.axes
     what = "Curves" if len(curves) > 1 else "Curve"
     title = f"{what} of {case.name} over {one.asked.title} and {two.asked.title}"
+    title += at_what(case, one.name, two.name)
     return plots.curve_diagram(curves, case, title=title, along=(scale_of(one), scale_of(two)))

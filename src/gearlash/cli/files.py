@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
 
 GRAZING = "grazing"
+MAIN_VALUES = ("omega", "pinion_speed"), ("load", "torque"), ("D", "backlash")
+"""Short names of what a figure is drawn at, and the physical quantities that stand for them."""
 SAME = 1e-9  # of a value: two directions of a sweep met one point
 
 logging.getLogger("fontTools").setLevel(logging.ERROR)  # it remarks on figures without a date
@@ -102,14 +104,17 @@ def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: Z
 
 
 def at_what(case: Case, *varied: str) -> str:
-    """Where a figure is drawn, behind its title: speed, torque and backlash of a case in physical units, but
-    for what is ``varied``, an estimate as such; empty without."""
+    """Where a figure is drawn, behind its title: speed, torque and backlash of a case in physical units, else
+    as the numbers that they are, but for what is ``varied``, an estimate as such; empty without."""
     family = case.family()[0]
     told, assumed = [], {value.path for value in case.values() if value.uncertain}
-    for short, leaf in (("omega", "pinion_speed"), ("load", "torque"), ("D", "backlash")):
+    for short, leaf in MAIN_VALUES:
         if short in varied or short not in family.defaults:
             continue
-        for path, value, unit in case.physical(short, family.defaults[short]):
+        named = case.physical(short, family.defaults[short])
+        if not named:
+            told.append(f"{'ω' if short == 'omega' else short} = {family.defaults[short]:.4g}")
+        for path, value, unit in named:
             if path.rpartition(".")[2] == leaf:
                 size = f"about {float(value):.3g}" if path in assumed else f"{float(value):.5g}"
                 told.append(f"{size} {pretty(unit)}{' backlash' if leaf == 'backlash' else ''}")
@@ -126,10 +131,12 @@ def write_map(folder: OutFolder, case: Case, plane: PlaneMap, answer: Any) -> No
     dataset = plane_dataset(case, plane)
     write_data(folder, "map", dataset, answer, ("map.svg", "map.pdf"))
     asked = answer.x.asked, answer.y.asked
+    over = f"{asked[0].title} and {asked[1].title}{at_what(case, answer.x.name, answer.y.name)}"
 
     def figure(plots: Any) -> Figure:
         typed = [second_scale(one) for one in asked]
-        return plots.plane(dataset, units=plots.Units.of(case), along=typed)
+        title = f"{case.name}: map over {over}"
+        return plots.plane(dataset, units=plots.Units.of(case), along=typed, title=title)
 
     draw_if(folder, "map", plane.complete, figure)
 
@@ -145,7 +152,10 @@ def write_motion(folder: OutFolder, case: Case, attractor: Attractor, answer: Ru
         return
     optional(lambda: _write_series(folder, case, attractor, answer))
     label = found.label.short if isinstance(found.label, Signature) else str(found.label)
-    title = "\n".join(filter(None, [f"{case.name}:  {label}", at_what(case).removeprefix(", at ")]))
+    gaps = [gap.name for gap in attractor.propagators.system.clearances]
+    which = f"X and Φ of {gaps[0]}, the first of {len(gaps)} gaps" if len(gaps) > 1 else ""
+    said = f"{case.name}:  {label}", at_what(case).removeprefix(", at "), which
+    title = "\n".join(filter(None, said))
 
     def drawn(name: str) -> Callable[[Any], Figure]:
         return lambda plots: getattr(plots, name)(found, units=plots.Units.of(case), title=title)

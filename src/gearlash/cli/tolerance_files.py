@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from gearlash.case import Case
 from gearlash.results.store import write_together
 
-from .files import draw_if, draw_stopped
+from .files import MAIN_VALUES, at_what, draw_if, draw_stopped
 from .folder import OutFolder
 from .jsonio import text
 
@@ -31,7 +31,9 @@ def write_tolerance(
     write_together(contents, folder.outdated("tolerance.json", ("tolerance.svg", "tolerance.pdf")))
 
     def figure(plots: Any) -> Figure:
-        return plots.tolerance_bands(found, f"Tolerances of {case.name} (dashed: its own value)")
+        varied = {path.rpartition(".")[2] for path in (found.axis.name, *(one.path for one in found.inputs))}
+        given = at_what(case, *varied, *(short for short, leaf in MAIN_VALUES if leaf in varied))
+        return plots.tolerance_bands(found, f"Tolerances of {case.name}{given} (dashed: its own value)")
 
     if found.complete:
         draw_if(folder, "tolerance", True, figure)

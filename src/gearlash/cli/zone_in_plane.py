@@ -162,7 +162,7 @@ def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnsw
     """The answer (JSON), the boundary (CSV), and the figure as SVG and PDF."""
     from gearlash.results.store import write_together
 
-    from .files import draw_if
+    from .files import at_what, draw_if
     from .jsonio import text
 
     contents = {
@@ -170,12 +170,8 @@ def _write(folder: OutFolder, case: Case, zone: PlaneZone, answer: PlaneZoneAnsw
         folder.file("zone.csv"): csv.content(_table(answer)),
     }
     write_together(contents, instead_of=folder.outdated("zone.json", FILES[2:]))
-    twins = _twins(case, answer)
-    draw_if(
-        folder, "zone", True,
-        lambda plots: plots.zone_in_plane(zone, case, title=f"Zone of {case.name} around its operating point",
-                                          along=twins),
-    )  # fmt: skip
+    twins, title = _twins(case, answer), f"Zone of {case.name} around its operating point{at_what(case)}"
+    draw_if(folder, "zone", True, lambda plots: plots.zone_in_plane(zone, case, title=title, along=twins))
 
 
 def _twins(case: Case, answer: PlaneZoneAnswer) -> list[Twin | None]:

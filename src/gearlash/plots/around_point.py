@@ -14,7 +14,7 @@ from scipy.interpolate import CubicSpline
 from . import style
 from .plane_lines import PlaneLine, draw_lines
 from .units import ASSUMED, Units, literal, second
-from .words import Words
+from .words import Words, drawn
 from .words import words as words_of
 
 ROOM = 0.07  # of the picture, around all that is in it
@@ -90,7 +90,7 @@ def around_point(
     _apart(apart, lines[0], lines[-1], across, names, said)
     marks = [
         Line2D([], [], ls="none", marker="*", ms=7.0, color=style.INK, mfc="white", label=_pair(point)),
-        Line2D([], [], color=style.GREY, lw=0.8, ls=ACROSS, label=literal(words)),
+        Line2D([], [], color=style.GREY, lw=0.8, ls=ACROSS, label=drawn(words)),
     ]
     figure.legend(
         handles=[*key, *marks], loc="outside lower center", ncols=2, columnspacing=1.6,

@@ -19,7 +19,7 @@ from . import style
 from .legends import legend_below
 from .marks import LINES, OTHER_LINE, OTHER_TICK, TICKS, Mark, height, lines, texts
 from .regimes import FREE
-from .strip import key, strip
+from .strip import OVER_LINES, key, strip
 from .swept import Swept, axis_name, differs, swept
 from .units import ASSUMED, EXPONENT, ForceAxis, Twin, Units, literal, rests, second
 from .words import words
@@ -35,7 +35,7 @@ LEGEND = 15.0  # mm: height of it that the figure is made for
 DENSE = 700  # values of an axis from which points are smallest, and not joined
 LARGEST_DOT = 14.0  # times that size, of the points of a coarse axis
 NOTHING = 1e-12  # contact force that is rounding
-LEAST_SPAN = 0.02  # per unit of τ: of the axis of exponents, which would show rounding otherwise
+LEAST_SPAN = 1e-6  # per unit of τ: of the axis of exponents, which would show rounding otherwise
 PRESENT: dict[str, Any] = {"color": style.VERMILION, "lw": 1.0, "ls": (0, (5, 2))}
 BACK = ("back_force", "back_release_force")  # impacts, and releases, which are drawn paler
 AGREEING = " (also up and down, where not drawn)"
@@ -181,6 +181,7 @@ def _empty(panel: Axes, text: str) -> None:
         ha="center",
         va="center_baseline",
         color=style.GREY,
+        zorder=OVER_LINES,
         bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
     )
 
@@ -285,12 +286,13 @@ def _present(panels: Sequence[Axes], value: float | None, factor: float) -> Iter
 def _exponents(panel: Axes, rows: list[Swept], shown: list[NDArray[np.bool_]]) -> None:
     panel.axhline(0.0, color=style.INK, lw=0.6)
     panel.set_ylabel(EXPONENT)
-    lowest = []
+    lowest, highest = [], []
     for way, keep in zip(rows, shown, strict=True):
         colour, marker, size, order = DIRECTION_STYLES.get(way.direction, DIRECTION_STYLES["cold"])
         keep = keep & np.isfinite(way.exponent)
         x, y, bar = way.values[keep], way.exponent[keep], way.exponent_error[keep]
         lowest.append(y)
+        highest.append(y + np.nan_to_num(bar))
         panel.scatter(
             x,
             y,
@@ -305,7 +307,7 @@ def _exponents(panel: Axes, rows: list[Swept], shown: list[NDArray[np.bool_]]) -
             x[with_bar], y[with_bar], bar[with_bar], fmt="none", ecolor=colour, elinewidth=0.5, capsize=0.0
         )
     values = np.concatenate(lowest)
-    low, high = min(float(np.quantile(values, 0.01)), 0.0), max(float(values.max()), 0.0)
+    low, high = min(float(np.quantile(values, 0.01)), 0.0), max(float(np.concatenate(highest).max()), 0.0)
     room = max(high - low, LEAST_SPAN)
     panel.set_ylim(high - 1.08 * room, high + 0.12 * room)
 

@@ -16,7 +16,7 @@ from gearlash.system import Label, MotionKind, Signature, label_text
 from . import style
 from .regimes import regime, short
 from .units import Units, second
-from .words import Words, words
+from .words import Words, drawn, words
 
 REPORTED = "reported"
 HEIGHT = 0.56  # of a bar, of the distance between two
@@ -114,9 +114,9 @@ def _panel(axes: Axes, panel: Panel, said: Words) -> None:
     wide = high - low
     axes.set_xlim(low - 0.42 * wide, high + 0.42 * wide)
     axes.set_ylim(len(panel.bars) - 0.3, -0.7)
-    axes.set_yticks(range(len(panel.bars)), [b.title for b in panel.bars])
+    axes.set_yticks(range(len(panel.bars)), [drawn(b.title) for b in panel.bars])
     axes.tick_params(axis="y", length=0)
-    axes.set_title(panel.title, pad=6.0)
+    axes.set_title(drawn(panel.title), pad=6.0)
     axes.set_xlabel(said.name(panel.parameter))
     for row, bar in enumerate(panel.bars):
         _bar(axes, row, bar, wide)
@@ -154,5 +154,10 @@ def _bar(axes: Axes, row: int, bar: Bar, wide: float) -> None:
             color=style.INK if plain else kind.ink,
         )
     gap = 0.012 * wide
-    axes.text(bar.lower - gap, row, bar.lower_text, ha="right", va="center", fontsize=7)
-    axes.text(bar.upper + gap, row, bar.upper_text, ha="left", va="center", fontsize=7)
+    over = {"va": "center", "fontsize": 7, "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 0.6}}
+    for at, text, side in (
+        (bar.lower - gap, bar.lower_text, "right"),
+        (bar.upper + gap, bar.upper_text, "left"),
+    ):
+        if text:
+            axes.text(at, row, text, ha=side, **over)

@@ -11,6 +11,7 @@ from . import style
 from .regimes import ALL, Regime, regime, short
 from .swept import Swept
 
+OVER_LINES = 5  # lines through all panels, as of the present value, do not cross texts
 CHARACTER = 1.25  # mm of a character at the size of the strip
 
 
@@ -37,6 +38,8 @@ def strip(axes: Axes, ways: Sequence[Swept], millimetres: float, height: float =
                     va="center_baseline",
                     fontsize=6.5,
                     color=kind.ink,
+                    zorder=OVER_LINES,
+                    bbox={"facecolor": kind.colour, "edgecolor": "none", "pad": 0.3},
                 )
     axes.set_ylim(0.0, len(ways))
     axes.set_yticks([len(ways) - 0.5 - i for i in range(len(ways))], [b.direction for b in ways])

@@ -93,7 +93,7 @@ def _probability(axes: Axes, found: Tolerance) -> None:
     axes.plot(found.axis.values, found.probability, "o", color="black", ms=2.0)
     axes.set_ylim(-0.04, 1.04)
     axes.yaxis.set_major_formatter(PercentFormatter(1.0))
-    axes.set_ylabel("probability\n(grey: ± 2 std. errors)")
+    axes.set_ylabel("contact kept,\nprobability\n(grey: ± 2 std. errors)")
     _present(axes, found)
 
 

@@ -3,6 +3,7 @@ their own names, however they are spelt."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -26,7 +27,12 @@ class Words:
 
     def symbol(self, parameter: str) -> str:
         """For a heading."""
-        return self.symbols.get(parameter, literal(parameter))
+        return drawn(self.symbols[parameter]) if parameter in self.symbols else literal(parameter)
+
+
+def drawn(text: str) -> str:
+    """A text in which symbols of gears, as f_m, are set with their index below."""
+    return re.sub(r"\b(f|ξ)_(m|b)\b", r"$\1_\2$", literal(text))
 
 
 GEARS = Words(

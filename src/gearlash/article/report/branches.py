@@ -48,7 +48,9 @@ def _part(case: Case, scan: Scan, diagram: Diagram, quantities: Quantities) -> t
         if branch.points[0].period <= DRAWN or any(number in _numbers(chain) for chain in told(scan))
     }
     whole = [datasets[i] for i, branch in enumerate(scan.branches) if branch.points[0].period <= DRAWN]
-    look = {"cloud": diagram.dataset, "units": quantities.units}
+    over = TITLES.get(scan.parameter, scan.parameter).lower()
+    title = f"{case.name}: branches over {over}, at {fixed_words(scan.fixed)}"
+    look = {"cloud": diagram.dataset, "units": quantities.units, "title": title}
     pictures = [Picture(stem, plots.branch_diagram, (whole, "strobes"), look)] if whole else []
     figures = [_figure(scan, stem, quantities, len(whole))] if whole else []
     widest = max(told(scan), key=lambda chain: chain.width, default=None)

@@ -23,9 +23,9 @@ def section(done: Reproduction) -> tuple[Section, list[Picture]]:
     parts, pictures = [], []
     for diagram, title in ((done.frequency, "Mesh frequency"), (done.backlash, "Backlash")):
         stem = f"sweep-{diagram.parameter}"
-        pictures.append(
-            Picture(stem, plots.diagram, (diagram.dataset, marks(diagram), quantities.units, FORCE))
-        )
+        data = diagram.dataset, marks(diagram), quantities.units, FORCE
+        title_drawn = f"{done.case.name}: sweep over {title.lower()}, at {fixed_words(diagram.fixed)}"
+        pictures.append(Picture(stem, plots.diagram, data, {"title": title_drawn}))
         parts.append(_part(diagram, title, stem, quantities))
     intro = Text.of(
         "Each point of a diagram is an attractor, found three ways: from rest at every value (cold "
