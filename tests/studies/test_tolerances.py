@@ -2,7 +2,7 @@
 
 import threading
 from itertools import product
-from math import nan, pi
+from math import log, nan, pi, prod
 from pathlib import Path
 
 import numpy as np
@@ -220,16 +220,20 @@ def test_where_no_share_can_be_told_it_is_told_why():
 
 
 def test_indices_and_the_worst_corner_of_a_linear_mesh_are_those_of_the_closed_form():
-    """Its least compression is load - c error, with c = ω² / |1 - ω² + 2iξω|: linear in both."""
+    """Its least compression is load - c error, with c = ω² / |1 - ω² + 2iξω|: over the static one, which is
+    the load, 1 - c error / load, a product."""
     case, axis = loads(LINEAR), gl.Axis.even("omega", 0.55, 0.65, 2)
     limits = {"load": (0.15, 0.3), "error": (0.05, 0.3)}
-    found = gl.tolerance(case, axis, limits, samples=8, replicates=4)
+    found = gl.tolerance(case, axis, limits, samples=32, replicates=4)
     c = 0.6**2 / abs(1.0 - 0.6**2 + 2j * 0.05 * 0.6)
-    parts = {"dimensionless.load": 0.15**2, "dimensionless.error": (0.25 * c) ** 2}
-    for one in found.influences:
-        share = parts[one.path] / sum(parts.values())
-        assert one.first == pytest.approx(share, abs=4.0 * one.first_error)
-        assert one.total == pytest.approx(share, abs=4.0 * one.total_error)
+    means = {"dimensionless.load": log(0.3 / 0.15) / 0.15, "dimensionless.error": 0.175}
+    squares = {"dimensionless.load": 1.0 / (0.15 * 0.3), "dimensionless.error": 0.175**2 + 0.25**2 / 12.0}
+    whole = prod(squares.values()) - prod(means.values()) ** 2
+    for one, other in zip(found.influences, reversed(found.influences), strict=True):
+        part = means[other.path] ** 2 * (squares[one.path] - means[one.path] ** 2)
+        rest = means[one.path] ** 2 * (squares[other.path] - means[other.path] ** 2)
+        assert one.first == pytest.approx(part / whole, abs=4.0 * one.first_error)
+        assert one.total == pytest.approx(1.0 - rest / whole, abs=4.0 * one.total_error)
         assert one.total_error < 0.2
     worst = case.with_overrides(dict(found.settings_of_worst)).family()[0].system()
     assert closed_margin(worst, 1) == pytest.approx(0.15 - 0.3 * c, abs=1e-9)

@@ -143,7 +143,7 @@ def _indices(axes: Axes, found: Tolerance, shown: _Shown) -> None:
     axes.set_ylim(len(totals) - 0.5, -0.5)
     axes.set_xlim(0.0, 1.0)
     axes.xaxis.set_major_formatter(PercentFormatter(1.0))
-    label = "share of the variance of the least compression at the dashed value, with interactions"
+    label = "share of the variance of least over static compression at the dashed value, with interactions"
     axes.set_xlabel("\n".join([label, *shown.rest]))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import isfinite
+from math import isfinite, nan
 from typing import TypeAlias
 
 from gearlash.system import Record
@@ -88,6 +88,8 @@ class ToleranceMember:
         The unit of length, m.
     unsolved : int
         Values of the axis at which the motion was not solved for: they count as not free of impacts.
+    static : float
+        The compression under the mean torque alone, in the same unit as the margin.
 
     Examples
     --------
@@ -101,16 +103,23 @@ class ToleranceMember:
     margin: float
     length: float | None
     unsolved: int
+    static: float = nan
 
     @property
     def compression(self) -> float:
         """The margin in m; as it is where there is no unit of length."""
         return self.margin * (self.length or 1.0)
 
+    @property
+    def share(self) -> float:
+        """The margin over the static compression: 1 where nothing moves, 0 where teeth just part, and where
+        no torque presses them."""
+        return 0.0 if self.static == 0.0 else self.margin / self.static
+
 
 @dataclass(frozen=True)
 class Influence:
-    """How much of the spread of the margin an input makes (Sobol indices).
+    """How much of the spread of the margin over the static compression an input makes (Sobol indices).
 
     Attributes
     ----------
@@ -184,14 +193,15 @@ class Tolerance(Record):
     present : float
         That value, in the unit of the axis.
     worst : ToleranceMember
-        The combination with the least margin at the present value, of all that were tried.
+        The combination with the least margin over the static compression at the present value, of all that
+        were tried.
     samples, replicates, corners : int
         Points of each of the sets of samples, how many sets, and corners of the limits, as they were planned.
     tried : int
         Combinations of which bands are known: the case as it is where it lies within the limits, corners,
         samples, and the worst one of the search.
     influences : tuple of Influence
-        Of the margin at the present value, the largest total first.
+        Of the margin over the static compression at the present value, the largest total first.
     no_influences : str
         Why there are none; empty where there are some.
     unsolved : int

@@ -171,6 +171,12 @@ def closed_margin(system: System, side: int) -> float:
     return motion.least(motion.force if pressed else motion.beyond, side)
 
 
+def static_compression(case: Case) -> float:
+    """Compression (in X) of the mean stiffness under the mean torque of a case alone; 0 without torque."""
+    numbers = case.family()[0].complete({})
+    return abs(numbers["load"] / numbers["rotation_factor"])
+
+
 def linear_states(system: System) -> Iterator[NDArray[np.float64]]:
     """States at phase zero of the periodic motions that a system of one clearance would have if it were in
     contact on one side all the time, or never: near a touch the real motion is near to one of them."""

@@ -11,7 +11,7 @@ from gearlash.case import Case
 from gearlash.results.tolerance import ToleranceInput
 from gearlash.system import GearlashError
 
-from .impact_free import closed_margin
+from .impact_free import closed_margin, static_compression
 
 FACTOR = 1.08
 """From one value to the next in a range that spans a factor: of a stiffness 4 % of a natural frequency, and
@@ -33,12 +33,11 @@ def margin_of(case: Case, values: Mapping[str, str]) -> float:
     stable, and where no pair can have these values; 0 where no torque presses the teeth; NaN where it was not
     solved for."""
     try:
-        family = member_of(case, values).family()[0]
-        numbers = family.complete({})
-        static = numbers["load"] / numbers["rotation_factor"]
+        member = member_of(case, values)
+        family, static = member.family()[0], static_compression(member)
         if static == 0.0:
             return 0.0
-        return closed_margin(family.system(), 1 if static > 0.0 else -1) / abs(static)
+        return closed_margin(family.system(), 1 if family.defaults["load"] > 0.0 else -1) / static
     except GearlashError:
         return -inf
 

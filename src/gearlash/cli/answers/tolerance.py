@@ -43,7 +43,10 @@ class InputFound:
     nominal: Annotated[float | None, "of the case as it is, where it has this quantity in some form"]
     worst: Annotated[float | None, "its value in the worst combination that was tried"]
     reason: Annotated[str, "where the limits are from"]
-    first: Annotated[float | None, "Sobol index of the margin: share of its variance by this value alone"]
+    first: Annotated[
+        float | None,
+        "Sobol index of the margin over the static compression: share of its variance by this value alone",
+    ]
     first_error: float | None
     total: Annotated[float | None, "the same with all that it makes together with others"]
     total_error: float | None
@@ -88,6 +91,8 @@ class ToleranceAnswer:
         float | None, "least compression at the present value, m (dimensionless: over D_c)"
     ]
     worst_margin: Annotated[float | None, "the same of the worst combination; below 0 teeth part"]
+    nominal_share: Annotated[float | None, "least compression over the static one, of the case as it is"]
+    worst_share: Annotated[float | None, "the same of the worst combination, which is the one with the least"]
     worst: Annotated[dict[str, str], "the worst combination as settings (--set) of a case to run"]
     inputs: tuple[InputFound, ...]
     tried: Annotated[
@@ -129,6 +134,8 @@ def tolerance_answer(case: Case, found: Tolerance) -> ToleranceAnswer:
         nominal=_bands(found.nominal.bands),
         nominal_margin=_known(found.nominal.compression),
         worst_margin=_known(found.worst.compression),
+        nominal_share=_known(found.nominal.share),
+        worst_share=_known(found.worst.share),
         worst=dict(found.settings_of_worst),
         inputs=_inputs(found),
         tried=found.tried,
@@ -181,7 +188,9 @@ def _sentence(case: Case, found: Tolerance) -> str:
     first = found.influences[0] if found.influences else None
     if first is not None and first.total > SURE * first.total_error:
         name = found.sharing(first.path)
-        said.append(f"the margin there depends most on {name} ({variance_text(first)} of its variance)")
+        said.append(
+            f"least over static compression depends most on {name} ({variance_text(first)} of its variance)"
+        )
     if not found.never:
         said.remove(never)
     if not found.complete:
@@ -251,10 +260,11 @@ def margin_text(case: Case, member: ToleranceMember) -> str:
     """The least compression in words."""
     if not isfinite(member.margin):
         return "that motion is unstable" if member.margin < 0.0 else "that motion was not solved for"
+    share = f", {100.0 * member.share:.3g} % of the static one" if member.static > 0.0 else ""
     if member.length is None:
-        return f"least compression {member.margin:.4g} D_c"
+        return f"least compression {member.margin:.4g} D_c{share}"
     size, name = readable(1e6 * member.compression, "µm")
-    return f"least compression {size:.4g} {name}"
+    return f"least compression {size:.4g} {name}{share}"
 
 
 def _axis_unit(found: Tolerance) -> str:

@@ -37,7 +37,10 @@ def tolerance_view(answer: ToleranceAnswer, width: int) -> Iterator[Text]:
     )
     columns = [("value", "left"), ("from", "right"), ("to", "right"), ("worst", "right"), ("alone", "right"),
                ("in all", "right"), ("limits", "left")]  # fmt: skip
-    title = "Values with limits, and their share of the variance of the margin at the present value"
+    title = (
+        "Values with limits, and their share of the variance of least over static compression at the present "
+        "value"
+    )
     yield from table(title, columns, [_input(one) for one in answer.inputs], width)
     if answer.no_shares:
         yield from note(f"No shares of the variance: {answer.no_shares}.", width)

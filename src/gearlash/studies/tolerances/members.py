@@ -14,7 +14,7 @@ from gearlash.case import Case
 from gearlash.jobs import Part
 from gearlash.results import Axis
 from gearlash.results.tolerance import ToleranceInput, ToleranceMember
-from gearlash.studies.impact_free import ClosedMesh
+from gearlash.studies.impact_free import ClosedMesh, static_compression
 from gearlash.studies.model import Source
 from gearlash.system import GearlashError
 
@@ -65,7 +65,7 @@ def _member(case: Case, task: Task, values: tuple[float, ...]) -> ToleranceMembe
 
     bands = positive_bands(heard, looked_at(task.axis)) if task.bands else ()
     here = heard(task.present)
-    return ToleranceMember(values, bands, here, member.scales.length, unsolved)
+    return ToleranceMember(values, bands, here, member.scales.length, unsolved, static_compression(member))
 
 
 def looked_at(axis: Axis) -> list[float]:

@@ -235,12 +235,12 @@ class _Looker:
         members = self.members(rows, bands=False)
         if len(members) < len(rows):
             return (), self.stopped
-        margins = np.array([member.compression for member in members])
+        margins = np.array([member.share for member in members])
         found = list(margins.reshape(len(sets_of_points), *sets_of_points[0].shape[:2]))
         none = why_none(found)
         return ((), none) if none else (influences(together, found), "")
 
 
 def _badness(member: ToleranceMember) -> float:
-    """The margin; what was not solved for is no worst case."""
-    return inf if isnan(member.margin) else member.compression
+    """The margin over the static compression; what was not solved for is no worst case."""
+    return inf if isnan(member.share) else member.share
