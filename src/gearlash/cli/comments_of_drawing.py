@@ -7,11 +7,12 @@ from dataclasses import dataclass, field, replace
 from math import cos, degrees, pi, sqrt
 
 from gearlash.case import Case
-from gearlash.case.kinds import Choice, Quantity
+from gearlash.case.kinds import Choice, Quantity, kind_named
 from gearlash.case.rating import materials_of
 from gearlash.gears import CylindricalGear, CylindricalPair, gear_fits, inspection
+from gearlash.gears.backlash import Backlash
 from gearlash.gears.bearings import bearing_span
-from gearlash.gears.materials import OF_DATA_SHEETS
+from gearlash.gears.materials import OF_DATA_SHEETS, Material, named
 
 from .words_of_drawing import GEARS
 
@@ -19,6 +20,8 @@ MEASURED = (
     "span", "span_teeth", "over_balls", "ball_diameter", "tip_diameter", "root_diameter", "tooth_thickness",
 )  # fmt: skip
 """Words of a gear that stand among the derived values of a case."""
+
+HOUSING_EXPANSION = "mesh.housing_thermal_expansion"
 
 
 @dataclass(frozen=True)
@@ -52,6 +55,15 @@ def comments_of(case: Case) -> Comments:
     return Comments(found, dict(_fitting(case, teeth)), origins | dict(_of_lists(case)))
 
 
+def _housing(case: Case) -> Material:
+    """The material of the housing, stated or by default."""
+    path = "mesh.housing_material"
+    stated = next((v.value for v in case.values() if v.path == path), None)
+    place = kind_named(case.kind).places[path]
+    assert isinstance(place, Choice)
+    return named(place.default if stated is None else str(stated))
+
+
 def _of_lists(case: Case) -> Iterator[tuple[str, str]]:
     """What is a value of a material or a rack, and not computed."""
     for gear, one in zip(GEARS, materials_of(case), strict=True):
@@ -60,6 +72,7 @@ def _of_lists(case: Case) -> Iterator[tuple[str, str]]:
         for leaf in ("addendum", "dedendum", "root_radius"):
             yield f"{gear}.{leaf}", "as its rack has"
         yield f"{gear}.ball_diameter", "as assumed"
+    yield HOUSING_EXPANSION, f"of {_housing(case).name}, from the list"
 
 
 def _in_other_words(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, str]]:
@@ -84,6 +97,7 @@ def _in_other_words(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, s
         yield f"{gear}.poisson_ratio", f"{one.poisson_ratio:.6g}"
         yield f"{gear}.density", f"{one.density:.6g} kg/m^3"
         yield f"{gear}.thermal_expansion", f"{1e6 * one.expansion:.6g} um/(m*K)"
+    yield HOUSING_EXPANSION, f"{1e6 * _housing(case).expansion:.6g} um/(m*K)"
     first = teeth.pinion
     yield "mesh.transverse_module", f"{1e3 * first.transverse_module:.7g} mm"
     yield "mesh.transverse_pressure_angle", f"{degrees(first.transverse_pressure_angle):.7g} deg"
@@ -91,10 +105,16 @@ def _in_other_words(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, s
     yield "mesh.transverse_diametral_pitch", f"{0.0254 / first.transverse_module:.7g}"
     yield "mesh.centre_distance", f"{1e3 * teeth.centre_distance:.7g} mm"
     yield "mesh.shift_sum", f"{sum(one.profile_shift for one in teeth.gears):.4g}"
-    play = values.get("derived.backlash_circumferential")
-    if play is not None:
-        yield "mesh.backlash_circumferential", f"{play.value:.5g} um"
+    play = _play(case, teeth)
+    if play > 0.0:
+        yield "mesh.backlash_circumferential", f"{1e6 * play:.5g} um"
     yield from _operation(case, teeth.ratio)
+
+
+def _play(case: Case, teeth: CylindricalPair) -> float:
+    """Whole backlash on the working circle as drawings have it, at 20 °C and nominal distance, m."""
+    at_work = float(case.scales.backlash_m(case.family()[0].defaults["D"]))
+    return Backlash.from_normal(teeth, at_work - case.numbers.play_added).circumferential
 
 
 def _operation(case: Case, ratio: float) -> Iterator[tuple[str, str]]:
@@ -106,7 +126,7 @@ def _operation(case: Case, ratio: float) -> Iterator[tuple[str, str]]:
         if own is not None:
             yield f"operation.{end}_gear_speed", f"{float(own.value) / ratio:.6g} rpm"
     yield "operation.gear_torque", f"{torque * ratio:.6g} N*m"
-    yield "operation.power", f"{1e-3 * torque * speed * pi / 30:.5g} kW"
+    yield "operation.power", f"{1e-3 * torque * speed * pi / 30:.7g} kW"
 
 
 def speed_and_torque(case: Case) -> tuple[float, float]:
@@ -120,7 +140,7 @@ def _fitting(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, str]]:
     values = {v.path: v for v in case.values()}
     relief = max(1.0, float(f"{6e3 * teeth.pinion.normal_module:.1g}"))
     short = 0.5 * max(teeth.transverse_contact_ratio - 1.0, 0.1) * teeth.pinion.transverse_base_pitch
-    play = float(values["derived.backlash_circumferential"].value)
+    play = _play(case, teeth)
     for at, (gear, one) in enumerate(zip(GEARS, teeth.gears, strict=True)):
         bore = values.get(f"{gear}.bore")
         hole = 0.4 * one.root_diameter if bore is None else 1e-3 * float(bore.value)
@@ -130,7 +150,7 @@ def _fitting(case: Case, teeth: CylindricalPair) -> Iterator[tuple[str, str]]:
         yield f"{gear}.bearing_span", _millimetres(span)
         yield f"{gear}.rim_diameter", _millimetres(_rim(one, hole))
         yield f"{gear}.web_width", _millimetres(0.3 * teeth.face_width)
-        yield f"{gear}.thickness_allowance", f"{-0.5 * play * cos(one.helix_angle):.2g} um"
+        yield f"{gear}.thickness_allowance", f"{-0.5e6 * play * cos(one.helix_angle):.2g} um"
         for leaf in ("tip_relief", "root_relief", "profile_crowning", "crowning"):
             yield f"{gear}.{leaf}", f"{relief:g} um"
         lowest, highest = _touching(teeth, at)

@@ -11,14 +11,15 @@ TeethOfCase: TypeAlias = tuple[CylindricalPair, str, float, tuple[float, float] 
 
 
 def teeth_of_case(case: Case) -> TeethOfCase | None:
-    """Arguments of `mesh_drawing`: the pair at work, a title, its backlash and face widths in m, and what
-    rests on assumed values; None where the teeth are not known."""
+    """Arguments of `mesh_drawing`: the pair at 20 °C and nominal centre distance, a title, its backlash and
+    face widths in m, and what rests on assumed values; None where the teeth are not known."""
     numbers = case.numbers
-    pair = None if numbers is None else numbers.body.drawn
-    if pair is None:
+    if numbers is None or (pair := numbers.body.drawn) is None:
         return None
-    play = float(case.scales.backlash_m(case.family()[0].defaults["D"]))
+    play = float(case.scales.backlash_m(case.family()[0].defaults["D"])) - numbers.play_added
     title = f"{case.name}: {pair.pinion.teeth}/{pair.gear.teeth} teeth in the transverse section"
+    if numbers.body.meshing is not numbers.body.teeth:  # as it is drawn, and not as it is at work
+        title += ", at 20 °C and nominal centre distance"
     assumed = {value.path for value in case.values() if value.provenance == "assumed" or value.rests_on}
     return pair, title, play, _widths(case), tuple(sorted(assumed))
 

@@ -49,7 +49,7 @@ def numbers(
     }
     pair = rules.pair(entries, body, scales, contact)
     excited = excitation(curves or {}, entries, scales, _runout_factor(body.geometry), drawing)
-    return Numbers(parameters, pair, contact, scales, body, excited)
+    return Numbers(parameters, pair, contact, scales, body, excited, play_added)
 
 
 def _runout_factor(geometry: ToothGeometry | None) -> float:

@@ -44,7 +44,8 @@ class Body:
 @dataclass(frozen=True)
 class Numbers:
     """Family parameters by short name, the fixed numbers of a helical pair, contact rule, scales, body, and
-    the curves and run-out that excite the mesh."""
+    the curves and run-out that excite the mesh; what the backlash has more at work than at 20 °C and nominal
+    centre distance, m."""
 
     parameters: dict[str, float]
     pair: HelicalPair | None
@@ -52,6 +53,7 @@ class Numbers:
     scales: Scales
     body: Body
     excitation: Excitation
+    play_added: float = 0.0
 
 
 @dataclass(frozen=True)
