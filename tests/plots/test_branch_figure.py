@@ -9,12 +9,15 @@ from itertools import combinations
 import numpy as np
 import pytest
 import xarray as xr
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.text import Annotation, Text
 
 import gearlash as gl
 from gearlash import plots
-from gearlash.plots.branch_lines import ORDINARY
+from gearlash.plots import style
+from gearlash.plots.branch_diagram import CLOUD, FREE_COLOUR
+from gearlash.plots.branch_lines import ORDINARY, OTHER_COLOUR
 from gearlash.plots.room import Room
 from gearlash.plots.style import figure as empty
 from plots.made import branch
@@ -137,3 +140,28 @@ def test_room_takes_the_emptiest_place_and_never_one_twice() -> None:
     assert room.place("14", 7.0, [(50.0, 20.0)], most=0) is None
     assert room.place("15", 7.0, [(99.9, 10.0)]) is None, "outside"
     assert room.back(*room.at(30.0, 40.0)) == pytest.approx((30.0, 40.0))
+
+
+def test_branches_that_leave_the_picture_are_told() -> None:
+    case = gl.load_case("article")
+    made = gl.continue_branch(case, "omega", lower=0.9, upper=1.3, values={"omega": 1.0})
+    figure = plots.branch_diagram([gl.branch_dataset(case, made)])
+    low, high = figure.axes[0].get_ylim()
+    assert "unstable branches go on above and below what is shown" in said(figure)
+    drawn = [np.asarray(line.get_ydata(), dtype=float) for line in figure.axes[0].lines]
+    assert max(float(np.nanmax(y)) for y in drawn) > high
+    assert min(float(np.nanmin(y)) for y in drawn) < low
+    assert "go on" not in said(plots.branch_diagram([branch()]))
+
+
+def test_words_of_a_colour_can_be_read_on_white() -> None:
+    for colour in ("#56b4e9", "#e69f00", "#f0e442", "#cc79a7", "#0072b2", "#1a1a1a"):
+        parts = np.array(to_rgb(style.words_in(colour)))
+        assert 1.05 / (style.luminance(parts) + 0.05) >= 4.5
+    assert style.words_in("#1a1a1a") == "#1a1a1a"
+
+
+def test_branches_are_told_from_what_was_swept() -> None:
+    cloud = style.luminance(np.array(to_rgb(CLOUD))) + 0.05
+    for colour in (OTHER_COLOUR, FREE_COLOUR, style.BLUE):
+        assert cloud / (style.luminance(np.array(to_rgb(colour))) + 0.05) > 2.4

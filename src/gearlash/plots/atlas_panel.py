@@ -173,8 +173,8 @@ def _name(room: Room, text: str, colour: str, part: Array) -> None:
     placed = room.place(text, LABEL, places, most=MOST_COVERED, turned=turned)
     if placed is not None:
         room.panel.text(
-            *room.back(*placed), text, fontsize=LABEL, ha="center", va="center", color=colour,
-            rotation=90.0 if turned else 0.0, zorder=6.0,
+            *room.back(*placed), text, fontsize=LABEL, ha="center", va="center", color=style.words_in(colour),
+            rotation=90.0 if turned else 0.0, zorder=6.0, path_effects=style.cased(1.6),
         )  # fmt: skip
 
 

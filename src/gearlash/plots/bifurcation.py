@@ -30,6 +30,8 @@ DIRECTION_STYLES = {
     "up": (style.BLUE, "^", 3.2, 3.0),
     "down": (style.VERMILION, "v", 3.2, 3.0),
 }
+TALLEST = 184.0  # mm: of all panels and the texts above them
+LOWEST = 0.6  # of its height: a panel is not made lower
 WIDTH = 146.0  # mm of the panels of a figure of page width: what is left beside the labels
 LEGEND = 15.0  # mm: height of it that the figure is made for
 DENSE = 700  # values of an axis from which points are smallest, and not joined
@@ -99,7 +101,7 @@ def diagram(
     marks = [replace(mark, value=factor * mark.value) for mark in marks]
     shown = new_points(rows)
     forces = [5.0 if flat(rows, which) else 34.0 for which in (("drive_force",), BACK)]
-    heights = [height(marks), 4.6 * len(rows), 50.0, *forces, 30.0]
+    heights = _fitted([height(marks), 4.6 * len(rows), 50.0, *forces, 30.0])
     figure = style.figure(style.PAGE, sum(heights) + 38.0)
     panels: list[Axes] = list(figure.subplots(6, 1, sharex=True, height_ratios=heights))
     band, bars, *rest = panels
@@ -130,6 +132,13 @@ def diagram(
     told = ASSUMED if rests(twin, scales.length, scales.force) else None
     legend_below(figure, handles, told, columns=4, room=LEGEND)
     return figure
+
+
+def _fitted(heights: list[float]) -> list[float]:
+    """With panels, the last ones, as low as a sheet asks for that has the caption, too."""
+    above, panels = heights[:2], heights[2:]
+    share = min(1.0, (TALLEST - sum(above)) / sum(panels))
+    return [*above, *(max(share, LOWEST) * each for each in panels)]
 
 
 def new_points(rows: list[Swept]) -> list[NDArray[np.bool_]]:

@@ -4,6 +4,7 @@ special points and a colour for every count of impacts."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import xarray as xr
@@ -23,6 +24,7 @@ from .branch_lines import (
     OTHER_COLOUR,
     OTHER_MARKER,
     Shown,
+    cut,
     edge_lines,
     edges_of,
     fit,
@@ -45,7 +47,7 @@ COLOURS = (style.BLUE, style.VERMILION, style.GREEN, style.PURPLE, style.ORANGE,
 FREE_COLOUR = style.INK
 LOST = "not followed farther"
 MOST_NAMED = 5  # labels of one colour in the legend
-CLOUD = "#8c8c8c"
+CLOUD = "#b4b4b4"
 LEAST_MODULUS = 1e-3  # of a multiplier that is drawn
 WIDE = 4.0  # the modulus from which moduli are drawn over a logarithmic axis
 IN_CLOUD = {"extremes": ("minimum", "maximum")}
@@ -137,22 +139,23 @@ def branch_diagram(
         panels[0].set_title(literal(title))
     assumed = any(each is not None and each.assumed for each in (twin, up))
     handles = [*_styles(every), *_labels(colours), *_kinds(every), *_cloud_key(cloud)]
-    told = " ".join([_said(shown, several=len(every) > 1), *([ASSUMED] if assumed else [])])
+    told = " ".join([_said(shown, several=len(every) > 1), *([ASSUMED] if assumed else [])]).strip()
     legend_below(figure, handles, told or None, columns=4, room=LEGEND)
     return figure
 
 
 def _said(shown: Shown, *, several: bool) -> str:
-    """What the numbers are, and how many have no room."""
-    if not shown.inside:
-        return ""
+    """What the numbers are, how many have no room, and which branches leave the picture."""
     row = "branch.number in its table" if several else "rows of the table"
-    said = [f"Numbers: {row}" if shown.numbered else "Numbers have no room"]
+    said = [f"Numbers: {row}" if shown.numbered else "Numbers have no room"] if shown.inside else []
     if shown.numbered < shown.inside:
         said.append(f"{shown.numbered} of {shown.inside} special points shown have one")
     if shown.marked < shown.inside:
-        said.append(f"{shown.inside - shown.marked} markers are left out where they would hide the lines")
-    return f"{'; '.join(said)}."
+        left = shown.inside - shown.marked
+        many = "1 marker is left out where it" if left == 1 else f"{left} markers are left out where they"
+        said.append(f"{many} would hide the lines")
+    text = "; ".join([*said, *([shown.cut] if shown.cut else [])])
+    return f"{text[0].upper()}{text[1:]}." if text else ""
 
 
 def _common(every: Sequence[xr.Dataset], cloud: xr.Dataset | None) -> str:
@@ -232,7 +235,7 @@ def _branches(
     edge_lines(panel, room, edges)
     shown = special(panel, room, every, measure)
     labels(panel, room, drawn, colours)
-    return shown
+    return replace(shown, cut=cut(panel, drawn))
 
 
 def _multipliers(panel: Axes, every: Sequence[xr.Dataset], colours: dict[str, str]) -> None:

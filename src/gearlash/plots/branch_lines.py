@@ -29,7 +29,7 @@ ORDINARY = (
     "closed loop: the branch comes back to where it began",
     "joins the orbit of half its period",
 )
-OTHER_COLOUR = style.GREY
+OTHER_COLOUR = "#5a5a5a"
 MARKER = {"ls": "none", "color": style.INK, "mfc": "white", "ms": 2.8, "mew": 0.5}
 SAME_PLACE = 0.7  # mm: markers of one kind nearer to each other than this are one
 CROWD, MOST_CROWDED = 1.4, 2  # so many markers within so many mm, of any kind: more would hide the lines
@@ -52,16 +52,19 @@ BESIDE = ((0.0, 1.9), (0.0, -1.9), (0.0, 3.2), (0.0, -3.2))  # mm from it
 SHORTEST = 0.02  # of the width: a stretch that has a label
 MOST_COVERED = 6  # points of curves under a number: more, and neither can be read
 MARGIN = 0.1  # of the height of what attracts, above and below
+UNSTABLE = 2.5  # of that height: unstable branches that need no more are shown whole
 NEAR = 0.35  # of the height: boundaries of the gap and special points not farther outside are shown
 
 
 @dataclass(frozen=True)
 class Shown:
-    """Special points in the picture: how many there are, have a number, and have a marker."""
+    """Special points in the picture: how many there are, have a number, and have a marker; and, in words,
+    which branches leave it."""
 
     inside: int
     numbered: int
     marked: int
+    cut: str = ""
 
 
 def pieces(every: Sequence[xr.Dataset], measure: str) -> list[Piece]:
@@ -84,13 +87,14 @@ def special_heights(every: Sequence[xr.Dataset], measure: str) -> Array:
 def line(panel: Axes, piece: Piece, colours: dict[str, str]) -> None:
     """Solid where stable."""
     look = {"color": colours.get(piece.label, OTHER_COLOUR), "ls": "-" if piece.stable else DASHED}
-    panel.plot(piece.values, piece.y, lw=1.1 if piece.stable else 0.9, zorder=3.0, **look)
+    width = 1.1 if piece.stable else 0.9
+    panel.plot(piece.values, piece.y, lw=width, zorder=3.0, path_effects=style.cased(width + 1.2), **look)
 
 
 def fit(
     panel: Axes, seen: Sequence[tuple[Array, Array]], drawn: Sequence[Piece], beside: Sequence[Array]
 ) -> None:
-    """As high as what attracts: unstable branches may leave the picture, unless there is nothing else.
+    """As high as what attracts, and unstable branches that are not much higher; others leave the picture.
     ``beside``, (2, m) each: boundaries of the gap and special points, which are in it where they lie near."""
     stable = [piece for piece in drawn if piece.stable]
     shown = [*seen, *((p.values, p.y) for p in (stable if stable or seen else drawn))]
@@ -105,8 +109,22 @@ def fit(
     for x, y in beside:
         near = y[(x >= left) & (x <= right) & (y >= bottom) & (y <= top)]
         low, high = min([low, *near]), max([high, *near])
+    every = np.concatenate([p.y[(p.values >= left) & (p.values <= right)].ravel() for p in drawn])
+    lowest, highest = float(np.nanmin([low, *every])), float(np.nanmax([high, *every]))
+    if highest - lowest <= UNSTABLE * tall:
+        low, high = lowest, highest
     room = MARGIN * max(high - low, tall)
     panel.set_ylim(low - room, high + room)
+
+
+def cut(panel: Axes, drawn: Sequence[Piece]) -> str:
+    """Which branches leave the picture, in words; empty where none does."""
+    (left, right), (low, high) = panel.get_xlim(), panel.get_ylim()
+    inside = [p.y[(p.values >= left) & (p.values <= right)] for p in drawn]
+    above = any((y > high).any() for y in inside)
+    below = any((y < low).any() for y in inside)
+    where = " and ".join([*(["above"] if above else []), *(["below"] if below else [])])
+    return f"unstable branches go on {where} what is shown" if where else ""
 
 
 def edges_of(every: Sequence[xr.Dataset]) -> list[tuple[str, Array]]:
@@ -151,7 +169,9 @@ def edge_lines(panel: Axes, room: Room, edges: Sequence[tuple[str, Array]]) -> N
             panel.text(*room.back(*placed), text, color=style.GREY, **_TEXT)
 
 
-_TEXT = {"fontsize": SMALL, "ha": "center", "va": "center", "zorder": 6.0}
+_TEXT = {
+    "fontsize": SMALL, "ha": "center", "va": "center", "zorder": 6.0, "path_effects": style.cased(1.6)
+}  # fmt: skip
 
 
 def special(panel: Axes, room: Room, every: Sequence[xr.Dataset], measure: str) -> Shown:
@@ -236,4 +256,6 @@ def labels(panel: Axes, room: Room, drawn: Sequence[Piece], colours: dict[str, s
                 places += [(u + a, v + b) for a, b in BESIDE]
         placed = room.place(label, SMALL, places)
         if placed is not None:
-            panel.text(*room.back(*placed), label, color=colours.get(label, OTHER_COLOUR), **_TEXT)
+            panel.text(
+                *room.back(*placed), label, color=style.words_in(colours.get(label, OTHER_COLOUR)), **_TEXT
+            )

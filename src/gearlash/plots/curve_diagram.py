@@ -229,8 +229,9 @@ def _label(panel: Axes, room: Room, drawn: Drawn) -> None:
         placed = room.place(label, SMALL, places)
         if placed is not None:
             panel.text(
-                *room.back(*placed), label, fontsize=SMALL, ha="center", va="center", color=colour,
-                zorder=6.0, bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.75},
+                *room.back(*placed), label, fontsize=SMALL, ha="center", va="center",
+                color=style.words_in(colour), zorder=6.0,
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.75},
             )  # fmt: skip
 
 

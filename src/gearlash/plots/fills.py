@@ -15,6 +15,7 @@ SHADES = {
     DRIVE: ("#74c0ee", "#2f80b9", "#bfe3f7", "#4fa3d6", "#1b5e8e"),
     BACK: ("#e69f00", "#a85a00", "#fbdc9a", "#cd7f00", "#7a3e00"),
 }
+OTHER_HATCH = "\\\\\\"  # a grey print has it as light as a shade
 OTHERS = {DRIVE: "#9fb6c6", BACK: "#cbb59a"}
 DARK = ("#2f80b9", "#1b5e8e", "#a85a00", "#7a3e00", APERIODIC.colour)
 FREE_HATCH = "////"
@@ -54,7 +55,7 @@ def fills(labels: Sequence[Label | None]) -> dict[Label | None, Fill]:
             left[kind].remove(colour)
             found[label] = Fill(colour, short(label))
         else:
-            found[label] = Fill(OTHERS[kind], f"other, {kind.words}")
+            found[label] = Fill(OTHERS[kind], f"other, {kind.words}", OTHER_HATCH)
     return found
 
 

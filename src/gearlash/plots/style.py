@@ -16,11 +16,15 @@ from pathlib import Path
 from typing import Any, ParamSpec
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import AutoLocator, AutoMinorLocator, FixedLocator, MaxNLocator, NullLocator
 from matplotlib.transforms import ScaledTranslation
+from numpy.typing import NDArray
 
 from gearlash.results.store import write_together
 from gearlash.system import arguments
@@ -34,6 +38,8 @@ RASTER_DPI = 400  # of the dense point layers inside vector files
 INK, GREY, PALE = "#1a1a1a", "#6e6e6e", "#c9c9c9"
 BLUE, SKY, GREEN = "#0072b2", "#56b4e9", "#009e73"
 VERMILION, ORANGE, YELLOW, PURPLE = "#d55e00", "#e69f00", "#f0e442", "#cc79a7"
+
+READABLE = 4.5  # to 1: contrast of words with a white ground
 
 FREE_SHADE = "#e9e9e9"  # contact is lost
 BOUNDARY = VERMILION
@@ -238,3 +244,22 @@ def save(
     paths = [stem.with_name(f"{stem.name}.{form}") for form in forms]
     write_together({path: to_bytes(made, form, dpi) for path, form in zip(paths, forms, strict=True)})
     return paths
+
+
+def words_in(colour: str) -> str:
+    """The colour of words that belong to a line of this colour: the same, as dark as reading asks for."""
+    parts = np.array(to_rgb(colour))
+    while 1.05 / (luminance(parts) + 0.05) < READABLE:
+        parts *= 0.97
+    return to_hex((float(parts[0]), float(parts[1]), float(parts[2])))
+
+
+def luminance(parts: NDArray[np.float64]) -> float:
+    """Relative luminance of a colour, red, green and blue from 0 to 1 (sRGB)."""
+    linear = np.where(parts <= 0.04045, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
+    return float(np.array([0.2126, 0.7152, 0.0722]) @ linear)
+
+
+def cased(width: float) -> list[withStroke]:
+    """A white edge around what lies over other things, so that it is told from them: ``width`` in points."""
+    return [withStroke(linewidth=width, foreground="white")]

@@ -105,7 +105,7 @@ def _zoom(chain: Chain, stem: str, quantities: Quantities) -> Figure:
 def _events(scan: Scan, stem: str) -> Table:
     head = (
         f"{symbol(scan.parameter)}, as swept", "kind", "labels below → above", "sweeps", "on the branch of",
-        "multipliers outside the unit circle", "leading multiplier there", "values apart",
+        "multipliers outside the unit circle", "leading multiplier there", "apart by",
     )  # fmt: skip
     caption = "Changes that were located along the sweeps, and the special point of a branch that each is."
     return Table(
