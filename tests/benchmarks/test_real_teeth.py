@@ -56,7 +56,7 @@ def test_what_the_page_says_below_the_table_is_what_the_rows_say():
     assert f"between {min(everywhere):.2f} and {max(everywhere):.2f} of those of the lumped model" in WORDS
     del shares["helix of 33°"]
     others = [each for found in shares.values() for each in found]
-    assert f"not examined) between {min(others):.2f} and {max(others):.2f}." in WORDS
+    assert f"(1.13 and 1.52 of the mean) between {min(others):.2f} and {max(others):.2f}." in WORDS
 
 
 def test_all_pairs_are_kept_or_none(capsys: pytest.CaptureFixture[str]):

@@ -9,13 +9,21 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+import gearlash as gl
+import gearlash.studies.verification as study
+import tools.verified
 from cli import short_verify
 from cli.conftest import Gearlash
 from cli.signalled import MARK, marked, still_running
+from gearlash.article.verified import from_data
+from gearlash.cli.commands.reproduce import _teeth
 
 FILES = {f"{name}.{form}" for name in ("force", "orders", "lines", "frames") for form in ("svg", "pdf")}
 TABLES = {f"{name}.csv" for name in ("verify", "forces", "orders", "window", "breathing", "meshes")}
@@ -85,6 +93,43 @@ def test_real_teeth_are_computed_for_the_article_alone(gearlash: Gearlash, tmp_p
     ran = gearlash("reproduce", "article", "--set", "backlash=90um", "--verify", "--out", str(tmp_path / "r"))
     assert ran.code == 2
     assert "gearlash verify" in ran.complaint
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("short")
+def test_reproduce_computes_real_teeth_as_what_is_kept_was(monkeypatch: pytest.MonkeyPatch):
+    """One plan of one case, and one file of data; the command tells each stage before it works on it."""
+    asked, kept, stages = [], [], []
+
+    def short_plan(**named: Any) -> study.Plan:
+        return replace(short_verify.short_plan(**named), beside=(), window_over=(0.0, 0.0, 0))
+
+    @cache
+    def found(case: gl.Case, plan: study.Plan) -> study.Verification:
+        return study.verification(case, plan=plan, tell=lambda stage, _: stages.append(stage))
+
+    def once(case: gl.Case, *, plan: study.Plan, **_: Any) -> study.Verification:
+        asked.append((case, plan))
+        return found(case, plan)
+
+    monkeypatch.setattr("gearlash.article.verifying.planned", short_plan)
+    monkeypatch.setattr(tools.verified, "verification", once)
+    monkeypatch.setattr(tools.verified, "check_numbers", lambda _: {})
+    monkeypatch.setattr(tools.verified, "write", kept.append)
+    tools.verified.main(1)
+    with monkeypatch.context() as patch:
+        patch.setattr("gearlash.studies.verification.verification", once)
+        shown, said = _teeth(gl.load_case("article"), True, 1, lambda *_: None)
+    assert asked[0] == asked[1]
+    assert shown is not None
+    assert (shown.in_run, said) == (True, "")
+    [data] = kept
+    assert from_data(data, in_run=True) == replace(shown, computed=data["computed"])
+    assert list(dict.fromkeys(stages)) == [
+        "compliance of the teeth (finite elements)",
+        "bodies in space",
+        "lumped model",
+    ]
 
 
 @pytest.mark.slow
