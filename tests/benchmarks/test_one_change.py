@@ -89,7 +89,7 @@ def _by_matrices(inputs: Inputs, setting: Setting) -> float:
     error = setting.error * inputs.error
     whole = bodies + spring * np.outer(line, line)
     moved = np.linalg.solve(whole[np.ix_(free, free)], spring * error * line[free])
-    return abs(spring * (line[free] @ moved - error)) / inputs.mean_force
+    return float(abs(spring * (line[free] @ moved - error))) / inputs.mean_force
 
 
 def test_all_pairs_are_kept_or_none(capsys: pytest.CaptureFixture[str]):
