@@ -40,6 +40,7 @@ from gearlash.studies.bands import Band, back_bands, bands
 from gearlash.studies.ranges import AcrossRanges, Corner, Varied
 from gearlash.studies.speed_run import SpeedRun, speed_run, with_modes
 from gearlash.studies.speeds_across import SpeedsAcross
+from gearlash.studies.tolerances.inputs import ranged_inputs
 from gearlash.studies.worst_of_ranges import margin_of
 from gearlash.studies.zone_end import Interval, ZoneEnd
 
@@ -459,6 +460,15 @@ def test_stated_limits_are_turned_round_in_the_mirror_image(
     assert limited == {name: pytest.approx(three, rel=1e-12) for name, three in expected.items()}
     one, other = (each.family()[0].complete({}) for each in (case, mirrored))
     assert other["load"] == pytest.approx(-one["load"], rel=1e-12)
+
+
+def test_assumed_limits_are_the_range_of_an_estimate():
+    assumed = {"value": "8 um", "range": ["6 um", "10 um"], "provenance": "assumed", "reason": "as usual"}
+    case = gl.load_case(CASES / "drive.toml", {"error": assumed, "torque": "100 to 200 N m"})
+    assert [(one.path, one.of_case, one.reason) for one in ranged_inputs(case)] == [
+        ("operation.torque", True, "limits of the case file"),
+        ("mesh.error", False, "as usual"),
+    ]
 
 
 def test_without_a_torque_nothing_presses_teeth_together():

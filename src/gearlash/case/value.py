@@ -67,6 +67,11 @@ class Value:
         return self.least is not None and bool(self.text) and self.provenance != Provenance.ASSUMED
 
     @property
+    def bounded(self) -> bool:
+        """Are its limits known, and not assumed by whoever wrote the case?"""
+        return self.limited and self.provenance != Provenance.ASSUMED
+
+    @property
     def uncertain(self) -> bool:
         """Is it assumed, or computed from something assumed?"""
         return self.provenance == Provenance.ASSUMED or bool(self.rests_on)

@@ -177,6 +177,10 @@ def rests_on(case: Case, back_side_met: bool = True) -> dict[str, tuple[str, ...
     return {kind: paths for kind, paths in rests.items() if paths}
 
 
+UNUSED = "face_width", "bearing_span"
+"""What the equations of motion do not have."""
+
+
 def _model_roots(case: Case, back_side_met: bool) -> tuple[str, ...]:
     """Assumed values that decide the dimensionless motion. Where a physical value has its dimensionless
     counterpart, only what that one rests on counts: a backlash that D_c is half of decides nothing, as D
@@ -189,7 +193,7 @@ def _model_roots(case: Case, back_side_met: bool) -> tuple[str, ...]:
     found = [root for v in counterparts.values() for root in v.rests_on]
     for v in values:
         leaf = v.path.rpartition(".")[2]
-        if v.provenance != Provenance.ASSUMED or v.path == "model.reference_length" or leaf == "face_width":
+        if v.provenance != Provenance.ASSUMED or v.path == "model.reference_length" or leaf in UNUSED:
             continue
         if leaf in ("back_stiffness", "back_gap") and not back_side_met:
             continue

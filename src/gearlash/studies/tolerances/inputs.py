@@ -169,9 +169,10 @@ def _nominal(case: Case, path: str, unit: str, lower: float, upper: float) -> fl
 
 
 def ranged_inputs(case: Case) -> tuple[ToleranceInput, ...]:
-    """Everything of which a case states limits, then everything that it estimates with a range."""
+    """Everything of which a case states limits, then everything that it estimates with a range, or states as
+    assumed with limits."""
     values = [v for v in case.values() if v.least is not None and v.path in case.content.places]
-    values.sort(key=lambda value: value.estimated)
+    values.sort(key=lambda value: not value.bounded)
     found = tuple(
         ToleranceInput(
             value.path,
@@ -179,7 +180,7 @@ def ranged_inputs(case: Case) -> tuple[ToleranceInput, ...]:
             value.least,
             value.greatest,
             float(value.value),
-            LIMITS_OF_CASE if value.limited else value.reason,
+            LIMITS_OF_CASE if value.bounded else value.reason,
         )
         for value in values
         if value.least is not None and value.greatest is not None and value.least < value.greatest
