@@ -18,7 +18,7 @@ import pytest
 import gearlash as gl
 from gearlash._kernel import compile_all, load_all
 from gearlash._kernel.cache import version_folder
-from gearlash.cli.folder import MARKER
+from gearlash.cli.marker import MARKER
 from gearlash.results import load
 
 resource = pytest.importorskip("resource")
