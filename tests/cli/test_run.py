@@ -296,3 +296,14 @@ def test_the_heading_of_figures_says_which_backlash_is_an_estimate():
     assert at_what(loads(text)) == ", at 4200 rpm, 150 N·m, 80 µm backlash"
     assert at_what(loads(text.replace('backlash = "80 um"\n', ""))).endswith(", about 197 µm backlash")
     assert at_what(load("kahraman-singh"), "load") == ", at ω = 0.5, D = 1"
+
+
+def test_the_backlash_of_a_warm_pair_is_that_at_work(gearlash: Gearlash):
+    """Gears at 90 °C in a housing at 20 °C have less of it than they are made with."""
+    warm = ("--set", "mesh.temperature=90degC", "--set", "mesh.housing_temperature=20degC")
+    path = str(Path(__file__).parents[1] / "cases" / "drawing.toml")
+    cold, hot = (gearlash("run", path, *settings, "--json").answer["physical"] for settings in ((), warm))
+    assert (cold["backlash_um"], cold["backlash_name"]) == (pytest.approx(80.0), "backlash")
+    assert hot["backlash_name"] == "backlash at work"
+    assert hot["backlash_um"] < 60.0
+    assert "backlash at work" in gearlash("run", path, *warm).out

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gearlash.case import Case
 from gearlash.case.units import pretty
+from gearlash.results.physical import backlash_words
 from gearlash.system import given
 
 Array = NDArray[np.float64]
@@ -170,7 +171,7 @@ class Units:
         rpm = float(scales.pinion_rpm(1.0)) if scales.teeth else None
         return Units(
             speed=None if rpm is None else Twin(rpm, "pinion speed", "rpm", speed),
-            backlash=Twin(float(scales.backlash_um(1.0)), "backlash  $b$", "µm", length),
+            backlash=Twin(float(scales.backlash_um(1.0)), f"{backlash_words(case)}  $b$", "µm", length),
             length=Twin(float(scales.length_um(1.0)), "$x_n$", "µm", length),
             force=Twin(float(scales.force_N(1.0)), "$F_n$", "N", force),
             milliseconds=Twin(1e3 * float(scales.time_s(1.0)), "$t$", "ms", speed),

@@ -16,6 +16,12 @@ if TYPE_CHECKING:
     from .variables import Variable
 
 
+def backlash_words(case: Case) -> str:
+    """What D is in lengths: the stated backlash, or, where temperatures or the deviation of the centre
+    distance change it, that at work."""
+    return "backlash at work" if case.numbers is not None and case.numbers.play_added else "backlash"
+
+
 def physical_axis(model: Case | Family, axis: Axis) -> list[tuple[str, NDArray[np.float64], str]]:
     """What the values of an axis mean physically: (name, values, unit) for every way to name it."""
     return physical_values(model, axis.name, axis.values)

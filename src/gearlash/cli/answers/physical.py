@@ -9,6 +9,7 @@ from typing import Annotated, TypeVar
 
 from gearlash.case import Case, Scales
 from gearlash.results.impact_free import ImpactFree
+from gearlash.results.physical import backlash_words
 
 from .motion import Distances, ErrorNumbers, ForceNumbers, MotionNumbers, Span
 from .parts import Rests, rests_on
@@ -43,7 +44,8 @@ class PhysicalRun:
 
     pinion_speed_rpm: float
     mesh_frequency_Hz: float
-    backlash_um: Annotated[float, "whole backlash b"]
+    backlash_um: Annotated[float, "whole backlash b, at work"]
+    backlash_name: Annotated[str, "backlash, or backlash at work where it is another one than stated"]
     torque_Nm: Annotated[float | None, "mean pinion torque; null where no radius is stated"]
     um_per_length: Annotated[float, "D_c: µm of one unit of X"]
     state_um_and_mm_s: Annotated[
@@ -74,6 +76,7 @@ def physical_run(
         pinion_speed_rpm=float(scales.pinion_rpm(omega)),
         mesh_frequency_Hz=float(scales.mesh_hz(omega)),
         backlash_um=float(scales.backlash_um(parameters["D"])),
+        backlash_name=backlash_words(case),
         torque_Nm=float(scales.torque(parameters["load"])) if scales.radii is not None else None,
         um_per_length=float(scales.length_um(1.0)),
         state_um_and_mm_s={name: _state(scales, name, value) for name, value in state.items()},

@@ -106,7 +106,7 @@ def _operation(found: PhysicalRun, marks: Marks) -> str:
     parts = [
         marks(quantity(found.pinion_speed_rpm, "rpm", 6), "speed"),
         marks(quantity(found.mesh_frequency_Hz, "Hz", 6), "frequency"),
-        f"backlash {marks(quantity(found.backlash_um, 'µm'), 'backlash')}",
+        f"{found.backlash_name} {marks(quantity(found.backlash_um, 'µm'), 'backlash')}",
     ]
     if found.torque_Nm is not None:
         parts.append(f"torque {marks(quantity(found.torque_Nm, 'N·m'), 'torque')}")

@@ -12,6 +12,7 @@ from gearlash.plots.regimes import short
 from gearlash.report.blocks import Block, Figure, Section, Text
 from gearlash.report.pictures import Picture
 from gearlash.results import NO_LABEL
+from gearlash.results.physical import backlash_words
 from gearlash.studies.zone_end import RANGE, UNKNOWN
 from gearlash.system import Label, Signature, read_label
 
@@ -153,7 +154,9 @@ def _fixed(contents: Contents, name: str) -> str:
     units, values = contents.units, contents.found.values
     if name == "load":
         gap = units.length.text(values["D"] * (1.0 + values["back_gap"]))
-        return f"backlash {gap}" if units.length.name else f"D = {values['D']:.4g}"
+        return (
+            f"{backlash_words(contents.found.case)} {gap}" if units.length.name else f"D = {values['D']:.4g}"
+        )
     return (
         f"torque {units.torque.text(values['load'])}" if units.torque.name else f"load = {values['load']:.4g}"
     )
