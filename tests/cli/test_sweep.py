@@ -7,7 +7,9 @@ import os
 import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,6 +17,9 @@ import pytest
 import gearlash as gl
 from cli.conftest import Gearlash
 from cli.schema_check import problems
+from gearlash.branches.continuation import walk
+from gearlash.cli import progress
+from gearlash.cli.commands import sweep as command
 from gearlash.cli.kinds import answer_kind
 from gearlash.cli.schemas import answer_schema
 
@@ -123,3 +128,26 @@ def test_of_a_study_without_a_motion_nothing_is_drawn(gearlash: Gearlash, tmp_pa
     assert ran.code == 3
     assert "9 of 9 points failed" in ran.out
     assert sorted(path.suffix for path in tmp_path.glob(f"{command}.*")) == [".json", ".nc"]
+
+
+def test_a_sweep_through_no_load_follows_nothing_beside_the_neutral_motion(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    """The neutral point between two motions of one label is no change: nothing is followed for a mark there.
+    Where the label of one side changes, that side alone is followed, and it is told how far that is."""
+    case = gl.load_case("article", {"omega": "0.94"})
+    (found,) = gl.sweeps(case, gl.Axis("load", [-0.4, -0.3, 0.0, 0.1, 0.3]), ["cold"])
+    labels = [str(point.label) for point in found.points]
+    assert labels == ["1-0-0", "1-0-0", "neutral", "1-1-0", "1-0-0"]
+    asked = []
+
+    def walked(*arguments: Any, **settings: Any) -> Iterator[Any]:
+        asked.append(arguments[1]["load"])
+        return walk(*arguments, **settings)
+
+    monkeypatch.setattr(import_module("gearlash.studies.transitions"), "walk", walked)
+    monkeypatch.setattr(progress.Lines, "__init__", lambda lines: vars(lines).update(began=0.0, next=0.0))
+    changes = command._changes(case, [found])
+    assert [change.kind for change in changes] == ["grazing"]
+    assert asked == [0.1]
+    assert "changes of the motion, for the figure: 1/1" in capsys.readouterr().err

@@ -20,8 +20,10 @@ from .jsonio import text
 from .second_scale import second_scale
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray as xr
     from matplotlib.figure import Figure
+    from numpy.typing import NDArray
 
     from gearlash.orbits import Attractor
     from gearlash.studies import Zones
@@ -62,8 +64,6 @@ def write_sweep(
     present = case.family()[0].defaults[name]
 
     def figure(plots: Any) -> Figure:
-        from gearlash.studies.joined import apart_in
-
         typed = second_scale(asked)
         units = plots.Units.of(case)
         marks = [
@@ -71,10 +71,20 @@ def write_sweep(
             for value, kind in _once(changes)
         ]
         return plots.diagram(
-            dataset, marks, units, title=title, present=present, asked=typed, apart=apart_in(case, sweeps)
+            dataset, marks, units, title=title, present=present, asked=typed, apart=_apart(case, sweeps)
         )
 
     draw_if(folder, "sweep", _drawable(sweeps), figure)
+
+
+def _apart(case: Case, sweeps: Sequence[Sweep]) -> tuple[NDArray[np.bool_], ...]:
+    """Steps of sweeps over which no line is drawn; it is told how many are looked at."""
+    from gearlash.studies.joined import apart_in
+
+    from .progress import progress_bar
+
+    with progress_bar("steps of the figure, each followed") as progress:
+        return apart_in(case, sweeps, progress)
 
 
 def _once(changes: Sequence[Transition]) -> Iterator[tuple[float, str]]:
@@ -95,10 +105,8 @@ def write_zones(folder: OutFolder, case: Case, found: Sequence[Zones], answer: Z
     sweeps = found[0].sweeps
 
     def figure(plots: Any) -> Figure:
-        from gearlash.studies.joined import apart_in
-
         scales = plots.Units.of(case), second_scale(answer.asked)
-        return plots.zone_bands(dataset, found, title, answer.present, *scales, apart_in(case, sweeps))
+        return plots.zone_bands(dataset, found, title, answer.present, *scales, _apart(case, sweeps))
 
     draw_if(folder, "zones", all(zones.complete for zones in found) and _drawable(sweeps), figure)
 

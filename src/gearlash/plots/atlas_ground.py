@@ -16,12 +16,12 @@ from gearlash.system import GearlashError, Label, read_label
 
 from . import style
 from .plane import cells, edges_of, rooms
-from .regimes import APERIODIC, BACK, DRIVE, FREE, Regime, regime, short
+from .regimes import APERIODIC, BACK, BACK_ONLY, DRIVE, FREE, Regime, regime, short
 from .room import CHARACTER, POINT, Room
 
 Codes = NDArray[np.int64]
 STRENGTH = 0.38  # how much of the colours is left
-ORDER = (FREE, DRIVE, BACK, APERIODIC)
+ORDER = (FREE, DRIVE, BACK_ONLY, BACK, APERIODIC)
 UP = (0.0, 3.0, -3.0, 6.0, -6.0, 9.0, -9.0, 14.0, -14.0, 20.0, -20.0)  # mm: from the widest place of a region
 ASIDE = (0.0, 1.5, -1.5)  # mm: the same to the sides
 NAMES = 6.0  # points: the size of names of regions

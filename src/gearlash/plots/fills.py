@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from gearlash.system import Label, Signature
 
 from . import style
-from .regimes import APERIODIC, BACK, DRIVE, FREE, UNRESOLVED, regime, short
+from .regimes import APERIODIC, BACK, BACK_ONLY, DRIVE, FREE, UNRESOLVED, regime, short
 
 # Neighbours in a family differ by at least 9 in lightness (CIE L*); regions carry their label, too.
 SHADES = {
@@ -16,7 +16,8 @@ SHADES = {
     BACK: ("#e69f00", "#a85a00", "#fbdc9a", "#cd7f00", "#7a3e00"),
 }
 OTHER_HATCH = "\\\\\\"  # a grey print has it as light as a shade
-OTHERS = {DRIVE: "#9fb6c6", BACK: "#cbb59a"}
+FAMILY = {BACK_ONLY: BACK}  # all motions that hit the back side share its shades
+OTHERS = {DRIVE: ("#9fb6c6", "other, drive-side impacts"), BACK: ("#cbb59a", "other, with back-side impacts")}
 DARK = ("#2f80b9", "#1b5e8e", "#a85a00", "#7a3e00", APERIODIC.colour)
 FREE_HATCH = "////"
 MISSING = "none computed"
@@ -44,7 +45,7 @@ def fills(labels: Sequence[Label | None]) -> dict[Label | None, Fill]:
     left = {kind: list(shades) for kind, shades in SHADES.items()}
     found = {}
     for label in labels:
-        kind = regime(label)
+        kind = FAMILY.get(regime(label), regime(label))
         if kind not in SHADES or not isinstance(label, Signature):
             hatch = FREE_HATCH if kind is FREE else kind.hatch
             found[label] = Fill(kind.colour, kind.words, hatch)
@@ -55,12 +56,12 @@ def fills(labels: Sequence[Label | None]) -> dict[Label | None, Fill]:
             left[kind].remove(colour)
             found[label] = Fill(colour, short(label))
         else:
-            found[label] = Fill(OTHERS[kind], f"other, {kind.words}", OTHER_HATCH)
+            found[label] = Fill(*OTHERS[kind], OTHER_HATCH)
     return found
 
 
 def legend_order(used: Sequence[Fill]) -> list[Fill]:
     """Fills as a legend lists them, each once: no impacts, shades by family, the rest."""
-    families = [FREE.colour, *SHADES[DRIVE], OTHERS[DRIVE], *SHADES[BACK], OTHERS[BACK]]
+    families = [FREE.colour, *SHADES[DRIVE], OTHERS[DRIVE][0], *SHADES[BACK], OTHERS[BACK][0]]
     order = {colour: i for i, colour in enumerate([*families, APERIODIC.colour, UNRESOLVED.colour])}
     return sorted(dict.fromkeys(used), key=lambda fill: (order[fill.colour], fill is NONE))

@@ -19,14 +19,15 @@ class Regime:
     ink: str = style.INK
 
 
-# From light to dark, so that a grey print tells them apart: lightness (CIE L*) 90, 75, 59 and 33.
+# From light to dark, so that a grey print tells them apart: lightness (CIE L*) 90, 75, 82, 59 and 33.
 FREE = Regime("no impacts", "#c9ebdd")
 DRIVE = Regime("drive-side impacts", "#74c0ee")
+BACK_ONLY = Regime("back-side impacts", "#f0c987")
 BACK = Regime("drive- and back-side impacts", "#cd7f00")
 APERIODIC = Regime("aperiodic", "#4d4d4d", ink="white")
 NEUTRAL = Regime("neutral: one of a continuum", "white", "....")
 UNRESOLVED = Regime("unresolved", "white", "xxxx")
-ALL = (FREE, DRIVE, BACK, APERIODIC, NEUTRAL, UNRESOLVED)
+ALL = (FREE, DRIVE, BACK_ONLY, BACK, APERIODIC, NEUTRAL, UNRESOLVED)
 BY_KIND = {MotionKind.APERIODIC: APERIODIC, MotionKind.NEUTRAL: NEUTRAL}
 
 
@@ -35,7 +36,7 @@ def regime(label: Label | None) -> Regime:
     if not isinstance(label, Signature):
         return UNRESOLVED if label is None else BY_KIND.get(label, UNRESOLVED)
     if label.back_impacts:
-        return BACK
+        return BACK if label.impacts > label.back_impacts else BACK_ONLY
     return DRIVE if label.impacts else FREE
 
 

@@ -4,22 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
+from time import monotonic
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearlash.jobs import stopping
+from gearlash.branches.continuation import ContinuationSettings
+from gearlash.jobs import Progress, ProgressCallback, stopping
 from gearlash.results import Direction, Sweep
 from gearlash.results.steps import Rows, apart, doubtful, one_motion
 
 from .model import Model
 from .transition import GRAZING, Transition
-from .transitions import transitions
+from .transitions import by_step
 
+LONG = ContinuationSettings(first=0.02, longest=1.0, certify=False, most_points=20_000)
+"""Whether a motion goes on is asked, not where it touches: so steps are as long as angle and contraction of the
+branch let them be. Where a member is built from a drawing, each costs a tenth of a second and more."""
 Flags = NDArray[np.bool_]
 
 
-def apart_in(model: Model, sweeps: Sequence[Sweep]) -> tuple[Flags, ...]:
+def apart_in(
+    model: Model, sweeps: Sequence[Sweep], progress: ProgressCallback | None = None
+) -> tuple[Flags, ...]:
     """Steps (m-1,) of every sweep over which the motion does not go on. That of each step that is not small,
     or where the ways part or meet, is followed from one point to the other; a touch on the way is no end.
 
@@ -28,6 +35,8 @@ def apart_in(model: Model, sweeps: Sequence[Sweep]) -> tuple[Flags, ...]:
     model : Case or Family
     sweeps : sequence of Sweep
         Over one axis.
+    progress : callable, optional
+        Is called after every step that was looked at.
 
     Returns
     -------
@@ -36,6 +45,7 @@ def apart_in(model: Model, sweeps: Sequence[Sweep]) -> tuple[Flags, ...]:
     rows = Rows.of_sweeps(sweeps)
     told, look = apart(rows), doubtful(rows)
     told &= look | ~rows.periodic()
+    began, done, total = monotonic(), 0, int(np.count_nonzero(look))
     for i, sweep in enumerate(sweeps):
         alike = [one_motion(rows, i, k) for k in range(i)]
         for at in np.flatnonzero(look[i]).tolist():
@@ -43,13 +53,17 @@ def apart_in(model: Model, sweeps: Sequence[Sweep]) -> tuple[Flags, ...]:
                 return tuple(told)
             known = next((k for k, same in enumerate(alike) if same[at] and same[at + 1]), None)
             told[i, at] = _parts(model, sweep, at) if known is None else told[known, at]
+            done, elapsed = done + 1, monotonic() - began
+            if progress is not None:
+                progress(Progress(done, total, elapsed, elapsed / done * (total - done)))
     return tuple(told)
 
 
 def _parts(model: Model, sweep: Sweep, at: int) -> bool:
     rising, fixed = sweep.direction is not Direction.DOWN, dict(sweep.fixed)
-    pair = sweep.points[at : at + 2]
-    return parts(transitions(model, sweep.axis.name, pair, values=fixed, rising=rising))
+    pair, name = sweep.points[at : at + 2], sweep.axis.name
+    found = by_step(model, name, pair, values=fixed, rising=rising, steps=LONG)
+    return any(parts(changes) for _, changes in found)
 
 
 def apart_at(sweep: Sweep, changes: Sequence[Transition]) -> Flags:

@@ -17,7 +17,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash import flow
-from gearlash.branches.continuation import EndKind, EndOfBranch, Item, Node, SpecialPoint, walk
+from gearlash.branches.continuation import (
+    ContinuationSettings,
+    EndKind,
+    EndOfBranch,
+    Item,
+    Node,
+    SpecialPoint,
+    walk,
+)
+from gearlash.branches.continuation.walk import STABLE
 from gearlash.orbits import Orbit, Settings, Unresolved, attractor, orbit_at
 from gearlash.results import Sweep
 from gearlash.system import Family, GearlashError, Label, MotionKind, given, plain_values, short_name
@@ -130,17 +139,29 @@ def transitions(
     >>> [(change.kind, round(change.value, 6)) for change in gl.transitions(case, "omega", up)]
     [('grazing', 0.820631)]
     """
-    family = Source.of(model).family()
-    name = short_name(model, family, name)
-    members = family.complete(plain_values(model, family, values))
-    points, rising = _ascending(points), given.truth("rising", rising)
-    last = points[-1 if rising else 0].value if points else 0.0
-    finder = _Finder(family, members, name, rising, last)
-    found: dict[int, list[Transition]] = {}
-    order = range(len(points) - 1)
-    for i in order if finder.rising else reversed(order):
-        found[i] = finder.between(points[i], points[i + 1])
+    name, points = short_name(model, Source.of(model).family(), name), _ascending(points)
+    found = dict(by_step(model, name, points, values=values, rising=given.truth("rising", rising)))
     return tuple(change for i in sorted(found) for change in found[i])
+
+
+def by_step(
+    model: Model,
+    name: str,
+    points: Sequence[Sampled],
+    *,
+    values: Mapping[str, float | str] | None = None,
+    rising: bool = True,
+    steps: ContinuationSettings = STABLE,
+) -> Iterator[tuple[int, list[Transition]]]:
+    """The same of one step after the other, as they are followed, with the number of its lower point.
+    ``points`` ascend, and ``name`` is a short one. ``steps``: how an orbit is followed."""
+    family = Source.of(model).family()
+    members = family.complete(plain_values(model, family, values))
+    last = points[-1 if rising else 0].value if points else 0.0
+    finder = _Finder(family, members, name, rising, last, steps)
+    order = range(len(points) - 1)
+    for i in order if rising else reversed(order):
+        yield i, finder.between(points[i], points[i + 1])
 
 
 def _ascending(points: Sweep | Sequence[Sampled]) -> tuple[Sampled, ...]:
@@ -163,6 +184,7 @@ class _Finder:
     rising: bool
     last: float
     """The value of the last point that is come to."""
+    steps: ContinuationSettings = STABLE
     rail: Rail | None = None
     """What is followed through the points; None where that has to be begun anew."""
     known: dict[float, _MotionAt | None] = field(default_factory=dict)
@@ -288,7 +310,15 @@ class _Finder:
 
     def followed_from(self, start: _MotionAt, to: float, longest: int) -> Iterator[Item]:
         assert start.orbit is not None
-        yield from walk(self.family, self.at(start.value), self.name, start.orbit, to, longest=longest)
+        yield from walk(
+            self.family,
+            self.at(start.value),
+            self.name,
+            start.orbit,
+            to,
+            longest=longest,
+            settings=self.steps,
+        )
 
     def way(self, start: _MotionAt, to: float, longest: int) -> _Way:
         """An orbit followed to a value, through doublings up to a period of ``longest`` base periods."""

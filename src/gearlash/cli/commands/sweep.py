@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from gearlash.cli.frame import StudyInputs
     from gearlash.cli.tables import Tables
     from gearlash.orbits import Settings as SearchSettings
-    from gearlash.results import Sweep
+    from gearlash.results import Point, Sweep
     from gearlash.studies.transition import Transition
 
 SWEEP_TABLES = "sweep", "regimes"
@@ -120,15 +120,40 @@ def _found(
 def _changes(case: Case, found: Sequence[Sweep]) -> tuple[Transition, ...]:
     """Special points at which the motions of a complete sweep change, solved for; for its figure."""
     from gearlash.cli.interrupt import optional
-    from gearlash.studies.transitions import transitions
 
     name, family = found[0].axis.name, case.family()[0]
-    several = [way for way in found if len({point.label for point in way.points}) > 1]
     if name not in family.defaults or not all(way.complete for way in found):
         return ()
+    several = [(way, part) for way in found for part in _periodic(way) if len({p.label for p in part}) > 1]
+    return (optional(lambda: _followed(case, name, several)) if several else None) or ()
 
-    def solved() -> tuple[Transition, ...]:
-        rows = [transitions(case, name, way, rising=way.direction != "down") for way in several]
-        return tuple(change for row in rows for change in row if change.point is not None)
 
-    return optional(solved) or ()
+def _periodic(way: Sweep) -> list[tuple[Point, ...]]:
+    """Stretches of periodic motion: no point is solved for beside another motion, such as the neutral one of
+    a pair without load."""
+    from itertools import groupby
+
+    return [tuple(part) for periodic, part in groupby(way.points, lambda p: p.period > 0) if periodic]
+
+
+def _followed(
+    case: Case, name: str, several: Sequence[tuple[Sweep, tuple[Point, ...]]]
+) -> tuple[Transition, ...]:
+    """The changes of each of these stretches that a point was solved for; it is told how far this is."""
+    from time import monotonic
+
+    from gearlash.cli.progress import progress_bar
+    from gearlash.jobs import Progress
+    from gearlash.studies.transitions import by_step
+
+    changes: list[Transition] = []
+    began, done = monotonic(), 0
+    total = sum(len(part) - 1 for _, part in several)
+    with progress_bar("changes of the motion, for the figure") as progress:
+        for way, part in several:
+            for _, some in by_step(case, name, part, rising=way.direction != "down"):
+                changes += [change for change in some if change.point is not None]
+                done += 1
+                elapsed = monotonic() - began
+                progress(Progress(done, total, elapsed, elapsed / done * (total - done)))
+    return tuple(changes)
