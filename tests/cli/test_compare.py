@@ -231,6 +231,17 @@ def test_the_rows_that_are_shown_have_the_largest_of_all():
         ("n [rpm];x [kN]\n1000;2\n2000;4", ("--quantity", "acceleration_yp"), "--quantity mesh_force has it"),
         ("n [rpm];x [dB]\n1000;2\n2000;4", (), "what the levels refer to"),
         ("n [rpm];x [dB]\n1000;2\n2000;4", ("--reference", "1e999 um"), "what the levels refer to"),
+        ("n [rpm];x [dB]\n1000;2\n2000;4", ("--reference", "1e-6"), 'such as "1e-6 um"'),
+        (
+            "n [rpm];x [dB re 1e-6]\n1000;2\n2000;4",
+            ("--quantity", "acceleration_yp"),
+            'such as "1e-6 m/s^2"',
+        ),
+        (
+            "n [rpm];x [dB]\n1000;2\n2000;4",
+            ("--quantity", "mesh_force", "--reference", "1 -"),
+            "a number with its unit",
+        ),
         ("n [rpm];x [dB re 1e999 um]\n1000;2\n2000;4", (), "what the levels refer to"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--value", "y"), "the name or number of a column"),
         ("n [rpm];x [um]\n1000;2\n2000;4", ("--quantity", "mesh_forc"), "did you mean 'mesh_force'"),

@@ -180,9 +180,9 @@ def test_along_one_branch_the_motion_is_followed_once(rising, count, monkeypatch
     module = sys.modules["gearlash.studies.transitions"]
     original = module.walk
 
-    def counted(family, values, name, orbit, to, *, longest):
+    def counted(family, values, name, orbit, to, *, longest, settings):
         begun.append(values[name])
-        return original(family, values, name, orbit, to, longest=longest)
+        return original(family, values, name, orbit, to, longest=longest, settings=settings)
 
     monkeypatch.setattr(module, "walk", counted)
     points = sweep(pair(), Axis.even("omega", 0.9, 0.92, count)).points

@@ -145,7 +145,7 @@ def _measurement(
         expected = "speeds above zero (without a sign that says the sense of rotation)"
         raise CaseError("speeds", [Problem("speeds", f"{float(speeds.min()):g}", expected)])
     speed_factor = _speed_factor(case, speed_unit)
-    number, told = _reference(reference, unit, kind) if is_level(unit) else (1.0, unit)
+    number, told = _reference(case, reference, unit, kind) if is_level(unit) else (1.0, unit)
     amplitudes = number * 10.0 ** (rows / 20.0) if is_level(unit) else rows
     factor = _value_factor(case, kind, told, where)
     return Measurement(quantity, speeds / speed_factor, amplitudes / factor, speed_unit, told, speed_factor,
@@ -316,14 +316,18 @@ def _speed_factor(case: Case, unit: str) -> float:
         ) from None
 
 
-def _reference(text: str, unit: str, kind: str) -> tuple[float, str]:
-    """Number and unit that levels in dB refer to, of the option or behind the dB."""
+def _reference(case: Case, text: str, unit: str, kind: str) -> tuple[float, str]:
+    """Number and unit that levels in dB refer to, of the option or behind the dB. Raises `CaseError` where a
+    case in units leaves open which one the number is in."""
     behind = _LEVEL.match(unit)
     told = text.strip() or (behind["reference"].strip() if behind else "")
     expected = f'what the levels refer to, such as "1 {EXAMPLES[kind]}"'
     size, unit_of_it = number_and_unit(told)
     if not size > 0.0:
         raise CaseError("--reference", [Problem("--reference", repr(told) if told else None, expected)])
+    if case.scales.physical and unit_of_it.strip() in NO_UNIT:
+        expected = f'a number with its unit, such as "{told} {EXAMPLES[kind]}"'
+        raise CaseError("--reference", [Problem("--reference", repr(told), expected)])
     return size, unit_of_it
 
 

@@ -19,8 +19,8 @@ from .transition import GRAZING, Transition
 from .transitions import by_step
 
 LONG = ContinuationSettings(first=0.02, longest=1.0, certify=False, most_points=20_000)
-"""Whether a motion goes on is asked, not where it touches: so steps are as long as angle and contraction of the
-branch let them be. Where a member is built from a drawing, each costs a tenth of a second and more."""
+"""Whether a motion goes on is asked, not where it touches: so steps are as long as angle and contraction of
+the branch let them be. Where a member is built from a drawing, each costs a tenth of a second and more."""
 Flags = NDArray[np.bool_]
 
 
