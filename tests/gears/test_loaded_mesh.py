@@ -7,6 +7,8 @@ is |C − F/k|/2 peak to peak: constant at F = kC (C_eff = F_t/(b c′) of ISO/T
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import pairwise
 from math import cos, pi, sqrt
 
 import numpy as np
@@ -15,14 +17,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from gearlash.gears import CylindricalGear, CylindricalPair, materials
+from gearlash.gears import CylindricalGear, CylindricalPair, materials, mesh_stiffness
 from gearlash.gears.drawing import Drawing
 from gearlash.gears.estimates import estimates
 from gearlash.gears.flank_modification import FlankModification, PairModification, Relief, ReliefForm
 from gearlash.gears.loaded_mesh import SLICES, ContactLines, contact_lines
 from gearlash.gears.mesh_cycle import MeshCycle
 from gearlash.gears.pair_shape import PairShape
-from gearlash.gears.stiffness_estimates import loaded_mesh
+from gearlash.gears.stiffness_estimates import loaded_mesh, mean_stiffness
 from gearlash.gears.tooth_pair import calculated_mesh, pair_stiffness
 from gearlash.system import GearlashError, evaluate
 
@@ -238,3 +240,47 @@ def test_the_mesh_of_the_article_against_three_dimensional_finite_elements(
     found = lines.under(drawing.normal_force).mean_stiffness
     assert found == pytest.approx(elements, rel=within)
     assert found < elements
+
+
+def of(kind: str, torque: float | None) -> Drawing:
+    """A spur pair of steel, a helical one, and one of plastic, which bends most."""
+    angle, name = {"spur": (0.0, "steel"), "helical": (20.0, "steel"), "plastic": (0.0, "POM")}[kind]
+    gears = [CylindricalGear(z, 2e-3, np.radians(angle)) for z in (25, 57)]
+    bodies = materials.named(name), materials.named(name)
+    return Drawing(CylindricalPair(gears[0], gears[1], face_width=20e-3), bodies, torque=torque)
+
+
+@pytest.mark.parametrize("kind", ["spur", "helical", "plastic"])
+@pytest.mark.parametrize("torque", [None, 3.0, 60.0])
+def test_a_modification_of_nothing_changes_nothing_and_none_makes_a_mesh_stiffer(
+    kind: str, torque: float | None
+):
+    """The stiffness of unmodified flanks is the standard's, and falls from there with relief and crowning, as
+    less of the flanks bears."""
+    plain = of(kind, torque)
+    pair = plain.pair
+    standard = mesh_stiffness.method_b(pair, plain.chosen_materials, plain.rims, plain.line_load)
+    whole = mean_stiffness(plain).value
+    assert whole == pytest.approx(standard.along_normal(pair.face_width), rel=1e-12)
+    assert loaded_mesh(plain).mean_stiffness == pytest.approx(whole, rel=1e-8)
+    for many in (
+        [FlankModification(tip=Relief(amount, 2e-3)) for amount in (1e-9, 1e-7, 1e-6, 5e-6, 20e-6)],
+        [FlankModification(crowning=amount) for amount in (1e-9, 1e-7, 1e-6, 5e-6, 20e-6)],
+    ):
+        found = [
+            mean_stiffness(replace(plain, modification=PairModification(one, one))).value for one in many
+        ]
+        assert found[0] == pytest.approx(whole, rel=3e-5)
+        assert all(more <= less * (1.0 + 1e-12) for less, more in pairwise([whole, *found]))
+
+
+@pytest.mark.parametrize("kind", ["spur", "helical", "plastic"])
+@pytest.mark.parametrize("relief", [0.0, 6e-6])
+def test_stating_the_mean_that_is_estimated_changes_nothing(kind: str, relief: float):
+    tips = FlankModification(tip=Relief(relief, 2e-3)) if relief else FlankModification()
+    drawing = replace(of(kind, 20.0), modification=PairModification(tips, tips))
+    stated = replace(drawing, stated_stiffness=mean_stiffness(drawing).value)
+    own, other = loaded_mesh(drawing), loaded_mesh(stated)
+    assert other.stiffness == pytest.approx(own.stiffness, rel=1e-8)
+    assert other.deflection == pytest.approx(own.deflection, rel=1e-8)
+    assert other.contact_ratio == pytest.approx(own.contact_ratio, rel=1e-8)

@@ -47,12 +47,14 @@ Reals = NDArray[np.float64]
 PLACES = 97
 """Along the path of contact, where the stiffness of a pair of teeth is computed."""
 SPUR_POINTS, POINTS = 1024, 512
-"""Phases of a mesh cycle: of one slice, whose steps are sharp, and of many."""
+"""Phases of a mesh cycle: of straight teeth, whose steps are sharp, and of helical ones."""
 SLICES = 64
 BEYOND = 0.35
 """Of p_bt: how far contact beyond either end of the path is followed."""
 NO_CHANGE = 1e-15
 """m: over what has less the gap does not change."""
+SAME_MEAN = 1e-9
+"""Relative: means that lie nearer are one."""
 SHARED_GIVE = 0.5
 """c b E/(1 − ν²) of one body under a load all along its face: how far a tooth moves where the next one is
 loaded. Finite elements of solid gears, held 4 m_n below the root, have 0.4 to 0.6."""
@@ -237,14 +239,29 @@ class ContactLines:
         -------
         LoadedMesh
         """
+        return self.under(force, self.factor_of_mean(force, mean))
+
+    def factor_of_mean(self, force: float, mean: float) -> float:
+        """What every stiffness is multiplied by, so that the mesh has this mean stiffness under a load.
+
+        Parameters
+        ----------
+        force : float
+            N.
+        mean : float
+            Of K over the cycle, N/m.
+
+        Returns
+        -------
+        float
+        """
         factor = mean / self.mean
-        found = self.under(force, factor)
         for _ in range(30):
-            factor *= mean / found.mean_stiffness
-            found = self.under(force, factor)
-            if abs(found.mean_stiffness / mean - 1.0) < 1e-6:
+            off = mean / self.under(force, factor).mean_stiffness
+            factor *= off
+            if abs(off - 1.0) < SAME_MEAN:
                 break
-        return found
+        return factor
 
 
 def contact_lines(
@@ -316,8 +333,9 @@ def _pieces(
     """Phases; where each piece lies, 0 to 1 on the path of contact and beyond it; its gap in the middle,
     infinite where it is not followed, and how much that is less and more elsewhere on it, all of shape (n,
     pieces); the part of the width that a piece has."""
-    one_slice = pair.overlap_ratio < 1e-9 and modification.crowning == 0.0
-    points, slices = (SPUR_POINTS, 1) if one_slice else (POINTS, SLICES)
+    straight = pair.overlap_ratio < 1e-9
+    one_slice = straight and modification.crowning == 0.0
+    points, slices = SPUR_POINTS if straight else POINTS, 1 if one_slice else SLICES
     phases = (np.arange(points) + 0.5) / points
     across = (np.arange(slices) + 0.5) / slices - 0.5
     u, middle = _gaps(pair, modification, beyond, phases, across)

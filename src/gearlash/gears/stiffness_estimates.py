@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 from . import mesh_stiffness
 from .cylindrical_pair import CylindricalPair
 from .drawing import USUAL_LINE_LOAD, Drawing, Estimate
+from .flank_modification import PairModification
 from .loaded_mesh import ContactLines, LoadedMesh, contact_lines
 from .materials import Material
 from .mesh_cycle import ripple_ranges
@@ -27,18 +29,30 @@ steel and plastics, spur and helical (docs/drawing.md)."""
 
 
 def mean_stiffness(drawing: Drawing) -> Estimate:
-    """ISO 6336-1, Method B; of modified flanks the part that bears at the torque of the drawing."""
+    """ISO 6336-1, Method B: the mean that unmodified flanks have under the torque of the drawing, as measured
+    teeth have it; of modified flanks the part that bears at this torque."""
     pair = drawing.meshing
     mesh = _solid_mesh(drawing)
     part = 1.0
     source = "; ".join((f"{mesh_stiffness.REFERENCE}, c_γα b / cos² β_b", *mesh.beyond))
-    if drawing.modification.modified:
-        lines = _lines(drawing)
-        factor = mesh.along_normal(pair.face_width) / lines.mean
-        part = lines.under(drawing.normal_force, factor).mean_stiffness / (factor * lines.mean)
-        source += f"; times {part:.4g}, the part of it that modified flanks have at this torque"
     value, (least, greatest) = mesh.along_normal(pair.face_width), mesh.normal_range(pair.face_width)
+    if drawing.modification.modified:
+        bears = _lines(drawing).under(drawing.normal_force, _factor(drawing))
+        part = bears.mean_stiffness / value
+        source += f"; times {part:.4g}, the part of it that modified flanks have at this torque"
     return Estimate(part * value, part * least, part * greatest, source)
+
+
+@lru_cache(maxsize=32)
+def _factor(drawing: Drawing, shape: PairShape | None = None) -> float:
+    """What contact lines are multiplied by, so that those of unmodified flanks have the mean stiffness of the
+    standard at the torque of the drawing, with contact beyond the path of contact and with what pairs share.
+    A published shape has neither of these, and all of it bears: its mean is that without load."""
+    whole = _solid_mesh(drawing).along_normal(drawing.meshing.face_width)
+    if shape is not None:
+        return whole / _lines(drawing, shape).mean
+    plain = replace(drawing, modification=PairModification())
+    return _lines(plain).factor_of_mean(plain.normal_force, whole)
 
 
 def _solid_mesh(drawing: Drawing) -> mesh_stiffness.MeshStiffness:
@@ -67,7 +81,7 @@ def loaded_mesh(drawing: Drawing, shape: PairShape | None = None) -> LoadedMesh:
     Returns
     -------
     LoadedMesh
-        Its mean stiffness is the stated one, or the estimated one.
+        Its mean stiffness is the stated one, or the estimated one (`mean_stiffness`).
 
     Raises
     ------
@@ -89,8 +103,7 @@ def loaded_mesh(drawing: Drawing, shape: PairShape | None = None) -> LoadedMesh:
     lines = _lines(drawing, shape)
     if drawing.stated_stiffness is not None:
         return lines.under_with_mean(drawing.normal_force, drawing.stated_stiffness)
-    whole = _solid_mesh(drawing).along_normal(drawing.meshing.face_width)
-    return lines.under(drawing.normal_force, whole / lines.mean)
+    return lines.under(drawing.normal_force, _factor(drawing, shape))
 
 
 def ripples(drawing: Drawing, count: int) -> dict[str, Estimate]:
