@@ -131,7 +131,7 @@ def _differing(ways: list[VerifiedWay]) -> str:
     ]
     return (
         f" One model parts and the other does not at {', '.join(counts)} of {count} points of the grid (in "
-        "that order of rules; all inputs, both directions)."
+        "that order of rules; all inputs, both directions; an unresolved motion counts as no difference)."
     )
 
 
