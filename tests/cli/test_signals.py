@@ -39,7 +39,7 @@ pytestmark = [
 
 SIGNALS = 52  # a seed
 AT_ONCE = max(2, os.cpu_count() or 1)
-LATER = (1.5, 4.0, 10.0, 25.0)  # s: a busy machine takes long to begin
+LATER = (1.5, 4.0, 10.0, 25.0, 60.0)  # s: a busy machine takes long to begin
 
 
 @pytest.fixture(scope="module", autouse=True)
