@@ -180,3 +180,24 @@ def test_resonance_in_the_words_of_the_standard():
     natural = sqrt(found["mesh.mean_stiffness"] / (reduced * 30.0)) / 23 * 30 / pi
     assert found["resonance_speed"] == pytest.approx(natural, rel=1e-9)
     assert 0.4 < found["single_stiffness"] / found["stiffness_per_width"] < 1.0
+
+
+@pytest.mark.parametrize(
+    ("table", "twice"),
+    [
+        ("operation", 'gear_speed = "900 rpm"'),
+        ("operation", 'gear_torque = "60 N m"'),
+        ("mesh", "diametral_pitch = 8.5"),
+        ("mesh", 'backlash = "100 um"\nbacklash_circumferential = "110 um"'),
+        ("mesh", 'diametral_pitch = 8.5\nbacklash = "100 um"\nbacklash_circumferential = "110 um"'),
+    ],
+)
+@pytest.mark.parametrize("words", ['temperature = "80 degC"', 'centre_distance_deviation = "17 um"'])
+@pytest.mark.parametrize("gear", ["", 'tip_relief = "12 um"'])
+def test_what_is_stated_twice_brings_no_problem_of_teeth_that_are_there(
+    words: str, gear: str, table: str, twice: str
+):
+    text = TEXT.replace("[mesh]", f"[mesh]\n{words}").replace("[gear]", f"[gear]\n{gear}")
+    with pytest.raises(CaseError) as caught:
+        loads(text.replace(f"[{table}]", f"[{table}]\n{twice}"))
+    assert all("name the same quantity" in problem.expected for problem in caught.value.problems)

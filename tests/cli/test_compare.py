@@ -258,6 +258,15 @@ def test_what_cannot_be_read_is_said(gearlash: Gearlash, tmp_path: Path, text: s
     assert message in " ".join(ran.complaint.split())
 
 
+def test_speeds_and_values_come_back_as_they_were_written(gearlash: Gearlash, tmp_path: Path):
+    """To the last digit, so that rows of both tables can be joined by the speed."""
+    speeds = [4200.0, 5000.0, 6100.1, 7000.0, 9999.99]
+    (tmp_path / "m.csv").write_text("n [rpm];x [um]\n" + "\n".join(f"{n};{n / 7000:.4f}" for n in speeds))
+    ran = gearlash("compare", str(DRIVE), str(tmp_path / "m.csv"), "--workers", "1", "--json")
+    assert [point["speed"] for point in ran.answer["points"]] == speeds
+    assert [point["measured"] for point in ran.answer["points"]] == [float(f"{n / 7000:.4f}") for n in speeds]
+
+
 @pytest.mark.slow
 def test_jumps_belong_to_the_events_of_their_direction(tmp_path: Path):
     """A run upwards and one downwards in one file, noise of known size: the jumps of either are at the events

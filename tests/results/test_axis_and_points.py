@@ -92,3 +92,15 @@ def test_runs_of_one_label():
     sweep = Sweep(axis, Direction.COLD, points)
     assert sweep.runs() == [(0, 1, "1-0-0"), (2, 2, "1-1-0"), (3, 3, "failed"), (4, 4, "1-1-0")]
     assert sweep.statuses == {"ok": 4, "failed": 1}
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "count"), [(-40.0, 180.0, 23), (-0.7, 0.3, 11), (-1e-6, 9e-6, 101), (-3.3, 6.6, 10)]
+)
+def test_an_even_axis_through_zero_has_zero(low: float, high: float, count: int):
+    """And no other value moves: the distance from 0 to its neighbours is that of all."""
+    values = Axis.even("load", low, high, count).values
+    assert (values == 0.0).sum() == 1
+    np.testing.assert_allclose(np.diff(values), (high - low) / (count - 1), rtol=1e-12)
+    plain = np.linspace(low, high, count)
+    np.testing.assert_array_equal(values[values != 0.0], plain[values != 0.0])

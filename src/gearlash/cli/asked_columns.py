@@ -12,12 +12,10 @@ from gearlash.case import Case
 from gearlash.results.columns import Column
 from gearlash.results.variables import dimension
 
+from .answers.asked import as_typed
+
 if TYPE_CHECKING:
     from .answers.asked import Asked
-
-DIGITS = 15
-"""Significant ones of values that are converted from dimensionless ones: 3000 rpm are not
-3000.0000000000005."""
 
 
 def axes_first(table: Sequence[Column], case: Case, axes: Sequence[tuple[str, Asked]]) -> list[Column]:
@@ -63,17 +61,13 @@ def told_as_asked(
 
 
 def _typed(asked: Asked, name: str, values: Iterable[Any]) -> Column:
-    told = [None if value is None else _round(asked.value(float(value))) for value in values]
+    told = [None if value is None else as_typed(asked.value(float(value))) for value in values]
     return Column(name, told, asked.unit)
 
 
 def _rounded(column: Column) -> Column:
-    values = [None if value is None else _round(float(value)) for value in column.values]
+    values = [None if value is None else as_typed(float(value)) for value in column.values]
     return Column(column.name, values, column.unit, column.description)
-
-
-def _round(value: float) -> float:
-    return float(f"{value:.{DIGITS}g}")
 
 
 def _same(one: Column, other: Column) -> bool:

@@ -99,7 +99,7 @@ def read_start(
 def read_over(case: Case, text: str, settings: Iterable[str] | None = None, hint: str = "") -> Over:
     """``NAME=FROM:TO:COUNT``, ends as they would stand in the case: ``pinion_speed=1000rpm:6000rpm:500``; a
     unit behind TO holds for FROM too. ``hint``: what the command has for a falling interval."""
-    import numpy as np
+    from gearlash.results.axis import evenly
 
     general = "omega=0.5:1.4:900 or pinion_speed=1000rpm:6000rpm:500"
     name, parts = parts_of(text, 3, f"NAME=FROM:TO:COUNT, such as {_example(case, text, ':500') or general}")
@@ -116,7 +116,7 @@ def read_over(case: Case, text: str, settings: Iterable[str] | None = None, hint
     problems += twice_named(case, name, short, settings)
     if problems:
         raise CaseError("--over", problems)
-    return Over(case.named(name, parts[1]), short, np.linspace(first, last, count), behind_number(parts[1]))
+    return Over(case.named(name, parts[1]), short, evenly(first, last, count), behind_number(parts[1]))
 
 
 @dataclass(frozen=True)

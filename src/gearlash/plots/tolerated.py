@@ -10,14 +10,16 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter
+from numpy.typing import NDArray
 
 from gearlash.case.units import pretty
-from gearlash.results.tolerance import Band, Influence, Tolerance
+from gearlash.results.tolerance import Band, Influence, Tolerance, least_chance
 
 from . import style
 from .regimes import DRIVE, FREE
 from .units import literal
 
+Numbers = NDArray[np.float64]
 ROWS = ("all tried", "as it is", "none tried")
 HEIGHTS = (34.0, 18.0)  # mm of probability, bands
 BAR = 0.62  # of a row
@@ -87,14 +89,22 @@ def _probability(axes: Axes, found: Tolerance) -> None:
     """Between the solved ends of the samples' bands, and dots at the values of the axis."""
     if found.profile is not None:
         edges, share, error = (np.array(each) for each in vars(found.profile).values())
-        low, high = np.clip(share - 2.0 * error, 0, 1), np.clip(share + 2.0 * error, 0, 1)
+        low, high = _limits(share, error, found.drawn)
         axes.stairs(high, edges, baseline=low, fill=True, color="0.8", lw=0)
         axes.stairs(share, edges, baseline=None, color="black", lw=0.9)
     axes.plot(found.axis.values, found.probability, "o", color="black", ms=2.0)
     axes.set_ylim(-0.04, 1.04)
     axes.yaxis.set_major_formatter(PercentFormatter(1.0))
-    axes.set_ylabel("contact kept,\nprobability\n(grey: ± 2 std. errors)")
+    axes.set_ylabel("contact kept,\nprobability\n(grey: 95 % limits)")
     _present(axes, found)
+
+
+def _limits(share: Numbers, error: Numbers, count: int) -> tuple[Numbers, Numbers]:
+    """Between which probabilities lie, at 95 %: two standard errors; where all samples agree there is no
+    error, and so many samples bound what it can be."""
+    low, high = np.clip(share - 2.0 * error, 0.0, 1.0), np.clip(share + 2.0 * error, 0.0, 1.0)
+    bound = least_chance(count)
+    return np.where(share >= 1.0, bound, low), np.where(share <= 0.0, 1.0 - bound, high)
 
 
 def _bands(axes: Axes, found: Tolerance) -> None:

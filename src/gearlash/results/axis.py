@@ -13,6 +13,7 @@ from gearlash.case.units import unit as as_unit
 from gearlash.system import GearlashError, Record, given, shown
 
 MOST_VALUES = 100_000_000
+ROUNDING = 1e-15  # of the larger end: values between two ends are rounded by as much
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -95,7 +96,7 @@ class Axis(Record):
         count = given.whole(f"{said}: count", count, 1, MOST_VALUES)
         if (count == 1) != (low == high):
             raise GearlashError(f"{said}: expected two different ends and at least two values between them")
-        return cls(name, np.linspace(low, high, count), two or one)
+        return cls(name, evenly(low, high, count), two or one)
 
     @property
     def step(self) -> float:
@@ -104,6 +105,12 @@ class Axis(Record):
 
     def __len__(self) -> int:
         return len(self.values)
+
+
+def evenly(low: float, high: float, count: int) -> NDArray[np.float64]:
+    """``count`` values at equal distances from ``low`` to ``high``; what is zero within rounding is zero."""
+    values = np.linspace(low, high, count)
+    return np.where(np.abs(values) <= ROUNDING * max(abs(low), abs(high)), 0.0, values)
 
 
 def _plain(name: str, values: object, unit: str) -> tuple[object, str]:

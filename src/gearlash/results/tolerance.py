@@ -16,6 +16,8 @@ LIMITS_OF_CASE = "limits of the case file"
 Band: TypeAlias = tuple[float, float]
 """Both ends of an interval, in the unit of its axis."""
 
+CONFIDENCE = 0.05  # chance that a bound is wrong
+
 
 @dataclass(frozen=True)
 class ToleranceInput:
@@ -245,6 +247,14 @@ class Tolerance(Record):
     profile: Profile | None = None
     no_influences: str = ""
 
+    @property
+    def drawn(self) -> int:
+        """Samples of the whole sets that were done; of work that was stopped no fewer than this."""
+        planned = self.samples * self.replicates
+        if self.complete:
+            return planned
+        return max(0, min(planned, (self.tried - self.corners - 1) // self.samples * self.samples))
+
     def sharing(self, path: str) -> str:
         """What an influence is of: a path, or that of the first harmonic of a curve and the last one.
 
@@ -265,3 +275,8 @@ class Tolerance(Record):
         """The worst combination as overrides of the case."""
         values = zip(self.inputs, self.worst.inputs, strict=True)
         return {one.path: one.text(value) for one, value in values if isfinite(value)}
+
+
+def least_chance(count: int) -> float:
+    """What a probability is at least where all of ``count`` samples agree, at 95 %."""
+    return CONFIDENCE ** (1.0 / count) if count else 0.0

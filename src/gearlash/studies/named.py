@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from gearlash.case import Case
 from gearlash.results import Axis
+from gearlash.results.axis import evenly
 from gearlash.system import Family, GearlashError, given
 from gearlash.system.model import plain_value
 
@@ -26,7 +27,7 @@ def plain_axis(model: Model, family: Family, axis: Axis) -> Axis:
         raise GearlashError(f"axis {axis.name} in {axis.unit}: a Family has no units; expected plain numbers")
     plain = [plain_value(model, axis.name, _stated(value, axis.unit)) for value in _asked(axis)]
     short, numbers = plain[0][0], np.array([number for _, number in plain])
-    return Axis(short, np.linspace(numbers[0], numbers[-1], len(axis)) if _is_even(axis) else numbers)
+    return Axis(short, evenly(numbers[0], numbers[-1], len(axis)) if _is_even(axis) else numbers)
 
 
 def _asked(axis: Axis) -> NDArray[np.float64]:
@@ -36,7 +37,7 @@ def _asked(axis: Axis) -> NDArray[np.float64]:
 
 def _is_even(axis: Axis) -> bool:
     values = axis.values
-    return len(axis) > 1 and np.array_equal(values, np.linspace(values[0], values[-1], len(axis)))
+    return len(axis) > 1 and np.array_equal(values, evenly(values[0], values[-1], len(axis)))
 
 
 def _stated(value: float, unit: str) -> float | str:

@@ -10,6 +10,9 @@ from gearlash.case.edges import shown_distance, shown_edge, shown_interval
 from gearlash.case.units import UnitError, pretty, read
 
 SMALL = 1e-3  # of a unit: a value that is in range wherever it is converted
+DIGITS = 15
+"""Significant ones of values that are converted from dimensionless ones: 3000 rpm are not
+3000.0000000000005."""
 INTERVAL_DIGITS = 6  # significant ones of the ends of an interval that is told beside others
 
 
@@ -94,6 +97,11 @@ class Asked:
     def between(self, low: str, high: str) -> str:
         """Two numbers as an interval: ``1000 to 3850 rpm``, ``omega from 0.13 to 0.5``."""
         return f"{low} to {high} {self._unit}" if self.unit else f"{self.title} from {low} to {high}"
+
+
+def as_typed(value: float) -> float:
+    """A converted value as it was typed: without what conversion there and back has rounded."""
+    return float(f"{value:.{DIGITS}g}")
 
 
 def is_of_gear(name: str) -> bool:

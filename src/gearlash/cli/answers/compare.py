@@ -11,6 +11,7 @@ import numpy as np
 from gearlash.case import Case
 from gearlash.case.units import pretty
 
+from .asked import as_typed
 from .parts import CaseUsed, case_used
 
 if TYPE_CHECKING:  # answers are described without the engine
@@ -116,8 +117,8 @@ def compare_answer(case: Case, found: Comparison) -> CompareAnswer:
     left = zip(residuals, nearer, found.directions, strict=True)
     points = tuple(
         ComparedSpeed(
-            speed=speed * float(omega),
-            measured=size * float(value),
+            speed=as_typed(speed * float(omega)),
+            measured=as_typed(size * float(value)),
             up=_known(size * up),
             down=_known(size * down),
             label_up=labels[0],
@@ -200,7 +201,8 @@ def _jump(jump: MeasuredJump, speed: float, size: float) -> JumpFound:
         direction = way if known is None or known.direction == way else "both"
         found[name] = EventNear(change.kind, direction, speed * change.lower, speed * change.upper, *labels)
     events = tuple(found.values())
-    return JumpFound(speed * jump.lower, speed * jump.upper, size * jump.change, jump.direction, events)
+    lower, upper = as_typed(speed * jump.lower), as_typed(speed * jump.upper)
+    return JumpFound(lower, upper, size * jump.change, jump.direction, events)
 
 
 def _sentence(

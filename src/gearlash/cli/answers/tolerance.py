@@ -17,7 +17,6 @@ from .parts import CaseUsed, case_used
 if TYPE_CHECKING:  # answers are described without the engine
     from gearlash.results.tolerance import Influence, Tolerance, ToleranceMember
 
-CONFIDENCE = 0.05  # chance that a bound is wrong
 MOST_TOLD = 3  # bands in the sentence
 NARROW = 0.01
 """Of its own values and of the range: a band that is less wide is no place to run at."""
@@ -235,14 +234,16 @@ def _here(case: Case, found: Tolerance) -> str:
     )
     text = f"{nominal} as the case is, {margin_text(case, found.nominal)}"
     if isfinite(found.here):
-        chance = chance_text(found.here, found.here_error, found.samples * found.replicates)
+        chance = chance_text(found.here, found.here_error, found.drawn)
         text += f"; with probability {chance} within the limits"
     return text + f"; worst combination found: {margin_text(case, found.worst)}"
 
 
 def chance_text(share: float, error: float, count: int) -> str:
     """A probability with its error; where all samples agree, what that many samples bound it by (95 %)."""
-    bound = 100.0 * CONFIDENCE ** (1.0 / count)
+    from gearlash.results.tolerance import least_chance
+
+    bound = 100.0 * least_chance(count)
     if share >= 1.0:
         return f"of at least {floor(10.0 * bound) / 10.0:.1f} %"
     if share <= 0.0:

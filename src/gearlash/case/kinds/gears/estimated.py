@@ -97,7 +97,9 @@ def complete(
     twice = drawn.contradicted(entries)
     entries = teeth_in_other_words(rules, entries)
     geometry = ("pinion.teeth", "gear.teeth", rules.module, *rules.angles)
-    if not all(key in entries for key in geometry) or twice:
+    if twice:  # which is told where files are read: nothing follows from both
+        return Completed(entries)
+    if not all(key in entries for key in geometry):
         return Completed(entries, toothless=(*play.unusable(entries), *relief.unusable(entries)))
     widths = all(f"{gear}.face_width" in entries for gear in GEARS) and "mesh.pressure_angle" in entries
     has_drawing = is_drawn(entries)
