@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from gearlash.case import Case
+from gearlash.case.kinds.gears.curves import LOADED
 from gearlash.case.kinds.gears.kind import GearContent
 from gearlash.system import Fourier, evaluate
 
@@ -19,6 +20,11 @@ from .units import literal
 TALL = 46.0  # mm of a panel
 FINE = 16  # samples of the shortest wave
 FEW = 80  # points that are dots
+LEFT = "left of stated points"
+TAKEN_OFF = (
+    "The error was stated under load: what stiffness and flanks make of it there, and the mean, are "
+    "taken off."
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +43,8 @@ class StatedCurve:
         ``[mean, c1, s1, …]`` over the period.
     error : str
         How far the series is from the points, in words.
+    points : str
+        What the points are.
 
     Examples
     --------
@@ -53,6 +61,7 @@ class StatedCurve:
     values: NDArray[np.float64]
     series: Fourier
     error: str = ""
+    points: str = "stated points"
 
 
 def curves_of(case: Case) -> list[StatedCurve]:
@@ -72,13 +81,26 @@ def curves_of(case: Case) -> list[StatedCurve]:
         part = 100.0 * curve.rms_error / curve.peak_to_peak if curve.peak_to_peak else 0.0
         told = f"{part:.2g} % of peak to peak (rms) from the points" if len(curve.phases) else ""
         words = {"stiffness": "mesh stiffness", "error": "unloaded error"}[name]
-        made.append(
-            StatedCurve(
-                f"{words}  [{unit}]", f"part of a {curve.over}", curve.phases, factor * curve.values,
-                factor * curve.series, told,
-            )
+        drawn = StatedCurve(
+            f"{words}  [{unit}]", f"part of a {curve.over}", curve.phases, factor * curve.values,
+            factor * curve.series, told,
         )  # fmt: skip
+        loaded = name == "error" and content.pair.curves[name].get("state") == LOADED
+        made.append(_left(drawn) if loaded else drawn)
     return made
+
+
+def _left(curve: StatedCurve) -> StatedCurve:
+    """What is left of a loaded error, about its mean: that is the deflection under the mean load, which the
+    model has of the load itself."""
+    series = curve.series.copy()
+    mean, series[0] = float(series[0]), 0.0
+    return replace(curve, values=curve.values - mean, series=series, points=LEFT)
+
+
+def notice(curves: Sequence[StatedCurve]) -> str:
+    """What a reader must know of the curves beside what they are; empty where that is all."""
+    return TAKEN_OFF if any(curve.points == LEFT for curve in curves) else ""
 
 
 @styled
@@ -113,12 +135,13 @@ def stated_curves(curves: Sequence[StatedCurve], title: str = "") -> Figure:
             look = {"ls": "none", "marker": dots, "ms": 3.4 if dots == "o" else 2.0, "mew": 0.7}
             ends = np.append(curve.phases, 1.0), np.append(curve.values, curve.values[0])
             panel.plot(*ends, color=GREY, lw=0.7, ls=(0, (1, 1.2)), label="joined by straight lines")
-            panel.plot(curve.phases, curve.values, color=INK, mfc="white", label="stated points", **look)
+            panel.plot(curve.phases, curve.values, color=INK, mfc="white", label=curve.points, **look)
         words = f"{count} harmonics" + (f": {curve.error}" if curve.error else "")
         panel.plot(at, evaluate(curve.series, 2.0 * np.pi * at), color=BLUE, lw=1.1, label=words)
         panel.set(xlim=(0.0, 1.0), xlabel=literal(curve.over), ylabel=literal(curve.label))
         panel.margins(y=0.12)
         panel.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, frameon=False, borderaxespad=0.1)
-    if title:
-        made.suptitle(literal(title), x=0.01, ha="left", fontsize=8.0)
+    told = "\n".join(filter(None, [title, notice(curves)]))
+    if told:
+        made.suptitle(literal(told), x=0.01, ha="left", fontsize=8.0)
     return made

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gearlash.case import Value
 from gearlash.case.units import pretty
-from gearlash.plots.stated_curves import curves_of, stated_curves
+from gearlash.plots.stated_curves import curves_of, notice, stated_curves
 from gearlash.report.blocks import Block, Cell, Figure, Section, Table, Text
 from gearlash.report.numbers import number
 from gearlash.report.pictures import Picture
@@ -43,8 +43,10 @@ def section(contents: Contents) -> Section:
         rows.append((value.path, _shown(value.value, value.unit), _range(value), str(value.provenance), own))
         last = why
     blocks: list[Block] = list(ranges.table(found))
-    if curves_of(case):
-        blocks.append(Figure("figure-curves", Text.of(CURVES), CURVES, "curves"))
+    curves = curves_of(case)
+    if curves:
+        told = " ".join(filter(None, [CURVES, notice(curves)]))
+        blocks.append(Figure("figure-curves", Text.of(told), told, "curves"))
     if rows:
         head = ("value", "is", "range", "origin", "source or reason")
         caption = (

@@ -17,8 +17,9 @@ from gearlash.system import evaluate
 
 from . import relief
 from .at_torque import loaded_of
-from .curves import TABLE
+from .curves import LOADED, TABLE
 from .estimated import is_drawn
+from .loaded import is_loaded
 from .meshing import normal_force, unusual
 from .odd import odd
 from .pair import GearPair
@@ -100,6 +101,18 @@ def _jamming(pair: GearPair) -> Iterator[Note]:
     )
 
 
+def _beside(pair: GearPair) -> str:
+    """What else makes an error, in the words of the case, and what that is of."""
+    curve = pair.curves.get("error", {})
+    if is_loaded(pair.stated) or curve.get("state") == LOADED:
+        return (
+            "beside what is left of the stated one under load, of which stiffness and flanks made their part "
+            "at its torque"
+        )
+    stated = f"[{TABLE}.error]" if curve else "mesh.error"
+    return f"beside {stated}, which is that of deviations from the modified flanks"
+
+
 def _relief(pair: GearPair) -> Iterator[Note]:
     """What is counted of modified flanks, and what is not."""
     drawing = pair.completed.drawing
@@ -112,8 +125,7 @@ def _relief(pair: GearPair) -> Iterator[Note]:
     yield Note(
         path,
         f"modified flanks at this torque: {1e6 * of_flanks:.3g} µm of static error under load, peak to "
-        f"peak, made of the varying stiffness and of {1e6 * size:.3g} µm of error beside mesh.error, which "
-        "is that of deviations from the modified flanks. Left out: "
+        f"peak, made of the varying stiffness and of {1e6 * size:.3g} µm of error {_beside(pair)}. Left out: "
         "contact lines that change while the force swings about that of this torque",
     )
     yield from _too_much(drawing, mesh, path)
