@@ -199,6 +199,7 @@ def test_a_diameter_with_its_sign():
         ("operation.torque", "150 NM", "150 N m"),
         ("operation.torque", "150 nm", "150 N m"),
         ("operation.torque", "15 kgm", "15 kgf m"),
+        ("operation.torque", "1.53 kgcm", "1.53 kgf cm"),
         ("operation.pinion_speed", "4200", "4200 rpm"),
         ("operation.pinion_speed", "4200 r.p.m.", "4200 rpm"),
         ("operation.pinion_speed", "4200 rev per min", "4200 rev/min"),

@@ -8,8 +8,12 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
+from matplotlib.figure import Figure
 
+import gearlash as gl
 from cli.conftest import Gearlash
+from gearlash import plots
+from gearlash.plots.scales import scales
 
 CASE = str(Path(__file__).parents[1] / "cases" / "drive.toml")
 RPM = "pinion_speed=4050:4150rpm"
@@ -66,3 +70,28 @@ def test_a_history_begins_with_what_has_a_unit(gearlash: Gearlash):
     with_unit = [bool(re.search(r"\[", name)) for name in names[3:]]
     assert with_unit == sorted(with_unit, reverse=True)
     assert all(kind.kind == "f" for kind in table.dtypes)
+
+
+DRAWN = str(Path(__file__).parents[1] / "cases" / "drawing.toml")
+
+
+def test_a_quantity_that_varies_itself_is_told_in_its_unit_alone(gearlash: Gearlash):
+    """Where estimates follow it, a quantity is the parameter, in SI: nobody reads 0.028 as millimetres."""
+    asked = ("sweep", DRAWN, "--over", "gear.face_width=28:30mm:2", "--up")
+    assert heads(gearlash(*asked, "--csv").out)[:2] == ["face_width [mm]", "direction"]
+    for command in (asked, ("zones", *asked[1:-1]), ("graze", DRAWN, "--over", "gear.face_width")):
+        out = gearlash(*command).out
+        assert " mm" in out
+        assert not re.search(r"(?<![\d.])0\.0(?:28|3)\b", out), command
+
+
+def test_figures_of_such_a_quantity_have_one_scale_of_it():
+    case = gl.load_case(DRAWN).varying("gear.face_width")
+    twin = plots.Units.of(case).of_parameter("gear.face_width")
+    assert twin is not None
+    assert (twin.own, twin.unit, twin.assumed) == (True, "mm", False)
+    figure = Figure()
+    for first in (True, False):
+        panel = figure.add_subplot()
+        scales(panel, "x", "gear.face_width", twin, first=first)
+        assert [each.get_xlabel() for each in (panel, *panel.child_axes)] == ["", twin.label]

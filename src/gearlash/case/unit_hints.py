@@ -37,7 +37,11 @@ _GYRATION = re.compile(r"\W*(?<!\w)(?:[GP]\s?D\s?(?:²|\^?2|\*\*2)?|Schwungmomen
 """GD², the flywheel effect of weight and diameter squared: 4 J, in kgf·m² or kg·m²."""
 _OTHERS = {
     POWER: {"metrichp": "PS", "hpm": "PS", "metrichorsepower": "PS", "pk": "PS", "hpi": "hp"},
-    TORQUE: {"kgm": "kgf m", "kpm": "kgf m", "tm": "", "joule": "N m"},
+    TORQUE: {
+        **{f"{weight}{arm}": f"kgf {arm}" for weight in ("kg", "kp") for arm in ("m", "cm")},
+        "tm": "",
+        "joule": "N m",
+    },
 }
 """Other spellings by what `_look` leaves of them."""
 _OTHER_SENSE = re.compile(

@@ -167,7 +167,7 @@ USUAL: dict[Dimension, tuple[str, ...]] = {
     TORQUE: ("N m", "kN m", "N mm", "lbf in", "lbf ft", "kgf m"),
     POWER: ("kW", "W", "MW", "hp", "PS"),
     STIFFNESS: ("N/m", "N/um", "N/mm", "lbf/in"),
-    INERTIA: ("kg m^2", "kg cm^2", "lb in^2", "lbf in s^2"),
+    INERTIA: ("kg m^2", "kg cm^2", "g cm^2", "lb in^2", "lbf in s^2"),
     PRESSURE: ("GPa", "MPa", "N/mm^2", "psi"),
     DENSITY: ("kg/m^3", "g/cm^3", "lb/in^3"),
     PITCH: ("1/in", "DP"),

@@ -40,7 +40,7 @@ _NUMBER = re.compile(r"([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", 
 _TERM = re.compile(r"([A-Za-z]+|%)(?:\^?(-?\d))?", re.ASCII)
 _JOINED = re.compile(
     r"\b(kN|MN|mN|cN|daN|N|kgf|kp)(m|mm|cm)\b"  # Nm
-    r"|\b(kg)(mm|cm|m)(?=\^?2\b)"  # kgm²
+    r"|\b(kg|g)(mm|cm|m)(?=\^?2\b)"  # kgm², gcm²
     r"|\b(lbf|lb|ozf|oz)(in|ft)\b|\b(in|ft)(lbfs?|lbs?|ozf?)\b"  # lbft, inlb
 )
 _WEIGHED = re.compile(r"\b(lbs?|oz|pounds?)\b", re.IGNORECASE)

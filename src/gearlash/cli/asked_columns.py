@@ -12,7 +12,7 @@ from gearlash.case import Case
 from gearlash.results.columns import Column
 from gearlash.results.variables import dimension
 
-from .answers.asked import as_typed
+from .answers.asked import as_typed, is_quantity
 
 if TYPE_CHECKING:
     from .answers.asked import Asked
@@ -32,6 +32,8 @@ def axes_first(table: Sequence[Column], case: Case, axes: Sequence[tuple[str, As
         others = sorted(others, key=lambda each: each.name != asked.name)
         if typed and others and _same(typed[0], others[0]):
             typed = []  # it is there in the same unit
+        if asked.unit and (typed or others) and is_quantity(short):
+            own = []
         front += [*typed, *others, *own] if asked.unit else [*own, *others]
     return front + rest
 

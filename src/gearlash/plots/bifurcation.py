@@ -96,7 +96,9 @@ def diagram(
     6
     """
     force = force or ForceAxis()
-    axis, factor = axis_name(dataset), 1.0 if asked is None else asked.factor
+    axis = axis_name(dataset)
+    asked = asked or (units or Units()).alone(axis)
+    factor = 1.0 if asked is None else asked.factor
     rows = [replace(row, values=factor * row.values) for row in swept(dataset, apart)]
     marks = [replace(mark, value=factor * mark.value) for mark in marks]
     shown = new_points(rows)

@@ -80,6 +80,8 @@ class Twin:
     words, unit : str
     assumed : bool
         Whether it rests on an assumed value: its label then carries †.
+    own : bool
+        Whether the parameter is this quantity itself, in SI: its values then have this scale alone.
 
     Examples
     --------
@@ -93,6 +95,7 @@ class Twin:
     words: str
     unit: str
     assumed: bool = False
+    own: bool = False
 
     @property
     def label(self) -> str:
@@ -202,7 +205,7 @@ class Units:
         usual = self.of_parameter(parameter)
         if own is None or usual is None:
             return own or usual
-        return replace(own, assumed=own.assumed or usual.assumed)
+        return replace(own, assumed=own.assumed or usual.assumed, own=usual.own)
 
     def of_parameter(self, parameter: str) -> Twin | None:
         """The physical scale of a parameter.
@@ -218,6 +221,21 @@ class Units:
         """
         return {"omega": self.speed, "D": self.backlash}.get(parameter) or self.others.get(parameter)
 
+    def alone(self, parameter: str) -> Twin | None:
+        """The scale of a parameter that has no other, as it is a quantity in SI.
+
+        Parameters
+        ----------
+        parameter : str
+            Short name.
+
+        Returns
+        -------
+        Twin or None
+        """
+        found = self.of_parameter(parameter)
+        return found if found is not None and found.own else None
+
 
 def rests(*scales: Twin | None) -> bool:
     """Whether one of them rests on an assumed value."""
@@ -232,7 +250,9 @@ def _others(case: Case, assumed: Mapping[str, bool]) -> dict[str, Twin]:
         for path, value, unit in case.physical(parameter, 1.0)[-1:]:
             table, _, leaf = path.rpartition(".")
             words = (f"{table} {leaf}" if table in ("pinion", "gear") else leaf).replace("_", " ")
-            found[parameter] = Twin(float(value), words, pretty(unit), assumed.get(unit, False))
+            own = path == parameter
+            rests_on = not own and assumed.get(unit, False)
+            found[parameter] = Twin(float(value), words, pretty(unit), rests_on, own)
     return found
 
 

@@ -94,7 +94,9 @@ def zone_bands(
     >>> len(plots.zone_bands(gl.sweep_dataset(case, found.sweeps), [found]).axes)
     3
     """
-    axis, factor = axis_name(dataset), 1.0 if asked is None else asked.factor
+    axis = axis_name(dataset)
+    asked = asked or (units or Units()).alone(axis)
+    factor = 1.0 if asked is None else asked.factor
     rows = [replace(row, values=factor * row.values) for row in swept(dataset, apart)]
     bands = list(_bands(found, factor))
     heights = [ROW * len(bands), 4.6 * len(rows), 52.0]

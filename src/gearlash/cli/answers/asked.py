@@ -31,7 +31,7 @@ class Asked:
         table, _, leaf = named.rpartition(".")
         gear = table if table in ("pinion", "gear") else ""
         for path, values, own in case.physical(short, 1.0):
-            if path.rpartition(".")[2] == leaf and (unit or named != short):
+            if path.rpartition(".")[2] == leaf and (unit or named != short or path == short):
                 return Asked(leaf, *_converted(float(values), own, unit), gear)
         at_gear = case.at_gear(short)
         if at_gear is not None and at_gear[0].rpartition(".")[2] == leaf:
@@ -97,6 +97,12 @@ class Asked:
     def between(self, low: str, high: str) -> str:
         """Two numbers as an interval: ``1000 to 3850 rpm``, ``omega from 0.13 to 0.5``."""
         return f"{low} to {high} {self._unit}" if self.unit else f"{self.title} from {low} to {high}"
+
+
+def is_quantity(short: str) -> bool:
+    """Whether a parameter, by its short name, is a quantity of the case itself (``mesh.backlash``): its
+    values are in SI, and a table that has them in the unit asked for has no need of them."""
+    return "." in short
 
 
 def as_typed(value: float) -> float:

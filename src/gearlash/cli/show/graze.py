@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from gearlash.case.units import pretty
+from gearlash.cli.answers.asked import Asked, is_quantity
 from gearlash.cli.answers.graze import HOLDS, GrazeAnswer, TouchFound
 from gearlash.results.contact_words import sided
 
@@ -38,6 +39,8 @@ def graze_view(answer: GrazeAnswer, width: int) -> Iterator[Text]:
 
 def _title(answer: GrazeAnswer, touch: TouchFound) -> str:
     plain = f"{answer.over} = {touch.value:.13g}"
+    if answer.asked.unit and is_quantity(answer.over):
+        return answer.asked.text(touch.value, 10)
     return f"{answer.asked.text(touch.value, 10)}, {plain}" if answer.asked.unit else plain
 
 
@@ -81,13 +84,20 @@ def _paths(answer: GrazeAnswer, width: int) -> Iterator[Text]:
     if not answer.paths:
         yield from note(answer.message, width)
         return
+    told = answer.asked if answer.asked.unit and is_quantity(answer.over) else None
     rows = []
     for path in answer.paths:
-        passed = (f"{p.kind} at {p.value:.7g} ({p.label_below} | {p.label_above})" for p in path.passed)
+        passed = (
+            f"{p.kind} at {_plain(told, p.value)} ({p.label_below} | {p.label_above})" for p in path.passed
+        )
         ended = path.ended + (f"; beyond it {path.beyond}" if path.beyond else "")
-        rows.append((path.direction, f"{path.reached:.7g}", ended, ", ".join(passed) or "nothing"))
+        rows.append((path.direction, _plain(told, path.reached), ended, ", ".join(passed) or "nothing"))
     columns = [("", "left"), ("to", "right"), ("ended by", "left"), ("passed", "left")]
-    yield from table(
-        f"Followed from {answer.over} = {answer.near:.7g} ({answer.label})", columns, rows, width
-    )
+    start = f"{answer.over} = {answer.near:.7g}" if told is None else _plain(told, answer.near)
+    yield from table(f"Followed from {start} ({answer.label})", columns, rows, width)
     yield from note(EXAMINED, width)
+
+
+def _plain(asked: Asked | None, value: float) -> str:
+    """A value of the parameter; of a quantity in the unit that it was asked for in."""
+    return f"{value:.7g}" if asked is None else asked.text(value, 7)

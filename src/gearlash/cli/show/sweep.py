@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from gearlash.case.units import pretty
-from gearlash.cli.answers.asked import Asked
+from gearlash.cli.answers.asked import Asked, is_quantity
 from gearlash.cli.answers.sweep import Regime, SweepAnswer, SweepWay
 
 from .layout import assumed, facts, headline, table
@@ -52,11 +52,13 @@ def _regimes(answer: SweepAnswer, way: SweepWay, width: int) -> Iterator[Text]:
     own = [(f"from, {answer.axis.name}", "right"), ("to", "right")]
     told = [(f"from, {pretty(unit)}", "right"), ("to", "right")] if factor is not None else []
     first = bool(answer.axis.asked.unit)
+    alone = first and is_quantity(answer.axis.name)
+    own = [] if alone else own
     columns = [("", "left"), *(told + own if first else own + told), ("points", "right")]
     shown = sorted(_longest(way.regimes), key=lambda r: r.first)
     rows = []
     for r in shown:
-        plain = [number(r.first, 6), number(r.last, 6)]
+        plain = [] if alone else [number(r.first, 6), number(r.last, 6)]
         scaled = [] if factor is None else [number(r.first * factor, 5), number(r.last * factor, 5)]
         rows.append([r.label or "–", *(scaled + plain if first else plain + scaled), str(r.points)])
     left = len(way.regimes) - len(shown)

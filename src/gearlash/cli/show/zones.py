@@ -8,6 +8,7 @@ from rich.text import Text
 
 from gearlash.case.edges import shown_edge
 from gearlash.case.units import pretty
+from gearlash.cli.answers.asked import is_quantity
 from gearlash.cli.answers.outcome import INCOMPLETE
 from gearlash.cli.answers.zones import ZonesAnswer
 from gearlash.cli.answers.zones_parts import Resident, Stay, ZoneEnd, ZoneFound
@@ -159,7 +160,8 @@ def _end(answer: ZonesAnswer, end: ZoneEnd, inwards: int, marks: Marks) -> str:
     if answer.asked.of_gear and end.physical:
         edge = answer.asked.edge(end.inner(inwards), inwards, answer.present)
         shown.insert(0, marks.of(answer.asked.with_unit(edge), end.physical[0].rests_on))
-    shown.insert(1 if answer.asked.unit and shown else 0, f"{answer.axis.name} {value}")
+    if not (answer.asked.unit and shown and is_quantity(answer.axis.name)):
+        shown.insert(1 if answer.asked.unit and shown else 0, f"{answer.axis.name} {value}")
     how = end.kind + (
         f", {end.inside} inside, {end.outside} outside ({end.direction})" if end.outside else ""
     )
