@@ -86,6 +86,10 @@ def test_stated_tips_in_the_root_of_the_mate_are_refused_and_others_told():
         ({"pinion.root_diameter": "30 mm"}, "70.146 mm is usual"),
         ({"mesh.pressure_angle": "44 deg"}, "up to 32.1 deg"),
         ({"pinion.span": "20 mm", "pinion.span_teeth": 4}, "32.157 mm over 4 teeth without profile shift"),
+        (
+            {"pinion.profile_shift": 0.4, "pinion.span": "20 mm", "pinion.span_teeth": 4},
+            "over 4 teeth with the stated profile shift 0.4",
+        ),
         ({"pinion.over_balls": "50 mm"}, "without profile shift"),
         ({"mesh.centre_distance": "126 mm", "pinion.profile_shift": 0, "gear.profile_shift": 0},
          "they need 127.339 mm and more"),

@@ -207,7 +207,9 @@ class Teeth:
         except GearlashError:
             x = inf
         if abs(x) > MOST_SHIFT:
-            expected = f"a measure of such teeth: {nominal} without profile shift"
+            stated = self.number(f"{path.partition('.')[0]}.profile_shift")
+            shift = f"with the stated profile shift {stated:.4g}" if stated else "without profile shift"
+            expected = f"a measure of such teeth: {nominal} {shift}"
             raise ValueProblemError(Problem(path, repr(self.entries[path].text), expected))
         return x
 
