@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import zip_longest
 
 from rich.text import Text
 
@@ -46,18 +47,25 @@ def facts(title: str, rows: Sequence[tuple[str, str]], width: int) -> Iterator[T
 
 
 def table(title: str, columns: Sequence[Column], rows: Sequence[Sequence[str]], width: int) -> Iterator[Text]:
-    """A titled table without frames; its last column wraps."""
+    """A titled table without frames; its last column wraps, and where that leaves it no room the widest one
+    of words before it, too."""
     yield Text()
     yield Text(title, style="bold")
     names = [name for name, _ in columns]
     widths = [max(map(len, cells)) for cells in zip(names, *rows, strict=True)]
     room = width - len(INDENT) - sum(widths[:-1]) - GAP * (len(widths) - 1)
+    words = [i for i, (_, side) in enumerate(columns[:-1]) if side == "left"]
+    widest = max(words, key=lambda i: widths[i], default=None)
+    if widest is not None and room < NARROWEST < widths[widest]:
+        kept = max(NARROWEST, len(names[widest]), widths[widest] - (NARROWEST - room))
+        room, widths[widest] = room + widths[widest] - kept, kept
     if any(names):
         yield Text(_line(names, columns, widths), style="dim")
     for row in rows:
-        tail = wrapped(row[-1], room)
-        yield Text(_line([*row[:-1], tail[0]], columns, widths))
-        yield from (Text(_line([""] * (len(row) - 1) + [more], columns, widths)) for more in tail[1:])
+        sized = zip(row, widths, strict=True)
+        cells = [[cell] if len(cell) <= size else wrapped(cell, size) for cell, size in sized]
+        cells[-1] = wrapped(row[-1], room)
+        yield from (Text(_line(line, columns, widths)) for line in zip_longest(*cells, fillvalue=""))
 
 
 def remarks(title: str, rows: Sequence[tuple[str, str, str, str]], width: int) -> Iterator[Text]:
