@@ -138,7 +138,7 @@ def test_a_complete_answer_takes_the_place_of_one_that_ended_early(
 @pytest.mark.parametrize(
     ("line", "beside"),
     [
-        (SWEEP, "gearlash.studies.transitions.transitions"),
+        (SWEEP, "gearlash.studies.transitions.by_step"),
         (BRANCH, "gearlash.results.branch_dataset.branch_dataset"),
     ],
 )
@@ -157,6 +157,21 @@ def test_an_answer_without_what_lies_beside_it_takes_the_place_of_no_whole_one(
     ran = gearlash(*line)
     assert (ran.code, STAYS in ran.complaint) == (130, True)
     assert _files(tmp_path) == before
+
+
+def test_what_was_deleted_is_worth_nothing(
+    gearlash: Gearlash, tmp_path: Path, ctrl_c: Callable[[], None], monkeypatch: pytest.MonkeyPatch
+):
+    """Nor is an answer to another question, whose note is there."""
+    assert gearlash(*SWEEP, "--out", str(tmp_path)).code == 0
+    for name in _files(tmp_path):
+        if not name.startswith("."):
+            (tmp_path / name).unlink()
+    ctrl_c()
+    ran = gearlash(*SWEEP, "--set", "mesh_damping=0.06", "--out", str(tmp_path))
+    assert (ran.code, "stays" in ran.complaint) == (130, False)
+    kept = json.loads((tmp_path / "sweep.json").read_text(encoding="utf-8"))
+    assert kept["status"] == "incomplete"
 
 
 def test_figures_stay_until_they_are_drawn_again(

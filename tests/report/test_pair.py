@@ -440,6 +440,19 @@ def test_the_mirror_image_is_the_same_pair_at_the_same_torque_turned_round(name:
         assert one_side.stiffness_plus == pytest.approx(other_side.stiffness_minus, rel=1e-12)
 
 
+def test_an_assumed_range_of_the_torque_is_turned_round():
+    torque = {
+        "value": "-150 N*m",
+        "range": ["-200 N*m", "-15 N*m"],
+        "provenance": "assumed",
+        "reason": "guess",
+    }
+    case = gl.load_case(CASES / "drive.toml", {"operation.torque": torque})
+    (found,) = (v for v in carrying_forwards(case).values() if v.path == "operation.torque")
+    assert (found.least, found.value, found.greatest) == (15.0, 150.0, 200.0)
+    assert (found.provenance, found.reason, found.estimated) == ("assumed", "guess", True)
+
+
 @pytest.mark.parametrize(
     ("stated", "path", "ends"),
     [

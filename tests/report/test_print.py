@@ -27,7 +27,7 @@ CASES = Path(__file__).resolve().parents[1] / "cases"
 BROWSER = next(filter(None, map(shutil.which, BROWSERS)), None)
 HEIGHT, MARGIN = 297.0, 14.0  # mm: of a sheet, of its margins above and below
 WIDE, BESIDE = 210.0, 13.0  # mm: of a sheet, of its margins left and right
-MOST_EMPTY = 0.25  # of the height between the margins
+MOST_EMPTY = 0.25  # of the height between the margins: no figure goes beyond the end of its section
 FAINTEST = 0.98  # of white: paper
 HEIGHTS = "all => all.map(one => one.getBoundingClientRect().height)"
 

@@ -63,13 +63,8 @@ class Value:
 
     @property
     def limited(self) -> bool:
-        """Does the case state its limits?"""
+        """Does the case state its limits, and not assume them?"""
         return self.least is not None and bool(self.text) and self.provenance != Provenance.ASSUMED
-
-    @property
-    def bounded(self) -> bool:
-        """Are its limits known, and not assumed by whoever wrote the case?"""
-        return self.limited and self.provenance != Provenance.ASSUMED
 
     @property
     def uncertain(self) -> bool:

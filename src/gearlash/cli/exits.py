@@ -42,7 +42,7 @@ MEANINGS = {
     "kept in --out and marked incomplete",
     ExitCode.HUNG_UP: "as 130, by SIGHUP: the terminal was closed",
     ExitCode.INTERRUPTED: "stopped by Ctrl-C; what was computed is kept in --out and marked incomplete, "
-    "unless more of the answer to the same question is there. Ctrl-C once more gives it up: every file is "
+    "unless a complete answer to the same question is there. Ctrl-C once more gives it up: every file is "
     "there whole or not at all",
     ExitCode.TERMINATED: "as 130, by SIGTERM: `kill`, a batch system, `timeout`",
 }

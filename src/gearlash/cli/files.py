@@ -11,6 +11,7 @@ from gearlash.case import Case
 from gearlash.case.units import pretty
 from gearlash.results import PlaneMap, Sweep, plane_dataset, sweep_dataset
 from gearlash.results.dataset import FORMAT_VERSION
+from gearlash.results.physical import backlash_words
 from gearlash.results.store import netcdf, write_together
 from gearlash.system import Signature
 
@@ -123,9 +124,11 @@ def at_what(case: Case, *varied: str) -> str:
         if not named:
             told.append(f"{'ω' if short == 'omega' else short} = {family.defaults[short]:.4g}")
         for path, value, unit in named:
-            if path.rpartition(".")[2] == leaf:
+            if path.rpartition(".")[2] in (leaf, f"{leaf}_at_work"):
                 size = f"about {float(value):.3g}" if path in assumed else f"{float(value):.5g}"
-                told.append(f"{size} {pretty(unit)}{' backlash' if leaf == 'backlash' else ''}")
+                told.append(
+                    f"{size} {pretty(unit)}{f' {backlash_words(case)}' if leaf == 'backlash' else ''}"
+                )
     return f", at {', '.join(told)}" if told else ""
 
 

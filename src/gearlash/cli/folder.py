@@ -48,8 +48,9 @@ class OutFolder:
         if self.worth is None:
             marker = set_aside(self.path, self.wanted, Marker.read(self.path))
             asked = {**marker.asked, **dict.fromkeys(self.wanted, fingerprint())}
+            there = [name for name in marker.of(fingerprint()) if (self.path / name).exists()]
+            self.worth = {name: marker.worth[name] for name in there if name in marker.worth}
             replace(marker, asked=asked).write(self.path)
-            self.worth = {name: marker.worth[name] for name in self.wanted if name in marker.worth}
         return self.worth
 
     def note(self) -> None:

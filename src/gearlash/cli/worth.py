@@ -30,13 +30,13 @@ def keep_answer(folder: OutFolder, answer: Any, write: Callable[[], object], nam
         tell(f"{stays}; this one, which ended early, is not kept")
         return False
     write()
-    earlier[name] = worth
+    earlier[name] = worth_of(answer.status)  # a signal may have come meanwhile, and figures were given up
     folder.note()
     return True
 
 
 def worth_of(status: str) -> Worth:
-    """Of an answer with this status that is about to be kept."""
+    """Of an answer with this status, as far as a signal left it."""
     if status == INCOMPLETE:
         return Worth.PART
     return Worth.BARE if signalled() else Worth.WHOLE

@@ -19,7 +19,7 @@ class Regime:
     ink: str = style.INK
 
 
-# From light to dark, so that a grey print tells them apart: lightness (CIE L*) 90, 75, 82, 59 and 33.
+# A grey print tells them apart: lightness (CIE L*) 90, 75, 82, 59 and 33.
 FREE = Regime("no impacts", "#c9ebdd")
 DRIVE = Regime("drive-side impacts", "#74c0ee")
 BACK_ONLY = Regime("back-side impacts", "#f0c987")

@@ -60,9 +60,9 @@ def order_spectra(rows: Sequence[Sequence[Levels]], titles: Sequence[str]) -> Fi
     figure = style.figure(style.PAGE, 21.0 * len(rows) + 14.0)
     panels = figure.subplots(len(rows), len(titles), squeeze=False, sharex=True, sharey="row")
     for row, line in zip(rows, panels, strict=True):
-        low, high = _ends(row)
+        low, floor, high = _ends(row)
         for i, (levels, panel) in enumerate(zip(row, line, strict=True)):
-            _draw(panel, levels, low)
+            _draw(panel, levels, low, floor)
             panel.set_ylim(low, high)
             panel.set_ylabel(levels.label if i == 0 else "")
             panel.text(
@@ -84,21 +84,21 @@ def _shown(levels: Levels) -> NDArray[np.bool_]:
     return (levels.order > 0.0) & (levels.order <= HIGHEST + 1e-9)
 
 
-def _ends(row: Sequence[Levels]) -> tuple[float, float]:
-    """Of the axis of one quantity, around the lines of all motions that are no lower than `FLOOR`."""
+def _ends(row: Sequence[Levels]) -> tuple[float, float, float]:
+    """Least value of the axis of one quantity, the level below which no line is drawn, and greatest value."""
     level = np.concatenate([levels.level[_shown(levels)] for levels in row])
     top = float(level.max(initial=-np.inf))
     if not np.isfinite(top):
-        return 0.0, 1.0
-    return float(level[level >= top - FLOOR].min()) - BELOW, top + ABOVE
+        return 0.0, 0.0, 1.0
+    return float(level[level >= top - FLOOR].min()) - BELOW, top - FLOOR, top + ABOVE
 
 
-def _draw(panel: Axes, levels: Levels, floor: float) -> None:
+def _draw(panel: Axes, levels: Levels, low: float, floor: float) -> None:
     shown = _shown(levels)
-    order, level = levels.order[shown], np.maximum(levels.level[shown], floor)
-    seen = level > floor
+    order, seen = levels.order[shown], levels.level[shown] >= floor
+    level = np.maximum(levels.level[shown], low)
     if len(order) <= MOST_STEMS:
-        panel.vlines(order[seen], floor, level[seen], color=style.BLUE, lw=1.2)
+        panel.vlines(order[seen], low, level[seen], color=style.BLUE, lw=1.2)
         panel.plot(order[seen], level[seen], ls="none", marker="o", ms=2.8, color=style.BLUE)
     else:
         panel.plot(order, level, color=style.BLUE, lw=0.7)

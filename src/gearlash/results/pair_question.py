@@ -72,9 +72,7 @@ def _half_a_turn(
             yield phase, values[phase] - copysign(pi, values[phase])
             continue
         half = 180.0 if own.unit == "deg" else pi
-        moved = _moved(own, 1.0, -copysign(half, float(own.value)))
-        why = {} if own.limited else {"provenance": str(own.provenance), "reason": own.reason}
-        yield own.path, moved | why
+        yield own.path, _moved(own, 1.0, -copysign(half, float(own.value)))
 
 
 def _turned(case: Case) -> Iterator[tuple[str, object]]:
@@ -83,7 +81,8 @@ def _turned(case: Case) -> Iterator[tuple[str, object]]:
     stated = {entry.path for entry in case.entries.values()}
     for value in case.values():
         if value.path in stated.intersection({"dimensionless.load", *TORQUES}):
-            yield value.path, _moved(value, -1.0, 0.0) if value.limited else _text(-float(value.value), value)
+            ranged = value.least is not None
+            yield value.path, _moved(value, -1.0, 0.0) if ranged else _text(-float(value.value), value)
 
 
 def _moved(value: Value, factor: float, shift: float) -> dict[str, object]:
@@ -93,7 +92,8 @@ def _moved(value: Value, factor: float, shift: float) -> dict[str, object]:
     ends = sorted((factor * value.least + shift, factor * value.greatest + shift))
     size = factor * float(value.value) + shift
     texts = [_text(number, value) for number in (size, *ends)]
-    return {"value": texts[0], "range": texts[1:]}
+    origin = {"provenance": str(value.provenance), "reason": value.reason}
+    return {"value": texts[0], "range": texts[1:], **({} if value.provenance == "given" else origin)}
 
 
 def _text(number: float, value: Value) -> float | str:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.case import Case
-from gearlash.jobs import Execution
+from gearlash.jobs import Execution, stopping
 from gearlash.orbits import Settings
 from gearlash.orbits.signals import Signals
 from gearlash.results import Axis, Point, Sweep
@@ -116,7 +116,8 @@ def speed_run(
     table, whole = measured(case, ways, telling(execution, say, "forces over speed"))
     whole = whole and all(way.complete for way in ways)
     readouts = readouts_of(case, case.family()[0].complete())
-    return SpeedRun(case, axis, ways, table, readouts, whole, apart_in(case, ways))
+    joined = apart_in(case, ways, telling(execution, say, "lines over speed").progress)
+    return SpeedRun(case, axis, ways, table, readouts, whole and not stopping(), joined)
 
 
 def bearing_modes(case: Case) -> list[float]:

@@ -117,7 +117,7 @@ def _ranged(found: Assessment) -> str:
 
 def _limits(case: Case) -> list[Line]:
     """Values that the case states limits of, and at which of them all else is computed."""
-    limited = [value for value in case.values() if value.bounded]
+    limited = [value for value in case.values() if value.limited]
     if not limited:
         return []
     said = "; ".join(f"{value.path} {limits_of(value)}" for value in limited)

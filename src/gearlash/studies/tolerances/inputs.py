@@ -172,7 +172,7 @@ def ranged_inputs(case: Case) -> tuple[ToleranceInput, ...]:
     """Everything of which a case states limits, then everything that it estimates with a range, or states as
     assumed with limits."""
     values = [v for v in case.values() if v.least is not None and v.path in case.content.places]
-    values.sort(key=lambda value: not value.bounded)
+    values.sort(key=lambda value: not value.limited)
     found = tuple(
         ToleranceInput(
             value.path,
@@ -180,7 +180,7 @@ def ranged_inputs(case: Case) -> tuple[ToleranceInput, ...]:
             value.least,
             value.greatest,
             float(value.value),
-            LIMITS_OF_CASE if value.bounded else value.reason,
+            LIMITS_OF_CASE if value.limited else value.reason,
         )
         for value in values
         if value.least is not None and value.greatest is not None and value.least < value.greatest
