@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -80,3 +82,21 @@ def test_the_points_alone_break_the_way_that_changed_over(classical):
         assert not (other & ~one).any()
     dataset = gl.sweep_dataset(case, sweeps)
     assert apart(Rows.of_dataset(dataset, "omega")).tolist() == told.tolist()
+
+
+def test_members_from_a_drawing_are_not_followed(monkeypatch: pytest.MonkeyPatch):
+    """Of every torque another pair is estimated: the points alone tell, and speeds are followed as ever."""
+
+    def followed(*_: object, **__: object) -> None:
+        raise AssertionError("followed")
+
+    case = gl.load_case(Path(__file__).parents[1] / "cases" / "drawing.toml")
+    ways = gl.sweeps(case, gl.Axis.even("torque", "100 N m", "150 N m", 9), ("up", "down"))
+    monkeypatch.setattr("gearlash.studies.joined.by_step", followed)
+    assert [flags.tolist() for flags in apart_in(case, ways)] == [[False] * 8] * 2
+    assert [case.content.rebuilt(name) for name in ("omega", "load", "mesh.mean_stiffness")] == [
+        False,
+        True,
+        True,
+    ]
+    assert not gl.load_case("article").content.rebuilt("load")

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearlash.branches.continuation import ContinuationSettings
+from gearlash.case import Case
 from gearlash.jobs import Progress, ProgressCallback, stopping
 from gearlash.results import Direction, Sweep
 from gearlash.results.steps import Rows, apart, doubtful, one_motion
@@ -29,6 +30,7 @@ def apart_in(
 ) -> tuple[Flags, ...]:
     """Steps (m-1,) of every sweep over which the motion does not go on. That of each step that is not small,
     or where the ways part or meet, is followed from one point to the other; a touch on the way is no end.
+    Where every value makes another pair from a drawing that would take minutes: there only the points tell.
 
     Parameters
     ----------
@@ -43,6 +45,8 @@ def apart_in(
     tuple of ndarray of bool
     """
     rows = Rows.of_sweeps(sweeps)
+    if isinstance(model, Case) and model.content.rebuilt(sweeps[0].axis.name):
+        return tuple(apart(rows))
     told, look = apart(rows), doubtful(rows)
     told &= look | ~rows.periodic()
     began, done, total = monotonic(), 0, int(np.count_nonzero(look))

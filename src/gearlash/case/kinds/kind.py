@@ -248,6 +248,20 @@ class Content(ABC):
         """
         return None
 
+    def rebuilt(self, short: str) -> bool:
+        """Whether every value of a parameter makes another pair from its drawing, which takes long.
+
+        Parameters
+        ----------
+        short : str
+            Name of the parameter in the family.
+
+        Returns
+        -------
+        bool
+        """
+        return False
+
     def held(self, name: str) -> str:
         """What is taken to be the same wherever a parameter varies; see `Case.held`.
 

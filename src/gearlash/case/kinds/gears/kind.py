@@ -107,6 +107,9 @@ class GearContent(Content):
     def held(self, name: str) -> str:
         return held(self.pair, name)
 
+    def rebuilt(self, short: str) -> bool:
+        return "." in short or (short == "load" and self.pair.completed.follows_torque)
+
     def values(self) -> list[Value]:
         return values(self.pair)
 
