@@ -27,7 +27,7 @@ CASES = Path(__file__).resolve().parents[1] / "cases"
 BROWSER = next(filter(None, map(shutil.which, BROWSERS)), None)
 HEIGHT, MARGIN = 297.0, 14.0  # mm: of a sheet, of its margins above and below
 WIDE, BESIDE = 210.0, 13.0  # mm: of a sheet, of its margins left and right
-MOST_EMPTY = 0.25  # of the height between the margins: no figure goes beyond the end of its section
+MOST_EMPTY = 0.15  # of the height between the margins
 FAINTEST = 0.98  # of white: paper
 HEIGHTS = "all => all.map(one => one.getBoundingClientRect().height)"
 
@@ -74,20 +74,6 @@ def printed(page: Path, folder: Path) -> tuple[list[np.ndarray], list[float], st
     return sheets, [25.4 / 96 * height for height in heights], text.decode()
 
 
-def in_order(page: Path, text: str) -> bool:
-    """Whether headings of sections and captions of figures are printed in the order of the page."""
-    source = re.sub(r"<svg.*?</svg>", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
-    parts = re.findall(r"(?:<h2>|<figcaption><b>)\s*([^<]*[^<\s])", source.partition("<main>")[2])
-    assert len(parts) > 8
-    place = 0
-    for part in parts:
-        found = re.compile(rf"^[ \f]*{re.escape(part)}", re.MULTILINE).search(text, place)
-        if found is None:
-            return False
-        place = found.end()
-    return True
-
-
 @pytest.mark.parametrize(("name", "count"), [("drive.toml", 41), ("drawing.toml", 21)])
 def test_no_sheet_but_the_last_is_half_empty_and_nothing_is_cut(name: str, count: int, tmp_path: Path):
     page = page_of(name, count, tmp_path / "report")
@@ -104,6 +90,5 @@ def test_no_sheet_but_the_last_is_half_empty_and_nothing_is_cut(name: str, count
         assert across.max() < WIDE - BESIDE + 1.0, number
     assert len(figures) >= 6
     assert max(figures) < HEIGHT - 2 * MARGIN  # none is higher than a sheet, where it would be cut
-    assert in_order(page, text)
     written = re.findall(r"Figure (\d+)\. ", text)
     assert sorted(set(map(int, written))) == list(range(1, len(figures) + 1))

@@ -13,6 +13,7 @@ HOW = frozenset({"out", "workers", "as_json", "as_csv", "decimal_comma"})
 IN_ANY_ORDER = frozenset({"settings", "initial"})
 """Options that may be given several times, each for a name of its own."""
 LARGEST = 1_000_000_000  # bytes; no command reads a larger file
+LONGEST = 2_000  # bits of a whole number that is no nonsense
 _asked = ""
 
 
@@ -70,4 +71,6 @@ def _plain(value: Any) -> Any:
         return {name: _plain(each) for name, each in value.items()}
     if isinstance(value, list | tuple):
         return [_plain(each) for each in value]
+    if isinstance(value, int) and value.bit_length() > LONGEST:
+        return hex(value)  # Python writes no decimal number of thousands of digits
     return int(value) if isinstance(value, float) and value.is_integer() else value

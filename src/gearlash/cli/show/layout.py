@@ -56,8 +56,9 @@ def table(title: str, columns: Sequence[Column], rows: Sequence[Sequence[str]], 
     room = width - len(INDENT) - sum(widths[:-1]) - GAP * (len(widths) - 1)
     words = [i for i, (_, side) in enumerate(columns[:-1]) if side == "left"]
     widest = max(words, key=lambda i: widths[i], default=None)
-    if widest is not None and room < NARROWEST < widths[widest]:
-        kept = max(NARROWEST, len(names[widest]), widths[widest] - (NARROWEST - room))
+    needed = min(NARROWEST, widths[-1])
+    if widest is not None and room < needed and widths[widest] > NARROWEST:
+        kept = max(NARROWEST, len(names[widest]), widths[widest] - (needed - room))
         room, widths[widest] = room + widths[widest] - kept, kept
     if any(names):
         yield Text(_line(names, columns, widths), style="dim")
